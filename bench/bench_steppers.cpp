@@ -1,0 +1,153 @@
+// Generated steppers against loops written by hand and against the table-driven stepper.
+// SPDX-License-Identifier: MIT
+//
+// The program times everything in one run, takes the medians of several repetitions in random
+// order, and prints their ratios last, so that a slow or busy machine matters little.
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include <hvi/generated/gauss_2.hpp>
+#include <hvi/generated/gauss_2_separable.hpp>
+#include <hvi/generated/stormer_verlet_separable.hpp>
+#include <hvi/generic_stepper.hpp>
+
+#include "by_hand.hpp"
+#include "problems.hpp"
+
+namespace {
+
+constexpr int steps = 1000;
+
+// NOTE: read through a volatile so that no compiler folds it, and not passed to DoNotOptimize(),
+// which spoils a double that lives in a register when g++ compiles it.
+double step_size() {
+    static volatile double h = 0.01;
+    return h;
+}
+
+void verlet_by_hand(benchmark::State& state) {
+    const double h = step_size();
+    bench::VerletByHand stepper(1.5, 0.0);
+    for (auto _ : state) {
+        for (int i = 0; i < steps; ++i) { stepper.step(h); }
+        benchmark::DoNotOptimize(stepper.q() + stepper.p());
+    }
+}
+BENCHMARK(verlet_by_hand);
+
+void gauss_by_hand(benchmark::State& state) {
+    const double h = step_size();
+    bench::Gauss2ByHand stepper(bench::pericentre());
+    for (auto _ : state) {
+        for (int i = 0; i < steps; ++i) {
+            if (!stepper.step(h)) { state.SkipWithError("no convergence"); }
+        }
+        benchmark::DoNotOptimize(stepper.qx() + stepper.py());
+    }
+}
+BENCHMARK(gauss_by_hand);
+
+template <class Stepper, class State>
+void run(benchmark::State& state, const Stepper& fresh, const State& start) {
+    Stepper stepper = fresh;
+    State x = start;
+    const double h = step_size();
+    long iterations = 0;
+    for (auto _ : state) {
+        for (int i = 0; i < steps; ++i) {
+            const hvi::Status status = stepper.step(x, h);
+            if (!status.ok()) { state.SkipWithError(status.message()); }
+            iterations += status.iterations;
+        }
+        benchmark::DoNotOptimize(x.q[0] + x.p[0]);
+    }
+    const auto taken = static_cast<double>(state.iterations()) * steps;
+    state.counters["iterations"] = static_cast<double>(iterations) / taken;
+}
+
+void verlet_generated(benchmark::State& state) {
+    using Stepper = hvi::generated::StormerVerletSeparable<bench::Pendulum>;
+    run(state, Stepper{}, Stepper::State{{1.5}, {0.0}});
+}
+BENCHMARK(verlet_generated);
+
+void gauss_generated(benchmark::State& state) {
+    run(state, hvi::generated::Gauss2<bench::Kepler>{}, bench::pericentre());
+}
+BENCHMARK(gauss_generated);
+
+void gauss_generated_separable(benchmark::State& state) {
+    run(state, hvi::generated::Gauss2Separable<bench::SeparableKepler>{}, bench::pericentre());
+}
+BENCHMARK(gauss_generated_separable);
+
+void gauss_from_table(benchmark::State& state) {
+    using Vector = hvi::GenericStepper::Vector;
+    const double root = std::sqrt(3.0) / 6;
+    const std::vector<std::vector<double>> A{{0.25, 0.25 - root}, {0.25 + root, 0.25}};
+    const hvi::GenericStepper stepper(
+        {{0.5, 0.5}, A, A},
+        [](const Vector& q, const Vector&, Vector& out) {
+            const double r2 = q[0] * q[0] + q[1] * q[1];
+            const double scale = 1.0 / (r2 * std::sqrt(r2));
+            out[0] = scale * q[0];
+            out[1] = scale * q[1];
+        },
+        [](const Vector&, const Vector& p, Vector& out) { out = p; });
+    run(state, stepper, hvi::GenericStepper::State{{0.4, 0.0}, {0.0, 2.0}});
+}
+BENCHMARK(gauss_from_table);
+
+/// Prints as usual and keeps the medians.
+class Medians : public benchmark::ConsoleReporter {
+public:
+    void ReportRuns(const std::vector<Run>& runs) override {
+        ConsoleReporter::ReportRuns(runs);
+        for (const Run& run : runs) {
+            if (run.aggregate_name == "median") {
+                medians_[run.run_name.function_name] = run.GetAdjustedCPUTime();
+            }
+        }
+    }
+
+    void print_ratio(const std::string& what, const std::string& by, const char* wanted) const {
+        const auto numerator = medians_.find(what);
+        const auto denominator = medians_.find(by);
+        if (numerator == medians_.end() || denominator == medians_.end()) { return; }
+        std::printf("%-28s / %-28s = %6.2f   (%s)\n", what.c_str(), by.c_str(),
+                    numerator->second / denominator->second, wanted);
+    }
+
+private:
+    std::map<std::string, double> medians_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::vector<std::string> words(argv, argv + argc);
+    words.insert(words.begin() + 1, {"--benchmark_repetitions=9",
+                                     "--benchmark_enable_random_interleaving=true",
+                                     "--benchmark_min_time=0.1",
+                                     "--benchmark_report_aggregates_only=true"});
+    std::vector<char*> arguments;
+    for (std::string& word : words) { arguments.push_back(word.data()); }
+    int count = static_cast<int>(arguments.size());
+    benchmark::Initialize(&count, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) { return 2; }
+
+    Medians medians;
+    benchmark::RunSpecifiedBenchmarks(&medians);
+    std::printf("\nRatios of median times:\n");
+    medians.print_ratio("verlet_generated", "verlet_by_hand", "at most 1.1");
+    medians.print_ratio("gauss_generated", "gauss_by_hand", "at most 1.2");
+    medians.print_ratio("gauss_from_table", "gauss_generated", "at least 4");
+    medians.print_ratio("gauss_from_table", "gauss_generated_separable", "at least 4");
+    return 0;
+}

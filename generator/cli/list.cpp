@@ -1,0 +1,86 @@
+// `hvi-gen list`: what can be named.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "generator/cli/commands.hpp"
+#include "generator/read/catalogue.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Rows under a title, in columns as wide as they need to be.
+std::string table(std::string_view title, const Rows& rows) {
+    std::vector<std::size_t> widths(rows.front().size());
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+
+    std::string text = fmt::format("{}\n", title);
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("  {:<{}}", row[i], widths[i]);
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string in_brackets(std::string_view paper) {
+    return paper.empty() ? "" : fmt::format(" [{}]", paper);
+}
+
+Rows family_rows(std::span<const FamilyEntry> families) {
+    Rows rows;
+    for (const FamilyEntry& family : families)
+        rows.push_back({fmt::format("{}:S", family.name), fmt::format("S = {}", family.sizes),
+                        fmt::format("{}{}", family.description, in_brackets(family.paper))});
+    return rows;
+}
+
+/// Families, then the forms that are written as calls.
+Rows item_rows(std::span<const FamilyEntry> families, std::span<const FormEntry> forms) {
+    Rows rows = family_rows(families);
+    for (const FormEntry& form : forms)
+        rows.push_back({std::string(form.form), "", std::string(form.description)});
+    return rows;
+}
+
+std::string bases() {
+    return table("Basis functions: --basis", item_rows(basis_families(), basis_forms()));
+}
+
+std::string nodes() {
+    return table("Nodes: --nodes", item_rows(node_families(), node_forms()));
+}
+
+std::string methods() {
+    Rows rows;
+    for (const MethodEntry& method : named_methods())
+        rows.push_back({std::string(method.name),
+                        fmt::format("{}{}", method.description, in_brackets(method.paper))});
+    return table("Methods: --method", rows) + "\n" +
+           table("Methods of S stages, with polynomials that interpolate at the nodes: --method",
+                 family_rows(node_families()));
+}
+
+std::string scenes() { return "Scenes\n  none in this version\n"; }
+
+}  // namespace
+
+void run(const ListOptions& options) {
+    std::string text;
+    if (options.topic == "bases") text = bases();
+    else if (options.topic == "nodes") text = nodes();
+    else if (options.topic == "methods") text = methods();
+    else if (options.topic == "scenes") text = scenes();
+    else text = bases() + "\n" + nodes() + "\n" + methods() + "\n" + scenes();
+    write_result({}, text);
+}
+
+}  // namespace hvi::gen

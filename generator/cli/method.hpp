@@ -1,0 +1,13 @@
+// From the METHOD of the command line to a tableau.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/cli/options.hpp"
+#include "generator/exact/tableau.hpp"
+
+namespace hvi::gen {
+
+/// Reads the method, gives its parameters their values, and derives its tableau.
+[[nodiscard]] Tableau tableau_of(const MethodOptions& options);
+
+}  // namespace hvi::gen

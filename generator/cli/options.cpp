@@ -1,0 +1,300 @@
+// CLI11 splits the command line; what its words mean, and what is wrong with them, is said here.
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// NOTE: CLI11 gets neither limits nor types nor exclusions to check, because its messages know no
+// place. It only refuses a last option without its value.
+#include "generator/cli/options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <charconv>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "generator/read/nearest.hpp"
+#include "generator/support/version.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::string_view method_help = R"help(METHOD is one of
+  --method gauss:3                          `hvi-gen list methods` prints them all
+  --basis "1, cos(pi*tau)" --nodes "0, 1"   functions of tau in [0,1], as many as nodes
+  --method-file FILE.toml                   with name, basis, nodes, [parameters])help";
+
+/// Commands and options of CONTRACT.md that later versions have.
+constexpr std::array announced_commands = {
+    std::pair{"check", "Order, symplecticity, symmetry, stability (to come)"},
+    std::pair{"scheme", "The equations of a step for a Hamiltonian (to come)"},
+    std::pair{"run", "Integrate a scene (to come)"},
+    std::pair{"report", "Compare methods on scenes (to come)"},
+};
+constexpr std::array announced_options = {"--hamiltonian", "--coordinates", "--momenta"};
+
+const std::vector<std::string_view> topics = {"", "bases", "nodes", "methods", "scenes"};
+
+[[noreturn]] void to_come(const std::string& what, Place place) {
+    throw InputError(what + " is announced, but not built yet", std::move(place));
+}
+
+/// A place that is the whole of an option's value.
+Place value_place(const std::string& option, const std::string& value) {
+    return {std::make_shared<const Source>(Source{option, value}), {0, value.size()}};
+}
+
+void add_value(CLI::App& command, const std::string& names, const std::string& type,
+               const std::string& help) {
+    // NOTE: exactly one value for each occurrence, so that no word behind it is swallowed.
+    command.add_option(names, [](const CLI::results_t&) { return true; }, help)
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name(type);
+}
+
+void add_flag(CLI::App& command, const std::string& name, const std::string& help) {
+    command.add_flag(name, help);
+}
+
+void add_method(CLI::App& command) {
+    add_value(command, "--method", "NAME", "A named method or family");
+    add_value(command, "--basis", "FUNCTIONS", "Basis functions of tau");
+    add_value(command, "--nodes", "NODES", "Nodes in [0,1]");
+    add_value(command, "--weights", "WEIGHTS", "Weights of the general form (to come)");
+    add_value(command, "--method-file", "FILE", "A method in TOML");
+    add_value(command, "--param", "NAME=VALUE", "The value of a parameter; repeatable");
+    command.footer(std::string(method_help));
+}
+
+/// The grammar of the command line.
+void describe(CLI::App& app) {
+    app.name("hvi-gen");
+    app.description("Derives symplectic integrators exactly and writes them as C++ headers.");
+    app.set_version_flag("--version", "hvi-gen " + std::string(version));
+    app.require_subcommand(0, 1);
+    app.allow_extras();
+
+    CLI::App& tableau = *app.add_subcommand("tableau", "Print the exact tableau of a method");
+    add_method(tableau);
+    add_value(tableau, "--format", "FORMAT", "text, json, latex, markdown or csv");
+    add_value(tableau, "--digits", "N", "Significant digits of decimal values (50)");
+    add_value(tableau, "-o,--output", "FILE", "Write to this file");
+
+    CLI::App& stepper = *app.add_subcommand("stepper", "Write a method as a C++ header");
+    add_method(stepper);
+    add_value(stepper, "SCENE", "FILE", "A Hamiltonian system in TOML (to come)");
+    add_flag(stepper, "--separable", "For H = T(p) + U(q)");
+    add_value(stepper, "--name", "NAME", "Name of the class");
+    add_flag(stepper, "--explain", "Say what is solved and what is left out");
+    add_value(stepper, "-o,--output", "FILE", "Write to this file");
+    for (const char* option : announced_options) add_value(stepper, option, "TEXT", "To come");
+
+    CLI::App& list = *app.add_subcommand("list", "Print what can be named");
+    add_value(list, "TOPIC", "TOPIC", "bases, nodes, methods or scenes; all when not given");
+
+    for (const auto& [name, help] : announced_commands) app.add_subcommand(name, help);
+    for (CLI::App* command : app.get_subcommands(nullptr)) command->allow_extras();
+}
+
+/// A command with the words that CLI11 gave to its options.
+class Words {
+public:
+    Words(const CLI::App& command, const CommandLine& line) : command_(command), line_(line) {}
+
+    /// CLI11 takes the next word for a value, whatever it is: an option forgotten its own value.
+    void check_values() const {
+        for (const CLI::Option* option : command_.get_options()) {
+            const auto& values = option->results();
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                if (command_.get_option_no_throw(values[i].substr(0, values[i].find('='))))
+                    throw InputError(option->get_name() + " needs a value", line_.place(option->get_name(), i));
+            }
+        }
+    }
+
+    /// The values of an option, one for each occurrence.
+    [[nodiscard]] const std::vector<std::string>& values(const std::string& option) const {
+        return command_.get_option(option)->results();
+    }
+
+    /// The value of an option that can be given once.
+    [[nodiscard]] std::optional<std::string> value(const std::string& option) const {
+        const auto& given = values(option);
+        if (given.empty()) return {};
+        if (given.size() > 1) throw InputError(option + " is given twice", line_.place(option, 1));
+        return given.front();
+    }
+
+    [[nodiscard]] bool flag(const std::string& option) const {
+        for (const std::string& value : command_.get_option(option)->results())
+            if (value != "true") throw InputError(option + " takes no value", line_.place(option));
+        return command_.count(option) > 0;
+    }
+
+    /// Checks that the options that are given are all of one group.
+    void one_form_of(const std::vector<std::vector<std::string>>& groups) const {
+        const std::string* first = nullptr;
+        for (const auto& group : groups) {
+            const std::string* here = nullptr;
+            for (const std::string& option : group)
+                if (!here && !values(option).empty()) here = &option;
+            if (first && here)
+                throw InputError(*first + " and " + *here + " each give a method", line_.place(*here),
+                                 "leave one of them out");
+            if (here) first = here;
+        }
+    }
+
+    [[nodiscard]] std::optional<int> number(const std::string& option, int least, int most) const {
+        const auto given = value(option);
+        if (!given) return {};
+        int number = 0;
+        const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), number);
+        const bool whole = error == std::errc{} && end == given->data() + given->size();
+        if (!whole || number < least || number > most)
+            throw InputError(option + " takes a whole number from " + std::to_string(least) + " to " +
+                                 std::to_string(most),
+                             value_place(option, *given));
+        return number;
+    }
+
+    /// The value of an option with a few possible ones; the first when it is not given.
+    [[nodiscard]] std::size_t choice(const std::string& option,
+                                     const std::vector<std::string_view>& choices) const {
+        const auto given = value(option);
+        if (!given) return 0;
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+            if (choices[i] == *given) return i;
+        }
+        std::string all;
+        for (const std::string_view each : choices) all.append(all.empty() ? "" : ", ").append(each);
+        throw InputError("no such value of " + option + ": `" + *given + "`",
+                         value_place(option, *given), did_you_mean(*given, choices, "one of " + all));
+    }
+
+private:
+    const CLI::App& command_;
+    const CommandLine& line_;
+};
+
+MethodOptions method_options(const Words& words, const CommandLine& line) {
+    words.one_form_of({{"--method"}, {"--basis", "--nodes", "--weights"}, {"--method-file"}});
+
+    MethodOptions method;
+    method.name = words.value("--method");
+    method.basis = words.value("--basis");
+    method.nodes = words.value("--nodes");
+    method.weights = words.value("--weights");
+    method.file = words.value("--method-file");
+    method.parameters = words.values("--param");
+    if (!method.name && !method.basis && !method.nodes && !method.weights && !method.file)
+        throw InputError("no method is given", line.end(), "for example --method gauss:2");
+    if (method.weights && !method.basis)
+        throw InputError("--weights needs --basis and --nodes", line.place("--weights"));
+    if (method.nodes && !method.basis)
+        throw InputError("--nodes needs --basis", line.place("--nodes"));
+    if (method.basis && !method.nodes)
+        throw InputError("--basis needs --nodes", line.place("--basis"));
+    return method;
+}
+
+std::optional<std::filesystem::path> output_option(const Words& words, const CommandLine& line) {
+    const auto output = words.value("--output");
+    if (output && output->empty()) throw InputError("-o needs the name of a file", line.end());
+    return output;
+}
+
+TableauOptions tableau_options(const Words& words, const CommandLine& line) {
+    TableauOptions options;
+    options.method = method_options(words, line);
+    options.format = static_cast<TableauOptions::Format>(
+        words.choice("--format", {"text", "json", "latex", "markdown", "csv"}));
+    options.digits = words.number("--digits", 1, 10000).value_or(options.digits);
+    options.output = output_option(words, line);
+    return options;
+}
+
+StepperOptions stepper_options(const Words& words, const CommandLine& line) {
+    for (const char* option : announced_options)
+        if (words.value(option)) to_come(option, line.place(option));
+    if (const auto scene = words.value("SCENE")) to_come("a stepper for a scene", line.place(*scene));
+
+    StepperOptions options;
+    options.method = method_options(words, line);
+    options.separable = words.flag("--separable");
+    options.name = words.value("--name");
+    options.explain = words.flag("--explain");
+    options.output = output_option(words, line);
+    return options;
+}
+
+ListOptions list_options(const Words& words) {
+    return {std::string(topics[words.choice("TOPIC", topics)])};
+}
+
+/// A word that CLI11 could give to nothing.
+[[noreturn]] void refuse(const std::string& word, const CLI::App& command, const CommandLine& line) {
+    if (word.starts_with("-")) {
+        std::vector<std::string> names;
+        for (const CLI::Option* option : command.get_options())
+            if (!option->get_positional()) names.push_back(option->get_name());
+        throw InputError("unknown option `" + word + "`", line.place(word),
+                         did_you_mean(word, {names.begin(), names.end()},
+                                      "`hvi-gen " + command.get_name() + " --help` lists the options"));
+    }
+    throw InputError("unexpected word `" + word + "`", line.place(word),
+                     "a method is given by --method, as in --method gauss:2");
+}
+
+/// The command that the line names.
+const CLI::App& command_of(const CLI::App& app, const CommandLine& line) {
+    const std::vector<std::string> rest = app.remaining();
+    const auto commands = app.get_subcommands();
+    if (!commands.empty() && rest.empty()) return *commands.front();
+    if (rest.empty())
+        throw InputError("no command is given", line.end(), "`hvi-gen --help` lists the commands");
+    if (rest.front().starts_with("-"))
+        throw InputError("unknown option `" + rest.front() + "`", line.place(rest.front()),
+                         "options of a command stand behind it, as in hvi-gen tableau --method gauss:2");
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+    throw InputError("unknown command `" + rest.front() + "`", line.place(rest.front()),
+                     did_you_mean(rest.front(), {names.begin(), names.end()},
+                                  "`hvi-gen --help` lists the commands"));
+}
+
+Request request(const CLI::App& command, const CommandLine& line) {
+    const std::string& name = command.get_name();
+    for (const auto& [announced, help] : announced_commands)
+        if (name == announced) to_come("the command `" + name + "`", line.place(name));
+    const Words words(command, line);
+    words.check_values();
+    if (const auto rest = command.remaining(); !rest.empty()) refuse(rest.front(), command, line);
+
+    if (name == "tableau") return tableau_options(words, line);
+    if (name == "stepper") return stepper_options(words, line);
+    HVI_CHECK(name == "list");
+    return list_options(words);
+}
+
+}  // namespace
+
+Request parse(const CommandLine& line) {
+    CLI::App app;
+    describe(app);
+    try {
+        app.parse(std::vector<std::string>(line.words().rbegin(), line.words().rend()));
+        return request(command_of(app, line), line);
+    } catch (const CLI::Success& asked) {  // --help, --version
+        std::ostringstream text;
+        app.exit(asked, text, text);
+        return Information{text.str()};
+    } catch (const CLI::ArgumentMismatch&) {
+        throw InputError(line.words().back() + " needs a value", line.last());
+    }
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,56 @@
+// What the command line asks for, as plain data.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "generator/cli/command_line.hpp"
+
+namespace hvi::gen {
+
+/// METHOD, as text: exactly one of `name`, `file`, and `basis` with `nodes` and perhaps `weights`.
+struct MethodOptions {
+    std::optional<std::string> name;
+    std::optional<std::string> basis;
+    std::optional<std::string> nodes;
+    std::optional<std::string> weights;
+    std::optional<std::string> file;
+    std::vector<std::string> parameters;  ///< `w=2`
+};
+
+struct TableauOptions {
+    enum class Format { text, json, latex, markdown, csv };
+
+    MethodOptions method;
+    Format format = Format::text;
+    int digits = 50;  ///< of `decimal`
+    std::optional<std::filesystem::path> output;
+};
+
+struct StepperOptions {
+    MethodOptions method;
+    bool separable = false;           ///< for H = T(p) + U(q)
+    std::optional<std::string> name;  ///< of the class
+    bool explain = false;             ///< say on standard error what is solved and what left out
+    std::optional<std::filesystem::path> output;
+};
+
+struct ListOptions {
+    std::string topic;  ///< `bases`, `nodes`, `methods`, `scenes`, or empty for all of them
+};
+
+/// `--help` or `--version`: the text to print.
+struct Information {
+    std::string text;
+};
+
+using Request = std::variant<TableauOptions, StepperOptions, ListOptions, Information>;
+
+/// Throws InputError with a caret in the command line, or in the value at fault.
+[[nodiscard]] Request parse(const CommandLine& line);
+
+}  // namespace hvi::gen

@@ -1,0 +1,74 @@
+# hvi_generate(): has hvi-gen write a stepper while your project is built.
+# SPDX-License-Identifier: MIT
+#
+#   hvi_generate(TARGET target HEADER file.hpp
+#                METHOD name | BASIS text NODES text | METHOD_FILE file.toml
+#                [SEPARABLE] [NAME class] [OPTIONS option...])
+#
+# Makes the INTERFACE library `target`, or adds to it: what links it can #include "file.hpp". The
+# methods and options are those of `hvi-gen stepper`; METHOD_FILE is relative to the directory of
+# the caller. OPTIONS takes any others, as in OPTIONS --param w=2.
+#
+# The program is hvi::hvi-gen, or the one that HVI_GEN_EXECUTABLE names: set it when you compile for
+# another machine.
+
+function(hvi_generate)
+    cmake_parse_arguments(PARSE_ARGV 0 arg
+        "SEPARABLE" "TARGET;HEADER;METHOD;BASIS;NODES;METHOD_FILE;NAME" "OPTIONS")
+    if(arg_UNPARSED_ARGUMENTS)
+        message(FATAL_ERROR "hvi_generate: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
+    endif()
+    if(NOT arg_TARGET OR NOT arg_HEADER)
+        message(FATAL_ERROR "hvi_generate: TARGET and HEADER are needed")
+    endif()
+
+    set(options)
+    set(inputs)
+    foreach(option METHOD BASIS NODES METHOD_FILE NAME)
+        if(DEFINED arg_${option})
+            string(TOLOWER "${option}" word)
+            string(REPLACE "_" "-" word "${word}")
+            list(APPEND options "--${word}=${arg_${option}}")
+        endif()
+    endforeach()
+    if(arg_SEPARABLE)
+        list(APPEND options --separable)
+    endif()
+    if(arg_METHOD_FILE)
+        file(REAL_PATH "${arg_METHOD_FILE}" method_file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
+        list(APPEND inputs "${method_file}")
+    endif()
+
+    if(HVI_GEN_EXECUTABLE)
+        set(hvi_gen "${HVI_GEN_EXECUTABLE}")
+    elseif(TARGET hvi::hvi-gen)
+        set(hvi_gen hvi::hvi-gen)
+    else()
+        message(FATAL_ERROR "hvi_generate: this hvi was built without hvi-gen; "
+            "set HVI_GEN_EXECUTABLE, or build hvi with HVI_BUILD_GENERATOR=ON")
+    endif()
+
+    set(directory "${CMAKE_CURRENT_BINARY_DIR}/hvi_generate/${arg_TARGET}")
+    set(header "${directory}/${arg_HEADER}")
+    cmake_path(GET header PARENT_PATH parent)
+    file(MAKE_DIRECTORY "${parent}")
+    # NOTE: run where the caller stands, so that the header quotes METHOD_FILE as the caller wrote it.
+    add_custom_command(
+        OUTPUT "${header}"
+        COMMAND ${hvi_gen} stepper ${options} ${arg_OPTIONS} -o "${header}"
+        DEPENDS ${hvi_gen} ${inputs}
+        WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
+        COMMENT "Generating ${arg_HEADER}"
+        VERBATIM)
+
+    if(NOT TARGET ${arg_TARGET})
+        add_library(${arg_TARGET} INTERFACE)
+        target_link_libraries(${arg_TARGET} INTERFACE hvi::runtime)
+    endif()
+    target_sources(${arg_TARGET}
+        INTERFACE FILE_SET HEADERS BASE_DIRS "${directory}" FILES "${header}")
+    # What links the target is compiled after the header is written, also in other directories.
+    string(MAKE_C_IDENTIFIER "${arg_TARGET}_${arg_HEADER}" step)
+    add_custom_target(${step} DEPENDS "${header}")
+    add_dependencies(${arg_TARGET} ${step})
+endfunction()

@@ -1,0 +1,15 @@
+// How a header opens.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/emit/emit.hpp"
+
+namespace hvi::gen {
+
+/// What made the header, from what, the exact tableau, and what was left out.
+[[nodiscard]] std::string banner(const Tableau& tableau, const Scheme& scheme,
+                                 const EmitOptions& options);
+
+}  // namespace hvi::gen

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/header.hpp"
+
+namespace hvi::gen {
+namespace {
+
+using Kind = StageNode::Kind;
+
+constexpr auto& loop = "for (Index k = 0; k < s.at.q.size(); ++k) {{";
+
+std::string unknowns(const Block& block) {
+    std::string names;
+    for (const auto& [kind, letter] : {std::pair{Kind::Q, "Q"}, std::pair{Kind::P, "P"}}) {
+        for (const std::size_t i : block.of(kind)) {
+            names += fmt::format("{}{}_{}", names.empty() ? "" : ", ", letter, i + 1);
+        }
+    }
+    Writer writer(1);
+    writer.comment(fmt::format("The stage equations of {}, which are solved at once.", names),
+                   "/// ");
+    return writer.str();
+}
+
+std::string index_list(std::string_view name, const std::vector<std::size_t>& indices) {
+    std::string list;
+    for (const std::size_t i : indices) { list += fmt::format("{}{}", list.empty() ? "" : ", ", i); }
+    Writer writer(2);
+    writer.line("static constexpr std::array<std::size_t, {}> {}{{{}}};", indices.size(), name,
+                list);
+    return writer.str();
+}
+
+/// The new values of Q, or of P, and how much they change.
+std::string stage_values(const std::vector<std::size_t>& indices, std::string_view letter,
+                         std::string_view y, bool measured, const auto& sum) {
+    if (indices.empty()) { return {}; }
+    Writer writer(3);
+    writer.open(loop);
+    writer.line("const double {0} = s.at.{0}[k];", y);
+    writer.line("const double e_{0} = s.remainder.{0}[k];", y);
+    std::string change;
+    for (const std::size_t i : indices) {
+        writer.line("const double {}_{} = {};", letter, i + 1, sum(i));
+        change += fmt::format("{0}std::abs({1}_{2} - s.{1}[{3}][k])", change.empty() ? "" : " + ",
+                              letter, i + 1, i);
+    }
+    if (measured) { writer.line("s.change.{}[k] = {};", y, change); }
+    for (const std::size_t i : indices) {
+        writer.line("s.{0}[{1}][k] = {0}_{2};", letter, i, i + 1);
+    }
+    return writer.close().str();
+}
+
+std::string slopes(const std::vector<std::size_t>& indices, std::string_view letter,
+                   const auto& evaluate, const auto& factor) {
+    if (indices.empty()) { return {}; }
+    Writer writer(3);
+    writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
+    for (const std::size_t i : indices) {
+        writer.line("system.{}", evaluate(i));
+        writer.open(loop).line("s.{}[{}][k] = {} * slope[k];", letter, i, factor(i)).close();
+    }
+    return writer.str();
+}
+
+std::string size(const std::vector<std::size_t>& values, std::string_view letter,
+                 const std::vector<std::size_t>& slopes, std::string_view slope_letter) {
+    if (values.empty()) { return "return 0.0;"; }
+    std::string sum;
+    for (const auto& [indices, name] : {std::pair{values, letter}, std::pair{slopes, slope_letter}}) {
+        for (const std::size_t i : indices) {
+            sum += fmt::format("{}std::abs(s.{}[{}][k])", sum.empty() ? "" : " + ", name, i);
+        }
+    }
+    return Writer(3).line("return {};", sum).str();
+}
+
+std::string_view text(bool value) { return value ? "true" : "false"; }
+
+}  // namespace
+
+std::string coupled(const Scheme& scheme, const Block& block, std::string_view name) {
+    const auto Q = block.of(Kind::Q);
+    const auto P = block.of(Kind::P);
+    const auto Lq = block.of(Kind::Lq);
+    const auto Lp = block.of(Kind::Lp);
+    const bool measures_p = !scheme.separable || Q.empty();
+    std::string struct_text = fill(
+        "coupled.hpp.in",
+        {{"unknowns", unknowns(block)},
+         {"name", std::string(name)},
+         {"types", fmt::format("{}, {}", scheme.positions.size(), scheme.momenta.size())},
+         {"separable", std::string(text(scheme.separable))},
+         {"has_q", std::string(text(!Q.empty()))},
+         {"has_p", std::string(text(!P.empty()))},
+         {"unknown_q", index_list("unknown_q", Lq)},
+         {"unknown_p", index_list("unknown_p", Lp)},
+         {"m", "m"},
+         {"mt", scheme.one_tableau ? "m" : "mt"},
+         {"b_q", weights_q(scheme)},
+         {"b_p", weights_p(scheme)},
+         {"momenta", stage_values(P, "P", "p", measures_p,
+                                  [&](std::size_t j) { return momentum_sum(scheme, j, "s"); })},
+         {"velocities",
+          slopes(Lq, "Lq",
+                 [&](std::size_t j) { return evaluate_velocity(scheme, j, "s"); },
+                 [&](std::size_t j) { return velocity_factor(scheme, j, "s.h"); })},
+         {"positions", stage_values(Q, "Q", "q", true,
+                                    [&](std::size_t i) { return position_sum(scheme, i, "s"); })},
+         {"forces", slopes(Lp, "Lp",
+                           [&](std::size_t i) { return evaluate_force(scheme, i, "s"); },
+                           [&](std::size_t i) { return force_factor(scheme, i, "s.h"); })},
+         {"size_q", size(Q, "Q", Lq, "Lq")},
+         {"size_p", size(P, "P", Lp, "Lp")}});
+    struct_text.pop_back();
+    return struct_text;
+}
+
+}  // namespace hvi::gen

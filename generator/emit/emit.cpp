@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/emit.hpp"
+
+#include "generator/emit/header.hpp"
+
+namespace hvi::gen {
+
+std::string emit(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+    return scheme.is_explicit() ? emit_explicit(tableau, scheme, options)
+                                : emit_implicit(tableau, scheme, options);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/header.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+namespace {
+
+bool is_merged(const Scheme& scheme) {
+    for (const auto* values : {&scheme.positions, &scheme.momenta}) {
+        for (const StageValue& value : *values) {
+            if (value.stages.size() > 1) { return true; }
+        }
+    }
+    return false;
+}
+
+/// NOTE: zero and one leave no trace in the arithmetic: no term, no factor. A number that cannot be
+/// told from them is written like any other.
+struct Term {
+    Number coefficient;
+    std::string factor;  // the coefficient in the header
+    std::string slope;
+};
+
+bool is(const Number& number, long value) {
+    try {
+        return (number - Number(value)).is_zero();
+    } catch (const MathError&) {
+        return false;
+    }
+}
+
+std::string sum(const std::vector<Term>& terms) {
+    std::string text;
+    for (const Term& term : terms) {
+        if (is(term.coefficient, 0)) { continue; }
+        if (!text.empty()) { text += " + "; }
+        text += is(term.coefficient, 1) ? term.slope : term.factor + " * " + term.slope;
+    }
+    HVI_CHECK(!text.empty());
+    return text;
+}
+
+/// y + (e + (sum)): the small ones first.
+std::string stage(std::string_view y, const std::string& terms) {
+    const bool one_term = terms.find(" + ") == std::string::npos;
+    return one_term ? fmt::format("{0} + (e_{0} + {1})", y, terms)
+                    : fmt::format("{0} + (e_{0} + ({1}))", y, terms);
+}
+
+std::string factor(const StageValue& value, const std::string& weights, std::size_t index,
+                   std::string_view h) {
+    return is(value.weight, 1) ? std::string(h) : fmt::format("{} * {}[{}]", h, weights, index);
+}
+
+}  // namespace
+
+std::string weights_q(const Scheme& scheme) { return is_merged(scheme) ? "b_q" : "b"; }
+std::string weights_p(const Scheme& scheme) { return is_merged(scheme) ? "b_p" : "b"; }
+
+std::string position_sum(const Scheme& scheme, std::size_t i, std::string_view s) {
+    std::vector<Term> terms;
+    for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
+        terms.push_back({scheme.m[i][j], fmt::format("m[{}][{}]", i, j),
+                         fmt::format("{}.Lq[{}][k]", s, j)});
+    }
+    return stage("q", sum(terms));
+}
+
+std::string momentum_sum(const Scheme& scheme, std::size_t j, std::string_view s) {
+    const std::string_view name = scheme.one_tableau ? "m" : "mt";
+    std::vector<Term> terms;
+    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
+        terms.push_back({Number(1) - scheme.m[i][j], fmt::format("{}[{}][{}]", name, j, i),
+                         fmt::format("{}.Lp[{}][k]", s, i)});
+    }
+    return stage("p", sum(terms));
+}
+
+std::string evaluate_velocity(const Scheme& scheme, std::size_t j, std::string_view s) {
+    if (!scheme.separable) { return fmt::format("dHdp({0}.Q[{1}], {0}.P[{1}], slope);", s, j); }
+    if (scheme.momenta[j].place == StageValue::Place::inner) {
+        return fmt::format("dHdp({}.P[{}], slope);", s, j);
+    }
+    return fmt::format("dHdp({}.at.p, slope);", s);
+}
+
+std::string evaluate_force(const Scheme& scheme, std::size_t i, std::string_view s) {
+    if (!scheme.separable) { return fmt::format("dHdq({0}.Q[{1}], {0}.P[{1}], slope);", s, i); }
+    if (scheme.positions[i].place == StageValue::Place::inner) {
+        return fmt::format("dHdq({}.Q[{}], slope);", s, i);
+    }
+    return fmt::format("dHdq({}.at.q, slope);", s);
+}
+
+std::string velocity_factor(const Scheme& scheme, std::size_t j, std::string_view h) {
+    return factor(scheme.momenta[j], weights_q(scheme), j, h);
+}
+
+std::string force_factor(const Scheme& scheme, std::size_t i, std::string_view h) {
+    return factor(scheme.positions[i], weights_p(scheme), i, fmt::format("-{}", h));
+}
+
+}  // namespace hvi::gen

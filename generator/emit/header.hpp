@@ -1,0 +1,52 @@
+// The two kinds of headers, and the pieces that they share.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emit/emit.hpp"
+#include "generator/emit/text.hpp"
+
+namespace hvi::gen {
+
+[[nodiscard]] std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
+                                        const EmitOptions& options);
+[[nodiscard]] std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
+                                        const EmitOptions& options);
+
+/// A coefficient in a header: its double and what it is exactly.
+struct Constant {
+    std::string name;  ///< `m_12`, in the comment
+    double value;
+    std::string exact;
+};
+
+/// `static constexpr double NAME[n] = {...};` with the exact value beside each literal.
+void table(Writer& writer, std::string_view name, const std::vector<Constant>& row);
+void table(Writer& writer, std::string_view name, const std::vector<std::vector<Constant>>& rows);
+
+/// The weights of slopes, named after the stages of the tableau: b_1, or b_1+b_2 of merged ones.
+[[nodiscard]] std::vector<Constant> weights(const std::vector<StageValue>& values);
+
+/// One struct with the stage equations of a block; see templates/coupled.hpp.in.
+[[nodiscard]] std::string coupled(const Scheme& scheme, const Block& block, std::string_view name);
+
+/// Where the weights of the slopes Lq and Lp stand: one table `b` when no stages were merged.
+[[nodiscard]] std::string weights_q(const Scheme& scheme);
+[[nodiscard]] std::string weights_p(const Scheme& scheme);
+
+/// Q_i[k] = ... without the leading name: q + (e + (...)), of the slopes in `s`.
+[[nodiscard]] std::string position_sum(const Scheme& scheme, std::size_t i, std::string_view s);
+[[nodiscard]] std::string momentum_sum(const Scheme& scheme, std::size_t j, std::string_view s);
+
+/// The call of the system, without its name, that puts the slope without its factor into `slope`.
+[[nodiscard]] std::string evaluate_velocity(const Scheme& scheme, std::size_t j,
+                                            std::string_view s);
+[[nodiscard]] std::string evaluate_force(const Scheme& scheme, std::size_t i, std::string_view s);
+
+/// h b_j of Lq_j, -h b_i of Lp_i; without the factor where the weight is 1.
+[[nodiscard]] std::string velocity_factor(const Scheme& scheme, std::size_t j, std::string_view h);
+[[nodiscard]] std::string force_factor(const Scheme& scheme, std::size_t i, std::string_view h);
+
+}  // namespace hvi::gen

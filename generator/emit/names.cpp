@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/names.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace hvi::gen {
+namespace {
+
+// NOTE: not <cctype>, whose answers depend on the locale.
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_word(char c) { return is_lower(c) || is_upper(c) || is_digit(c); }
+char to_upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Sorted. Of C++17 and C++20.
+constexpr std::array<std::string_view, 92> keywords{
+    "alignas",      "alignof",     "and",           "and_eq",       "asm",
+    "auto",         "bitand",      "bitor",         "bool",         "break",
+    "case",         "catch",       "char",          "char16_t",     "char32_t",
+    "char8_t",      "class",       "co_await",      "co_return",    "co_yield",
+    "compl",        "concept",     "const",         "const_cast",   "consteval",
+    "constexpr",    "constinit",   "continue",      "decltype",     "default",
+    "delete",       "do",          "double",        "dynamic_cast", "else",
+    "enum",         "explicit",    "export",        "extern",       "false",
+    "float",        "for",         "friend",        "goto",         "if",
+    "inline",       "int",         "long",          "mutable",      "namespace",
+    "new",          "noexcept",    "not",           "not_eq",       "nullptr",
+    "operator",     "or",          "or_eq",         "private",      "protected",
+    "public",       "register",    "reinterpret_cast", "requires",  "return",
+    "short",        "signed",      "sizeof",        "static",       "static_assert",
+    "static_cast",  "struct",      "switch",        "template",     "this",
+    "thread_local", "throw",       "true",          "try",          "typedef",
+    "typeid",       "typename",    "union",         "unsigned",     "using",
+    "virtual",      "void",        "volatile",      "wchar_t",      "while",
+    "xor",          "xor_eq",
+};
+
+/// What means something else where the class is declared: members, template parameters, and names
+/// of hvi and of macros that standard headers may define.
+constexpr std::array<std::string_view, 31> taken{
+    "System", "Solver", "Vector", "State",   "Status",    "Index",     "Coupled",  "Stages",
+    "Sum",    "step",   "reset",  "predict", "system_",   "s_",        "solver_",  "force_",
+    "p_",     "q_",     "slope_", "known_",  "velocity_", "m",         "mt",       "N",
+    "b",      "b_q",    "b_p",    "hvi",     "std",       "FixedPoint", "Newton",
+};
+
+bool is_identifier(std::string_view name) {
+    return !name.empty() && !is_digit(name.front()) &&
+           std::all_of(name.begin(), name.end(), [](char c) { return is_word(c) || c == '_'; });
+}
+
+bool is_reserved(std::string_view name) {
+    return name.find("__") != std::string_view::npos ||
+           (name.size() > 1 && name[0] == '_' && is_upper(name[1]));
+}
+
+/// `Coupled1` and the like are structs of the class, `M_PI` and the like may be macros.
+bool is_taken(std::string_view name) {
+    if (std::find(taken.begin(), taken.end(), name) != taken.end()) { return true; }
+    constexpr std::string_view coupled = "Coupled";
+    if (name.substr(0, coupled.size()) == coupled) {
+        return std::all_of(name.begin() + coupled.size(), name.end(), is_digit);
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string class_name(std::string_view method) {
+    std::string name;
+    bool at_start = true;
+    for (const char c : method) {
+        if (is_word(c)) {
+            name += at_start ? to_upper(c) : c;
+            at_start = false;
+        } else {
+            at_start = true;
+        }
+    }
+    if (name.empty()) { return "Stepper"; }
+    return is_digit(name.front()) ? "Stepper" + name : name;
+}
+
+std::string file_name(std::string_view method) {
+    std::string name;
+    for (const char c : method) { name += is_word(c) ? c : '_'; }
+    return (name.empty() ? "stepper" : name) + ".hpp";
+}
+
+void check_class_name(std::string_view name, const std::optional<Place>& place) {
+    static_assert(std::is_sorted(keywords.begin(), keywords.end()));
+    constexpr auto help = "an identifier like Gauss2, of letters, digits and single underscores";
+    if (!is_identifier(name)) {
+        throw InputError(fmt::format("'{}' cannot be the name of a class", name), place, help);
+    }
+    if (std::binary_search(keywords.begin(), keywords.end(), name)) {
+        throw InputError(fmt::format("'{}' is a word of C++ itself", name), place, help);
+    }
+    if (is_reserved(name)) {
+        throw InputError(fmt::format("'{}' is a name that C++ reserves", name), place, help);
+    }
+    if (is_taken(name)) {
+        throw InputError(fmt::format("'{}' means something else in the header", name), place, help);
+    }
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,23 @@
+// Names of classes and files.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+/// `gauss:2` -> `Gauss2`, `stormer-verlet` -> `StormerVerlet`; `Stepper` for a method without name.
+[[nodiscard]] std::string class_name(std::string_view method);
+
+/// `gauss:2` -> `gauss_2.hpp`, `stormer-verlet` -> `stormer_verlet.hpp`, `stepper.hpp`.
+[[nodiscard]] std::string file_name(std::string_view method);
+
+/// Throws InputError, pointing at `place`, unless `name` may be the name of a class in C++: an
+/// identifier, no keyword, not reserved, and none of the names that the header itself uses.
+void check_class_name(std::string_view name, const std::optional<Place>& place);
+
+}  // namespace hvi::gen

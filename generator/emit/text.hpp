@@ -1,0 +1,75 @@
+// Pieces of generated text: lines, wrapping, numbers, templates.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "generator/exact/number.hpp"
+
+namespace hvi::gen {
+
+constexpr std::size_t page_width = 100;
+
+/// Lines of generated text, indented by four blanks for each open brace.
+class Writer {
+public:
+    /// `depth`: how many braces are open where the text will be inserted.
+    explicit Writer(std::size_t depth) : base_(depth) {}
+
+    /// One statement. Where it is too long for the page it is broken before binary + and -, else at
+    /// blanks, and goes on four columns further in.
+    template <class... Arguments>
+    Writer& line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        write(fmt::format(format, std::forward<Arguments>(arguments)...));
+        return *this;
+    }
+
+    /// A line that ends in an opening brace.
+    template <class... Arguments>
+    Writer& open(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        line(format, std::forward<Arguments>(arguments)...);
+        ++depth_;
+        return *this;
+    }
+    Writer& close(std::string_view text = "}");
+
+    Writer& blank();
+
+    /// A comment, broken to the page; lines but the first go on `hang` columns further in.
+    Writer& comment(std::string_view text, std::string_view mark = "// ", std::size_t hang = 0);
+
+    /// Without a newline at the end.
+    [[nodiscard]] std::string str() const;
+
+private:
+    void write(std::string_view statement);
+    [[nodiscard]] std::size_t indentation() const { return 4 * depth_; }
+    [[nodiscard]] std::size_t room() const { return page_width - 4 * base_ - indentation(); }
+
+    std::string text_;
+    std::size_t base_;
+    std::size_t depth_ = 0;
+};
+
+/// The exact value as text, or its first digits where it has no closed form.
+[[nodiscard]] std::string exact_text(const Number& number);
+
+/// The double as C++ writes it: the shortest decimal that reads back as the same double, which
+/// every compiler rounds correctly and which can be compared with the exact value by eye.
+[[nodiscard]] std::string literal(double value);
+
+using Holes = std::map<std::string_view, std::string>;
+
+/// The embedded template with each `@hole@` filled. A value of several lines keeps the indentation
+/// of a hole that stands alone on its line; an empty one takes the line away. The template opens
+/// with lines `//@` that list its holes. Holes that are unknown, not filled or not used break an
+/// invariant.
+[[nodiscard]] std::string fill(std::string_view template_name, const Holes& holes);
+
+}  // namespace hvi::gen

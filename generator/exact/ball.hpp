@@ -1,0 +1,44 @@
+// A real interval with proven bounds: Arb's midpoint-radius balls with value semantics.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <arb.h>
+
+#include <string>
+
+namespace hvi::gen {
+
+/// An enclosure: the number it stands for lies in it, whatever the working precision was.
+class Ball {
+public:
+    Ball() { arb_init(ball_); }
+    Ball(const Ball& other) : Ball() { arb_set(ball_, other.ball_); }
+    Ball(Ball&& other) noexcept : Ball() { arb_swap(ball_, other.ball_); }
+    Ball& operator=(Ball other) noexcept {
+        arb_swap(ball_, other.ball_);
+        return *this;
+    }
+    ~Ball() { arb_clear(ball_); }
+
+    [[nodiscard]] arb_ptr get() { return ball_; }
+    [[nodiscard]] arb_srcptr get() const { return ball_; }
+
+    /// -1 or 1 when every number in the ball has that sign, 0 when it contains zero.
+    [[nodiscard]] int sign() const;
+
+private:
+    arb_t ball_;
+};
+
+/// Working precision in bits.
+using Precision = slong;
+
+/// Where refining begins, and where it gives up: a decision that needs more than this many bits is
+/// reported as undecided.
+inline constexpr Precision first_precision = 128;
+inline constexpr Precision last_precision = 1 << 15;
+
+/// The rational given by its decimal digits, rounded outwards.
+[[nodiscard]] Ball ball_of_rational(const std::string& fraction, Precision bits);
+
+}  // namespace hvi::gen

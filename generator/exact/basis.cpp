@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/basis.hpp"
+
+#include "generator/exact/evaluate.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// 1, tau, tau^2, ...
+Expression monomial(long index) {
+    if (index == 0) return Expression::integer(1);
+    const Expression tau = Expression::symbol("tau");
+    return index == 1 ? tau : Expression::power(tau, Expression::integer(index));
+}
+
+/// 1, cos(pi*tau), sin(pi*tau), cos(2*pi*tau), ...
+Expression trigonometric(long index) {
+    if (index == 0) return Expression::integer(1);
+    std::vector<Expression> angle{Expression::symbol("pi"), Expression::symbol("tau")};
+    const long wave = (index + 1) / 2;
+    if (wave > 1) angle.insert(angle.begin(), Expression::integer(wave));
+    return Expression::call(index % 2 == 1 ? "cos" : "sin", {Expression::product(std::move(angle))});
+}
+
+}  // namespace
+
+std::vector<BasisFunction> basis_functions(const List& list, const Ground& ground) {
+    std::vector<BasisFunction> result;
+    for (const Item& item : list.items) {
+        if (const Family* family = std::get_if<Family>(&item.what)) {
+            HVI_CHECK(family->name == "monomials" || family->name == "trig");
+            for (long i = 0; i < family->size; ++i) {
+                const Expression form = family->name == "trig" ? trigonometric(i) : monomial(i);
+                result.push_back({form, evaluate_function(form, list.source, ground)});
+            }
+        } else {
+            const Expression& form = std::get<Expression>(item.what);
+            result.push_back({form, evaluate_function(form, list.source, ground)});
+        }
+    }
+    return result;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,20 @@
+// Basis functions psi_1 .. psi_s, from the user's list and from families.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/exact/function.hpp"
+#include "generator/read/parse.hpp"
+
+namespace hvi::gen {
+
+struct BasisFunction {
+    Expression form;  ///< as the user wrote it
+    ExactFunction function;
+};
+
+/// Throws as evaluate_function does.
+[[nodiscard]] std::vector<BasisFunction> basis_functions(const List& list, const Ground& ground);
+
+}  // namespace hvi::gen

@@ -1,0 +1,355 @@
+// From the normal form of a field element to the expression that people read.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "generator/exact/field.hpp"
+#include "generator/exact/integers.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+/// coefficient * product of powers of the transcendental generators * algebraic monomial.
+struct Term {
+    numeric coefficient;
+    std::vector<int> powers;
+    Monomial monomial;
+};
+
+/// (sum of numerator)/(sum of denominator): integer coefficients without a common divisor, the first
+/// of the denominator positive, no algebraic generator in the denominator. GiNaC's order of terms,
+/// which changes from run to run, ends here: the terms are sorted by their exponents.
+struct Fraction {
+    std::vector<Term> numerator;
+    std::vector<Term> denominator;
+};
+
+bool before(const Term& left, const Term& right) {
+    const auto degree = [](const Term& term) {
+        int sum = 0;
+        for (const int power : term.powers) sum += power;
+        return sum;
+    };
+    const auto key = [&](const Term& term) { return std::tuple(degree(term), term.powers); };
+    if (key(left) != key(right)) return key(left) > key(right);
+    return left.monomial < right.monomial;
+}
+
+/// One product of numbers, symbols and their powers.
+Term read_product(const ex& product, const Field* field) {
+    const std::size_t count = field == nullptr ? 0 : field->transcendentals().size();
+    Term term{1, std::vector<int>(count), {}};
+    const bool is_product = GiNaC::is_a<GiNaC::mul>(product);
+    for (std::size_t i = 0; i < (is_product ? product.nops() : 1); ++i) {
+        const ex factor = is_product ? product.op(i) : product;
+        if (GiNaC::is_a<numeric>(factor)) {
+            term.coefficient *= GiNaC::ex_to<numeric>(factor);
+            continue;
+        }
+        const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
+        const ex symbol = is_power ? factor.op(0) : factor;
+        const auto& generators = field->transcendentals();
+        const auto found = std::find_if(generators.begin(), generators.end(), [&](const auto& g) {
+            return symbol.is_equal(g.symbol);
+        });
+        HVI_CHECK(found != generators.end());
+        term.powers[static_cast<std::size_t>(found - generators.begin())] +=
+            is_power ? GiNaC::ex_to<numeric>(factor.op(1)).to_int() : 1;
+    }
+    return term;
+}
+
+void append_polynomial(std::vector<Term>& terms, const ex& polynomial, const Monomial& monomial,
+                       const Field* field) {
+    const ex expanded = polynomial.expand();
+    const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
+    for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
+        terms.push_back(read_product(is_sum ? expanded.op(i) : expanded, field));
+        terms.back().monomial = monomial;
+    }
+}
+
+/// Powers of a cosine generator g = cos(pi/n) as cosines of multiple angles,
+/// g^k = 2^(1-k) (cos(k pi/n) + k cos((k-2) pi/n) + ...): from here on an exponent k of g stands for
+/// cos(k pi/n).
+std::vector<Term> with_multiple_angles(const std::vector<Term>& terms, std::size_t index) {
+    std::map<std::pair<std::vector<int>, Monomial>, numeric> sums;
+    for (const Term& term : terms) {
+        const unsigned k = index < term.monomial.size() ? term.monomial[index] : 0;
+        for (unsigned j = 0; 2 * j <= k; ++j) {
+            Monomial monomial = term.monomial;
+            if (k != 0) monomial[index] = k - 2 * j;
+            while (!monomial.empty() && monomial.back() == 0) monomial.pop_back();
+            const numeric both = 2 * j == k ? 1 : 2;
+            const numeric share = GiNaC::binomial(numeric(k), numeric(j)) * both /
+                                  GiNaC::pow(numeric(2), numeric(k));
+            sums[{term.powers, monomial}] += term.coefficient * share;
+        }
+    }
+    std::vector<Term> result;
+    for (const auto& [key, coefficient] : sums) {
+        if (!coefficient.is_zero()) result.push_back({coefficient, key.first, key.second});
+    }
+    return result;
+}
+
+Fraction fraction(const Element& argument) {
+    HVI_CHECK(!argument.is_zero());
+    ex denominator = 1;
+    for (const auto& [monomial, coefficient] : argument.terms()) {
+        denominator = GiNaC::lcm(denominator, coefficient.numer_denom().op(1).expand());
+    }
+    Fraction result;
+    append_polynomial(result.denominator, denominator, {}, argument.field());
+    for (const auto& [monomial, coefficient] : argument.terms()) {
+        append_polynomial(result.numerator, (coefficient * denominator).normal(), monomial,
+                          argument.field());
+    }
+    for (std::size_t i = 0; i < argument.level(); ++i) {
+        if (argument.field()->algebraic(i).kind == Algebraic::Kind::cosine) {
+            result.numerator = with_multiple_angles(result.numerator, i);
+        }
+    }
+    std::sort(result.numerator.begin(), result.numerator.end(), before);
+    std::sort(result.denominator.begin(), result.denominator.end(), before);
+
+    numeric divisor = 0;
+    numeric multiple = 1;
+    for (const auto* side : {&result.numerator, &result.denominator}) {
+        for (const Term& term : *side) multiple = GiNaC::lcm(multiple, term.coefficient.denom());
+    }
+    for (const auto* side : {&result.numerator, &result.denominator}) {
+        for (const Term& term : *side) divisor = GiNaC::gcd(divisor, term.coefficient * multiple);
+    }
+    if (result.denominator.front().coefficient.is_negative()) divisor = -divisor;
+    for (auto* side : {&result.numerator, &result.denominator}) {
+        for (Term& term : *side) term.coefficient *= multiple / divisor;
+    }
+    return result;
+}
+
+/// A rational factor and radicals, equal to a product of root generators.
+struct Radicals {
+    numeric factor = 1;
+    std::vector<Expression> factors;
+
+    [[nodiscard]] std::size_t length() const {
+        std::size_t sum = digits(factor).size();
+        for (const Expression& radical : factors) sum += to_text(radical).size() + 1;
+        return sum;
+    }
+};
+
+/// Multiplies by sqrt(radicand), squares taken out.
+void append_root(Radicals& radicals, const Element& radicand) {
+    const Simplified root = simplified_root(radicand);
+    radicals.factor *= root.factor;
+    if (root.radicand.is_rational() && root.radicand.rational().is_equal(1)) return;
+    radicals.factors.push_back(Expression::call("sqrt", {closed_form(root.radicand)}));
+}
+
+/// Two ways to write a product of roots: the rational radicands under one root and each nested one
+/// by itself, or all under one root; the shorter serves. sqrt(2)*sqrt(3) is sqrt(6), and the two
+/// conjugate radicals of gauss:4 multiply to 35*sqrt(105).
+Radicals radicals(const Monomial& monomial, const Field* field) {
+    Radicals separate;
+    Element rational(1);
+    Element all(1);
+    for (std::size_t i = 0; i < monomial.size(); ++i) {
+        if (monomial[i] == 0 || field->algebraic(i).kind != Algebraic::Kind::root) continue;
+        const Algebraic& generator = field->algebraic(i);
+        all = all * generator.reduced;
+        if (generator.reduced.is_rational()) {
+            rational = rational * generator.reduced;
+        } else {
+            separate.factors.push_back(generator.form);
+        }
+    }
+    if (all.is_rational()) {
+        Radicals single;
+        append_root(single, all);
+        return single;
+    }
+    std::vector<Expression> nested = std::move(separate.factors);
+    separate.factors.clear();
+    append_root(separate, rational);
+    separate.factors.insert(separate.factors.end(), nested.begin(), nested.end());
+    if (has_parameters(all)) return separate;
+    Radicals single;
+    append_root(single, all);
+    return single.length() < separate.length() ? single : separate;
+}
+
+Expression power_of(const Expression& base, int exponent) {
+    return exponent == 1 ? base : Expression::power(base, Expression::integer(exponent));
+}
+
+/// The transcendental part of a term; exponentials are collected into one, exp(1) is e.
+std::vector<Expression> transcendental_factors(const std::vector<int>& powers, const Field* field) {
+    std::vector<Expression> factors;
+    Element exponent;
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+        if (powers[i] == 0) continue;
+        const Transcendental& generator = field->transcendentals()[i];
+        if (generator.exponent) {
+            exponent = exponent + *generator.exponent * Element(powers[i]);
+        } else {
+            factors.push_back(power_of(generator.form, powers[i]));
+        }
+    }
+    if (exponent.is_zero()) return factors;
+    const Expression e = Expression::symbol("e");
+    if (exponent.is_rational() && exponent.rational().is_pos_integer()) {
+        factors.push_back(power_of(e, exponent.rational().to_int()));
+    } else {
+        factors.push_back(Expression::call("exp", {closed_form(exponent)}));
+    }
+    return factors;
+}
+
+Expression integer_form(const numeric& value) { return Expression::rational(digits(value), "1"); }
+
+/// cos(half_turns * pi)
+Expression cosine_form(const numeric& half_turns) {
+    std::vector<Expression> angle{Expression::symbol("pi")};
+    if (!half_turns.numer().is_equal(1)) {
+        angle.insert(angle.begin(), integer_form(half_turns.numer()));
+    }
+    angle.push_back(Expression::reciprocal(integer_form(half_turns.denom())));
+    return Expression::call("cos", {Expression::product(std::move(angle))});
+}
+
+/// One term with its sign; `divided_by` are powers of transcendental generators below the line.
+Expression term_form(const Term& term, const numeric& denominator, const std::vector<int>& divided_by,
+                     const Field* field) {
+    Radicals roots = radicals(term.monomial, field);
+    const numeric coefficient = term.coefficient * roots.factor / denominator;
+    std::vector<int> powers = term.powers;
+    std::vector<int> below(powers.size());
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+        const int power = powers[i] - (i < divided_by.size() ? divided_by[i] : 0);
+        powers[i] = std::max(power, 0);
+        below[i] = std::max(-power, 0);
+    }
+    std::vector<Expression> factors = transcendental_factors(powers, field);
+    std::move(roots.factors.begin(), roots.factors.end(), std::back_inserter(factors));
+    for (std::size_t i = 0; i < term.monomial.size(); ++i) {
+        if (term.monomial[i] == 0) continue;
+        const Algebraic& generator = field->algebraic(i);
+        if (generator.kind == Algebraic::Kind::sine) factors.push_back(generator.form);
+        if (generator.kind == Algebraic::Kind::cosine) {
+            factors.push_back(cosine_form(numeric(term.monomial[i], generator.denominator)));
+        }
+    }
+    std::sort(factors.begin(), factors.end(), [](const Expression& left, const Expression& right) {
+        const auto key = [](const Expression& factor) {
+            const bool is_power = factor.kind == Expression::Kind::power;
+            const Expression& base = is_power ? factor.arguments[0] : factor;
+            return std::tuple(base.kind == Expression::Kind::call, to_text(base), to_text(factor));
+        };
+        return key(left) < key(right);
+    });
+    const numeric numerator = GiNaC::abs(coefficient.numer());
+    if (!numerator.is_equal(1) || factors.empty()) {
+        factors.insert(factors.begin(), integer_form(numerator));
+    }
+    std::vector<Expression> divisors = transcendental_factors(below, field);
+    if (!coefficient.denom().is_equal(1)) {
+        divisors.insert(divisors.begin(), integer_form(coefficient.denom()));
+    }
+    if (!divisors.empty()) factors.push_back(Expression::reciprocal(Expression::product(divisors)));
+    Expression product = Expression::product(std::move(factors));
+    return coefficient.is_negative() ? Expression::negation(std::move(product)) : product;
+}
+
+Expression sum_form(const std::vector<Term>& terms, const numeric& denominator,
+                    const std::vector<int>& divided_by, const Field* field) {
+    std::vector<Expression> summands;
+    for (const Term& term : terms) {
+        summands.push_back(term_form(term, denominator, divided_by, field));
+    }
+    // A sum does not begin with a minus sign where it need not: 1-cos(w), not -cos(w)+1.
+    const auto positive = std::find_if(summands.begin(), summands.end(), [](const auto& term) {
+        return term.kind != Expression::Kind::negation;
+    });
+    if (positive != summands.end()) std::rotate(summands.begin(), positive, positive + 1);
+    return Expression::sum(std::move(summands));
+}
+
+const Expression& shorter(const Expression& left, const Expression& right) {
+    return to_text(right).size() < to_text(left).size() ? right : left;
+}
+
+/// The sum written out, or with what its terms have in common in front; the shorter.
+Expression factored_form(const std::vector<Term>& terms, const Field* field) {
+    const Expression expanded = sum_form(terms, 1, {}, field);
+    if (terms.size() < 2) return expanded;
+    Term common{0, terms.front().powers, {}};
+    for (const Term& term : terms) {
+        common.coefficient = GiNaC::gcd(common.coefficient, term.coefficient);
+        for (std::size_t i = 0; i < common.powers.size(); ++i) {
+            common.powers[i] = std::min(common.powers[i], term.powers[i]);
+        }
+    }
+    std::vector<Term> rest = terms;
+    for (Term& term : rest) {
+        term.coefficient /= common.coefficient;
+        for (std::size_t i = 0; i < common.powers.size(); ++i) term.powers[i] -= common.powers[i];
+    }
+    const Expression factor = term_form(common, 1, {}, field);
+    return shorter(expanded, Expression::product({factor, sum_form(rest, 1, {}, field)}));
+}
+
+void negate(std::vector<Term>& terms) {
+    for (Term& term : terms) term.coefficient = -term.coefficient;
+}
+
+/// numerator/denominator under one line. Of the two ways to write the signs the shorter serves, and
+/// of equal ones that with a positive first term above; what is negative throughout has its sign in
+/// front.
+Expression quotient_form(const Fraction& fraction, const Field* field) {
+    const auto quotient = [field](const Fraction& parts) {
+        return Expression::product(
+            {factored_form(parts.numerator, field),
+             Expression::reciprocal(factored_form(parts.denominator, field))});
+    };
+    Fraction flipped = fraction;
+    negate(flipped.numerator);
+    const bool negative = std::all_of(
+        fraction.numerator.begin(), fraction.numerator.end(),
+        [](const Term& term) { return term.coefficient.is_negative(); });
+    if (negative) return Expression::negation(quotient(flipped));
+    if (fraction.denominator.size() < 2) return quotient(fraction);
+    negate(flipped.denominator);
+    return fraction.numerator.front().coefficient.is_negative()
+               ? shorter(quotient(flipped), quotient(fraction))
+               : shorter(quotient(fraction), quotient(flipped));
+}
+
+}  // namespace
+
+int leading_sign(const Element& argument) {
+    return fraction(argument).numerator.front().coefficient.is_negative() ? -1 : 1;
+}
+
+Expression closed_form(const Element& argument) {
+    if (argument.is_zero()) return Expression::integer(0);
+    const Field* const field = argument.field();
+    const Fraction form = fraction(argument);
+    if (form.denominator.size() > 1) return quotient_form(form, field);
+    const Term& divisor = form.denominator.front();
+    const Expression termwise =
+        sum_form(form.numerator, divisor.coefficient, divisor.powers, field);
+    const bool divides = std::any_of(divisor.powers.begin(), divisor.powers.end(),
+                                     [](int power) { return power != 0; });
+    if (!divides) return termwise;
+    return shorter(quotient_form(form, field), termwise);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,221 @@
+// Arithmetic of field elements in their normal form.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
+#include "generator/exact/field.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// A rational function in lowest terms; for these GiNaC's `normal` decides equality with zero.
+GiNaC::ex lowest_terms(const GiNaC::ex& coefficient) {
+    return GiNaC::is_a<GiNaC::numeric>(coefficient) ? coefficient : coefficient.normal();
+}
+
+Field* common_field(const Element& left, const Element& right) {
+    HVI_CHECK(left.field() == nullptr || right.field() == nullptr || left.field() == right.field());
+    return left.field() != nullptr ? left.field() : right.field();
+}
+
+unsigned exponent(const Monomial& monomial, std::size_t index) {
+    return index < monomial.size() ? monomial[index] : 0;
+}
+
+Monomial with_exponent(Monomial monomial, std::size_t index, unsigned value) {
+    if (index >= monomial.size()) monomial.resize(index + 1);
+    monomial[index] = value;
+    while (!monomial.empty() && monomial.back() == 0) monomial.pop_back();
+    return monomial;
+}
+
+Monomial product(const Monomial& left, const Monomial& right) {
+    Monomial result(std::max(left.size(), right.size()));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        result[i] = exponent(left, i) + exponent(right, i);
+    }
+    return result;
+}
+
+/// The last generator whose relation applies to the monomial, if there is one.
+std::optional<std::size_t> reducible(const Monomial& monomial, const Field* field) {
+    for (std::size_t i = monomial.size(); i-- > 0;) {
+        if (monomial[i] >= field->algebraic(i).degree) return i;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Element::Element(const GiNaC::ex& coefficient, Field* field) : field_(field) {
+    add_term({}, coefficient);
+}
+
+Element Element::term(const Monomial& monomial, const GiNaC::ex& coefficient, Field* field) {
+    Element result;
+    result.field_ = field;
+    if (const auto index = reducible(monomial, field)) {
+        const Algebraic& generator = field->algebraic(*index);
+        const unsigned left_over = monomial[*index] - generator.degree;
+        return term(with_exponent(monomial, *index, left_over), coefficient, field) *
+               generator.reduced;
+    }
+    result.add_term(monomial, coefficient);
+    return result;
+}
+
+void Element::add_term(const Monomial& monomial, const GiNaC::ex& coefficient) {
+    const auto [position, is_new] = terms_.try_emplace(monomial, coefficient);
+    if (!is_new) position->second = lowest_terms(position->second + coefficient);
+    if (position->second.is_zero()) terms_.erase(position);
+}
+
+bool Element::is_rational() const {
+    return is_zero() || (terms_.size() == 1 && terms_.begin()->first.empty() &&
+                         GiNaC::is_a<GiNaC::numeric>(terms_.begin()->second));
+}
+
+GiNaC::numeric Element::rational() const {
+    HVI_CHECK(is_rational());
+    return is_zero() ? GiNaC::numeric(0) : GiNaC::ex_to<GiNaC::numeric>(terms_.begin()->second);
+}
+
+Element operator+(const Element& left, const Element& right) {
+    Element result = left;
+    result.field_ = common_field(left, right);
+    for (const auto& [monomial, coefficient] : right.terms_) result.add_term(monomial, coefficient);
+    return result;
+}
+
+Element operator-(const Element& argument) {
+    Element result = argument;
+    for (auto& [monomial, coefficient] : result.terms_) coefficient = lowest_terms(-coefficient);
+    return result;
+}
+
+Element operator-(const Element& left, const Element& right) { return left + -right; }
+
+Element operator*(const Element& left, const Element& right) {
+    Element result;
+    result.field_ = common_field(left, right);
+    for (const auto& [left_monomial, left_coefficient] : left.terms_) {
+        for (const auto& [right_monomial, right_coefficient] : right.terms_) {
+            const Element part = Element::term(product(left_monomial, right_monomial),
+                                               lowest_terms(left_coefficient * right_coefficient),
+                                               result.field_);
+            for (const auto& [monomial, coefficient] : part.terms_) {
+                result.add_term(monomial, coefficient);
+            }
+        }
+    }
+    return result;
+}
+
+Element power(const Element& base, unsigned exponent) {
+    Element result(1);
+    Element square = base;
+    for (; exponent != 0; exponent /= 2) {
+        if (exponent % 2 == 1) result = result * square;
+        if (exponent > 1) square = square * square;
+    }
+    return result;
+}
+
+std::size_t Element::level() const {
+    std::size_t result = 0;
+    for (const auto& [monomial, coefficient] : terms_) result = std::max(result, monomial.size());
+    return result;
+}
+
+std::vector<Element> Element::coefficients(std::size_t index) const {
+    std::vector<Element> result(field_ == nullptr ? 1 : field_->algebraic(index).degree);
+    for (const auto& [monomial, coefficient] : terms_) {
+        Element& target = result.at(exponent(monomial, index));
+        target.field_ = field_;
+        target.add_term(with_exponent(monomial, index, 0), coefficient);
+    }
+    return result;
+}
+
+namespace {
+
+/// Polynomials in one generator over the field below it, lowest coefficient first, no zero on top.
+using Polynomial = std::vector<Element>;
+
+void trim(Polynomial& polynomial) {
+    while (!polynomial.empty() && polynomial.back().is_zero()) polynomial.pop_back();
+}
+
+/// dividend - quotient * divisor, and the same combination of their cofactors.
+void divide_out(Polynomial& dividend, Polynomial& cofactor, const Polynomial& divisor,
+                const Polynomial& divisor_cofactor) {
+    const Element lead = inverse(divisor.back());
+    while (dividend.size() >= divisor.size()) {
+        const std::size_t shift = dividend.size() - divisor.size();
+        const Element factor = dividend.back() * lead;
+        for (std::size_t i = 0; i < divisor.size(); ++i) {
+            dividend[i + shift] = dividend[i + shift] - factor * divisor[i];
+        }
+        if (cofactor.size() < divisor_cofactor.size() + shift) {
+            cofactor.resize(divisor_cofactor.size() + shift);
+        }
+        for (std::size_t i = 0; i < divisor_cofactor.size(); ++i) {
+            cofactor[i + shift] = cofactor[i + shift] - factor * divisor_cofactor[i];
+        }
+        trim(dividend);
+    }
+}
+
+}  // namespace
+
+Element inverse(const Element& argument) {
+    HVI_CHECK(!argument.is_zero());
+    const std::size_t level = argument.level();
+    if (level == 0) {
+        return Element(lowest_terms(1 / argument.terms().begin()->second), argument.field());
+    }
+    // Euclid's algorithm on the argument and the relation of its last generator g, which keeps
+    // remainder = cofactor * argument modulo the relation.
+    Field* const field = argument.field();
+    const Algebraic& top = field->algebraic(level - 1);
+    Polynomial remainder = argument.coefficients(level - 1);
+    Polynomial cofactor{Element(1, field)};
+    Polynomial next_remainder = (-top.reduced).coefficients(level - 1);
+    next_remainder.resize(top.degree);
+    next_remainder.push_back(Element(1, field));
+    Polynomial next_cofactor;
+    trim(remainder);
+    while (remainder.size() > 1) {
+        divide_out(next_remainder, next_cofactor, remainder, cofactor);
+        std::swap(remainder, next_remainder);
+        std::swap(cofactor, next_cofactor);
+        if (remainder.empty()) {
+            throw MathError("cannot decide whether a number is zero",
+                            {}, "it is a divisor of zero in the algebraic normal form");
+        }
+    }
+    const Element scale = inverse(remainder.front());
+    Element result;
+    for (std::size_t i = 0; i < cofactor.size(); ++i) {
+        const Element generator_power =
+            Element::term(with_exponent({}, level - 1, static_cast<unsigned>(i)), 1, field);
+        result = result + cofactor[i] * scale * generator_power;
+    }
+    return result;
+}
+
+bool has_parameters(const Element& argument) {
+    if (argument.field() == nullptr) return false;
+    for (const auto& [monomial, coefficient] : argument.terms()) {
+        for (std::size_t i = 0; i < monomial.size(); ++i) {
+            if (monomial[i] != 0 && argument.field()->algebraic(i).is_parameter) return true;
+        }
+        for (const Transcendental& generator : argument.field()->transcendentals()) {
+            if (generator.is_parameter && coefficient.has(generator.symbol)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,185 @@
+// The ground floor: a field of exact numbers in which "is it zero?" is a decision.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/exact/ball.hpp"
+#include "generator/expr/expression.hpp"
+
+namespace hvi::gen {
+
+class Field;
+
+/// Exponents of the algebraic generators, without trailing zeros.
+using Monomial = std::vector<unsigned>;
+
+/// An element of a Field in normal form: a polynomial in the algebraic generators, each of degree
+/// less than that of its relation, with coefficients that are rational functions over Q of the
+/// transcendental generators. Zero has no terms, and nothing else is zero.
+class Element {
+public:
+    Element() = default;  ///< zero
+    explicit Element(const GiNaC::ex& coefficient, Field* field = nullptr);
+    /// coefficient times a product of powers of algebraic generators, reduced.
+    [[nodiscard]] static Element term(const Monomial& monomial, const GiNaC::ex& coefficient,
+                                      Field* field);
+
+    [[nodiscard]] bool is_zero() const { return terms_.empty(); }
+    [[nodiscard]] bool is_rational() const;
+    [[nodiscard]] GiNaC::numeric rational() const;  ///< precondition: is_rational()
+
+    [[nodiscard]] Field* field() const { return field_; }
+    [[nodiscard]] const std::map<Monomial, GiNaC::ex>& terms() const { return terms_; }
+
+    friend Element operator+(const Element& left, const Element& right);
+    friend Element operator-(const Element& left, const Element& right);
+    friend Element operator*(const Element& left, const Element& right);
+    friend Element operator-(const Element& argument);
+
+    /// Number of algebraic generators below and including the last one that occurs.
+    [[nodiscard]] std::size_t level() const;
+
+    /// The coefficients of this element as a polynomial in algebraic generator number `index`,
+    /// lowest first. Precondition: level() <= index + 1.
+    [[nodiscard]] std::vector<Element> coefficients(std::size_t index) const;
+
+private:
+    void add_term(const Monomial& monomial, const GiNaC::ex& coefficient);
+
+    Field* field_ = nullptr;  ///< null for a rational that has met no field yet
+    std::map<Monomial, GiNaC::ex> terms_;
+};
+
+/// 1/argument, by Euclid's algorithm in the tower. Precondition: not zero.
+[[nodiscard]] Element inverse(const Element& argument);
+
+[[nodiscard]] Element power(const Element& base, unsigned exponent);
+
+/// A generator over Q that satisfies no algebraic relation: pi, exp(1), cos(w), a parameter.
+struct Transcendental {
+    GiNaC::symbol symbol;
+    Expression form;                       ///< how it is written
+    bool is_parameter = false;             ///< it, or what it is made of, has no value
+    std::function<Ball(Precision)> value;  ///< empty with is_parameter
+    std::optional<Element> exponent;       ///< x, where the generator is exp(x)
+};
+
+/// A generator g with a monic relation g^degree = reduced over g and what lies below it: sqrt(2);
+/// sin(w) with sin(w)^2 = 1 - cos(w)^2; cos(pi/14), of degree 6.
+struct Algebraic {
+    enum class Kind { root, sine, cosine };
+
+    Kind kind = Kind::root;
+    unsigned degree = 2;
+    Element reduced;                       ///< g^degree, of degree less than that in g
+    long denominator = 1;                  ///< n of cos(pi/n)
+    Expression form;                       ///< how a root or sine is written
+    bool is_parameter = false;
+    std::function<Ball(Precision)> value;  ///< empty with is_parameter
+};
+
+/// Least common denominators of the arguments met so far, by function and unit: exp(1/2) and
+/// exp(1/3) are powers of one generator exp(1/6). A Field is made for one table; an argument that
+/// does not fit throws TooCoarse, and the work starts again with the finer table.
+using Denominators = std::map<std::string, GiNaC::numeric>;
+struct TooCoarse {
+    Denominators finer;
+};
+
+/// The generators, in the order in which they were met.
+class Field {
+public:
+    explicit Field(Denominators denominators) : denominators_(std::move(denominators)) {}
+    Field(const Field&) = delete;
+    Field& operator=(const Field&) = delete;
+
+    [[nodiscard]] const std::vector<Transcendental>& transcendentals() const { return transcendentals_; }
+    [[nodiscard]] const Algebraic& algebraic(std::size_t index) const { return algebraics_.at(index); }
+    [[nodiscard]] std::size_t algebraic_count() const { return algebraics_.size(); }
+
+    [[nodiscard]] Element pi();
+    [[nodiscard]] Element parameter(const std::string& name);
+
+    /// The non-negative square root. Throws MathError for a negative argument, empty when the sign
+    /// of the argument has no meaning (free parameters) or the tower would grow too high.
+    [[nodiscard]] std::optional<Element> sqrt(const Element& argument);
+
+    /// Empty where the field has no exact place for the value; an enclosure serves then.
+    [[nodiscard]] std::optional<Element> exp(const Element& argument);
+    [[nodiscard]] std::optional<Element> log(const Element& argument);
+    struct CosSin {
+        Element cos, sin;
+    };
+    [[nodiscard]] std::optional<CosSin> cos_sin(const Element& argument);
+
+    /// Which free parameters there are, sorted by name.
+    [[nodiscard]] std::vector<std::string> parameters() const;
+
+private:
+    /// rational * unit, the unit of leading sign 1 and integer content 1.
+    struct Part {
+        GiNaC::numeric factor;
+        Element unit;
+        std::string key;  ///< the unit's text
+    };
+    [[nodiscard]] std::vector<Part> split(const Element& argument);
+    struct Multiple {
+        long times;
+        GiNaC::numeric denominator;  ///< factor = times / denominator
+    };
+    [[nodiscard]] std::optional<Multiple> multiple(const std::string& key,
+                                                   const GiNaC::numeric& factor);
+    [[nodiscard]] std::optional<CosSin> cos_sin_of_pi(const GiNaC::numeric& half_turns);
+    [[nodiscard]] std::optional<CosSin> constructible(long denominator);
+    [[nodiscard]] std::optional<CosSin> cyclotomic(const GiNaC::numeric& half_turns);
+    [[nodiscard]] std::optional<CosSin> cos_sin_of_part(const Part& part);
+
+    [[nodiscard]] Element transcendental(const std::string& key, Transcendental generator);
+    [[nodiscard]] Element adjoin(Algebraic generator);
+    [[nodiscard]] std::optional<Element> adjoin_root(const Element& argument);
+
+    Denominators denominators_;
+    std::vector<Transcendental> transcendentals_;
+    std::vector<Algebraic> algebraics_;
+    std::map<std::string, std::size_t> by_key_;  ///< index into transcendentals_
+    std::map<std::string, CosSin> angles_;       ///< generators cos and sin by the angle's text
+};
+
+/// Whether `argument` is a square in the field that the first `level` algebraic generators span,
+/// and its root (of either sign). Exact: adjoining the root of a non-square doubles the degree.
+[[nodiscard]] std::optional<Element> root_in_field(const Element& argument, std::size_t level);
+
+/// sqrt(argument) = factor * sqrt(radicand), the radicand with coprime integer coefficients times a
+/// square-free integer. Precondition: not zero.
+struct Simplified {
+    GiNaC::numeric factor;
+    Element radicand;
+};
+[[nodiscard]] Simplified simplified_root(const Element& argument);
+
+/// Whether a free parameter occurs.
+[[nodiscard]] bool has_parameters(const Element& argument);
+
+/// Precondition: no free parameter.
+[[nodiscard]] Ball enclosure(const Element& argument, Precision bits);
+
+/// The sign, proved: zero by the normal form, else by an enclosure. Empty where the enclosures do
+/// not decide. Precondition: no free parameter.
+[[nodiscard]] std::optional<int> sign(const Element& argument);
+
+/// The shortest of a few ways to write it (see closed_form.cpp).
+[[nodiscard]] Expression closed_form(const Element& argument);
+
+/// The sign of the first coefficient in a fixed order: of x and -x one has 1 and the other -1, also
+/// with free parameters. Precondition: not zero.
+[[nodiscard]] int leading_sign(const Element& argument);
+
+}  // namespace hvi::gen

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/galerkin.hpp"
+
+#include "generator/exact/basis.hpp"
+#include "generator/exact/evaluate.hpp"
+#include "generator/exact/matrix.hpp"
+#include "generator/exact/nodes.hpp"
+#include "generator/support/progress.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Everything exact that a method's text stands for.
+struct Ingredients {
+    Ground ground;
+    std::vector<BasisFunction> psi;
+    Nodes nodes;
+};
+
+Ingredients ingredients(const Method& method, const Denominators& denominators) {
+    Ground ground(std::make_shared<Field>(denominators));
+    for (const Parameter& parameter : method.parameters) {
+        ground.set_parameter(parameter.name,
+                             evaluate_number(parameter.value, parameter.place.source, ground));
+    }
+    Nodes nodes = quadrature_nodes(method.nodes, ground);
+    auto psi = basis_functions(method.basis, ground);
+    return {std::move(ground), std::move(psi), std::move(nodes)};
+}
+
+/// Runs `work`, which gets a table of denominators, until the table fits (see field.hpp).
+template <class Work>
+auto with_denominators(Work work) {
+    for (Denominators denominators;;) {
+        try {
+            return work(denominators);
+        } catch (const TooCoarse& answer) {
+            denominators = answer.finer;
+        }
+    }
+}
+
+Place whole(const List& list) { return list.place({0, list.source->text.size()}); }
+
+void check_counts(const Method& method, const Ingredients& given) {
+    const std::size_t functions = given.psi.size();
+    const std::size_t nodes = given.nodes.c.size();
+    if (nodes < functions) {
+        throw MathError("fewer nodes (" + std::to_string(nodes) + ") than basis functions (" +
+                            std::to_string(functions) + ")",
+                        whole(method.nodes), "every function needs a node of its own");
+    }
+    if (method.weights || nodes > functions) {
+        throw InputError("the general Galerkin form (4.6), with " +
+                             std::string(method.weights ? "its own weights"
+                                                        : "more nodes than functions") +
+                             ", is to come",
+                         whole(method.weights ? *method.weights : method.nodes),
+                         "give as many nodes as basis functions, and no weights");
+    }
+}
+
+/// sum_i v_i psi_i, as text.
+std::string combination_text(const NumberVector& v, const std::vector<BasisFunction>& psi) {
+    std::vector<Expression> terms;
+    for (std::size_t i = v.size(); i-- > 0;) {
+        if (v[i].is_zero()) continue;
+        const auto factor = v[i].closed_form();
+        if (!factor) return "a combination of the basis functions";
+        const bool negative = factor->kind == Expression::Kind::negation;
+        const Expression& size = negative ? factor->arguments[0] : *factor;
+        Expression term = to_text(size) == "1" ? psi[i].form
+                          : to_text(psi[i].form) == "1"
+                              ? size
+                              : Expression::product({size, psi[i].form});
+        terms.push_back(negative ? Expression::negation(std::move(term)) : std::move(term));
+    }
+    return "`" + to_text(Expression::sum(std::move(terms))) + "`";
+}
+
+/// The coefficients of the functions and of 1 in the independent terms that occur in them.
+NumberMatrix in_terms(const std::vector<BasisFunction>& psi, const ExactFunction& last) {
+    std::vector<ExactTerm> shapes;
+    NumberMatrix rows;
+    const auto append = [&](const ExactFunction& function) {
+        NumberVector row(shapes.size());
+        for (const ExactTerm& term : function.terms()) {
+            std::size_t column = 0;
+            while (column < shapes.size() && !same_shape(shapes[column], term)) ++column;
+            if (column == shapes.size()) {
+                shapes.push_back(term);
+                row.emplace_back();
+            }
+            row[column] = term.coefficient;
+        }
+        rows.push_back(std::move(row));
+    };
+    for (const BasisFunction& function : psi) append(function.function);
+    append(last);
+    for (NumberVector& row : rows) row.resize(shapes.size());
+    return rows;
+}
+
+/// Section 4.4.3: the method is consistent when 1 is in the span of the basis.
+void check_constants(const Method& method, const std::vector<BasisFunction>& psi) {
+    for (const BasisFunction& function : psi) {
+        const auto constant = function.function.constant();
+        if (constant && !constant->is_zero()) return;
+    }
+    // 1 is in the span when a combination of psi_1 .. psi_s, 1 vanishes that has 1 in it.
+    const auto combination = left_null_vector(in_terms(psi, ExactFunction(Number(1))));
+    if (combination && !combination->back().is_zero()) return;
+    throw MathError("constants are not in the span of the basis, so the method is not consistent",
+                    whole(method.basis), "add the function 1");
+}
+
+NumberMatrix invert(const NumberMatrix& M, const Method& method, const Ingredients& given) {
+    const Progress::Stage stage("inverting M");
+    if (auto result = inverse(M)) return *std::move(result);
+    for (std::size_t i = 0; i < given.nodes.c.size(); ++i) {
+        for (std::size_t j = i + 1; j < given.nodes.c.size(); ++j) {
+            if (!(given.nodes.c[i] - given.nodes.c[j]).is_zero()) continue;
+            throw MathError("M is singular: nodes " + std::to_string(i + 1) + " and " +
+                                std::to_string(j + 1) + " are equal",
+                            whole(method.nodes), "the nodes must be distinct");
+        }
+    }
+    const auto combination = left_null_vector(M);
+    HVI_CHECK(combination);
+    throw MathError("M is singular: " + combination_text(*combination, given.psi) +
+                        " vanishes at all nodes",
+                    whole(method.nodes), "choose other nodes, or other functions");
+}
+
+NumberVector integrals(const std::vector<BasisFunction>& functions, const Number& end,
+                       const Ground& ground) {
+    NumberVector result;
+    for (const BasisFunction& function : functions) {
+        result.push_back(function.function.integral(end, ground));
+    }
+    return result;
+}
+
+/// Whether the interpolatory rule is exact for one degree more than interpolation gives; with a
+/// polynomial basis A~ then satisfies C(1), that is c~ = c. The rule vanishes on the polynomial of
+/// the nodes, so the question is whether the integral of that does.
+bool is_exact_beyond_interpolation(const Ingredients& given) {
+    if (!given.nodes.polynomial) return false;
+    for (const BasisFunction& function : given.psi) {
+        const bool fits = function.function.is_polynomial();
+        if (!fits) return false;
+        for (const ExactTerm& term : function.function.terms()) {
+            if (term.power >= given.psi.size()) return false;
+        }
+    }
+    Number integral;
+    const RationalPolynomial& polynomial = *given.nodes.polynomial;
+    for (long k = 0; k <= polynomial.degree(); ++k) {
+        integral = integral + given.ground.rational(polynomial.coefficient(k), "1") / Number(k + 1);
+    }
+    return integral.is_zero();
+}
+
+void check_weights(const Tableau& tableau, const Method& method) {
+    for (std::size_t i = 0; i < tableau.stages(); ++i) {
+        if (!tableau.b[i].is_zero()) continue;
+        const auto node = tableau.c[i].closed_form();
+        const std::string text = node ? to_text(*node) : tableau.c[i].decimal(16);
+        throw MathError("the weight of node " + std::to_string(i + 1) + ", c = " + text +
+                            ", is zero, and step 5 divides by it",
+                        whole(method.nodes),
+                        "the general Galerkin form with chosen --weights, which is to come, can "
+                        "have such nodes");
+    }
+}
+
+/// Step 5, and the row sums c~. The rows and columns that the nodes 0 and 1 make trivial are exact
+/// without computing: a~_ij = b_j (1 - a_ji/b_i) and, for c_j = 1, a_ji = b_i.
+void complete_partner(Tableau& tableau, const Ingredients& given) {
+    const Progress::Stage stage("computing the partner tableau");
+    const std::size_t s = tableau.stages();
+    const bool same_nodes = is_exact_beyond_interpolation(given);
+    for (std::size_t i = 0; i < s; ++i) {
+        NumberVector row;
+        Number sum;
+        for (std::size_t j = 0; j < s; ++j) {
+            row.push_back(tableau.b[j] * (Number(1) - tableau.A[j][i] / tableau.b[i]));
+            sum = sum + row.back();
+        }
+        tableau.A_tilde.push_back(std::move(row));
+        tableau.c_tilde.push_back(same_nodes ? tableau.c[i] : sum);
+    }
+}
+
+Tableau derive(const Method& method, const Ingredients& given) {
+    const auto& [ground, psi, nodes] = given;
+    Tableau tableau;
+    tableau.name = method.name;
+    tableau.origin = method.origin;
+    tableau.parameters = ground.free_parameters();
+    tableau.c = nodes.c;
+    for (const BasisFunction& function : psi) {
+        const Progress::Stage stage("evaluating the basis at the nodes");
+        tableau.basis.push_back(function.form);
+        NumberVector row;
+        for (const Number& node : nodes.c) row.push_back(function.function.at(node, ground));
+        tableau.M.push_back(std::move(row));
+    }
+    tableau.M_inverse = invert(tableau.M, method, given);
+    check_constants(method, psi);
+    tableau.B = integrals(psi, Number(1), ground);
+    tableau.b = tableau.M_inverse * tableau.B;
+    check_weights(tableau, method);
+    for (const Number& node : nodes.c) {
+        const Progress::Stage stage("integrating the basis");
+        tableau.A_psi.push_back(integrals(psi, node, ground));
+        const bool is_end = (node - Number(1)).is_zero();
+        tableau.A.push_back(is_end ? tableau.b : tableau.M_inverse * tableau.A_psi.back());
+    }
+    complete_partner(tableau, given);
+    return tableau;
+}
+
+/// sum_k coefficients[k] functions[k]
+ExactFunction combine(const NumberVector& coefficients, const std::vector<BasisFunction>& functions) {
+    ExactFunction sum;
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+        sum = sum + ExactFunction(coefficients[k]) * functions[k].function;
+    }
+    return sum;
+}
+
+}  // namespace
+
+Tableau derive(const Method& method) {
+    return with_denominators([&](const Denominators& denominators) {
+        const Progress::Stage stage("reading nodes and basis exactly");
+        const Ingredients given = ingredients(method, denominators);
+        check_counts(method, given);
+        return derive(method, given);
+    });
+}
+
+Routes both_routes(const Method& method) {
+    return with_denominators([&](const Denominators& denominators) {
+        const Ingredients given = ingredients(method, denominators);
+        const Tableau tableau = derive(method, given);
+        Routes routes{{tableau.b, tableau.A}, {}};
+        std::vector<BasisFunction> phi;
+        for (const NumberVector& row : tableau.M_inverse) {
+            phi.push_back({Expression(), combine(row, given.psi)});
+        }
+        routes.by_integration.b = integrals(phi, Number(1), given.ground);
+        for (const Number& node : tableau.c) {
+            routes.by_integration.A.push_back(integrals(phi, node, given.ground));
+        }
+        return routes;
+    });
+}
+
+}  // namespace hvi::gen

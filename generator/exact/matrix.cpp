@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/matrix.hpp"
+
+#include <utility>
+
+namespace hvi::gen {
+
+namespace {
+
+/// row -= factor * pivot_row
+void subtract_multiple(NumberVector& row, const Number& factor, const NumberVector& pivot_row) {
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] = row[j] - factor * pivot_row[j];
+}
+
+}  // namespace
+
+NumberVector operator*(const NumberMatrix& matrix, const NumberVector& vector) {
+    NumberVector result;
+    for (const NumberVector& row : matrix) {
+        Number sum;
+        for (std::size_t j = 0; j < vector.size(); ++j) sum = sum + row[j] * vector[j];
+        result.push_back(sum);
+    }
+    return result;
+}
+
+NumberMatrix transpose(const NumberMatrix& matrix) {
+    NumberMatrix result(matrix.empty() ? 0 : matrix.front().size());
+    for (const NumberVector& row : matrix) {
+        for (std::size_t j = 0; j < row.size(); ++j) result[j].push_back(row[j]);
+    }
+    return result;
+}
+
+NumberMatrix operator*(const NumberMatrix& left, const NumberMatrix& right) {
+    NumberMatrix columns;
+    for (const NumberVector& column : transpose(right)) columns.push_back(left * column);
+    return transpose(columns);
+}
+
+std::optional<NumberMatrix> inverse(const NumberMatrix& matrix) {
+    const std::size_t s = matrix.size();
+    NumberMatrix rows = matrix;  // [matrix | identity]
+    for (std::size_t i = 0; i < s; ++i) {
+        for (std::size_t j = 0; j < s; ++j) rows[i].push_back(Number(i == j ? 1 : 0));
+    }
+    for (std::size_t k = 0; k < s; ++k) {
+        std::size_t pivot = k;
+        while (pivot < s && rows[pivot][k].is_zero()) ++pivot;
+        if (pivot == s) return std::nullopt;
+        std::swap(rows[pivot], rows[k]);
+        const Number scale = Number(1) / rows[k][k];
+        for (Number& entry : rows[k]) entry = entry * scale;
+        for (std::size_t i = 0; i < s; ++i) {
+            if (i != k) subtract_multiple(rows[i], Number(rows[i][k]), rows[k]);
+        }
+    }
+    for (NumberVector& row : rows) row.erase(row.begin(), row.begin() + static_cast<long>(s));
+    return rows;
+}
+
+std::optional<NumberVector> left_null_vector(const NumberMatrix& matrix) {
+    // Row echelon form of [matrix | identity]: a row that vanishes on the left shows on the right
+    // which combination of rows it is.
+    const std::size_t count = matrix.size();
+    const std::size_t columns = matrix.front().size();
+    NumberMatrix rows = matrix;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = 0; j < count; ++j) rows[i].push_back(Number(i == j ? 1 : 0));
+    }
+    std::size_t rank = 0;
+    for (std::size_t column = 0; column < columns && rank < count; ++column) {
+        std::size_t pivot = rank;
+        while (pivot < count && rows[pivot][column].is_zero()) ++pivot;
+        if (pivot == count) continue;
+        std::swap(rows[pivot], rows[rank]);
+        for (std::size_t i = rank + 1; i < count; ++i) {
+            subtract_multiple(rows[i], rows[i][column] / rows[rank][column], rows[rank]);
+        }
+        ++rank;
+    }
+    if (rank == count) return std::nullopt;
+    NumberVector combination(rows[rank].begin() + static_cast<long>(columns), rows[rank].end());
+    std::size_t last = count;
+    while (last-- > 0 && combination[last].is_zero()) {
+    }
+    const Number scale = Number(1) / combination.at(last);
+    for (Number& entry : combination) entry = entry * scale;
+    return combination;
+}
+
+}  // namespace hvi::gen

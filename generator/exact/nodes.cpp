@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/nodes.hpp"
+
+#include <map>
+
+#include "generator/exact/evaluate.hpp"
+#include "generator/exact/integers.hpp"
+#include "generator/exact/number_value.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+RationalPolynomial x() { return RationalPolynomial::variable(); }
+
+/// The polynomial on [-1, 1] whose roots are the nodes of a family; empty for families whose nodes
+/// are given one by one.
+std::optional<RationalPolynomial> node_polynomial(const std::string& family, unsigned s) {
+    const RationalPolynomial one(1);
+    if (family == "gauss") return legendre(s);
+    if (family == "lobatto") return (x() * x() - one) * legendre(s - 1).derivative();
+    if (family == "radau-left") return legendre(s - 1) + legendre(s);
+    if (family == "radau-right") return legendre(s - 1) - legendre(s);
+    if (family == "chebyshev") return chebyshev_equal_weights(s);
+    return std::nullopt;
+}
+
+Number fraction(long numerator, long denominator) { return Number(numerator) / Number(denominator); }
+
+/// (1 - cos(pi p/q))/2: from the angle on the circle to [0, 1], ascending.
+Number projected(long p, long q, const Ground& ground) {
+    return (Number(1) - ground.cos(ground.pi() * fraction(p, q))) / Number(2);
+}
+
+/// Node number i = 0 .. s-1 of the families that give them one by one.
+Number explicit_node(const std::string& family, long s, long i, const Ground& ground) {
+    if (family == "newton-cotes") return fraction(i, s - 1);
+    if (family == "newton-cotes-open") return fraction(i + 1, s + 1);
+    if (family == "clenshaw-curtis") return projected(i, s - 1, ground);
+    HVI_CHECK(family == "fejer");
+    return projected(2 * i + 1, 2 * s, ground);
+}
+
+/// tau - node when the node is rational.
+std::optional<RationalPolynomial> linear_factor(const Number& node) {
+    const Element* const element = node.value().element();
+    if (element == nullptr || !element->is_rational()) return std::nullopt;
+    RationalPolynomial factor = x();
+    factor.set_coefficient(0, digits(-element->rational()));
+    return factor;
+}
+
+/// The argument of `roots(...)` as a polynomial in tau over Q.
+RationalPolynomial root_polynomial(const Expression& argument, const List& list,
+                                   const Ground& ground) {
+    const Place place = list.place(argument.range);
+    const ExactFunction function = evaluate_function(argument, list.source, ground);
+    RationalPolynomial polynomial;
+    for (const ExactTerm& term : function.terms()) {
+        const Element* const element = term.coefficient.value().element();
+        if (!function.is_polynomial() || element == nullptr || !element->is_rational()) {
+            throw InputError("roots takes a polynomial in tau with rational coefficients", place);
+        }
+        polynomial.set_coefficient(term.power, digits(element->rational()));
+    }
+    if (polynomial.degree() < 1) {
+        throw InputError("roots takes a polynomial in tau that is not constant", place);
+    }
+    if (polynomial.degree() > 64) {
+        throw InputError("a polynomial of degree more than 64 is out of range", place);
+    }
+    return polynomial;
+}
+
+/// Collects nodes, and their polynomial as long as it is known.
+class Collector {
+public:
+    explicit Collector(const Ground& ground) : ground_(ground) {}
+
+    void add(const Number& node) {
+        nodes_.c.push_back(node);
+        multiply(linear_factor(node));
+    }
+
+    void add_roots(const RationalPolynomial& polynomial, const Place& place) {
+        const NumberVector roots = real_roots(polynomial, ground_);
+        if (roots.empty()) throw MathError("this polynomial has no real root", place);
+        nodes_.c.insert(nodes_.c.end(), roots.begin(), roots.end());
+        const bool all_roots = static_cast<long>(roots.size()) == polynomial.degree();
+        multiply(all_roots ? std::optional(polynomial) : std::nullopt);
+    }
+
+    [[nodiscard]] Nodes result() const { return nodes_; }
+
+private:
+    void multiply(const std::optional<RationalPolynomial>& factor) {
+        if (!factor || !nodes_.polynomial) {
+            nodes_.polynomial.reset();
+        } else {
+            nodes_.polynomial = *nodes_.polynomial * *factor;
+        }
+    }
+
+    const Ground& ground_;
+    Nodes nodes_{{}, RationalPolynomial(1)};
+};
+
+}  // namespace
+
+Nodes quadrature_nodes(const List& list, const Ground& ground) {
+    Collector nodes(ground);
+    for (const Item& item : list.items) {
+        if (const Family* family = std::get_if<Family>(&item.what)) {
+            const auto s = static_cast<unsigned>(family->size);
+            if (const auto polynomial = node_polynomial(family->name, s)) {
+                nodes.add_roots(polynomial->at_affine(2, -1), list.place(family->range));
+                continue;
+            }
+            for (long i = 0; i < family->size; ++i) {
+                nodes.add(explicit_node(family->name, family->size, i, ground));
+            }
+            continue;
+        }
+        const Expression& expression = std::get<Expression>(item.what);
+        if (expression.kind == Expression::Kind::call && expression.name == "roots") {
+            nodes.add_roots(root_polynomial(expression.arguments.front(), list, ground),
+                            list.place(expression.range));
+        } else {
+            nodes.add(evaluate_number(expression, list.source, ground));
+        }
+    }
+    return nodes.result();
+}
+
+}  // namespace hvi::gen

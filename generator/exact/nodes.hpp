@@ -1,0 +1,21 @@
+// Quadrature nodes c_1 .. c_s, from the user's list and from families.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "generator/exact/polynomial.hpp"
+#include "generator/read/parse.hpp"
+
+namespace hvi::gen {
+
+struct Nodes {
+    NumberVector c;
+    /// The monic polynomial over Q in tau whose roots are all the nodes, where that is known.
+    std::optional<RationalPolynomial> polynomial;
+};
+
+/// Throws as evaluate_number does; MathError when `roots(...)` has no real root.
+[[nodiscard]] Nodes quadrature_nodes(const List& list, const Ground& ground);
+
+}  // namespace hvi::gen

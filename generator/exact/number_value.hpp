@@ -1,0 +1,61 @@
+// What a Number is inside: a field element, or a real number that is known by its enclosures alone.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "generator/exact/ball.hpp"
+#include "generator/exact/field.hpp"
+#include "generator/exact/number.hpp"
+
+namespace hvi::gen {
+
+/// A real number without an exact place in the field: it can be enclosed to any precision. Sums and
+/// products of such numbers are nodes of a graph, each of which remembers the tightest enclosure
+/// that it was asked for.
+class Real {
+public:
+    explicit Real(std::function<Ball(Precision)> enclose) : enclose_(std::move(enclose)) {}
+
+    [[nodiscard]] Ball enclosure(Precision bits) const {
+        if (bits_ < bits) {
+            ball_ = enclose_(bits);
+            bits_ = bits;
+        }
+        return ball_;
+    }
+
+private:
+    std::function<Ball(Precision)> enclose_;
+    mutable Precision bits_ = 0;
+    mutable Ball ball_;
+};
+
+struct Number::Value {
+    std::variant<Element, Real> what;
+    std::shared_ptr<Field> field;  ///< keeps the element's generators alive; null for rationals
+
+    [[nodiscard]] const Element* element() const { return std::get_if<Element>(&what); }
+};
+
+[[nodiscard]] Number number(Element element, std::shared_ptr<Field> field);
+[[nodiscard]] Number number(Real real);
+
+/// Precondition: no free parameter.
+[[nodiscard]] Ball enclosure(const Number& number, Precision bits);
+
+/// Refines until `decide`, called with a ball, returns a value; MathError "cannot decide WHAT" when
+/// the last precision does not do.
+template <class Decide>
+auto refine(const Number& number, const char* what, Decide decide) {
+    for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {
+        if (auto decision = decide(enclosure(number, bits))) return *decision;
+    }
+    throw MathError(std::string("cannot decide ") + what + " with " +
+                    std::to_string(last_precision) + " bits");
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,68 @@
+// Polynomials with rational coefficients and their real roots.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <flint/fmpq_poly.h>
+
+#include <string>
+#include <vector>
+
+#include "generator/exact/ground.hpp"
+#include "generator/exact/tableau.hpp"
+
+namespace hvi::gen {
+
+/// A polynomial over Q: FLINT's, with value semantics.
+class RationalPolynomial {
+public:
+    RationalPolynomial() { fmpq_poly_init(polynomial_); }
+    explicit RationalPolynomial(long constant) : RationalPolynomial() {
+        fmpq_poly_set_si(polynomial_, constant);
+    }
+    RationalPolynomial(const RationalPolynomial& other) : RationalPolynomial() {
+        fmpq_poly_set(polynomial_, other.polynomial_);
+    }
+    RationalPolynomial& operator=(RationalPolynomial other) noexcept {
+        fmpq_poly_swap(polynomial_, other.polynomial_);
+        return *this;
+    }
+    ~RationalPolynomial() { fmpq_poly_clear(polynomial_); }
+
+    /// The polynomial x.
+    [[nodiscard]] static RationalPolynomial variable();
+
+    [[nodiscard]] fmpq_poly_struct* get() { return polynomial_; }
+    [[nodiscard]] const fmpq_poly_struct* get() const { return polynomial_; }
+
+    [[nodiscard]] long degree() const { return fmpq_poly_degree(polynomial_); }  ///< -1 for zero
+
+    /// The coefficient of x^index as `-2/3`; `fraction` is what `Ground::rational` takes.
+    [[nodiscard]] std::string coefficient(long index) const;
+    void set_coefficient(long index, const std::string& fraction);
+
+    [[nodiscard]] RationalPolynomial derivative() const;
+
+    /// The polynomial at an affine argument: P(slope x + offset).
+    [[nodiscard]] RationalPolynomial at_affine(long slope, long offset) const;
+
+    friend RationalPolynomial operator+(const RationalPolynomial& a, const RationalPolynomial& b);
+    friend RationalPolynomial operator-(const RationalPolynomial& a, const RationalPolynomial& b);
+    friend RationalPolynomial operator*(const RationalPolynomial& a, const RationalPolynomial& b);
+
+private:
+    fmpq_poly_t polynomial_;
+};
+
+/// Legendre's polynomial P_degree on [-1, 1].
+[[nodiscard]] RationalPolynomial legendre(unsigned degree);
+
+/// The monic polynomial on [-1, 1] whose roots are the nodes of Chebyshev's quadrature with equal
+/// weights: G_s of (4.20), the polynomial part of x^s exp(-s (1/(2*3 x^2) + 1/(4*5 x^4) + ...)).
+[[nodiscard]] RationalPolynomial chebyshev_equal_weights(unsigned degree);
+
+/// All real roots, each once, ascending. Exact for factors of degree 1, 2, and 4 where shifting the
+/// variable makes them polynomials in its square; otherwise enclosed by isolating balls.
+/// Precondition: not zero.
+[[nodiscard]] NumberVector real_roots(const RationalPolynomial& polynomial, const Ground& ground);
+
+}  // namespace hvi::gen

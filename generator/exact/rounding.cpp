@@ -1,0 +1,143 @@
+// Correctly rounded decimals and doubles: enclosures are refined until only one answer is left.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "generator/exact/number_value.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// An integer of FLINT with value semantics.
+class Integer {
+public:
+    Integer() { fmpz_init(value_); }
+    Integer(const Integer& other) { fmpz_init_set(value_, other.value_); }
+    Integer& operator=(const Integer& other) {
+        fmpz_set(value_, other.value_);
+        return *this;
+    }
+    ~Integer() { fmpz_clear(value_); }
+    [[nodiscard]] fmpz* get() { return value_; }
+    [[nodiscard]] const fmpz* get() const { return value_; }
+    [[nodiscard]] std::string text() const {
+        char* const digits = fmpz_get_str(nullptr, 10, value_);
+        std::string result(digits);
+        flint_free(digits);
+        return result;
+    }
+
+private:
+    fmpz_t value_;
+};
+
+void nearest_integer(Integer& result, const arf_t value) {
+    arf_get_fmpz(result.get(), value, ARF_RND_NEAR);  // ties to even
+}
+
+/// The integer nearest to every number in the ball (half to even), if there is only one.
+std::optional<Integer> only_nearest_integer(const Ball& ball) {
+    arf_t lower, upper;
+    arf_init(lower);
+    arf_init(upper);
+    arb_get_interval_arf(lower, upper, ball.get(), ARF_PREC_EXACT);
+    std::optional<Integer> result;
+    if (arf_is_finite(lower) && arf_is_finite(upper) && arf_cmpabs_2exp_si(lower, 1 << 20) < 0) {
+        Integer low, high;
+        nearest_integer(low, lower);
+        nearest_integer(high, upper);
+        if (fmpz_equal(low.get(), high.get())) result = low;
+    }
+    arf_clear(lower);
+    arf_clear(upper);
+    return result;
+}
+
+/// value * 10^power, both exact or both refined.
+Number scaled(const Number& value, long power) {
+    const GiNaC::numeric factor = GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(power));
+    return value * number(Element(factor), nullptr);
+}
+
+Integer nearest_integer(const Number& value) {
+    return refine(value, "how to round a number", only_nearest_integer);
+}
+
+/// floor(log10 |value|), or one more or less: an estimate to start from.
+long decimal_exponent(const Number& value) {
+    return refine(value, "whether a number is zero", [](const Ball& ball) -> std::optional<long> {
+        if (ball.sign() == 0) return std::nullopt;
+        fmpz_t exponent;
+        fmpz_init(exponent);
+        arf_t magnitude;
+        arf_init(magnitude);
+        arf_set_round(magnitude, arb_midref(ball.get()), 30, ARF_RND_DOWN);
+        arf_abs(magnitude, magnitude);
+        arf_abs_bound_lt_2exp_fmpz(exponent, magnitude);
+        const double bits = fmpz_get_d(exponent) - 1;
+        arf_clear(magnitude);
+        fmpz_clear(exponent);
+        return static_cast<long>(std::floor(bits * std::log10(2.0)));
+    });
+}
+
+/// d.ddd from digits and the exponent of the first one.
+std::string place_point(const std::string& digits, long exponent) {
+    const auto count = static_cast<long>(digits.size());
+    if (exponent < -6 || exponent >= std::max(count, 21L)) {
+        const std::string tail = count > 1 ? "." + digits.substr(1) : "";
+        return digits.substr(0, 1) + tail + "e" + std::to_string(exponent);
+    }
+    if (exponent < 0) return "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+    std::string whole = digits.substr(0, static_cast<std::size_t>(std::min(count, exponent + 1)));
+    whole.append(static_cast<std::size_t>(exponent + 1) - whole.size(), '0');
+    return exponent + 1 < count ? whole + "." + digits.substr(static_cast<std::size_t>(exponent + 1))
+                                : whole;
+}
+
+}  // namespace
+
+std::string Number::decimal(int digits) const {
+    HVI_CHECK(digits >= 1 && !has_parameters());
+    if (is_zero()) return "0";
+    // An estimate of the exponent may give one digit too many or too few; then the next one is right.
+    for (long exponent = decimal_exponent(*this);; ++exponent) {
+        const Integer scaled_value = nearest_integer(scaled(*this, digits - 1 - exponent));
+        std::string text = scaled_value.text();
+        const bool negative = text.front() == '-';
+        if (negative) text.erase(0, 1);
+        if (static_cast<int>(text.size()) > digits) continue;
+        HVI_CHECK(static_cast<int>(text.size()) == digits);
+        return (negative ? "-" : "") + place_point(text, exponent);
+    }
+}
+
+double Number::nearest_double() const {
+    HVI_CHECK(!has_parameters());
+    const Element* const element = value().element();
+    if (element != nullptr && element->is_zero()) return 0.0;
+    return refine(*this, "how to round a number", [](const Ball& ball) -> std::optional<double> {
+        arf_t lower, upper;
+        arf_init(lower);
+        arf_init(upper);
+        arb_get_interval_arf(lower, upper, ball.get(), ARF_PREC_EXACT);
+        const double low = arf_get_d(lower, ARF_RND_NEAR);
+        const double high = arf_get_d(upper, ARF_RND_NEAR);
+        arf_clear(lower);
+        arf_clear(upper);
+        // NOTE: a ball around zero that has shrunk below the denormals would do, but an exact zero
+        // that no normal form knows must not be decided by underflow.
+        return low == high && low != 0.0 ? std::optional(low) : std::nullopt;
+    });
+}
+
+double Number::nearest_multiple(int exponent) const {
+    HVI_CHECK(!has_parameters());
+    const GiNaC::numeric scale = GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(-exponent));
+    const Integer multiple = nearest_integer(*this * number(Element(scale), nullptr));
+    HVI_CHECK(fmpz_bits(multiple.get()) <= 53);
+    return std::ldexp(static_cast<double>(fmpz_get_si(multiple.get())), exponent);
+}
+
+}  // namespace hvi::gen

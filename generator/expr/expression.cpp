@@ -1,0 +1,104 @@
+// Making and comparing expressions.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/expr/expression.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace hvi::gen {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+Expression make(Kind kind, std::vector<Expression> arguments) {
+    Expression result;
+    result.kind = kind;
+    result.arguments = std::move(arguments);
+    return result;
+}
+
+/// A sum or a product without sums in the sum or products in the product.
+Expression make_flat(Kind kind, std::vector<Expression> parts, long neutral) {
+    if (parts.empty()) return Expression::integer(neutral);
+    if (parts.size() == 1) return std::move(parts.front());
+    std::vector<Expression> flat;
+    flat.reserve(parts.size());
+    for (Expression& part : parts) {
+        if (part.kind == kind)
+            std::move(part.arguments.begin(), part.arguments.end(), std::back_inserter(flat));
+        else
+            flat.push_back(std::move(part));
+    }
+    return make(kind, std::move(flat));
+}
+
+bool only_digits(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+}  // namespace
+
+Expression Expression::integer(long value) {
+    std::string digits = std::to_string(value);
+    if (value >= 0) return rational(std::move(digits), "1");
+    return negation(rational(digits.substr(1), "1"));
+}
+
+Expression Expression::rational(std::string numerator, std::string denominator) {
+    HVI_CHECK(only_digits(numerator) && only_digits(denominator));
+    HVI_CHECK(denominator.find_first_not_of('0') != std::string::npos);
+    Expression result;
+    result.numerator = std::move(numerator);
+    result.denominator = std::move(denominator);
+    return result;
+}
+
+Expression Expression::symbol(std::string name) {
+    Expression result = make(Kind::symbol, {});
+    result.name = std::move(name);
+    return result;
+}
+
+Expression Expression::sum(std::vector<Expression> terms) {
+    return make_flat(Kind::sum, std::move(terms), 0);
+}
+
+Expression Expression::product(std::vector<Expression> factors) {
+    return make_flat(Kind::product, std::move(factors), 1);
+}
+
+Expression Expression::negation(Expression argument) {
+    std::vector<Expression> arguments;
+    arguments.push_back(std::move(argument));
+    return make(Kind::negation, std::move(arguments));
+}
+
+Expression Expression::reciprocal(Expression argument) {
+    std::vector<Expression> arguments;
+    arguments.push_back(std::move(argument));
+    return make(Kind::reciprocal, std::move(arguments));
+}
+
+Expression Expression::power(Expression base, Expression exponent) {
+    std::vector<Expression> arguments;
+    arguments.push_back(std::move(base));
+    arguments.push_back(std::move(exponent));
+    return make(Kind::power, std::move(arguments));
+}
+
+Expression Expression::call(std::string function, std::vector<Expression> arguments) {
+    HVI_CHECK(!arguments.empty());
+    Expression result = make(Kind::call, std::move(arguments));
+    result.name = std::move(function);
+    return result;
+}
+
+bool operator==(const Expression& left, const Expression& right) {
+    return left.kind == right.kind && left.name == right.name &&
+           left.numerator == right.numerator && left.denominator == right.denominator &&
+           left.arguments == right.arguments;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,52 @@
+// Expressions as plain data: what the reader makes of a text, and what closed forms are written in.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+/// A mathematical expression. Sums and products are flat, a difference is a sum with a negation in
+/// it and a quotient a product with a reciprocal in it, so that a long text does not make a deep
+/// tree. Invariants: `number` has digits in `numerator` and `denominator` (no sign, denominator not
+/// zero, lowest terms not required); `symbol` and `call` have a `name`; `sum` and `product` have at
+/// least two arguments; `negation` and `reciprocal` have one; `power` has two (base, exponent);
+/// `call` has one or more.
+struct Expression {
+    enum class Kind { number, symbol, sum, product, negation, reciprocal, power, call };
+
+    Kind kind = Kind::number;
+    std::string name;               ///< symbol, call
+    std::string numerator = "0";    ///< number
+    std::string denominator = "1";  ///< number
+    std::vector<Expression> arguments;
+    Range range;  ///< where it stands in the text it was read from
+
+    [[nodiscard]] static Expression integer(long value);  ///< a negation when value < 0
+    [[nodiscard]] static Expression rational(std::string numerator, std::string denominator);
+    [[nodiscard]] static Expression symbol(std::string name);
+    /// Of no term it is 0, of one the term itself; sums among the terms are flattened.
+    [[nodiscard]] static Expression sum(std::vector<Expression> terms);
+    /// Of no factor it is 1, of one the factor itself; products among the factors are flattened.
+    [[nodiscard]] static Expression product(std::vector<Expression> factors);
+    [[nodiscard]] static Expression negation(Expression argument);
+    [[nodiscard]] static Expression reciprocal(Expression argument);
+    [[nodiscard]] static Expression power(Expression base, Expression exponent);
+    [[nodiscard]] static Expression call(std::string function, std::vector<Expression> arguments);
+};
+
+/// Same tree, whatever the ranges.
+[[nodiscard]] bool operator==(const Expression& left, const Expression& right);
+
+/// The expression as the reader of `generator/read` takes it: no blanks, parentheses only where
+/// precedence asks for them. `1/6-5*sqrt(2)/48`, `(pi-2)/(2*pi)`, `cos(2*pi*tau)`.
+[[nodiscard]] std::string to_text(const Expression& expression);
+
+/// The expression in LaTeX's mathematics: `\frac{\pi - 2}{2\pi}`, `\sin\left(w/3\right)`. Names of
+/// Greek letters become these letters, and `w_1` and `w1` an indexed w.
+[[nodiscard]] std::string to_latex(const Expression& expression);
+
+}  // namespace hvi::gen

@@ -1,0 +1,33 @@
+// How a product is written: a sign, what stands above the bar, and what stands below.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "generator/expr/expression.hpp"
+
+namespace hvi::gen {
+
+/// An integer by its digits, or a sum, symbol, power or call.
+using Factor = std::variant<std::string_view, const Expression*>;
+
+/// Sign and factors of an expression; factors of 1 are left out, so that no factor means 1.
+struct Fraction {
+    bool negative = false;
+    std::vector<Factor> above;
+    std::vector<Factor> below;
+
+    /// Whether it is a single factor, or 1: something that needs no parentheses as an exponent.
+    [[nodiscard]] bool is_simple() const { return below.empty() && above.size() <= 1; }
+};
+
+/// Takes products, quotients, negations and rationals apart; order is kept. The result refers to
+/// `expression`, which must outlive it.
+[[nodiscard]] Fraction as_fraction(const Expression& expression);
+
+/// The expression when the factor is one of the given kind, else null.
+[[nodiscard]] const Expression* get_if_kind(const Factor& factor, Expression::Kind kind);
+
+}  // namespace hvi::gen

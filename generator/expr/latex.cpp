@@ -1,0 +1,178 @@
+// Expressions in LaTeX's mathematics.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "generator/expr/fraction.hpp"
+#include "generator/expr/functions.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Fractions are stacked, or written with a slash where the type is small or stands in a line:
+/// in exponents and in arguments of functions.
+enum class Bar { stacked, slash };
+
+std::string latex(const Expression& expression, Bar bar);
+
+std::string parenthesised(const std::string& text) {
+    return "\\left(" + text + "\\right)";
+}
+
+bool is_letter(char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+}
+
+bool is_digit(char c) {
+    return '0' <= c && c <= '9';
+}
+
+bool is_greek(std::string_view word) {
+    static constexpr std::array<std::string_view, 34> letters{
+        "alpha",   "beta",   "gamma", "delta",   "epsilon", "zeta",  "eta",   "theta", "iota",
+        "kappa",   "lambda", "mu",    "nu",      "xi",      "pi",    "rho",   "sigma", "tau",
+        "upsilon", "phi",    "chi",   "psi",     "omega",   "Gamma", "Delta", "Theta", "Lambda",
+        "Xi",      "Pi",     "Sigma", "Upsilon", "Phi",     "Psi",   "Omega"};
+    return std::find(letters.begin(), letters.end(), word) != letters.end();
+}
+
+/// A word of a name: a letter, a Greek letter, digits, or a longer word in italics.
+std::string word_latex(std::string_view word) {
+    if (is_greek(word)) return "\\" + std::string(word);
+    if (word.size() == 1 && word != "_") return std::string(word);
+    if (std::all_of(word.begin(), word.end(), is_digit)) return std::string(word);
+    std::string escaped;
+    for (const char c : word)
+        escaped += c == '_' ? std::string("\\_") : std::string(1, c);
+    return "\\mathit{" + escaped + "}";
+}
+
+/// `w1` and `w_1` are w with an index.
+std::string symbol_latex(std::string_view name) {
+    std::size_t end = name.find('_', 1);
+    std::size_t index = end == std::string_view::npos ? end : end + 1;
+    if (end == std::string_view::npos) {
+        end = name.find_last_not_of("0123456789") + 1;
+        index = end;
+    }
+    if (index >= name.size()) return word_latex(name);
+    return word_latex(name.substr(0, end)) + "_{" + word_latex(name.substr(index)) + "}";
+}
+
+std::string call_latex(const Expression& call, const std::string& exponent = {}) {
+    const Function* function = find_function(call.name);
+    std::string text =
+        function != nullptr ? std::string(function->latex) : "\\operatorname{" + call.name + "}";
+    if (!exponent.empty()) text += "^{" + exponent + "}";
+    std::string arguments;
+    for (const Expression& argument : call.arguments)
+        arguments += (arguments.empty() ? "" : ", ") + latex(argument, Bar::slash);
+    return text + parenthesised(arguments);
+}
+
+std::string exponential_latex(const Expression& argument) {
+    return "e^{" + latex(argument, Bar::slash) + "}";
+}
+
+/// Only a sine squared is written with the exponent inside: \sin^{-1} would be taken for the arc.
+std::string power_latex(const Expression& base, const Expression& exponent) {
+    const std::string raised = latex(exponent, Bar::slash);
+    const bool root = base.kind == Expression::Kind::call && base.name == "sqrt";
+    const bool function = base.kind == Expression::Kind::call && !root && base.name != "exp";
+    const bool count = exponent.kind == Expression::Kind::number && exponent.denominator == "1";
+    if (function && count) return call_latex(base, raised);
+    const bool word = root || base.kind == Expression::Kind::symbol ||
+                      (base.kind == Expression::Kind::number && base.denominator == "1");
+    const std::string text = latex(base, Bar::stacked);
+    return (word ? text : parenthesised(text)) + "^{" + raised + "}";
+}
+
+std::string factor_latex(const Factor& factor) {
+    if (const auto* digits = std::get_if<std::string_view>(&factor)) return std::string(*digits);
+    const Expression& expression = *std::get<const Expression*>(factor);
+    switch (expression.kind) {
+    case Expression::Kind::sum:
+        return parenthesised(latex(expression, Bar::stacked));
+    case Expression::Kind::power:
+        return power_latex(expression.arguments[0], expression.arguments[1]);
+    case Expression::Kind::call:
+        if (expression.name == "sqrt")
+            return "\\sqrt{" + latex(expression.arguments[0], Bar::stacked) + "}";
+        if (expression.name == "exp") return exponential_latex(expression.arguments[0]);
+        return call_latex(expression);
+    default:
+        return symbol_latex(expression.name);
+    }
+}
+
+/// Whether a text ends in a command like `\pi`, which a letter must not follow directly.
+bool ends_in_command(const std::string& text) {
+    std::size_t k = text.size();
+    while (k > 0 && is_letter(text[k - 1]))
+        --k;
+    return k > 0 && k < text.size() && text[k - 1] == '\\';
+}
+
+/// Factors side by side, with a dot where two numbers would meet.
+std::string factors_latex(const std::vector<Factor>& factors) {
+    if (factors.empty()) return "1";
+    std::string text;
+    std::string last;
+    for (const Factor& factor : factors) {
+        const std::string next = factor_latex(factor);
+        if (!last.empty() && is_digit(next.front()))
+            text += " \\cdot ";
+        else if (ends_in_command(last) && is_letter(next.front()))
+            text += " ";
+        text += next;
+        last = next;
+    }
+    return text;
+}
+
+/// Above or below a bar, where a lone sum needs no parentheses.
+std::string between_braces(const std::vector<Factor>& factors) {
+    const Expression* lone_sum =
+        factors.size() == 1 ? get_if_kind(factors[0], Expression::Kind::sum) : nullptr;
+    return "{" + (lone_sum != nullptr ? latex(*lone_sum, Bar::stacked) : factors_latex(factors)) +
+           "}";
+}
+
+/// Without the sign.
+std::string fraction_latex(const Fraction& fraction, Bar bar) {
+    if (fraction.below.empty()) return factors_latex(fraction.above);
+    if (bar == Bar::stacked)
+        return "\\frac" + between_braces(fraction.above) + between_braces(fraction.below);
+    const std::string below = factors_latex(fraction.below);
+    return factors_latex(fraction.above) + "/" +
+           (fraction.below.size() == 1 ? below : parenthesised(below));
+}
+
+std::string sum_latex(const Expression& sum, Bar bar) {
+    std::string text;
+    for (const Expression& term : sum.arguments) {
+        const Fraction fraction = as_fraction(term);
+        if (text.empty())
+            text += fraction.negative ? "-" : "";
+        else
+            text += fraction.negative ? " - " : " + ";
+        text += fraction_latex(fraction, bar);
+    }
+    return text;
+}
+
+std::string latex(const Expression& expression, Bar bar) {
+    if (expression.kind == Expression::Kind::sum) return sum_latex(expression, bar);
+    const Fraction fraction = as_fraction(expression);
+    return (fraction.negative ? "-" : "") + fraction_latex(fraction, bar);
+}
+
+}  // namespace
+
+std::string to_latex(const Expression& expression) {
+    return latex(expression, Bar::stacked);
+}
+
+}  // namespace hvi::gen

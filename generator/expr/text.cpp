@@ -1,0 +1,88 @@
+// Expressions as text that the reader takes back.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cstddef>
+
+#include "generator/expr/fraction.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+std::string parenthesised(const std::string& text) {
+    return "(" + text + ")";
+}
+
+/// A base must be a single word: `2`, `x`, `sin(x)`; all else gets parentheses.
+std::string base_text(const Expression& base) {
+    const bool word = base.kind == Expression::Kind::symbol ||
+                      base.kind == Expression::Kind::call ||
+                      (base.kind == Expression::Kind::number && base.denominator == "1");
+    return word ? to_text(base) : parenthesised(to_text(base));
+}
+
+/// `^` binds to the right and takes a sign, so that `2^-x^2` needs no parentheses.
+std::string exponent_text(const Expression& exponent) {
+    const bool simple = exponent.kind != Expression::Kind::sum && as_fraction(exponent).is_simple();
+    return simple ? to_text(exponent) : parenthesised(to_text(exponent));
+}
+
+std::string call_text(const Expression& call) {
+    std::string text = call.name + "(";
+    for (std::size_t k = 0; k < call.arguments.size(); ++k)
+        text += (k == 0 ? "" : ",") + to_text(call.arguments[k]);
+    return text + ")";
+}
+
+std::string factor_text(const Factor& factor) {
+    if (const auto* digits = std::get_if<std::string_view>(&factor)) return std::string(*digits);
+    const Expression& expression = *std::get<const Expression*>(factor);
+    switch (expression.kind) {
+    case Expression::Kind::sum:
+        return parenthesised(to_text(expression));
+    case Expression::Kind::call:
+        return call_text(expression);
+    case Expression::Kind::power:
+        return base_text(expression.arguments[0]) + "^" + exponent_text(expression.arguments[1]);
+    default:
+        return expression.name;
+    }
+}
+
+std::string factors_text(const std::vector<Factor>& factors) {
+    if (factors.empty()) return "1";
+    std::string text;
+    for (const Factor& factor : factors)
+        text += (text.empty() ? "" : "*") + factor_text(factor);
+    return text;
+}
+
+/// Without the sign.
+std::string fraction_text(const Fraction& fraction) {
+    const std::string above = factors_text(fraction.above);
+    if (fraction.below.empty()) return above;
+    const std::string below = factors_text(fraction.below);
+    return above + "/" + (fraction.below.size() == 1 ? below : parenthesised(below));
+}
+
+std::string sum_text(const Expression& sum) {
+    std::string text;
+    for (const Expression& term : sum.arguments) {
+        const Fraction fraction = as_fraction(term);
+        if (fraction.negative)
+            text += "-";
+        else if (!text.empty())
+            text += "+";
+        text += fraction_text(fraction);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string to_text(const Expression& expression) {
+    if (expression.kind == Expression::Kind::sum) return sum_text(expression);
+    const Fraction fraction = as_fraction(expression);
+    return (fraction.negative ? "-" : "") + fraction_text(fraction);
+}
+
+}  // namespace hvi::gen

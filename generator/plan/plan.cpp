@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/plan/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "generator/plan/graph.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+namespace {
+
+using Kind = StageNode::Kind;
+using Place = StageValue::Place;
+
+/// NOTE: numbers known by enclosures alone may be equal without a proof. Then the scheme is not
+/// simplified, which is correct, if slower.
+bool surely_zero(const Number& a) {
+    try {
+        return a.is_zero();
+    } catch (const MathError&) {
+        return false;
+    }
+}
+
+bool same(const Number& a, const Number& b) { return surely_zero(a - b); }
+bool surely_one(const Number& a) { return same(a, 1); }
+
+bool same(const NumberVector& a, const NumberVector& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!same(a[i], b[i])) { return false; }
+    }
+    return true;
+}
+
+bool same(const NumberMatrix& a, const NumberMatrix& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!same(a[i], b[i])) { return false; }
+    }
+    return true;
+}
+
+NumberMatrix transposed(const NumberMatrix& a) {
+    NumberMatrix result(a.empty() ? 0 : a.front().size(), NumberVector(a.size()));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < a[i].size(); ++j) { result[j][i] = a[i][j]; }
+    }
+    return result;
+}
+
+/// m_ij = a_ij / b_j.
+NumberMatrix scaled(const Tableau& tableau) {
+    NumberMatrix m = tableau.A;
+    for (NumberVector& row : m) {
+        for (std::size_t j = 0; j < row.size(); ++j) { row[j] = row[j] / tableau.b[j]; }
+    }
+    return m;
+}
+
+/// One value for each distinct row, in the order of their first stages.
+std::vector<StageValue> distinct(const NumberMatrix& rows, const NumberVector& weights) {
+    std::vector<StageValue> values;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        StageValue* found = nullptr;
+        for (StageValue& value : values) {
+            if (same(rows[value.stages.front()], rows[i])) { found = &value; }
+        }
+        if (found == nullptr) { found = &values.emplace_back(); }
+        found->stages.push_back(i);
+        found->weight = found->weight + weights[i];
+    }
+    return values;
+}
+
+/// Each stage on its own.
+std::vector<StageValue> separate(const NumberVector& weights) {
+    std::vector<StageValue> values(weights.size());
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        values[i].stages = {i};
+        values[i].weight = weights[i];
+    }
+    return values;
+}
+
+/// NOTE: P_j and P_k agree, a~_ji = a~_ki for all i, exactly when a_ij/b_j = a_ik/b_k, that is when
+/// columns j and k of m agree. So equal stages are merged by striking out rows and columns of m.
+void set_stages(Scheme& scheme, const Tableau& tableau) {
+    const NumberMatrix m = scaled(tableau);
+    scheme.positions = scheme.separable ? distinct(m, tableau.b) : separate(tableau.b);
+    scheme.momenta = scheme.separable ? distinct(transposed(m), tableau.b) : separate(tableau.b);
+    for (const StageValue& position : scheme.positions) {
+        NumberVector row;
+        for (const StageValue& momentum : scheme.momenta) {
+            row.push_back(m[position.stages.front()][momentum.stages.front()]);
+        }
+        scheme.m.push_back(std::move(row));
+    }
+    const auto merged = [&](const char* letter, const std::vector<StageValue>& values) {
+        for (const StageValue& value : values) {
+            if (value.stages.size() < 2) { continue; }
+            std::string names;
+            for (const std::size_t i : value.stages) {
+                names += fmt::format("{}{}_{}", names.empty() ? "" : " = ", letter, i + 1);
+            }
+            scheme.decisions.push_back({names + " is evaluated once", "these stages are equal"});
+        }
+    };
+    merged("Q", scheme.positions);
+    merged("P", scheme.momenta);
+}
+
+Place place_of(const NumberVector& row, bool ones_are_end) {
+    bool zeros = true;
+    bool ones = true;
+    for (const Number& entry : row) {
+        zeros = zeros && surely_zero(entry);
+        ones = ones && surely_one(entry);
+    }
+    if (zeros) { return ones_are_end ? Place::start : Place::end; }
+    if (ones) { return ones_are_end ? Place::end : Place::start; }
+    return Place::inner;
+}
+
+/// A row of zeros in m is Q_i = q, of ones the next q; with mt_ji = 1 - m_ij a column of ones is
+/// P_j = p, of zeros the next p.
+void set_places(Scheme& scheme) {
+    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
+        scheme.positions[i].place = place_of(scheme.m[i], true);
+    }
+    const NumberMatrix columns = transposed(scheme.m);
+    for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
+        scheme.momenta[j].place = place_of(columns[j], false);
+    }
+    const auto note = [&](const char* letter, const char* state, const StageValue& value) {
+        const std::string name = fmt::format("{}_{}", letter, value.stages.front() + 1);
+        if (value.place == Place::start) {
+            scheme.decisions.push_back(
+                {fmt::format("{} is not solved for", name),
+                 fmt::format("it is {} at the start of the step", state)});
+        } else if (value.place == Place::end) {
+            scheme.decisions.push_back({fmt::format("{} takes no sum of its own", name),
+                                        fmt::format("it is {} at the end of the step", state)});
+        }
+    };
+    for (const StageValue& value : scheme.positions) { note("Q", "q", value); }
+    for (const StageValue& value : scheme.momenta) { note("P", "p", value); }
+}
+
+/// Numbers the nodes of a scheme: all Q, all P, all Lq, all Lp.
+class Numbering {
+public:
+    Numbering(std::size_t positions, std::size_t momenta)
+        : positions_(positions), momenta_(momenta) {}
+
+    [[nodiscard]] std::size_t size() const { return 2 * (positions_ + momenta_); }
+    [[nodiscard]] std::size_t of(Kind kind, std::size_t index) const {
+        switch (kind) {
+            case Kind::Q: return index;
+            case Kind::P: return positions_ + index;
+            case Kind::Lq: return positions_ + momenta_ + index;
+            case Kind::Lp: return positions_ + 2 * momenta_ + index;
+        }
+        HVI_CHECK(false);
+        return 0;
+    }
+    [[nodiscard]] StageNode node(std::size_t number) const {
+        if (number < positions_) { return {Kind::Q, number}; }
+        number -= positions_;
+        if (number < momenta_) { return {Kind::P, number}; }
+        number -= momenta_;
+        if (number < momenta_) { return {Kind::Lq, number}; }
+        return {Kind::Lp, number - momenta_};
+    }
+
+private:
+    std::size_t positions_;
+    std::size_t momenta_;
+};
+
+DependencyGraph dependencies(const Scheme& scheme, const Numbering& number) {
+    DependencyGraph needs(number.size());
+    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
+        for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
+            if (!surely_zero(scheme.m[i][j])) {
+                needs[number.of(Kind::Q, i)].push_back(number.of(Kind::Lq, j));
+            }
+            if (!surely_one(scheme.m[i][j])) {
+                needs[number.of(Kind::P, j)].push_back(number.of(Kind::Lp, i));
+            }
+        }
+    }
+    for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
+        auto& slope = needs[number.of(Kind::Lq, j)];
+        slope.push_back(number.of(Kind::P, j));
+        if (!scheme.separable) { slope.push_back(number.of(Kind::Q, j)); }
+    }
+    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
+        auto& slope = needs[number.of(Kind::Lp, i)];
+        slope.push_back(number.of(Kind::Q, i));
+        if (!scheme.separable) { slope.push_back(number.of(Kind::P, i)); }
+    }
+    return needs;
+}
+
+void set_blocks(Scheme& scheme) {
+    const Numbering number(scheme.positions.size(), scheme.momenta.size());
+    for (const auto& component : components(dependencies(scheme, number))) {
+        Block block;
+        block.coupled = component.size() > 1;
+        for (const std::size_t v : component) { block.nodes.push_back(number.node(v)); }
+        scheme.blocks.push_back(std::move(block));
+    }
+    if (scheme.is_explicit()) {
+        scheme.decisions.push_back(
+            {"no solver", "no stage depends on itself: the step is kicks and drifts in turn"});
+        scheme.decisions.push_back(
+            {"no compensated summation", "the error of the step is far above round-off"});
+    } else if (scheme.coupled_blocks() > 1) {
+        scheme.decisions.push_back(
+            {fmt::format("{} smaller systems are solved in turn", scheme.coupled_blocks()),
+             "the stages decouple"});
+    }
+}
+
+bool has(const std::vector<StageValue>& values, Place place) {
+    for (const StageValue& value : values) {
+        if (value.place == place) { return true; }
+    }
+    return false;
+}
+
+/// First same as last.
+void set_kept(Scheme& scheme) {
+    if (!scheme.separable) { return; }
+    scheme.keeps_force =
+        has(scheme.positions, Place::start) && has(scheme.positions, Place::end);
+    scheme.keeps_velocity = has(scheme.momenta, Place::start) && has(scheme.momenta, Place::end);
+    if (scheme.keeps_force) {
+        scheme.decisions.push_back({"one force a step is not evaluated",
+                                    "the last one of a step is the first one of the next"});
+    }
+    if (scheme.keeps_velocity) {
+        scheme.decisions.push_back({"one dH/dp a step is not evaluated",
+                                    "the last one of a step is the first one of the next"});
+    }
+}
+
+/// The polynomial through the slopes f_j at c_j, one step later:
+/// f(1 + c_i) = sum_j l_j(1 + c_i) f_j, so N_ij = (b_i/b_j) l_j(1 + c_i) for L_j = h b_j f_j.
+NumberMatrix extrapolation(const Tableau& tableau) {
+    const std::size_t s = tableau.stages();
+    const NumberVector& c = tableau.c;
+    NumberMatrix N(s, NumberVector(s));
+    for (std::size_t i = 0; i < s; ++i) {
+        for (std::size_t j = 0; j < s; ++j) {
+            Number value = tableau.b[i] / tableau.b[j];
+            for (std::size_t k = 0; k < s; ++k) {
+                if (k != j) { value = value * ((Number(1) + c[i] - c[k]) / (c[j] - c[k])); }
+            }
+            N[i][j] = value;
+        }
+    }
+    return N;
+}
+
+double largest_row_sum(const NumberMatrix& N) {
+    double largest = 0.0;
+    for (const NumberVector& row : N) {
+        double sum = 0.0;
+        for (const Number& entry : row) { sum += std::abs(entry.nearest_double()); }
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+void set_extrapolation(Scheme& scheme, const Tableau& tableau) {
+    constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
+    if (scheme.is_explicit()) { return; }
+    if (scheme.positions.size() != tableau.stages() || scheme.momenta.size() != tableau.stages()) {
+        return;
+    }
+    NumberMatrix N = extrapolation(tableau);
+    if (largest_row_sum(N) > most) {
+        scheme.decisions.push_back(
+            {"slopes at the start of the step are the starting values of the iteration",
+             "extrapolating the last step's slopes would magnify their rounding too much"});
+        return;
+    }
+    scheme.decisions.push_back(
+        {"the last step's slopes, extrapolated, are the starting values of the iteration",
+         "they are good to the order of the interpolation and cost no evaluation"});
+    scheme.extrapolation = std::move(N);
+}
+
+}  // namespace
+
+Scheme plan(const Tableau& tableau, const PlanOptions& options) {
+    if (!tableau.parameters.empty()) {
+        const std::string& name = tableau.parameters.front();
+        throw InputError(fmt::format("a stepper with the free parameter {} is not built yet", name),
+                         {}, fmt::format("give it a value: --param {}=1", name));
+    }
+    Scheme scheme;
+    scheme.separable = options.separable;
+    scheme.one_tableau = same(tableau.A, tableau.A_tilde);
+    set_stages(scheme, tableau);
+    set_places(scheme);
+    set_blocks(scheme);
+    set_kept(scheme);
+    set_extrapolation(scheme, tableau);
+    return scheme;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,17 @@
+// From a tableau to a scheme: what is solved for, what is evaluated, what is left out.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/exact/tableau.hpp"
+#include "generator/plan/scheme.hpp"
+
+namespace hvi::gen {
+
+struct PlanOptions {
+    bool separable = false;  ///< for H = T(p) + U(q) only
+};
+
+/// Throws InputError when the tableau has free parameters left, which is not built yet.
+[[nodiscard]] Scheme plan(const Tableau& tableau, const PlanOptions& options);
+
+}  // namespace hvi::gen

@@ -1,0 +1,80 @@
+// What a stepper does and what it leaves out: every decision between a tableau and a header.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/exact/number.hpp"
+#include "generator/exact/tableau.hpp"
+
+namespace hvi::gen {
+
+/// A stage value, Q or P. Stages with the same value are one: their weights add up.
+struct StageValue {
+    enum class Place {
+        start,  ///< the state that the step begins with: a row of zeros
+        inner,
+        end,    ///< the state that the step ends with: the row b
+    };
+    Place place = Place::inner;
+    std::vector<std::size_t> stages;  ///< of the tableau, 0-based, that have this value
+    Number weight;                    ///< of the slope that is evaluated here
+};
+
+/// What is computed in a step: a stage value or a scaled slope, Lq = h b dH/dp, Lp = -h b dH/dq.
+struct StageNode {
+    enum class Kind { Q, P, Lq, Lp };
+    Kind kind;
+    std::size_t index;  ///< of Scheme::positions for Q and Lp, of Scheme::momenta for P and Lq
+
+    friend bool operator==(const StageNode&, const StageNode&) = default;
+};
+
+/// Nodes that depend on each other and are solved for at once, or a single one that is evaluated.
+struct Block {
+    bool coupled = false;
+    std::vector<StageNode> nodes;  ///< by kind, then by index
+
+    /// The indices of the nodes of one kind, ascending.
+    [[nodiscard]] std::vector<std::size_t> of(StageNode::Kind kind) const;
+};
+
+/// A choice, and why.
+struct Decision {
+    std::string what;
+    std::string why;
+};
+
+/// The stages of (4.18) in scaled form,
+///
+///     Q_i = q + sum_j m_ij Lq_j,    P_j = p + sum_i mt_ji Lp_i,    m_ij + mt_ji = 1,
+///
+/// with i over `positions`, j over `momenta`, and the order in which they are computed.
+struct Scheme {
+    bool separable = false;            ///< H = T(p) + U(q): Lq_j needs P_j alone, Lp_i needs Q_i
+    bool one_tableau = false;          ///< A == A~: then mt == m
+    std::vector<StageValue> positions;
+    std::vector<StageValue> momenta;
+    NumberMatrix m;                    ///< positions x momenta
+    std::vector<Block> blocks;         ///< each needs only what stands before it
+    bool keeps_force = false;          ///< the last force of a step is the first of the next
+    bool keeps_velocity = false;       ///< the same of dH/dp
+    /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.
+    std::optional<NumberMatrix> extrapolation;
+    std::vector<Decision> decisions;
+
+    /// No equations to solve: kicks and drifts in turn.
+    [[nodiscard]] bool is_explicit() const;
+    [[nodiscard]] std::size_t coupled_blocks() const;
+    /// Evaluations of dH/dq and of dH/dp in a step that needs no solver, kept ones not counted.
+    [[nodiscard]] std::size_t forces_evaluated() const;
+    [[nodiscard]] std::size_t velocities_evaluated() const;
+};
+
+/// The scheme as stable text, for people and tests.
+[[nodiscard]] std::string dump(const Scheme& scheme);
+
+}  // namespace hvi::gen

@@ -1,0 +1,51 @@
+// The families and methods that have names: data for the reader and for `hvi-gen list`.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace hvi::gen {
+
+/// The largest size of a family, and the largest number of stages of a method.
+constexpr long largest_size = 64;
+
+/// A family of functions or nodes: `name:S`.
+struct FamilyEntry {
+    std::string_view name;
+    long smallest;                 ///< the least S
+    std::string_view sizes;        ///< the values of S, for people: `1..64`
+    std::string_view description;  ///< one line
+    std::string_view paper;        ///< where the paper has it, or empty
+};
+
+/// A method with a name of its own.
+struct MethodEntry {
+    std::string_view name;
+    std::string_view basis;
+    std::string_view nodes;
+    std::string_view description;
+    std::string_view paper;
+};
+
+/// A form of basis function or node that is written as a call: `roots(P(tau))`.
+struct FormEntry {
+    std::string_view form;
+    std::string_view description;
+};
+
+[[nodiscard]] std::span<const FamilyEntry> basis_families();
+[[nodiscard]] std::span<const FamilyEntry> node_families();
+[[nodiscard]] std::span<const FormEntry> basis_forms();
+[[nodiscard]] std::span<const FormEntry> node_forms();
+
+/// The methods that are no families. Besides them every family of nodes is a family of methods,
+/// with its interpolating polynomials.
+[[nodiscard]] std::span<const MethodEntry> named_methods();
+
+/// The entry of that name, or null.
+[[nodiscard]] const FamilyEntry* find_family(std::span<const FamilyEntry> families,
+                                             std::string_view name);
+
+}  // namespace hvi::gen

@@ -1,0 +1,15 @@
+// Reading a whole file that the user named.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace hvi::gen {
+
+/// The bytes of a file. Throws InputError when it is not there, cannot be read, or has more than
+/// `limit` bytes; no more than that is read.
+[[nodiscard]] std::string read_file(const std::filesystem::path& path, std::size_t limit);
+
+}  // namespace hvi::gen

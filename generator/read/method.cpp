@@ -1,0 +1,205 @@
+// Methods by name, by lists, and the values of their parameters.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/read/method.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "generator/read/catalogue.hpp"
+#include "generator/read/check.hpp"
+#include "generator/read/names.hpp"
+#include "generator/read/nearest.hpp"
+#include "generator/read/token.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::size_t most_parameters = 64;
+
+Place whole(const std::shared_ptr<const Source>& source) {
+    return {source, {0, source->text.size()}};
+}
+
+/// The part of a text without the blanks around it; empty when it is all blank.
+Range trimmed(std::string_view text, Range range) {
+    while (range.begin < range.end && is_blank(text[range.begin]))
+        ++range.begin;
+    while (range.end > range.begin && is_blank(text[range.end - 1]))
+        --range.end;
+    return range;
+}
+
+std::string part(const Source& source, Range range) {
+    return source.text.substr(range.begin, range.end - range.begin);
+}
+
+std::vector<std::string_view> method_names() {
+    std::vector<std::string_view> names;
+    for (const FamilyEntry& entry : node_families())
+        names.push_back(entry.name);
+    for (const MethodEntry& entry : named_methods())
+        names.push_back(entry.name);
+    return names;
+}
+
+const MethodEntry* find_method(std::string_view name) {
+    const std::span<const MethodEntry> methods = named_methods();
+    const auto found = std::find_if(methods.begin(), methods.end(),
+                                    [&](const MethodEntry& entry) { return entry.name == name; });
+    return found == methods.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void refuse_name(const std::string& name,
+                              const std::shared_ptr<const Source>& source) {
+    throw InputError(fmt::format("there is no method `{}`", name), whole(source),
+                     did_you_mean(name, method_names(), "`hvi-gen list methods` shows them all"));
+}
+
+/// A family of nodes with its interpolating polynomials.
+Method family_method(const std::shared_ptr<const Source>& source) {
+    Family nodes = parse_family(source);
+    if (find_method(nodes.name) != nullptr)
+        throw InputError(fmt::format("`{}` is a single method, without a size", nodes.name),
+                         whole(source), fmt::format("write `{}`", nodes.name));
+    if (find_family(node_families(), nodes.name) == nullptr) refuse_name(nodes.name, source);
+    const Range range = nodes.range;
+    const Family basis{"monomials", nodes.size, range};
+    Method method;
+    method.name = fmt::format("{}:{}", nodes.name, nodes.size);
+    method.nodes = {source, {{std::move(nodes), range}}};
+    check_nodes(method.nodes);
+    method.basis = {source, {{basis, range}}};
+    return method;
+}
+
+Method single_method(const MethodEntry& entry) {
+    const auto list = [&](std::string_view text) {
+        return parse_list(
+            std::make_shared<const Source>(Source{std::string(entry.name), std::string(text)}));
+    };
+    Method method;
+    method.name = entry.name;
+    method.basis = list(entry.basis);
+    method.nodes = list(entry.nodes);
+    return method;
+}
+
+/// Free of blanks within items and of whatever the shell or a comment in C++ would act on.
+std::string canonical_text(const List& list) {
+    std::string text;
+    for (const Item& item : list.items) {
+        if (!text.empty()) text += ", ";
+        if (const auto* family = std::get_if<Family>(&item.what))
+            text += fmt::format("{}:{}", family->name, family->size);
+        else
+            text += to_text(std::get<Expression>(item.what));
+    }
+    return text;
+}
+
+void insert_parameters(const List& list, std::set<std::string>& names) {
+    for (const Item& item : list.items) {
+        const auto* expression = std::get_if<Expression>(&item.what);
+        if (expression == nullptr) continue;
+        walk(*expression, [&](const Expression& part) {
+            if (part.kind == Expression::Kind::symbol && !is_reserved(part.name))
+                names.insert(part.name);
+            return true;
+        });
+    }
+}
+
+}  // namespace
+
+Method named_method(std::shared_ptr<const Source> source) {
+    const std::string name = part(*source, trimmed(source->text, whole(source).range));
+    if (name.empty()) throw InputError("the name of the method is empty", whole(source));
+    const MethodEntry* entry = find_method(name);
+    if (entry == nullptr && name.find(':') == std::string::npos) {
+        if (find_family(node_families(), name) == nullptr) refuse_name(name, source);
+        throw InputError(fmt::format("`{}` is a family of methods and wants a size", name),
+                         whole(source), fmt::format("write for example `{}:3`", name));
+    }
+    Method method = entry != nullptr ? single_method(*entry) : family_method(source);
+    method.origin = "--method " + method.name;
+    return method;
+}
+
+Method method_from_text(std::shared_ptr<const Source> basis, std::shared_ptr<const Source> nodes,
+                        std::shared_ptr<const Source> weights) {
+    List functions = parse_list(std::move(basis));
+    List points = parse_list(std::move(nodes));
+    std::optional<List> factors;
+    if (weights != nullptr) factors = parse_list(std::move(weights));
+    Method method = method_from_lists(std::move(functions), std::move(points), std::move(factors));
+    method.origin = fmt::format("--basis \"{}\" --nodes \"{}\"", canonical_text(method.basis),
+                                canonical_text(method.nodes));
+    if (method.weights)
+        method.origin += fmt::format(" --weights \"{}\"", canonical_text(*method.weights));
+    return method;
+}
+
+Method method_from_lists(List basis, List nodes, std::optional<List> weights) {
+    check_basis(basis);
+    check_nodes(nodes);
+    if (weights) check_weights(*weights);
+    Method method;
+    method.basis = std::move(basis);
+    method.nodes = std::move(nodes);
+    method.weights = std::move(weights);
+    if (parameter_names(method).size() > most_parameters)
+        throw InputError(fmt::format("there are more than {} parameters", most_parameters),
+                         whole(method.basis.source));
+    return method;
+}
+
+Parameter parse_parameter(std::shared_ptr<const Source> source) {
+    const std::string& text = source->text;
+    const std::size_t sign = text.find('=');
+    if (sign == std::string::npos)
+        throw InputError("a name and its value are wanted here", whole(source),
+                         "write for example `w=2`");
+    const Range name = trimmed(text, {0, sign});
+    Parameter parameter{part(*source, name), {}, {source, name}};
+    check_parameter_name(parameter.name, parameter.place);
+    const Range value{sign + 1, text.size()};
+    if (trimmed(text, value).begin == value.end)
+        throw InputError("a value is missing after `=`", Place{source, {sign, sign + 1}});
+    parameter.value = parse_expression(source, value);
+    check_parameter_value(parameter.value, {source, value});
+    return parameter;
+}
+
+std::vector<std::string> parameter_names(const Method& method) {
+    std::set<std::string> names;
+    insert_parameters(method.basis, names);
+    insert_parameters(method.nodes, names);
+    if (method.weights) insert_parameters(*method.weights, names);
+    return {names.begin(), names.end()};
+}
+
+void set_parameter(Method& method, Parameter parameter) {
+    const std::vector<std::string> names = parameter_names(method);
+    if (std::find(names.begin(), names.end(), parameter.name) == names.end()) {
+        const std::string otherwise =
+            names.empty() ? std::string()
+                          : fmt::format("the parameters are {}", fmt::join(names, ", "));
+        throw InputError(fmt::format("the method has no parameter `{}`", parameter.name),
+                         parameter.place,
+                         did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));
+    }
+    method.origin += fmt::format(" --param \"{}={}\"", parameter.name, to_text(parameter.value));
+    const auto same =
+        std::find_if(method.parameters.begin(), method.parameters.end(),
+                     [&](const Parameter& other) { return other.name == parameter.name; });
+    if (same == method.parameters.end())
+        method.parameters.push_back(std::move(parameter));
+    else
+        *same = std::move(parameter);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,67 @@
+// What the user said as METHOD: a name, or basis functions and nodes, or a file.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/read/parse.hpp"
+
+namespace hvi::gen {
+
+/// A value given to a free symbol of a method.
+struct Parameter {
+    std::string name;
+    Expression value;  ///< without symbols other than `pi` and `e`
+    Place place;
+};
+
+/// A method as it was given, checked as far as words go: families exist, have a size that they can
+/// have, and stand where they belong; `tau` occurs in basis functions and within `roots` only;
+/// there are at most 64 functions, 64 nodes and 64 parameters. Whether mathematics allows it is
+/// decided later.
+struct Method {
+    std::string name;  ///< `gauss:3`, the name in a file, or empty
+    std::string
+        origin;  ///< METHOD as the command line has it: `--method gauss:3`; one line of ASCII
+    List basis;
+    List nodes;
+    std::optional<List> weights;
+    std::vector<Parameter> parameters;  ///< each a symbol of the method, no name twice
+};
+
+/// The method called so: `gauss:3`, or one of `named_methods()`. Throws InputError for an unknown
+/// name and for a size that the family does not have, MathError for Chebyshev nodes that are not
+/// real.
+[[nodiscard]] Method named_method(std::shared_ptr<const Source> name);
+
+/// The method of `--basis`, `--nodes` and, in the general Galerkin form, `--weights`. Throws
+/// InputError for what cannot be read, MathError as `named_method` does.
+[[nodiscard]] Method method_from_text(std::shared_ptr<const Source> basis,
+                                      std::shared_ptr<const Source> nodes,
+                                      std::shared_ptr<const Source> weights = nullptr);
+
+/// The same for lists that are read already; `origin` is left empty.
+[[nodiscard]] Method method_from_lists(List basis, List nodes, std::optional<List> weights);
+
+/// The method in a TOML file of at most 1 MiB: `name`, `basis`, `nodes`, `weights` and
+/// `[parameters]`, as CONTRACT.md has them. Throws InputError with the line of the file.
+[[nodiscard]] Method method_from_file(const std::filesystem::path& path);
+
+/// The same for the text of such a file; the source's name is that of the file.
+[[nodiscard]] Method method_from_toml(const Source& file);
+
+/// What `--param` says: `w=2`. Throws InputError.
+[[nodiscard]] Parameter parse_parameter(std::shared_ptr<const Source> source);
+
+/// The symbols of a method that are parameters, with a value or without, sorted.
+[[nodiscard]] std::vector<std::string> parameter_names(const Method& method);
+
+/// Gives a value to a symbol of the method, in place of one that it has, and adds that to the
+/// method's origin. Throws InputError when the method has no such symbol.
+void set_parameter(Method& method, Parameter parameter);
+
+}  // namespace hvi::gen

@@ -1,0 +1,70 @@
+// The table of reserved names.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/read/names.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "generator/expr/functions.hpp"
+#include "generator/read/token.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+struct Reserved {
+    std::string_view name;
+    std::string_view meaning;
+    std::string_view instead;
+};
+
+constexpr std::array<Reserved, 5> reserved_names{{
+    {"pi", "the number pi", "pi_value"},
+    {"e", "the number e", "ecc"},
+    {"tau", "the variable of basis functions", "tau_value"},
+    {"t", "the time", "time"},
+    {"h", "the step size", "height"},
+}};
+
+const Reserved* find_reserved(std::string_view name) {
+    const auto* found = std::find_if(reserved_names.begin(), reserved_names.end(),
+                                     [&](const Reserved& entry) { return entry.name == name; });
+    return found == reserved_names.end() ? nullptr : found;
+}
+
+bool is_name(const std::string& text) {
+    return !text.empty() && is_name_start(text.front()) && text.front() != '_' &&
+           std::all_of(text.begin(), text.end(), is_name_char);
+}
+
+}  // namespace
+
+bool is_constant(std::string_view name) {
+    return name == "pi" || name == "e";
+}
+
+bool is_reserved(std::string_view name) {
+    return find_reserved(name) != nullptr || find_function(name) != nullptr;
+}
+
+void check_parameter_name(const std::string& name, const Place& place) {
+    if (!is_name(name))
+        throw InputError(fmt::format("`{}` is no name for a parameter", name), place,
+                         "a name is a letter followed by letters, digits and `_`");
+    if (const Reserved* reserved = find_reserved(name))
+        throw InputError(fmt::format("`{}` is reserved: it is {}", name, reserved->meaning), place,
+                         fmt::format("take another name, such as `{}`", reserved->instead));
+    if (find_function(name) != nullptr)
+        throw InputError(fmt::format("`{}` is reserved: it is a function", name), place,
+                         fmt::format("take another name, such as `{}_value`", name));
+}
+
+void walk(const Expression& expression, const std::function<bool(const Expression&)>& visit) {
+    if (!visit(expression)) return;
+    for (const Expression& argument : expression.arguments)
+        walk(argument, visit);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,27 @@
+// Which names mean something of their own, and which are free for parameters.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "generator/expr/expression.hpp"
+
+namespace hvi::gen {
+
+/// Whether it is `pi` or `e`.
+[[nodiscard]] bool is_constant(std::string_view name);
+
+/// Whether the name means something of its own: `pi`, `e`, `tau`, `t`, `h`, or a function.
+[[nodiscard]] bool is_reserved(std::string_view name);
+
+/// Throws InputError at `place`, with a name to use instead, unless `name` is a letter followed by
+/// letters, digits and `_`, and is not reserved.
+void check_parameter_name(const std::string& name, const Place& place);
+
+/// Calls `visit` for the expression and everything in it. When `visit` returns false for an
+/// expression, what is inside it is left out.
+void walk(const Expression& expression, const std::function<bool(const Expression&)>& visit);
+
+}  // namespace hvi::gen

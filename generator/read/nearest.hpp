@@ -1,0 +1,21 @@
+// What a mistyped word may have meant.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hvi::gen {
+
+/// The candidates that are a few typing errors away from `word` (at most one in three letters), the
+/// nearest first, at most three.
+[[nodiscard]] std::vector<std::string_view>
+nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// "did you mean `gauss` or `fejer`?" for the nearest candidates, or else `otherwise`.
+[[nodiscard]] std::string did_you_mean(std::string_view word,
+                                       const std::vector<std::string_view>& candidates,
+                                       std::string otherwise);
+
+}  // namespace hvi::gen

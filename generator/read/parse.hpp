@@ -1,0 +1,59 @@
+// Our own reader of mathematical expressions, and of lists of them.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "generator/expr/expression.hpp"
+
+namespace hvi::gen {
+
+/// A family with its size: `gauss:3`. Which names and sizes there are is decided by who uses it.
+struct Family {
+    std::string name;
+    long size = 0;  ///< not negative; the largest long for one that is larger still
+    Range range;
+};
+
+/// One item of a list.
+struct Item {
+    std::variant<Expression, Family> what;
+    Range range;
+};
+
+/// A list as the user gave it. The ranges in its items are ranges in `source`.
+struct List {
+    std::shared_ptr<const Source> source;
+    std::vector<Item> items;
+
+    [[nodiscard]] Place place(Range range) const { return {source, range}; }
+};
+
+/// Reads one expression:
+///
+///     sum     = product (("+" | "-") product)*
+///     product = signed (("*" | "/") signed)*
+///     signed  = ("+" | "-") signed | power
+///     power   = operand ("^" signed)?               so that -x^2 is -(x^2), and 2^-3 is read
+///     operand = number | name | name "(" sum ("," sum)* ")" | "(" sum ")"
+///
+/// A decimal means exactly what is written. Names of functions are those of expr/functions.hpp; any
+/// other name is a symbol. Throws InputError, with its place, for any other text, for one of more
+/// than 64 KiB, and for one nested deeper than 200.
+[[nodiscard]] Expression parse_expression(std::shared_ptr<const Source> source);
+
+/// The same for a part of a source. Precondition: `part` lies within the text.
+[[nodiscard]] Expression parse_expression(std::shared_ptr<const Source> source, Range part);
+
+/// Reads a list of at least one item, separated by commas. An item is an expression, or a family
+/// with its size: a word of letters, digits and dashes, a colon, and a whole number. Throws as
+/// `parse_expression` does.
+[[nodiscard]] List parse_list(std::shared_ptr<const Source> source);
+
+/// Reads a family with its size that stands alone. Throws InputError for any other text.
+[[nodiscard]] Family parse_family(std::shared_ptr<const Source> source);
+
+}  // namespace hvi::gen

@@ -1,0 +1,65 @@
+// The words of a mathematical text.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+/// A word of a mathematical text; `end` is what stands after the last one.
+struct Token {
+    enum class Kind { number, name, plus, minus, times, over, power, open, close, comma, end };
+
+    Kind kind = Kind::end;
+    Range range;
+
+    [[nodiscard]] bool is(Kind other) const { return kind == other; }
+
+    /// Whether an operand can start here that is not signed.
+    [[nodiscard]] bool starts_operand() const {
+        return is(Kind::number) || is(Kind::name) || is(Kind::open);
+    }
+};
+
+/// Cuts a part of a source into tokens, one at a time, from left to right.
+class Lexer {
+public:
+    /// Reads `part` of the source's text. Precondition: `part` lies within it.
+    Lexer(std::shared_ptr<const Source> source, Range part);
+
+    /// The next token. Throws InputError at a character that no token starts with.
+    [[nodiscard]] Token next();
+
+    /// Goes on reading at this byte of the source.
+    void move_to(std::size_t position) { position_ = position; }
+
+    [[nodiscard]] const std::shared_ptr<const Source>& source() const { return source_; }
+
+    /// The source's text up to the end of the part.
+    [[nodiscard]] std::string_view text() const { return text_; }
+
+    [[nodiscard]] std::string text(Range range) const {
+        return std::string(text_.substr(range.begin, range.end - range.begin));
+    }
+
+private:
+    [[nodiscard]] Token number();
+    [[nodiscard]] Token name();
+    [[nodiscard]] Token sign();
+    [[noreturn]] void refuse_character() const;
+
+    std::shared_ptr<const Source> source_;
+    std::string_view text_;
+    std::size_t position_;
+};
+
+[[nodiscard]] bool is_digit(char c);
+[[nodiscard]] bool is_blank(char c);       ///< space, tab or line end
+[[nodiscard]] bool is_name_start(char c);  ///< a letter or `_`
+[[nodiscard]] bool is_name_char(char c);   ///< a letter, a digit or `_`
+
+}  // namespace hvi::gen

@@ -1,0 +1,57 @@
+// What the formats share.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/render/entry.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace hvi::gen {
+
+namespace {
+
+Part vector_part(std::string_view name, const NumberVector& vector) {
+    NumberMatrix rows;
+    for (const Number& number : vector)
+        rows.push_back({number});
+    return {name, true, std::move(rows)};
+}
+
+}  // namespace
+
+std::optional<std::string> Entry::exact_text() const {
+    if (!exact) return {};
+    return to_text(*exact);
+}
+
+std::string Entry::best_text() const {
+    return exact ? to_text(*exact) : decimal.value_or("?");
+}
+
+Entry make_entry(const Number& number, int digits) {
+    HVI_CHECK(digits >= 1);
+    Entry entry;
+    entry.exact = number.closed_form();
+    if (number.has_parameters()) return entry;
+    entry.decimal = number.decimal(digits);
+    entry.hex = fmt::format("{:a}", number.nearest_double());
+    return entry;
+}
+
+std::vector<Part> parts(const Tableau& tableau) {
+    return {vector_part("c", tableau.c),
+            vector_part("b", tableau.b),
+            vector_part("c_tilde", tableau.c_tilde),
+            {"A", false, tableau.A},
+            {"A_tilde", false, tableau.A_tilde},
+            {"M", false, tableau.M},
+            {"M_inverse", false, tableau.M_inverse},
+            vector_part("B", tableau.B),
+            {"A_psi", false, tableau.A_psi}};
+}
+
+std::string title(const Tableau& tableau) {
+    return tableau.name.empty() ? tableau.origin : tableau.name;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,52 @@
+// What the formats share: an entry of a tableau in its three forms, and the order of all entries.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/exact/tableau.hpp"
+
+namespace hvi::gen {
+
+/// A number as output has it.
+struct Entry {
+    std::optional<Expression> exact;     ///< empty when there is no closed form
+    std::optional<std::string> decimal;  ///< empty with a free parameter
+    std::optional<std::string> hex;      ///< the nearest double as `0x1.8p+0`; empty as `decimal`
+
+    /// The exact form in our notation.
+    [[nodiscard]] std::optional<std::string> exact_text() const;
+
+    /// The exact form, or else the decimal one.
+    [[nodiscard]] std::string best_text() const;
+};
+
+/// Precondition: digits >= 1.
+[[nodiscard]] Entry make_entry(const Number& number, int digits);
+
+/// A vector or a matrix of a tableau under its name in output.
+struct Part {
+    std::string_view name;
+    bool is_vector;
+    NumberMatrix rows;  ///< of a vector, one number in each row
+};
+
+/// All vectors and matrices: c, b, c_tilde, A, A_tilde, M, M_inverse, B, A_psi.
+[[nodiscard]] std::vector<Part> parts(const Tableau& tableau);
+
+/// Calls `visit(part, row, column, entry)` for every entry, rows and columns counted from 1.
+template <class Visitor>
+void for_each_entry(const Tableau& tableau, int digits, Visitor&& visit) {
+    for (const Part& part : parts(tableau))
+        for (std::size_t i = 0; i < part.rows.size(); ++i)
+            for (std::size_t j = 0; j < part.rows[i].size(); ++j)
+                visit(part, i + 1, j + 1, make_entry(part.rows[i][j], digits));
+}
+
+/// Its name, or what it was given by.
+[[nodiscard]] std::string title(const Tableau& tableau);
+
+}  // namespace hvi::gen

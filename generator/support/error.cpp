@@ -1,0 +1,150 @@
+// The layout of error messages: what, the place with its caret, help.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/support/error.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::size_t text_columns = 64;      ///< of the user's text around a caret
+constexpr std::size_t name_columns = 60;      ///< of the name of that text
+constexpr std::size_t wording_columns = 500;  ///< of `error:` and `help:`, which may quote the user
+constexpr std::string_view cut_mark = "...";
+
+/// Bytes of the UTF-8 character that `text` starts with, or 0 when it starts with none.
+std::size_t character_length(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    if (lead < 0x80) return 1;
+    if (lead < 0xc2 || lead > 0xf4) return 0;
+    const std::size_t length = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+    const std::string_view tail = text.substr(1, length - 1);
+    const bool whole = tail.size() == length - 1 && std::all_of(tail.begin(), tail.end(), [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
+    });
+    return whole ? length : 0;
+}
+
+/// What one column of the terminal shows for a character. Only what surely takes one column stays:
+/// ASCII, and Latin, Greek and Cyrillic letters. A terminal may act on anything else, or give it
+/// two columns or none, so that the caret below it would point elsewhere.
+std::string_view glyph(std::string_view character) {
+    const auto lead = static_cast<unsigned char>(character.front());
+    if (character == "\t" || character == "\n" || character == "\r") return " ";
+    if (character.size() == 1) return lead >= 0x20 && lead < 0x7f ? character : "?";
+    if (character.size() > 2) return "?";
+    const unsigned code =
+        (lead & 0x1fU) << 6U | (static_cast<unsigned char>(character[1]) & 0x3fU);
+    const bool letter =
+        (code >= 0xa1 && code < 0x300 && code != 0xad) || (code >= 0x370 && code < 0x483);
+    return letter ? character : "?";
+}
+
+/// A text as a terminal shows it, column by column.
+class Columns {
+public:
+    explicit Columns(std::string_view text) {
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t length = std::max<std::size_t>(character_length(text.substr(at)), 1);
+            glyphs_.push_back(glyph(text.substr(at, length)));
+            begins_.push_back(at);
+            at += length;
+        }
+        begins_.push_back(text.size());
+    }
+
+    [[nodiscard]] std::size_t size() const { return glyphs_.size(); }
+
+    /// The column of a byte of the text; size() for its end.
+    [[nodiscard]] std::size_t of_byte(std::size_t byte) const {
+        const auto after = std::upper_bound(begins_.begin(), begins_.end(), std::min(byte, begins_.back()));
+        return static_cast<std::size_t>(after - begins_.begin()) - 1;
+    }
+
+    [[nodiscard]] std::string text(std::size_t begin, std::size_t end) const {
+        std::string result;
+        for (std::size_t column = begin; column < end; ++column) result += glyphs_[column];
+        return result;
+    }
+
+private:
+    std::vector<std::string_view> glyphs_;
+    std::vector<std::size_t> begins_;  ///< the byte at which each column starts, and the text's end
+};
+
+/// Wording on one line of bounded length.
+std::string wording(std::string_view text) {
+    const Columns columns(text);
+    if (columns.size() <= wording_columns) return columns.text(0, columns.size());
+    return columns.text(0, wording_columns).append(cut_mark);
+}
+
+/// The name of a source. Of a long one the end stays, which tells files of one directory apart.
+std::string shown_name(std::string_view name) {
+    const Columns columns(name);
+    if (columns.size() <= name_columns) return columns.text(0, columns.size());
+    return std::string(cut_mark) + columns.text(columns.size() - name_columns, columns.size());
+}
+
+/// The line with the user's text and the line with the caret below it.
+std::string place_lines(const Place& place) {
+    const Columns columns(place.source->text);
+    const Range range = place.range;
+    const std::size_t caret = columns.of_byte(range.begin);
+    const std::size_t last = range.end > range.begin ? columns.of_byte(range.end - 1) : caret;
+
+    const std::size_t context = text_columns / 2;
+    const std::size_t latest = columns.size() - std::min(columns.size(), text_columns);
+    const std::size_t begin = std::min(caret - std::min(caret, context), latest);
+    const std::size_t end = std::min(begin + text_columns, columns.size());
+    const std::string_view before = begin > 0 ? cut_mark : "";
+    const std::string_view after = end < columns.size() ? cut_mark : "";
+
+    const std::string head = "  " + shown_name(place.source->name) + ": ";
+    const std::size_t indent = Columns(head).size() + before.size() + (caret - begin);
+    const std::size_t underlined = std::min(last, std::max(end, caret + 1) - 1) - caret;
+
+    std::string lines = head;
+    lines.append(before).append(columns.text(begin, end)).append(after).append("\n");
+    lines.append(indent, ' ').append("^").append(underlined, '~').append("\n");
+    return lines;
+}
+
+}  // namespace
+
+Error::Error(ExitStatus status, std::string what, std::optional<Place> place, std::string help)
+    : std::runtime_error(std::move(what)),
+      status_(status),
+      place_(std::move(place)),
+      help_(std::move(help)) {}
+
+MathError::MathError(std::string what, std::optional<Place> place, std::string help)
+    : Error(ExitStatus::mathematics, std::move(what), std::move(place), std::move(help)) {}
+
+InputError::InputError(std::string what, std::optional<Place> place, std::string help)
+    : Error(ExitStatus::input, std::move(what), std::move(place), std::move(help)) {}
+
+EnvironmentError::EnvironmentError(std::string what, std::string help)
+    : Error(ExitStatus::environment, std::move(what), {}, std::move(help)) {}
+
+InternalError::InternalError(std::string what)
+    : Error(ExitStatus::bug, "internal error: " + std::move(what), {},
+            "this is a bug of hvi-gen; please report it with the command that led here") {}
+
+std::string message(const Error& error) {
+    std::string text = "error: " + wording(error.what()) + "\n";
+    if (error.place()) text += place_lines(*error.place());
+    if (!error.help().empty()) text += "help: " + wording(error.help()) + "\n";
+    return text;
+}
+
+void check_failed(const char* condition, const char* file, int line) {
+    throw InternalError(std::string("`") + condition + "` does not hold (" + file + ":" +
+                        std::to_string(line) + ")");
+}
+
+}  // namespace hvi::gen

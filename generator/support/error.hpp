@@ -1,0 +1,98 @@
+// Errors of hvi-gen: what went wrong, where in the user's text, and what would help.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace hvi::gen {
+
+/// Exit statuses of CONTRACT.md, "Output and exit status".
+enum class ExitStatus : int {
+    done = 0,
+    mathematics = 1,   ///< understood, but mathematics forbids it
+    input = 2,         ///< cannot be read
+    environment = 3,   ///< something outside failed
+    bug = 70,          ///< a broken invariant of ours
+    interrupted = 130,
+};
+
+/// A half-open range of bytes [begin, end) in a text.
+struct Range {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+/// A text that the user gave, with the name under which messages speak of it:
+/// `--basis`, or `method.toml:3`.
+struct Source {
+    std::string name;
+    std::string text;
+};
+
+/// A range in a source: where a caret points.
+struct Place {
+    std::shared_ptr<const Source> source;
+    Range range;
+};
+
+/// Base of all errors that end the program with a message of the form
+///
+///     error: WHAT
+///       NAME: TEXT
+///             ^~~~
+///     help: WHAT WOULD HELP
+///
+/// where the place and the help are there only when they are known.
+class Error : public std::runtime_error {
+public:
+    Error(ExitStatus status, std::string what, std::optional<Place> place, std::string help);
+
+    [[nodiscard]] ExitStatus status() const noexcept { return status_; }
+    [[nodiscard]] const std::optional<Place>& place() const noexcept { return place_; }
+    [[nodiscard]] const std::string& help() const noexcept { return help_; }
+
+private:
+    ExitStatus status_;
+    std::optional<Place> place_;
+    std::string help_;
+};
+
+/// The input is understood, but mathematics forbids it (status 1).
+class MathError : public Error {
+public:
+    explicit MathError(std::string what, std::optional<Place> place = {}, std::string help = {});
+};
+
+/// The input cannot be read (status 2).
+class InputError : public Error {
+public:
+    explicit InputError(std::string what, std::optional<Place> place = {}, std::string help = {});
+};
+
+/// Something outside the program failed (status 3).
+class EnvironmentError : public Error {
+public:
+    explicit EnvironmentError(std::string what, std::string help = {});
+};
+
+/// A broken invariant: a bug of ours (status 70). Thrown by HVI_CHECK only.
+class InternalError : public Error {
+public:
+    explicit InternalError(std::string what);
+};
+
+/// The error as the user sees it, ending in a newline. Long lines are cut to a window around the
+/// place, and bytes that a terminal would act on are shown as '?'.
+[[nodiscard]] std::string message(const Error& error);
+
+[[noreturn]] void check_failed(const char* condition, const char* file, int line);
+
+}  // namespace hvi::gen
+
+/// States an invariant of ours; when it does not hold, the program ends with status 70.
+#define HVI_CHECK(condition) \
+    ((condition) ? void() : ::hvi::gen::check_failed(#condition, __FILE__, __LINE__))

@@ -1,0 +1,143 @@
+// Writing a file beside its target and renaming it into place.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/support/output_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannot_write(const std::string& target, int error, std::string help = {}) {
+    throw EnvironmentError("cannot write " + target + ": " + std::generic_category().message(error),
+                           std::move(help));
+}
+
+/// An open file descriptor.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int number() const { return number_; }
+
+    /// Closing can fail too: some file systems report a full disk only then.
+    [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+private:
+    int number_;
+};
+
+bool write_all(int descriptor, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = ::write(descriptor, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+/// Holds interruptions back while a temporary file exists, so that none is left behind.
+class SignalsHeld {
+public:
+    SignalsHeld() {
+        sigset_t held;
+        sigemptyset(&held);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
+        pthread_sigmask(SIG_BLOCK, &held, &before_);
+    }
+    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+private:
+    sigset_t before_{};
+};
+
+/// A new file in the directory, removed at the end of its life unless renamed.
+class TemporaryFile {
+public:
+    /// NOTE: not mkstemp, whose files are private: this one gets the permissions that any new file
+    /// of the user gets.
+    TemporaryFile(const fs::path& directory, const std::string& target) {
+        for (int attempt = 0; descriptor_ < 0; ++attempt) {
+            path_ = directory / (".hvi-gen-" + std::to_string(::getpid()) + "-" +
+                                 std::to_string(attempt) + ".tmp");
+            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (descriptor_ < 0 && errno != EEXIST) cannot_write(target, errno);
+        }
+    }
+    ~TemporaryFile() {
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+    [[nodiscard]] bool rename_to(const fs::path& target) {
+        if (::rename(path_.c_str(), target.c_str()) != 0) return false;
+        path_.clear();
+        return true;
+    }
+
+private:
+    fs::path path_;
+    int descriptor_ = -1;
+};
+
+void replace_file(const fs::path& target, std::optional<mode_t> mode, std::string_view text) {
+    const SignalsHeld signals_held;
+    TemporaryFile temporary(target.has_parent_path() ? target.parent_path() : ".", target.string());
+    Descriptor file(temporary.descriptor());
+    const bool written = (!mode || ::fchmod(file.number(), *mode) == 0) &&
+                         write_all(file.number(), text) && file.close() &&
+                         temporary.rename_to(target);
+    if (!written) cannot_write(target.string(), errno);
+}
+
+/// A device or a pipe is written to as it stands: it must not be replaced by a file.
+void write_into(const fs::path& target, std::string_view text) {
+    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.number() < 0 || !write_all(file.number(), text) || !file.close())
+        cannot_write(target.string(), errno);
+}
+
+}  // namespace
+
+void write_file(const fs::path& path, std::string_view text) {
+    std::error_code unresolved;
+    const fs::path resolved = fs::canonical(path, unresolved);
+    const fs::path target = unresolved ? path : resolved;  // a link stays, what it names is written
+
+    struct stat old {};
+    if (::stat(target.c_str(), &old) != 0) return replace_file(target, {}, text);
+    if (S_ISDIR(old.st_mode)) cannot_write(path.string(), EISDIR, "-o takes the name of a file");
+    if (!S_ISREG(old.st_mode)) return write_into(target, text);
+    if (::access(target.c_str(), W_OK) != 0) cannot_write(path.string(), errno);
+    replace_file(target, old.st_mode & 07777U, text);
+}
+
+void write_standard_output(std::string_view text) {
+    if (!write_all(STDOUT_FILENO, text)) cannot_write("standard output", errno);
+}
+
+}  // namespace hvi::gen

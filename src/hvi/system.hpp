@@ -1,0 +1,123 @@
+// What a stepper asks of a user's class and of its vectors.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: needs the standard library alone; see state.hpp.
+#ifndef HVI_SYSTEM_HPP
+#define HVI_SYSTEM_HPP
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace hvi::detail {
+
+/// The type in which a vector counts: std::size_t of std::array, a signed one of Eigen.
+template <class Vector>
+using IndexOf = std::decay_t<decltype(std::declval<const Vector&>().size())>;
+
+template <class System, class = void>
+struct HasVector : std::false_type {};
+template <class System>
+struct HasVector<System, std::void_t<typename System::Vector>> : std::true_type {};
+
+template <class Vector, class = void>
+struct IsVectorOfDouble : std::false_type {};
+template <class Vector>
+struct IsVectorOfDouble<Vector, std::void_t<decltype(std::declval<Vector&>()[0]), IndexOf<Vector>>>
+    : std::is_same<decltype(std::declval<Vector&>()[0]), double&> {};
+
+template <class Vector, class = void>
+struct HasResize : std::false_type {};
+template <class Vector>
+struct HasResize<Vector, std::void_t<decltype(std::declval<Vector&>().resize(1))>>
+    : std::true_type {};
+
+template <class System, class Vector, class = void>
+struct HasGradients : std::false_type {};
+template <class System, class Vector>
+struct HasGradients<System, Vector,
+                    std::void_t<decltype(std::declval<const System&>().dHdq(
+                                    std::declval<const Vector&>(), std::declval<const Vector&>(),
+                                    std::declval<Vector&>())),
+                                decltype(std::declval<const System&>().dHdp(
+                                    std::declval<const Vector&>(), std::declval<const Vector&>(),
+                                    std::declval<Vector&>()))>> : std::true_type {};
+
+template <class System, class Vector, class = void>
+struct HasSeparableGradients : std::false_type {};
+template <class System, class Vector>
+struct HasSeparableGradients<System, Vector,
+                             std::void_t<decltype(std::declval<const System&>().dHdq(
+                                             std::declval<const Vector&>(),
+                                             std::declval<Vector&>())),
+                                         decltype(std::declval<const System&>().dHdp(
+                                             std::declval<const Vector&>(),
+                                             std::declval<Vector&>()))>> : std::true_type {};
+
+/// Says in words what a class lacks that is to be a Hamiltonian system.
+template <class System, bool separable>
+constexpr bool check_system() {
+    static_assert(HasVector<System>::value,
+                  "hvi: the system must name its vectors: using Vector = std::array<double, n>;");
+    using Vector = typename System::Vector;
+    static_assert(IsVectorOfDouble<Vector>::value,
+                  "hvi: Vector must hold doubles, with operator[] and size(): "
+                  "std::array<double, n> or a vector of Eigen");
+    if constexpr (separable) {
+        static_assert(HasSeparableGradients<System, Vector>::value,
+                      "hvi: for H = T(p) + U(q) the system must offer const members "
+                      "dHdq(const Vector& q, Vector& out) and dHdp(const Vector& p, Vector& out)");
+    } else {
+        static_assert(HasGradients<System, Vector>::value,
+                      "hvi: the system must offer const members dHdq and dHdp, each "
+                      "(const Vector& q, const Vector& p, Vector& out)");
+    }
+    return true;
+}
+
+/// Gives v the dimension n. Allocates only where the dimension is dynamic and new.
+template <class Vector>
+void fit(Vector& v, IndexOf<Vector> n) {
+    if constexpr (HasResize<Vector>::value) {
+        if (v.size() != n) { v.resize(n); }
+    }
+}
+
+/// A vector to compute in: a new one, which lives in registers, where the dimension is part of the
+/// type; the caller's `own` where it is not, so that nothing is allocated.
+template <class Vector>
+[[nodiscard]] std::conditional_t<HasResize<Vector>::value, Vector&, Vector> scratch(Vector& own) {
+    if constexpr (HasResize<Vector>::value) {
+        return own;
+    } else {
+        return {};
+    }
+}
+
+/// Whether a and b agree bit for bit, -0.0 and 0.0 being different.
+template <class Vector>
+[[nodiscard]] bool same_bits(const Vector& a, const Vector& b) {
+    if (a.size() != b.size()) { return false; }
+    std::uint64_t difference = 0;
+    for (IndexOf<Vector> k = 0; k < a.size(); ++k) {
+        std::uint64_t left = 0;
+        std::uint64_t right = 0;
+        std::memcpy(&left, &a[k], sizeof left);
+        std::memcpy(&right, &b[k], sizeof right);
+        difference |= left ^ right;
+    }
+    return difference == 0;
+}
+
+template <class Vector>
+[[nodiscard]] bool finite(const Vector& v) {
+    bool all = true;
+    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { all &= std::isfinite(v[k]); }
+    return all;
+}
+
+}  // namespace hvi::detail
+
+#endif  // HVI_SYSTEM_HPP

@@ -1,0 +1,19 @@
+// The version of the runtime, and which generated headers it serves.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace hvi {
+
+inline constexpr int version_major = 0;
+inline constexpr int version_minor = 1;
+inline constexpr int version_patch = 0;
+
+/// Generated headers name the format of their calls into the runtime; these are understood.
+inline constexpr int oldest_format = 1;
+inline constexpr int newest_format = 1;
+
+[[nodiscard]] constexpr bool supports_format(int format) {
+    return oldest_format <= format && format <= newest_format;
+}
+
+}  // namespace hvi

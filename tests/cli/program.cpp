@@ -1,0 +1,89 @@
+// Starting processes, and temporary directories.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tests/cli/program.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace hvi::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void redirect(int stream, const fs::path& file) {
+    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    if (opened < 0 || ::dup2(opened, stream) < 0) ::_exit(126);
+    ::close(opened);
+}
+
+Outcome run(std::vector<std::string> words, const fs::path& directory) {
+    const Directory streams;
+    const fs::path out = streams / "out";
+    const fs::path err = streams / "err";
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("cannot fork");
+    if (child == 0) {
+        redirect(STDOUT_FILENO, out);
+        redirect(STDERR_FILENO, err);
+        if (::chdir(directory.c_str()) == 0) ::execv(arguments[0], arguments.data());
+        ::_exit(127);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return {code, contents(out), contents(err)};
+}
+
+}  // namespace
+
+Outcome hvi_gen(const std::vector<std::string>& words, const fs::path& directory) {
+    std::vector<std::string> all = {HVI_GEN};
+    all.insert(all.end(), words.begin(), words.end());
+    return run(std::move(all), directory);
+}
+
+Outcome shell(const std::string& line, const fs::path& directory) {
+    const std::string function = "hvi_gen=$1; hvi-gen() { \"$hvi_gen\" \"$@\"; }; ";
+    return run({"/bin/bash", "-c", function + line, "bash", HVI_GEN}, directory);
+}
+
+Directory::Directory() {
+    std::string name = (fs::temp_directory_path() / "hvi-test-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+    path_ = name;
+}
+
+Directory::~Directory() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> Directory::names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string contents(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+void write(const fs::path& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+}  // namespace hvi::test

@@ -1,0 +1,249 @@
+// Every refusal of CONTRACT.md: its status, its message, and that nothing else is written.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+
+#include <sstream>
+
+#include "tests/cli/program.hpp"
+
+using namespace hvi::test;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// The text above the caret of a message, from the caret on as far as it is underlined.
+std::string pointed_at(const std::string& message) {
+    const auto lines = lines_of(message);
+    if (lines.size() < 3 || lines[2].find('^') == std::string::npos) return "";
+    const std::size_t begin = lines[2].find('^');
+    return begin > lines[1].size() ? "" : lines[1].substr(begin, lines[2].size() - begin);
+}
+
+/// error: WHAT, then perhaps a place of two lines, then perhaps help: WHAT WOULD HELP.
+void check_form(const std::string& message) {
+    const auto lines = lines_of(message);
+    REQUIRE(!lines.empty());
+    std::size_t next = 1;
+    CHECK(lines[0].rfind("error: ", 0) == 0);
+    if (next < lines.size() && lines[next].rfind("  ", 0) == 0) {
+        REQUIRE(lines.size() > next + 1);
+        CHECK(lines[next + 1].find_first_not_of(' ') == lines[next + 1].find('^'));
+        CHECK(lines[next + 1].find_first_not_of(" ^~") == std::string::npos);
+        next += 2;
+    }
+    if (next < lines.size() && lines[next].rfind("help: ", 0) == 0) ++next;
+    CHECK(next == lines.size());
+    for (const std::string& line : lines) CHECK(line.size() < 700);
+}
+
+struct Refusal {
+    int status;
+    std::string place;  ///< what the caret underlines; empty where it points to no text
+    std::vector<std::string> words;
+};
+
+void check_refused(const Refusal& refusal, const std::vector<std::string>& words) {
+    const Directory directory;
+    write(directory / "old.hpp", "old");
+    const Outcome outcome = hvi_gen(words, directory.path());
+    std::string line;
+    for (const std::string& word : words) line += word.substr(0, 200) + " | ";
+    INFO(line << "\n" << outcome.err);
+    CHECK(outcome.status == refusal.status);
+    CHECK(outcome.out.empty());
+    check_form(outcome.err);
+    if (!refusal.place.empty()) CHECK(pointed_at(outcome.err) == refusal.place);
+    CHECK(directory.names() == std::vector<std::string>{"old.hpp"});
+    CHECK(contents(directory / "old.hpp") == "old");
+}
+
+/// A METHOD that is refused by `tableau` and by `stepper`, with a file of results and without.
+void check_method_refused(const Refusal& refusal) {
+    for (const std::string command : {"tableau", "stepper"}) {
+        for (const std::string output : {"", "old.hpp", "new.hpp"}) {
+            std::vector<std::string> words = {command};
+            words.insert(words.end(), refusal.words.begin(), refusal.words.end());
+            if (!output.empty()) words.insert(words.end(), {"-o", output});
+            check_refused(refusal, words);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("mathematics forbids it: status 1") {
+    const std::vector<Refusal> refusals = {
+        // M singular
+        {1, "", {"--basis", "1, cos(2*pi*tau)", "--nodes", "0, 1"}},
+        {1, "", {"--basis", "1, sin(pi*tau)", "--nodes", "0, 1"}},
+        {1, "", {"--basis", "1, tau", "--nodes", "1/2, 1/2"}},
+        // a weight is zero
+        {1, "", {"--basis", "1, tau, tau^2", "--nodes", "0, 1/3, 1"}},
+        {1, "", {"--basis", "1, cos(pi*tau)", "--nodes", "0, 1/2"}},
+        // nodes not real
+        {1, "chebyshev:8", {"--method", "chebyshev:8"}},
+        {1, "", {"--basis", "monomials:10", "--nodes", "chebyshev:10"}},
+        {1, "", {"--basis", "1, tau", "--nodes", "roots(tau^2 + 1)"}},
+        {1, "sqrt(-1)", {"--basis", "1, tau", "--nodes", "sqrt(-1), 1"}},
+        {1, "log(0)", {"--basis", "1, tau", "--nodes", "log(0), 1"}},
+        // fewer nodes than functions
+        {1, "", {"--basis", "1, tau", "--nodes", "1/2"}},
+        // not integrable on [0,1]
+        {1, "", {"--basis", "1, 1/tau", "--nodes", "1/3, 2/3"}},
+        {1, "", {"--basis", "1, log(tau - 1/2)", "--nodes", "3/4, 1"}},
+        // constants not in the span
+        {1, "", {"--basis", "tau", "--nodes", "1/2"}},
+        {1, "", {"--basis", "tau, tau^2", "--nodes", "1/2, 1"}},
+    };
+    for (const Refusal& refusal : refusals) check_method_refused(refusal);
+}
+
+TEST_CASE("a method that cannot be read: status 2") {
+    const std::string deep(100000, '(');
+    const std::string long_list = [] {
+        std::string text = "1";
+        for (int i = 0; i < 25000; ++i) text += ",tau";
+        return text;
+    }();
+    const std::vector<Refusal> refusals = {
+        // syntax
+        {2, "", {"--basis", "1, cos(pi*tau", "--nodes", "0, 1"}},
+        {2, ")", {"--basis", "1, tau)", "--nodes", "0, 1"}},
+        {2, "", {"--basis", "1, ", "--nodes", "0, 1"}},
+        {2, "", {"--basis", "", "--nodes", "0, 1"}},
+        {2, "#", {"--basis", "1, tau # 2", "--nodes", "0, 1"}},
+        {2, "", {"--basis", "1, tau", "--nodes", "0 1"}},
+        {2, "", {"--basis", deep, "--nodes", "0"}},
+        {2, "", {"--basis", long_list, "--nodes", "0"}},
+        {2, "", {"--basis", "1, \x1b[31mtau", "--nodes", "0, 1"}},
+        {2, "", {"--basis", "1, tau\xff\xfe", "--nodes", "0, 1"}},
+        // unknown names
+        {2, "gaus:3", {"--method", "gaus:3"}},
+        {2, "gaus:2", {"--basis", "monomials:2", "--nodes", "gaus:2"}},
+        {2, "coz", {"--basis", "1, coz(pi*tau)", "--nodes", "0, 1"}},
+        {2, "", {"--method", ""}},
+        {2, "", {"--method", "gauss"}},
+        // out of range
+        {2, "", {"--method", "gauss:0"}},
+        {2, "", {"--method", "gauss:65"}},
+        {2, "", {"--method", "gauss:99999999999999999999"}},
+        {2, "", {"--method", "gauss:-1"}},
+        {2, "", {"--method", "lobatto:1"}},
+        {2, "", {"--method", "newton-cotes:1"}},
+        {2, "", {"--method", "clenshaw-curtis:1"}},
+        {2, "", {"--basis", "trig:65", "--nodes", "gauss:2"}},
+        // no number
+        {2, "", {"--basis", "1, tau", "--nodes", "1/0, 1"}},
+        {2, "", {"--basis", "1, tau/0", "--nodes", "0, 1"}},
+        {2, "tau", {"--basis", "1, tau", "--nodes", "0, tau"}},
+        // parameters
+        {2, "", {"--method", "gauss:2", "--param", "w=2"}},
+        {2, "", {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w"}},
+        {2, "", {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1/0"}},
+        {2, "", {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "pi=3"}},
+        {2, "", {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1", "--param", "w=2"}},
+        {2, "", {"--basis", "1, cos(h*tau)", "--nodes", "0, 1"}},
+        // missing files
+        {2, "", {"--method-file", "missing.toml"}},
+        {2, "", {"--method-file", "."}},
+        // the general form, to come
+        {2, "", {"--basis", "1, tau", "--nodes", "0, 1", "--weights", "1/2, 1/2"}},
+        {2, "", {"--basis", "1, tau", "--nodes", "0, 1/2, 1"}},
+    };
+    for (const Refusal& refusal : refusals) check_method_refused(refusal);
+}
+
+TEST_CASE("a method file that cannot be read: status 2") {
+    const std::vector<std::string> files = {
+        "",
+        "basis = \"1, tau\"",
+        "nodes = \"0, 1\"",
+        "basis = \"1, tau\"\nnodes = \"0, 1\"\nunknown = 1\n",
+        "basis = 1\nnodes = \"0, 1\"\n",
+        "basis = \"1, tau\nnodes = \"0, 1\"\n",
+        "basis = \"1, coz(tau)\"\nnodes = \"0, 1\"\n",
+        "basis = \"1, tau\"\nnodes = \"0, 1/0\"\n",
+        "basis = \"1, tau\"\nnodes = \"0, 1\"\nweights = \"1/2, 1/2\"\n",
+        "basis = \"1, cos(pi*tau)\"\nnodes = \"0, 1\"\n[parameters]\npi = 3\n",
+        std::string("basis = \"1\"\0nodes", 17),
+    };
+    const Directory directory;
+    for (const std::string& file : files) {
+        write(directory / "method.toml", file);
+        const Outcome outcome = hvi_gen({"tableau", "--method-file", "method.toml", "-o", "new"}, directory.path());
+        INFO(file << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        CHECK(outcome.err.find("method.toml") != std::string::npos);
+        CHECK(directory.names() == std::vector<std::string>{"method.toml"});
+    }
+}
+
+TEST_CASE("a command line that cannot be read: status 2") {
+    const std::vector<Refusal> refusals = {
+        {2, "", {}},
+        {2, "tableu", {"tableu", "--method", "gauss:2"}},
+        {2, "--method", {"--method", "gauss:2", "tableau"}},
+        {2, "--digitz", {"tableau", "--method", "gauss:2", "--digitz", "5"}},
+        {2, "-x", {"tableau", "-x", "--method", "gauss:2"}},
+        {2, "gauss:2", {"tableau", "gauss:2"}},
+        {2, "list", {"tableau", "--method", "gauss:2", "list"}},
+        // METHOD: none, twice, mixed, half
+        {2, "", {"tableau"}},
+        {2, "", {"stepper", "--separable"}},
+        {2, "--method", {"tableau", "--method", "gauss:2", "--method", "gauss:3"}},
+        {2, "--method=gauss:3", {"tableau", "--method=gauss:2", "--method=gauss:3"}},
+        {2, "--basis", {"tableau", "--method", "gauss:2", "--basis", "1"}},
+        {2, "--nodes", {"tableau", "--method", "gauss:2", "--nodes", "1"}},
+        {2, "--method-file", {"tableau", "--method", "gauss:2", "--method-file", "a.toml"}},
+        {2, "--method-file", {"tableau", "--basis", "1", "--nodes", "1", "--method-file", "a.toml"}},
+        {2, "--basis", {"tableau", "--basis", "1"}},
+        {2, "--nodes", {"tableau", "--nodes", "1"}},
+        {2, "--weights", {"tableau", "--weights", "1"}},
+        // values
+        {2, "--method", {"tableau", "--method"}},
+        {2, "--method", {"tableau", "--method", "--digits", "5"}},
+        {2, "-o", {"tableau", "--method", "gauss:2", "-o"}},
+        {2, "", {"tableau", "--method", "gauss:2", "-o", ""}},
+        {2, "yaml", {"tableau", "--method", "gauss:2", "--format", "yaml"}},
+        {2, "0", {"tableau", "--method", "gauss:2", "--digits", "0"}},
+        {2, "-3", {"tableau", "--method", "gauss:2", "--digits", "-3"}},
+        {2, "1e3", {"tableau", "--method", "gauss:2", "--digits", "1e3"}},
+        {2, "10001", {"tableau", "--method", "gauss:2", "--digits", "10001"}},
+        {2, "99999999999", {"tableau", "--method", "gauss:2", "--digits", "99999999999"}},
+        {2, "--separable=maybe", {"stepper", "--method", "gauss:2", "--separable=maybe"}},
+        {2, "", {"stepper", "--method", "gauss:2", "--name", "class"}},
+        {2, "", {"stepper", "--method", "gauss:2", "--name", "1st"}},
+        {2, "", {"stepper", "--method", "gauss:2", "--name", "a b"}},
+        {2, "", {"stepper", "--method", "gauss:2", "--name", "_Reserved"}},
+        {2, "", {"stepper", "--method", "gauss:2", "--name", ""}},
+        {2, "method", {"list", "method"}},
+        {2, "nodes", {"list", "bases", "nodes"}},
+        // to come
+        {2, "check", {"check", "--method", "gauss:2"}},
+        {2, "scheme", {"scheme", "--method", "gauss:2", "--hamiltonian", "p^2/2"}},
+        {2, "run", {"run", "kepler"}},
+        {2, "report", {"report", "kepler"}},
+        {2, "scene.toml", {"stepper", "--method", "gauss:2", "scene.toml"}},
+        {2, "--hamiltonian", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2"}},
+    };
+    for (const Refusal& refusal : refusals) check_refused(refusal, refusal.words);
+}
+
+TEST_CASE("a stepper needs a value for every parameter: status 2") {
+    check_refused({2, "", {}}, {"stepper", "--basis", "1, cos(w*tau)", "--nodes", "0, 1"});
+}
+
+TEST_CASE("help points to what was meant") {
+    CHECK(hvi_gen({"tableau", "--method", "gaus:3"}).err.find("gauss") != std::string::npos);
+    CHECK(hvi_gen({"tableu"}).err.find("`tableau`") != std::string::npos);
+    CHECK(hvi_gen({"tableau", "--methd", "x"}).err.find("`--method`") != std::string::npos);
+    CHECK(hvi_gen({"tableau", "gauss:3"}).err.find("--method") != std::string::npos);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+
+#include "generator/expr/expression.hpp"
+#include "generator/read/parse.hpp"
+#include "tests/read/refusal.hpp"
+
+using namespace hvi::gen;
+
+namespace {
+
+std::string latex(const std::string& text) {
+    return to_latex(parse_expression(source(text)));
+}
+
+}  // namespace
+
+TEST_CASE("the entries of Examples 4.6 and 4.7 look as in the paper") {
+    CHECK(latex("(pi-2)/(2*pi)") == R"(\frac{\pi - 2}{2\pi})");
+    CHECK(latex("(pi^2-2*pi-4)/(2*pi^2-4*pi)") == R"(\frac{\pi^{2} - 2\pi - 4}{2\pi^{2} - 4\pi})");
+    CHECK(latex("1/6-5*sqrt(2)/48") == R"(\frac{1}{6} - \frac{5\sqrt{2}}{48})");
+    CHECK(latex("-1/2") == R"(-\frac{1}{2})");
+    CHECK(latex("1/(pi-2)") == R"(\frac{1}{\pi - 2})");
+}
+
+TEST_CASE("factors stand side by side, with a dot where two numbers would meet") {
+    CHECK(latex("2*pi*tau") == R"(2\pi\tau)");
+    CHECK(latex("pi*w") == R"(\pi w)");
+    CHECK(latex("w*pi") == R"(w\pi)");
+    CHECK(latex("2*3") == R"(2 \cdot 3)");
+    CHECK(latex("x*2^k") == R"(x \cdot 2^{k})");
+    CHECK(latex("2*(a+b)*c") == R"(2\left(a + b\right)c)");
+}
+
+TEST_CASE("functions") {
+    CHECK(latex("sqrt(3+2*sqrt(2))") == R"(\sqrt{3 + 2\sqrt{2}})");
+    CHECK(latex("exp(-w/2)") == R"(e^{-w/2})");
+    CHECK(latex("sin(w/3)") == R"(\sin\left(w/3\right))");
+    CHECK(latex("cos(w/(2*pi))") == R"(\cos\left(w/\left(2\pi\right)\right))");
+    CHECK(latex("log(2)") == R"(\log\left(2\right))");
+    CHECK(latex("bspline(3,1)") == R"(\operatorname{bspline}\left(3, 1\right))");
+}
+
+TEST_CASE("powers") {
+    CHECK(latex("sin(x)^2") == R"(\sin^{2}\left(x\right))");
+    CHECK(latex("sin(x)^-1") == R"(\left(\sin\left(x\right)\right)^{-1})");
+    CHECK(latex("exp(x)^2") == R"(\left(e^{x}\right)^{2})");
+    CHECK(latex("(x^2)^3") == R"(\left(x^{2}\right)^{3})");
+    CHECK(latex("x^(1/2)") == R"(x^{1/2})");
+    CHECK(latex("(1/2)^x") == R"(\left(\frac{1}{2}\right)^{x})");
+}
+
+TEST_CASE("names") {
+    CHECK(latex("omega") == R"(\omega)");
+    CHECK(latex("w1") == "w_{1}");
+    CHECK(latex("w_1") == "w_{1}");
+    CHECK(latex("ecc") == R"(\mathit{ecc})");
+    CHECK(latex("omega_max") == R"(\omega_{\mathit{max}})");
+    CHECK(latex("a_b_c") == R"(a_{\mathit{b\_c}})");
+    CHECK(latex("_") == R"(\mathit{\_})");
+    CHECK(latex("w_") == R"(\mathit{w\_})");
+}

@@ -1,0 +1,106 @@
+// The targets.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tests/fuzz/targets.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "generator/read/method.hpp"
+
+namespace hvi::gen::fuzz {
+
+namespace {
+
+std::shared_ptr<const Source> source(std::string_view bytes) {
+    return std::make_shared<const Source>(Source{"fuzz", std::string(bytes)});
+}
+
+void require(bool condition, const char* what) {
+    if (!condition) throw std::logic_error(what);
+}
+
+int depth(const Expression& expression) {
+    int deepest = 0;
+    for (const Expression& argument : expression.arguments)
+        deepest = std::max(deepest, depth(argument));
+    return deepest + 1;
+}
+
+void check_ranges(const Expression& expression, const Source& text) {
+    require(expression.range.begin <= expression.range.end &&
+                expression.range.end <= text.text.size(),
+            "a range leaves the text");
+    for (const Expression& argument : expression.arguments)
+        check_ranges(argument, text);
+}
+
+/// NOTE: a fraction such as 0.5 is printed as 1/2, with parentheses that make the text deeper and
+/// longer, so that what is near a limit need not be read again.
+void check_printing(const Expression& expression) {
+    const std::string printed = to_text(expression);
+    static_cast<void>(to_latex(expression));
+    if (depth(expression) > 90 || printed.size() > 60000) return;
+    require(to_text(parse_expression(source(printed))) == printed, "printing changes a meaning");
+}
+
+/// Runs a reader; errors of the user's are a result like any other.
+template <class Reader>
+void attempt(Reader&& reader) {
+    try {
+        reader();
+    } catch (const Error& error) {
+        require(error.status() == ExitStatus::input || error.status() == ExitStatus::mathematics,
+                "an error that is not the user's");
+        require(!message(error).empty(), "an error without a message");
+        require(error.place().has_value(), "an error without a place");
+        require(error.place()->range.begin <= error.place()->range.end &&
+                    error.place()->range.end <= error.place()->source->text.size(),
+                "a place outside of its text");
+    }
+}
+
+void check_list(const List& list) {
+    for (const Item& item : list.items) {
+        const auto* expression = std::get_if<Expression>(&item.what);
+        if (expression == nullptr) continue;
+        check_ranges(*expression, *list.source);
+        check_printing(*expression);
+    }
+}
+
+}  // namespace
+
+void expression(std::string_view bytes) {
+    const auto text = source(bytes);
+    attempt([&] {
+        const Expression result = parse_expression(text);
+        check_ranges(result, *text);
+        check_printing(result);
+    });
+}
+
+void list(std::string_view bytes) {
+    attempt([&] { check_list(parse_list(source(bytes))); });
+    attempt([&] { static_cast<void>(method_from_text(source(bytes), source("0"))); });
+    attempt([&] { static_cast<void>(method_from_text(source("1"), source(bytes))); });
+}
+
+void name(std::string_view bytes) {
+    attempt([&] { static_cast<void>(named_method(source(bytes))); });
+}
+
+void parameter(std::string_view bytes) {
+    attempt([&] { static_cast<void>(parse_parameter(source(bytes))); });
+}
+
+void method_file(std::string_view bytes) {
+    attempt([&] {
+        const Method method = method_from_toml({"fuzz.toml", std::string(bytes)});
+        check_list(method.basis);
+        check_list(method.nodes);
+        require(method.origin.find('\n') == std::string::npos, "an origin of several lines");
+    });
+}
+
+}  // namespace hvi::gen::fuzz
