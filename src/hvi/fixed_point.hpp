@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cfloat>
+
 #include <hvi/round_off.hpp>
 #include <hvi/state.hpp>
 
@@ -58,7 +60,7 @@ struct FixedPoint {
             return round_off_.template judge<Coupled::has_q, by_p>(coupled.s.change, coupled);
         }
 
-        detail::RoundOff<Vector> round_off_;
+        detail::RoundOff<Vector> round_off_{8 * DBL_EPSILON};
     };
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -84,6 +85,7 @@ struct Newton {
                     case detail::Verdict::not_finite: return failed(iteration);
                 }
                 const double change = relative_change(coupled);
+                if (change <= nothing) { return Status(Status::Code::ok, iteration); }
                 const bool slow = iteration > 1 && change > well && change > 0.25 * last_change;
                 last_change = change;
                 if (!slow) { continue; }
@@ -99,6 +101,7 @@ struct Newton {
 
     private:
         using Index = Eigen::Index;
+        static constexpr double nothing = 4 * DBL_EPSILON;  // a correction that only rounds
         static constexpr double well = 0x1p-30;  // so near to the solution any contraction does
 
         template <class Coupled>
@@ -297,7 +300,8 @@ struct Newton {
             return v[static_cast<detail::IndexOf<std::decay_t<AnyVector>>>(k)];
         }
 
-        detail::RoundOff<Vector> round_off_;
+        // NOTE: a correction is rounding times the inverse of J, which may magnify it somewhat.
+        detail::RoundOff<Vector> round_off_{128 * DBL_EPSILON};
         Eigen::MatrixXd jacobian_, Hqq_, Hqp_, Hpp_;
         Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
         Eigen::VectorXd slopes_, residual_, correction_;

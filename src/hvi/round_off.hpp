@@ -32,6 +32,9 @@ class RoundOff {
 public:
     using Index = IndexOf<Vector>;
 
+    /// `rounding`: the part of a value that its change may be and pass for rounding.
+    explicit RoundOff(double rounding) : rounding_(rounding) {}
+
     void begin(Index n) {
         fit(smallest_.q, n);
         fit(smallest_.p, n);
@@ -57,7 +60,6 @@ public:
     }
 
 private:
-    static constexpr double rounding = 8 * DBL_EPSILON;
     static constexpr double noise = 0x1p-40;
     static constexpr int patience = 10;
 
@@ -83,7 +85,7 @@ private:
             double largest_change = 0.0;
             double largest_size = 0.0;
             for (Index k = 0; k < changes.size(); ++k) {
-                by_component &= changes[k] <= rounding * size(k);
+                by_component &= changes[k] <= rounding_ * size(k);
                 largest_change = std::fmax(largest_change, changes[k]);
                 largest_size = std::fmax(largest_size, size(k));
             }
@@ -98,6 +100,7 @@ private:
         return by_component || (by_norm && stalls_ >= patience);
     }
 
+    double rounding_;
     State<Vector> smallest_;  // change of each component so far
     int stalls_ = 0;          // sweeps in a row in which no component changed by less than ever
 };

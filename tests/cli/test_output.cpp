@@ -47,13 +47,12 @@ TEST_CASE("help and version go to standard output") {
 }
 
 TEST_CASE("the same input gives the same bytes") {
-    for (const std::string format : {"text", "json", "latex", "markdown", "csv"}) {
-        CAPTURE(format);
-        for (const std::string method : {"gauss:4", "chebyshev:5", "trig3"})
-            same_every_time({"tableau", "--method", method, "--format", format});
-        same_every_time({"tableau", "--basis", "1, tau, cos(w*tau), sin(w*tau)", "--nodes",
-                         "0, 1/3, 2/3, 1", "--param", "w=2", "--format", format});
-    }
+    for (const std::string format : {"text", "json", "latex", "markdown", "csv"})
+        same_every_time({"tableau", "--method", "trig3", "--format", format});
+    for (const std::string method : {"gauss:4", "chebyshev:5"})
+        same_every_time({"tableau", "--method", method});
+    same_every_time({"tableau", "--basis", "1, tau, cos(w*tau), sin(w*tau)", "--nodes",
+                     "0, 1/3, 2/3, 1", "--param", "w=2"});
     same_every_time({"stepper", "--method", "gauss:4"});
     same_every_time({"stepper", "--method", "lobatto:3", "--separable"});
     same_every_time({"list"});

@@ -1,6 +1,8 @@
 // Values that another computer algebra system computed, independently of this project.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <fstream>
+#include <map>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -22,25 +24,23 @@ Method method_of(const Json &entry) {
     return method(entry["basis"].get<std::string>(), entry["nodes"].get<std::string>());
 }
 
-/// Whether two decimals of 50 digits differ by one unit of the last one at most.
+/// One unit of the last digit of a decimal: 0.3333 has 0.0001, and 1.99e-20 has 0.01e-20.
+std::string last_unit(std::string decimal) {
+    const std::size_t mantissa = std::min(decimal.find('e'), decimal.size());
+    for (std::size_t i = 0; i < mantissa; ++i) {
+        if (decimal[i] != '.') decimal[i] = i + 1 < mantissa ? '0' : '1';
+    }
+    return decimal;
+}
+
+/// Whether two decimals differ by one unit of the first one's last digit at most.
 bool close(const std::string &left, const std::string &right) {
     const Ground ground(std::make_shared<Field>(Denominators{}));
     const Number a = read(left, ground);
     const Number b = read(right, ground);
     if (a.is_zero() || b.is_zero()) return a.is_zero() && b.is_zero();
-    const Number size = b.sign() < 0 ? -b : b;
-    const Number difference = (a - b).sign() < 0 ? b - a : a - b;
-    // One unit of 50 digits is between 10^-50 and 10^-49 of the number: the units of both agree, or
-    // one of them is a power of ten.
-    std::string unit = left;
-    const std::size_t last = unit.find_last_of("0123456789", unit.find('e'));
-    for (char &character : unit) {
-        if (&character - unit.data() > static_cast<std::ptrdiff_t>(last)) break;
-        if (character >= '0' && character <= '9') character = '0';
-    }
-    unit[last] = '1';
-    const Number allowed = read(unit, ground);
-    return size.sign() == 1 && ((allowed.sign() < 0 ? -allowed : allowed) - difference).sign() >= 0;
+    const Number unit = read(last_unit(left), ground);
+    return (unit - (a - b)).sign() >= 0 && (unit + (a - b)).sign() >= 0;
 }
 
 bool agrees(const Number &entry, const std::string &expected) {

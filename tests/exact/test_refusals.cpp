@@ -116,7 +116,7 @@ TEST_CASE("a node that is no number") {
     CHECK(refused("1, tau", "1/0, 1").says("division by zero"));
     CHECK(refused("1, tau", "1/0, 1").marked == "1/[0], 1");
     CHECK(refused("1, tau", "1/(sqrt(4)-2), 1").status == input);
-    CHECK(refused("1, tau", "1/(sqrt(4)-2), 1").marked == "1/([sqrt(4)-2]), 1");
+    CHECK(refused("1, tau", "1/(sqrt(4)-2), 1").marked == "1/[(sqrt(4)-2)], 1");
     CHECK(refused("1, tau", "0, (cos(1)^2+sin(1)^2-1)^(-1)").status == input);
     CHECK(refused("1, tau", "0, tan(pi/2)").status == input);
     CHECK(refused("1, tau", "sqrt(-1), 1").status == mathematics);
@@ -136,11 +136,11 @@ TEST_CASE("functions that are not built yet") {
         CHECK(answer.marked == marked);
     };
     marks("1, exp(tau^2)", "1, exp([tau^2])");
-    marks("1, 1/(1+tau)", "1, 1/([1+tau])");
+    marks("1, 1/(1+tau)", "1, 1/[(1+tau)]");
     marks("1, sqrt(1+tau)", "1, sqrt([1+tau])");
     marks("1, log(1+tau)", "1, log([1+tau])");
     marks("1, cos(exp(tau))", "1, cos([exp(tau)])");
-    marks("1, tau^(1/3)", "1, tau^([1/3])");
+    marks("1, tau^(1/3)", "1, tau^[(1/3)]");
 }
 
 TEST_CASE("roots takes a polynomial over Q") {
@@ -152,11 +152,17 @@ TEST_CASE("roots takes a polynomial over Q") {
 }
 
 TEST_CASE("numbers beyond any method are refused at once") {
-    for (const std::string &huge :
-         {std::string("2^(2^100)"), std::string("2^2^100"), std::string("2^(-10^9)"),
-          std::string("(1+pi+e)^1000"), std::string("(1+sqrt(2)+sqrt(3)+sqrt(5))^1000"),
-          repeated("(", 12) + "10" + repeated("^10)", 12),
-          "(1+pi+w)^100*(1+e+v)^100*(1+log(2))^100", repeated("7^1000*", 20) + "1"}) {
+    const std::vector<std::string> numbers{
+        "2^(2^100)",
+        "2^2^100",
+        "2^(-10^9)",
+        "(1+pi+e)^1000",
+        "(1+sqrt(2)+sqrt(3)+sqrt(5))^1000",
+        "2" + repeated("^10", 12),
+        "(1+pi+w)^100*(1+e+v)^100*(1+log(2))^100",
+        repeated("7^1000*", 20) + "1",
+    };
+    for (const std::string &huge : numbers) {
         CAPTURE(huge);
         CHECK(refused(huge).status == input);
     }
@@ -166,9 +172,9 @@ TEST_CASE("long and deep numbers come to an end") {
     CHECK(number(repeated("sqrt(2+", 12) + "1" + repeated(")", 12)).nearest_double() ==
           0x1.fffffee743bcp+0);
     CHECK(number(repeated("sqrt(2+", 150) + "1" + repeated(")", 150)).nearest_double() == 2.0);
-    CHECK(number(repeated("cos(", 40) + "1" + repeated(")", 40)).decimal(5) == "0.73908");
+    CHECK(number(repeated("cos(", 40) + "1" + repeated(")", 40)).decimal(5) == "0.73909");
     CHECK(number(sum_of_roots(200)).decimal(5) == "1892.5");
-    CHECK(number("1/(" + sum_of_roots(20) + ")").decimal(5) == "0.016222");
+    CHECK(number("1/(" + sum_of_roots(20) + ")").decimal(5) == "0.016216");
     CHECK(number(repeated("cos(w)*", 60) + "1").has_parameters());
     CHECK(refused(repeated("exp(", 50) + "1" + repeated(")", 50)).status != 0);
 }

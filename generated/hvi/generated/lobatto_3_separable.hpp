@@ -1,0 +1,279 @@
+// Written by hvi-gen 0.1.0. Do not edit; to write it again:
+//     hvi-gen stepper --method lobatto:3 --separable --name Lobatto3Separable
+// SPDX-License-Identifier: MIT
+//
+// lobatto:3: symplectic, 3 stages, for separable Hamiltonians.
+// Basis functions of tau: 1, tau, tau^2.
+// A != A~: a partitioned method, which conserves q^T C p for constant C.
+//
+// The tableau of (4.18) in Leok & Zhang, Discrete Hamiltonian variational integrators, exactly:
+//
+//     c_1 = 0
+//     c_2 = 1/2
+//     c_3 = 1
+//     b_1 = 1/6
+//     b_2 = 2/3
+//     b_3 = 1/6
+//     a_1,1 = 0
+//     a_1,2 = 0
+//     a_1,3 = 0
+//     a_2,1 = 5/24
+//     a_2,2 = 1/3
+//     a_2,3 = -1/24
+//     a_3,1 = 1/6
+//     a_3,2 = 2/3
+//     a_3,3 = 1/6
+//     a~_1,1 = 1/6
+//     a~_1,2 = -1/6
+//     a~_1,3 = 0
+//     a~_2,1 = 1/6
+//     a~_2,2 = 1/3
+//     a~_2,3 = 0
+//     a~_3,1 = 1/6
+//     a~_3,2 = 5/6
+//     a~_3,3 = 0
+//
+// Choices:
+//
+//     Q_1 is not solved for: it is q at the start of the step
+//     Q_3 takes no sum of its own: it is q at the end of the step
+//     one force a step is not evaluated: the last one of a step is the first one of the next
+//     the last step's slopes, extrapolated, are the starting values of the iteration: they are good
+//         to the order of the interpolation and cost no evaluation
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <hvi/coefficients.hpp>
+#include <hvi/fixed_point.hpp>
+#include <hvi/stages.hpp>
+#include <hvi/state.hpp>
+#include <hvi/system.hpp>
+#include <hvi/version.hpp>
+
+namespace hvi::generated {
+
+static_assert(hvi::supports_format(1),
+              "this header is for another version of hvi: write it again with hvi-gen");
+
+/// For H(q, p) = T(p) + U(q). `System` names its `Vector` (std::array<double, n> or one of Eigen)
+/// and has const members dHdq(q, out) = grad U and dHdp(p, out) = grad T.
+/// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
+/// against the fastest period.
+template <class System, class Solver = hvi::FixedPoint>
+class Lobatto3Separable {
+    static_assert(hvi::detail::check_system<System, true>());
+
+public:
+    using Vector = typename System::Vector;
+    using State = hvi::State<Vector>;
+
+    explicit Lobatto3Separable(System system = System{})
+        : system_(std::move(system)) {}
+
+    /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
+    /// ok, x has kept its bits.
+    [[nodiscard]] Status step(State& x, double h) {
+        if (h == 0.0) { return {}; }
+        Status status = s_.begin(x, h);
+        if (!status.ok()) { return status; }
+        if (!s_.continues) {
+            hvi::detail::fit(force_, s_.n);
+            system_.dHdq(s_.at.q, force_);
+        }
+        if constexpr (Solver::takes_starting_values) { predict(); }
+
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.Lp[0][k] = -s_.h * b[0] * force_[k];
+        }
+        status = solver_.solve(Coupled{system_, s_});
+        if (!status.ok()) { return status; }
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.add(s_.at.q[k], s_.remainder.q[k], s_.Lq[0][k] + s_.Lq[1][k] + s_.Lq[2][k]);
+        }
+        system_.dHdq(s_.at.q, force_);
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.Lp[2][k] = -s_.h * b[2] * force_[k];
+        }
+
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.add(s_.at.p[k], s_.remainder.p[k], s_.Lp[0][k] + s_.Lp[1][k] + s_.Lp[2][k]);
+        }
+        return s_.end(x, status.iterations);
+    }
+
+    /// Forgets what the last step left: remainders of the sums, slopes, factors of Newton's method.
+    void reset() { s_.forget(); }
+
+private:
+    using Index = hvi::detail::IndexOf<Vector>;
+
+    static constexpr double b[3] = {
+        0.16666666666666666,  // b_1 = 1/6
+        0.6666666666666666,   // b_2 = 2/3
+        0.16666666666666666,  // b_3 = 1/6
+    };
+
+    // m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.
+    static constexpr double m[3][3] = {
+        {
+            0.0,  // m_1,1 = 0
+            0.0,  // m_1,2 = 0
+            0.0,  // m_1,3 = 0
+        },
+        {
+            1.25,   // m_2,1 = 5/4
+            0.5,    // m_2,2 = 1/2
+            -0.25,  // m_2,3 = -1/4
+        },
+        {
+            1.0,  // m_3,1 = 1
+            1.0,  // m_3,2 = 1
+            1.0,  // m_3,3 = 1
+        },
+    };
+    static constexpr double mt[3][3] = {
+        {
+            1.0,    // mt_1,1 = 1
+            -0.25,  // mt_1,2 = -1/4
+            0.0,    // mt_1,3 = 0
+        },
+        {
+            1.0,  // mt_2,1 = 1
+            0.5,  // mt_2,2 = 1/2
+            0.0,  // mt_2,3 = 0
+        },
+        {
+            1.0,   // mt_3,1 = 1
+            1.25,  // mt_3,2 = 5/4
+            0.0,   // mt_3,3 = 0
+        },
+    };
+    static_assert(hvi::detail::complementary(m, mt), "the method is symplectic");
+
+    // Slopes of the next step are about N times those of this one.
+    static constexpr double N[3][3] = {
+        {
+            0.0,  // N_1,1 = 0
+            0.0,  // N_1,2 = 0
+            1.0,  // N_1,3 = 1
+        },
+        {
+            4.0,   // N_2,1 = 4
+            -3.0,  // N_2,2 = -3
+            12.0,  // N_2,3 = 12
+        },
+        {
+            3.0,   // N_3,1 = 3
+            -2.0,  // N_3,2 = -2
+            6.0,   // N_3,3 = 6
+        },
+    };
+
+    /// Starting values: the polynomial through the slopes of the last step, else slopes as at the
+    /// start of this one.
+    void predict() {
+        if (s_.h == s_.h_before) {
+            for (Index k = 0; k < s_.at.q.size(); ++k) {
+                const double Lp_1 = s_.Lp[0][k];
+                const double Lp_2 = s_.Lp[1][k];
+                const double Lp_3 = s_.Lp[2][k];
+                s_.Lp[1][k] = N[1][0] * Lp_1 + N[1][1] * Lp_2 + N[1][2] * Lp_3;
+            }
+            return;
+        }
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.Lp[1][k] = -s_.h * b[1] * force_[k];
+        }
+    }
+
+    /// The stage equations of Q_2, P_1, P_2, P_3, which are solved at once.
+    struct Coupled {
+        const System& system;
+        hvi::detail::Stages<Vector, 3, 3>& s;
+
+        static constexpr bool separable = true;
+        static constexpr bool has_q = true;
+        static constexpr bool has_p = true;
+        static constexpr std::array<std::size_t, 3> unknown_q{0, 1, 2};
+        static constexpr std::array<std::size_t, 1> unknown_p{1};
+        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
+        static constexpr double weight_q(std::size_t j) { return b[j]; }
+        static constexpr double weight_p(std::size_t i) { return b[i]; }
+
+        /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
+        void momenta() {
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                const double p = s.at.p[k];
+                const double e_p = s.remainder.p[k];
+                const double P_1 = p + (e_p + (s.Lp[0][k] + mt[0][1] * s.Lp[1][k]));
+                const double P_2 = p + (e_p + (s.Lp[0][k] + mt[1][1] * s.Lp[1][k]));
+                const double P_3 = p + (e_p + (s.Lp[0][k] + mt[2][1] * s.Lp[1][k]));
+                s.P[0][k] = P_1;
+                s.P[1][k] = P_2;
+                s.P[2][k] = P_3;
+            }
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdp(s.P[0], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[0][k] = s.h * b[0] * slope[k];
+            }
+            system.dHdp(s.P[1], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[1][k] = s.h * b[1] * slope[k];
+            }
+            system.dHdp(s.P[2], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[2][k] = s.h * b[2] * slope[k];
+            }
+        }
+
+        /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
+        void positions() {
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                const double q = s.at.q[k];
+                const double e_q = s.remainder.q[k];
+                const double Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                    + m[1][2] * s.Lq[2][k]));
+                s.change.q[k] = std::abs(Q_2 - s.Q[1][k]);
+                s.Q[1][k] = Q_2;
+            }
+        }
+
+        /// Lp_i = -h b_i dH/dq.
+        void forces() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdq(s.Q[1], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lp[1][k] = -s.h * b[1] * slope[k];
+            }
+        }
+
+        /// What the rounding of component k of Q is to be compared with.
+        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
+            return std::abs(s.Q[1][k]) + std::abs(s.Lq[0][k]) + std::abs(s.Lq[1][k])
+                + std::abs(s.Lq[2][k]);
+        }
+
+        /// The same of P.
+        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
+            return std::abs(s.P[0][k]) + std::abs(s.P[1][k]) + std::abs(s.P[2][k])
+                + std::abs(s.Lp[1][k]);
+        }
+    };
+
+    System system_;
+    hvi::detail::Stages<Vector, 3, 3> s_;
+    typename Solver::template Iteration<Vector> solver_;
+    Vector force_{};  // dH/dq at s_.at.q, where the last step ended
+};
+
+}  // namespace hvi::generated

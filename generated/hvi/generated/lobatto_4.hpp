@@ -1,0 +1,366 @@
+// Written by hvi-gen 0.1.0. Do not edit; to write it again:
+//     hvi-gen stepper --method lobatto:4
+// SPDX-License-Identifier: MIT
+//
+// lobatto:4: symplectic, 4 stages, for general Hamiltonians.
+// Basis functions of tau: 1, tau, tau^2, tau^3.
+// A != A~: a partitioned method, which conserves q^T C p for constant C.
+//
+// The tableau of (4.18) in Leok & Zhang, Discrete Hamiltonian variational integrators, exactly:
+//
+//     c_1 = 0
+//     c_2 = 1/2-sqrt(5)/10
+//     c_3 = 1/2+sqrt(5)/10
+//     c_4 = 1
+//     b_1 = 1/12
+//     b_2 = 5/12
+//     b_3 = 5/12
+//     b_4 = 1/12
+//     a_1,1 = 0
+//     a_1,2 = 0
+//     a_1,3 = 0
+//     a_1,4 = 0
+//     a_2,1 = 11/120+sqrt(5)/120
+//     a_2,2 = 5/24-sqrt(5)/120
+//     a_2,3 = 5/24-13*sqrt(5)/120
+//     a_2,4 = sqrt(5)/120-1/120
+//     a_3,1 = 11/120-sqrt(5)/120
+//     a_3,2 = 5/24+13*sqrt(5)/120
+//     a_3,3 = 5/24+sqrt(5)/120
+//     a_3,4 = -1/120-sqrt(5)/120
+//     a_4,1 = 1/12
+//     a_4,2 = 5/12
+//     a_4,3 = 5/12
+//     a_4,4 = 1/12
+//     a~_1,1 = 1/12
+//     a~_1,2 = -1/24-sqrt(5)/24
+//     a~_1,3 = sqrt(5)/24-1/24
+//     a~_1,4 = 0
+//     a~_2,1 = 1/12
+//     a~_2,2 = 5/24+sqrt(5)/120
+//     a~_2,3 = 5/24-13*sqrt(5)/120
+//     a~_2,4 = 0
+//     a~_3,1 = 1/12
+//     a~_3,2 = 5/24+13*sqrt(5)/120
+//     a~_3,3 = 5/24-sqrt(5)/120
+//     a~_3,4 = 0
+//     a~_4,1 = 1/12
+//     a~_4,2 = 11/24-sqrt(5)/24
+//     a~_4,3 = 11/24+sqrt(5)/24
+//     a~_4,4 = 0
+//
+// Choices:
+//
+//     Q_1 is not solved for: it is q at the start of the step
+//     Q_4 takes no sum of its own: it is q at the end of the step
+//     the last step's slopes, extrapolated, are the starting values of the iteration: they are good
+//         to the order of the interpolation and cost no evaluation
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <hvi/coefficients.hpp>
+#include <hvi/fixed_point.hpp>
+#include <hvi/stages.hpp>
+#include <hvi/state.hpp>
+#include <hvi/system.hpp>
+#include <hvi/version.hpp>
+
+namespace hvi::generated {
+
+static_assert(hvi::supports_format(1),
+              "this header is for another version of hvi: write it again with hvi-gen");
+
+/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
+/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
+/// against the fastest period.
+template <class System, class Solver = hvi::FixedPoint>
+class Lobatto4 {
+    static_assert(hvi::detail::check_system<System, false>());
+
+public:
+    using Vector = typename System::Vector;
+    using State = hvi::State<Vector>;
+
+    explicit Lobatto4(System system = System{})
+        : system_(std::move(system)) {}
+
+    /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
+    /// ok, x has kept its bits.
+    [[nodiscard]] Status step(State& x, double h) {
+        if (h == 0.0) { return {}; }
+        Status status = s_.begin(x, h);
+        if (!status.ok()) { return status; }
+        if constexpr (Solver::takes_starting_values) { predict(); }
+
+        auto&& slope = hvi::detail::scratch(s_.slope);
+        s_.Q[0] = s_.at.q;
+        status = solver_.solve(Coupled{system_, s_});
+        if (!status.ok()) { return status; }
+        system_.dHdq(s_.Q[3], s_.P[3], slope);
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.Lp[3][k] = -s_.h * b[3] * slope[k];
+        }
+
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.add(s_.at.q[k], s_.remainder.q[k], s_.Lq[0][k] + s_.Lq[1][k] + s_.Lq[2][k]
+                + s_.Lq[3][k]);
+            s_.add(s_.at.p[k], s_.remainder.p[k], s_.Lp[0][k] + s_.Lp[1][k] + s_.Lp[2][k]
+                + s_.Lp[3][k]);
+        }
+        return s_.end(x, status.iterations);
+    }
+
+    /// Forgets what the last step left: remainders of the sums, slopes, factors of Newton's method.
+    void reset() { s_.forget(); }
+
+private:
+    using Index = hvi::detail::IndexOf<Vector>;
+
+    static constexpr double b[4] = {
+        0.08333333333333333,  // b_1 = 1/12
+        0.4166666666666667,   // b_2 = 5/12
+        0.4166666666666667,   // b_3 = 5/12
+        0.08333333333333333,  // b_4 = 1/12
+    };
+
+    // m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.
+    static constexpr double m[4][4] = {
+        {
+            0.0,  // m_1,1 = 0
+            0.0,  // m_1,2 = 0
+            0.0,  // m_1,3 = 0
+            0.0,  // m_1,4 = 0
+        },
+        {
+            1.323606797749979,     // m_2,1 = 11/10+sqrt(5)/10
+            0.4552786404500042,    // m_2,2 = 1/2-sqrt(5)/50
+            -0.08137767414994523,  // m_2,3 = 1/2-13*sqrt(5)/50
+            0.12360679774997896,   // m_2,4 = sqrt(5)/10-1/10
+        },
+        {
+            0.876393202250021,   // m_3,1 = 11/10-sqrt(5)/10
+            1.0813776741499452,  // m_3,2 = 1/2+13*sqrt(5)/50
+            0.5447213595499958,  // m_3,3 = 1/2+sqrt(5)/50
+            -0.323606797749979,  // m_3,4 = -1/10-sqrt(5)/10
+        },
+        {
+            1.0,  // m_4,1 = 1
+            1.0,  // m_4,2 = 1
+            1.0,  // m_4,3 = 1
+            1.0,  // m_4,4 = 1
+        },
+    };
+    static constexpr double mt[4][4] = {
+        {
+            1.0,                  // mt_1,1 = 1
+            -0.323606797749979,   // mt_1,2 = -1/10-sqrt(5)/10
+            0.12360679774997896,  // mt_1,3 = sqrt(5)/10-1/10
+            0.0,                  // mt_1,4 = 0
+        },
+        {
+            1.0,                   // mt_2,1 = 1
+            0.5447213595499958,    // mt_2,2 = 1/2+sqrt(5)/50
+            -0.08137767414994523,  // mt_2,3 = 1/2-13*sqrt(5)/50
+            0.0,                   // mt_2,4 = 0
+        },
+        {
+            1.0,                 // mt_3,1 = 1
+            1.0813776741499452,  // mt_3,2 = 1/2+13*sqrt(5)/50
+            0.4552786404500042,  // mt_3,3 = 1/2-sqrt(5)/50
+            0.0,                 // mt_3,4 = 0
+        },
+        {
+            1.0,                // mt_4,1 = 1
+            0.876393202250021,  // mt_4,2 = 11/10-sqrt(5)/10
+            1.323606797749979,  // mt_4,3 = 11/10+sqrt(5)/10
+            0.0,                // mt_4,4 = 0
+        },
+    };
+    static_assert(hvi::detail::complementary(m, mt), "the method is symplectic");
+
+    // Slopes of the next step are about N times those of this one.
+    static constexpr double N[4][4] = {
+        {
+            0.0,  // N_1,1 = 0
+            0.0,  // N_1,2 = 0
+            0.0,  // N_1,3 = 0
+            1.0,  // N_1,4 = 1
+        },
+        {
+            -3.8196601125010514,  // N_2,1 = 5*sqrt(5)-15
+            2.1803398874989486,   // N_2,2 = 5*sqrt(5)-9
+            -3.9442719099991588,  // N_2,3 = 5-4*sqrt(5)
+            17.639320225002102,   // N_2,4 = 40-10*sqrt(5)
+        },
+        {
+            -26.18033988749895,  // N_3,1 = -15-5*sqrt(5)
+            13.94427190999916,   // N_3,2 = 5+4*sqrt(5)
+            -20.18033988749895,  // N_3,3 = -9-5*sqrt(5)
+            62.3606797749979,    // N_3,4 = 40+10*sqrt(5)
+        },
+        {
+            -11.0,               // N_4,1 = -11
+            5.708203932499369,   // N_4,2 = 3*sqrt(5)-1
+            -7.708203932499369,  // N_4,3 = -1-3*sqrt(5)
+            22.0,                // N_4,4 = 22
+        },
+    };
+
+    /// Starting values: the polynomial through the slopes of the last step, else slopes as at the
+    /// start of this one.
+    void predict() {
+        if (s_.h == s_.h_before) {
+            for (Index k = 0; k < s_.at.q.size(); ++k) {
+                const double Lq_1 = s_.Lq[0][k];
+                const double Lq_2 = s_.Lq[1][k];
+                const double Lq_3 = s_.Lq[2][k];
+                const double Lq_4 = s_.Lq[3][k];
+                const double Lp_1 = s_.Lp[0][k];
+                const double Lp_2 = s_.Lp[1][k];
+                const double Lp_3 = s_.Lp[2][k];
+                const double Lp_4 = s_.Lp[3][k];
+                s_.Lq[0][k] = N[0][0] * Lq_1 + N[0][1] * Lq_2 + N[0][2] * Lq_3 + N[0][3] * Lq_4;
+                s_.Lq[1][k] = N[1][0] * Lq_1 + N[1][1] * Lq_2 + N[1][2] * Lq_3 + N[1][3] * Lq_4;
+                s_.Lq[2][k] = N[2][0] * Lq_1 + N[2][1] * Lq_2 + N[2][2] * Lq_3 + N[2][3] * Lq_4;
+                s_.Lq[3][k] = N[3][0] * Lq_1 + N[3][1] * Lq_2 + N[3][2] * Lq_3 + N[3][3] * Lq_4;
+                s_.Lp[0][k] = N[0][0] * Lp_1 + N[0][1] * Lp_2 + N[0][2] * Lp_3 + N[0][3] * Lp_4;
+                s_.Lp[1][k] = N[1][0] * Lp_1 + N[1][1] * Lp_2 + N[1][2] * Lp_3 + N[1][3] * Lp_4;
+                s_.Lp[2][k] = N[2][0] * Lp_1 + N[2][1] * Lp_2 + N[2][2] * Lp_3 + N[2][3] * Lp_4;
+            }
+            return;
+        }
+        auto&& slope = hvi::detail::scratch(s_.slope);
+        system_.dHdp(s_.at.q, s_.at.p, slope);
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.Lq[0][k] = s_.h * b[0] * slope[k];
+            s_.Lq[1][k] = s_.h * b[1] * slope[k];
+            s_.Lq[2][k] = s_.h * b[2] * slope[k];
+            s_.Lq[3][k] = s_.h * b[3] * slope[k];
+        }
+        system_.dHdq(s_.at.q, s_.at.p, slope);
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.Lp[0][k] = -s_.h * b[0] * slope[k];
+            s_.Lp[1][k] = -s_.h * b[1] * slope[k];
+            s_.Lp[2][k] = -s_.h * b[2] * slope[k];
+        }
+    }
+
+    /// The stage equations of Q_2, Q_3, Q_4, P_1, P_2, P_3, P_4, which are solved at once.
+    struct Coupled {
+        const System& system;
+        hvi::detail::Stages<Vector, 4, 4>& s;
+
+        static constexpr bool separable = false;
+        static constexpr bool has_q = true;
+        static constexpr bool has_p = true;
+        static constexpr std::array<std::size_t, 4> unknown_q{0, 1, 2, 3};
+        static constexpr std::array<std::size_t, 3> unknown_p{0, 1, 2};
+        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
+        static constexpr double weight_q(std::size_t j) { return b[j]; }
+        static constexpr double weight_p(std::size_t i) { return b[i]; }
+
+        /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
+        void momenta() {
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                const double p = s.at.p[k];
+                const double e_p = s.remainder.p[k];
+                const double P_1 = p + (e_p + (s.Lp[0][k] + mt[0][1] * s.Lp[1][k]
+                    + mt[0][2] * s.Lp[2][k]));
+                const double P_2 = p + (e_p + (s.Lp[0][k] + mt[1][1] * s.Lp[1][k]
+                    + mt[1][2] * s.Lp[2][k]));
+                const double P_3 = p + (e_p + (s.Lp[0][k] + mt[2][1] * s.Lp[1][k]
+                    + mt[2][2] * s.Lp[2][k]));
+                const double P_4 = p + (e_p + (s.Lp[0][k] + mt[3][1] * s.Lp[1][k]
+                    + mt[3][2] * s.Lp[2][k]));
+                s.change.p[k] = std::abs(P_1 - s.P[0][k]) + std::abs(P_2 - s.P[1][k]) + std::abs(P_3
+                    - s.P[2][k]) + std::abs(P_4 - s.P[3][k]);
+                s.P[0][k] = P_1;
+                s.P[1][k] = P_2;
+                s.P[2][k] = P_3;
+                s.P[3][k] = P_4;
+            }
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdp(s.Q[0], s.P[0], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[0][k] = s.h * b[0] * slope[k];
+            }
+            system.dHdp(s.Q[1], s.P[1], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[1][k] = s.h * b[1] * slope[k];
+            }
+            system.dHdp(s.Q[2], s.P[2], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[2][k] = s.h * b[2] * slope[k];
+            }
+            system.dHdp(s.Q[3], s.P[3], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[3][k] = s.h * b[3] * slope[k];
+            }
+        }
+
+        /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
+        void positions() {
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                const double q = s.at.q[k];
+                const double e_q = s.remainder.q[k];
+                const double Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                    + m[1][2] * s.Lq[2][k] + m[1][3] * s.Lq[3][k]));
+                const double Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
+                    + m[2][2] * s.Lq[2][k] + m[2][3] * s.Lq[3][k]));
+                const double Q_4 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k] + s.Lq[3][k]));
+                s.change.q[k] = std::abs(Q_2 - s.Q[1][k]) + std::abs(Q_3 - s.Q[2][k]) + std::abs(Q_4
+                    - s.Q[3][k]);
+                s.Q[1][k] = Q_2;
+                s.Q[2][k] = Q_3;
+                s.Q[3][k] = Q_4;
+            }
+        }
+
+        /// Lp_i = -h b_i dH/dq.
+        void forces() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdq(s.Q[0], s.P[0], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lp[0][k] = -s.h * b[0] * slope[k];
+            }
+            system.dHdq(s.Q[1], s.P[1], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lp[1][k] = -s.h * b[1] * slope[k];
+            }
+            system.dHdq(s.Q[2], s.P[2], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lp[2][k] = -s.h * b[2] * slope[k];
+            }
+        }
+
+        /// What the rounding of component k of Q is to be compared with.
+        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
+            return std::abs(s.Q[1][k]) + std::abs(s.Q[2][k]) + std::abs(s.Q[3][k])
+                + std::abs(s.Lq[0][k]) + std::abs(s.Lq[1][k]) + std::abs(s.Lq[2][k])
+                + std::abs(s.Lq[3][k]);
+        }
+
+        /// The same of P.
+        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
+            return std::abs(s.P[0][k]) + std::abs(s.P[1][k]) + std::abs(s.P[2][k])
+                + std::abs(s.P[3][k]) + std::abs(s.Lp[0][k]) + std::abs(s.Lp[1][k])
+                + std::abs(s.Lp[2][k]);
+        }
+    };
+
+    System system_;
+    hvi::detail::Stages<Vector, 4, 4> s_;
+    typename Solver::template Iteration<Vector> solver_;
+};
+
+}  // namespace hvi::generated

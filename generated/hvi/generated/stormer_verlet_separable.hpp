@@ -1,0 +1,287 @@
+// Written by hvi-gen 0.1.0. Do not edit; to write it again:
+//     hvi-gen stepper --method stormer-verlet --separable --name StormerVerletSeparable
+// SPDX-License-Identifier: MIT
+//
+// stormer-verlet: symplectic, 2 stages, for separable Hamiltonians.
+// Basis functions of tau: 1, cos(pi*tau).
+// A != A~: a partitioned method, which conserves q^T C p for constant C.
+//
+// The tableau of (4.18) in Leok & Zhang, Discrete Hamiltonian variational integrators, exactly:
+//
+//     c_1 = 0
+//     c_2 = 1
+//     b_1 = 1/2
+//     b_2 = 1/2
+//     a_1,1 = 0
+//     a_1,2 = 0
+//     a_2,1 = 1/2
+//     a_2,2 = 1/2
+//     a~_1,1 = 1/2
+//     a~_1,2 = 0
+//     a~_2,1 = 1/2
+//     a~_2,2 = 0
+//
+// Choices:
+//
+//     P_1 = P_2 is evaluated once: these stages are equal
+//     Q_1 is not solved for: it is q at the start of the step
+//     Q_2 takes no sum of its own: it is q at the end of the step
+//     no solver: no stage depends on itself: the step is kicks and drifts in turn
+//     no compensated summation: the error of the step is far above round-off
+//     one force a step is not evaluated: the last one of a step is the first one of the next
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+// The state that a stepper advances, and what a step says about itself.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: needs the standard library alone, because generated headers without a solver carry a copy
+// of this file. The guard, not `#pragma once`, lets the copy and the file meet in either order.
+#ifndef HVI_STATE_HPP
+#define HVI_STATE_HPP
+
+namespace hvi {
+
+/// Positions q and momenta p, of the same dimension.
+template <class Vector>
+struct State {
+    Vector q{};
+    Vector p{};
+};
+
+/// What became of a step. Unless it is ok, the state has kept its bits.
+class [[nodiscard]] Status {
+public:
+    enum class Code {
+        ok,
+        not_converged,       ///< the stage equations have no solution nearby: try a smaller h
+        not_finite,          ///< h, the state or a derivative of H is infinite or not a number
+        singular,            ///< the linear system of Newton's method is singular at this h
+        dimension_mismatch,  ///< q and p differ in dimension
+        unsafe_arithmetic,   ///< compiled with -ffast-math or the like
+    };
+
+    constexpr Status() = default;
+    constexpr explicit Status(Code what, int sweeps = 0) : iterations(sweeps), code_(what) {}
+
+    [[nodiscard]] constexpr bool ok() const { return code_ == Code::ok; }
+    [[nodiscard]] constexpr Code code() const { return code_; }
+
+    /// One line without a full stop, for people.
+    [[nodiscard]] constexpr const char* message() const {
+        switch (code_) {
+            case Code::ok: return "ok";
+            case Code::not_converged:
+                return "the stage equations did not converge: try a smaller step";
+            case Code::not_finite: return "the step met a value that is infinite or not a number";
+            case Code::singular: return "the stage equations are singular at this step size";
+            case Code::dimension_mismatch: return "q and p differ in dimension";
+            case Code::unsafe_arithmetic:
+                return "compiled with reordered floating-point sums (-ffast-math)";
+        }
+        return "unknown status";
+    }
+
+    int iterations = 0;  ///< of the solver, over all coupled stages; 0 where none is needed
+
+private:
+    Code code_ = Code::ok;
+};
+
+}  // namespace hvi
+
+#endif  // HVI_STATE_HPP
+
+// What a stepper asks of a user's class and of its vectors.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: needs the standard library alone; see state.hpp.
+#ifndef HVI_SYSTEM_HPP
+#define HVI_SYSTEM_HPP
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace hvi::detail {
+
+/// The type in which a vector counts: std::size_t of std::array, a signed one of Eigen.
+template <class Vector>
+using IndexOf = std::decay_t<decltype(std::declval<const Vector&>().size())>;
+
+template <class System, class = void>
+struct HasVector : std::false_type {};
+template <class System>
+struct HasVector<System, std::void_t<typename System::Vector>> : std::true_type {};
+
+template <class Vector, class = void>
+struct IsVectorOfDouble : std::false_type {};
+template <class Vector>
+struct IsVectorOfDouble<Vector, std::void_t<decltype(std::declval<Vector&>()[0]), IndexOf<Vector>>>
+    : std::is_same<decltype(std::declval<Vector&>()[0]), double&> {};
+
+template <class Vector, class = void>
+struct HasResize : std::false_type {};
+template <class Vector>
+struct HasResize<Vector, std::void_t<decltype(std::declval<Vector&>().resize(1))>>
+    : std::true_type {};
+
+template <class System, class Vector, class = void>
+struct HasGradients : std::false_type {};
+template <class System, class Vector>
+struct HasGradients<System, Vector,
+                    std::void_t<decltype(std::declval<const System&>().dHdq(
+                                    std::declval<const Vector&>(), std::declval<const Vector&>(),
+                                    std::declval<Vector&>())),
+                                decltype(std::declval<const System&>().dHdp(
+                                    std::declval<const Vector&>(), std::declval<const Vector&>(),
+                                    std::declval<Vector&>()))>> : std::true_type {};
+
+template <class System, class Vector, class = void>
+struct HasSeparableGradients : std::false_type {};
+template <class System, class Vector>
+struct HasSeparableGradients<System, Vector,
+                             std::void_t<decltype(std::declval<const System&>().dHdq(
+                                             std::declval<const Vector&>(),
+                                             std::declval<Vector&>())),
+                                         decltype(std::declval<const System&>().dHdp(
+                                             std::declval<const Vector&>(),
+                                             std::declval<Vector&>()))>> : std::true_type {};
+
+/// Says in words what a class lacks that is to be a Hamiltonian system.
+template <class System, bool separable>
+constexpr bool check_system() {
+    static_assert(HasVector<System>::value,
+                  "hvi: the system must name its vectors: using Vector = std::array<double, n>;");
+    using Vector = typename System::Vector;
+    static_assert(IsVectorOfDouble<Vector>::value,
+                  "hvi: Vector must hold doubles, with operator[] and size(): "
+                  "std::array<double, n> or a vector of Eigen");
+    if constexpr (separable) {
+        static_assert(HasSeparableGradients<System, Vector>::value,
+                      "hvi: for H = T(p) + U(q) the system must offer const members "
+                      "dHdq(const Vector& q, Vector& out) and dHdp(const Vector& p, Vector& out)");
+    } else {
+        static_assert(HasGradients<System, Vector>::value,
+                      "hvi: the system must offer const members dHdq and dHdp, each "
+                      "(const Vector& q, const Vector& p, Vector& out)");
+    }
+    return true;
+}
+
+/// Gives v the dimension n. Allocates only where the dimension is dynamic and new.
+template <class Vector>
+void fit(Vector& v, IndexOf<Vector> n) {
+    if constexpr (HasResize<Vector>::value) {
+        if (v.size() != n) { v.resize(n); }
+    }
+}
+
+/// A vector to compute in: a new one, which lives in registers, where the dimension is part of the
+/// type; the caller's `own` where it is not, so that nothing is allocated.
+template <class Vector>
+[[nodiscard]] std::conditional_t<HasResize<Vector>::value, Vector&, Vector> scratch(Vector& own) {
+    if constexpr (HasResize<Vector>::value) {
+        return own;
+    } else {
+        return {};
+    }
+}
+
+/// Whether a and b agree bit for bit, -0.0 and 0.0 being different.
+template <class Vector>
+[[nodiscard]] bool same_bits(const Vector& a, const Vector& b) {
+    if (a.size() != b.size()) { return false; }
+    std::uint64_t difference = 0;
+    for (IndexOf<Vector> k = 0; k < a.size(); ++k) {
+        std::uint64_t left = 0;
+        std::uint64_t right = 0;
+        std::memcpy(&left, &a[k], sizeof left);
+        std::memcpy(&right, &b[k], sizeof right);
+        difference |= left ^ right;
+    }
+    return difference == 0;
+}
+
+template <class Vector>
+[[nodiscard]] bool finite(const Vector& v) {
+    bool all = true;
+    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { all &= std::isfinite(v[k]); }
+    return all;
+}
+
+}  // namespace hvi::detail
+
+#endif  // HVI_SYSTEM_HPP
+
+namespace hvi::generated {
+
+/// For H(q, p) = T(p) + U(q). `System` names its `Vector` (std::array<double, n> or one of Eigen)
+/// and has const members dHdq(q, out) = grad U and dHdp(p, out) = grad T.
+template <class System>
+class StormerVerletSeparable {
+    static_assert(hvi::detail::check_system<System, true>());
+
+public:
+    using Vector = typename System::Vector;
+    using State = hvi::State<Vector>;
+
+    explicit StormerVerletSeparable(System system = System{})
+        : system_(std::move(system)) {}
+
+    /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
+    /// ok, x has kept its bits.
+    [[nodiscard]] Status step(State& x, double h) {
+        if (h == 0.0) { return {}; }
+        if (!std::isfinite(h)) { return Status(Status::Code::not_finite); }
+        const Index n = x.q.size();
+        if (x.p.size() != n) { return Status(Status::Code::dimension_mismatch); }
+        hvi::detail::fit(p_, n);
+        hvi::detail::fit(force_, n);
+        hvi::detail::fit(slope_, n);
+
+        if (!known_ || !hvi::detail::same_bits(q_, x.q)) {
+            q_ = x.q;
+            system_.dHdq(q_, force_);
+        }
+        for (Index k = 0; k < n; ++k) {
+            p_[k] = x.p[k] - h * b_p[0] * force_[k];
+        }
+        system_.dHdp(p_, slope_);
+        for (Index k = 0; k < n; ++k) {
+            q_[k] += h * slope_[k];
+        }
+        system_.dHdq(q_, force_);
+        for (Index k = 0; k < n; ++k) {
+            p_[k] -= h * b_p[1] * force_[k];
+        }
+
+        known_ = hvi::detail::finite(q_) && hvi::detail::finite(p_);
+        if (!known_) { return Status(Status::Code::not_finite); }
+        x.q = q_;
+        x.p = p_;
+        return {};
+    }
+
+    /// Forgets what the last step left.
+    void reset() { known_ = false; }
+
+private:
+    using Index = hvi::detail::IndexOf<Vector>;
+
+    static constexpr double b_p[2] = {
+        0.5,  // b_1 = 1/2
+        0.5,  // b_2 = 1/2
+    };
+
+    System system_;
+    Vector q_{}, p_{}, slope_{};
+    Vector force_{};    // dH/dq where the last step ended, at q_
+    bool known_ = false;  // whether it is kept
+};
+
+}  // namespace hvi::generated

@@ -1,0 +1,186 @@
+// Written by hvi-gen 0.1.0. Do not edit; to write it again:
+//     hvi-gen stepper --method symplectic-euler
+// SPDX-License-Identifier: MIT
+//
+// symplectic-euler: symplectic, 1 stage, for general Hamiltonians.
+// Basis functions of tau: 1.
+// A != A~: a partitioned method, which conserves q^T C p for constant C.
+//
+// The tableau of (4.18) in Leok & Zhang, Discrete Hamiltonian variational integrators, exactly:
+//
+//     c_1 = 0
+//     b_1 = 1
+//     a_1,1 = 0
+//     a~_1,1 = 1
+//
+// Choices:
+//
+//     Q_1 is not solved for: it is q at the start of the step
+//     P_1 takes no sum of its own: it is p at the end of the step
+//     the last step's slopes, extrapolated, are the starting values of the iteration: they are good
+//         to the order of the interpolation and cost no evaluation
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <hvi/coefficients.hpp>
+#include <hvi/fixed_point.hpp>
+#include <hvi/stages.hpp>
+#include <hvi/state.hpp>
+#include <hvi/system.hpp>
+#include <hvi/version.hpp>
+
+namespace hvi::generated {
+
+static_assert(hvi::supports_format(1),
+              "this header is for another version of hvi: write it again with hvi-gen");
+
+/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
+/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
+/// against the fastest period.
+template <class System, class Solver = hvi::FixedPoint>
+class SymplecticEuler {
+    static_assert(hvi::detail::check_system<System, false>());
+
+public:
+    using Vector = typename System::Vector;
+    using State = hvi::State<Vector>;
+
+    explicit SymplecticEuler(System system = System{})
+        : system_(std::move(system)) {}
+
+    /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
+    /// ok, x has kept its bits.
+    [[nodiscard]] Status step(State& x, double h) {
+        if (h == 0.0) { return {}; }
+        Status status = s_.begin(x, h);
+        if (!status.ok()) { return status; }
+        if constexpr (Solver::takes_starting_values) { predict(); }
+
+        auto&& slope = hvi::detail::scratch(s_.slope);
+        s_.Q[0] = s_.at.q;
+        status = solver_.solve(Coupled{system_, s_});
+        if (!status.ok()) { return status; }
+        system_.dHdp(s_.Q[0], s_.P[0], slope);
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.Lq[0][k] = s_.h * slope[k];
+        }
+
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.add(s_.at.q[k], s_.remainder.q[k], s_.Lq[0][k]);
+            s_.add(s_.at.p[k], s_.remainder.p[k], s_.Lp[0][k]);
+        }
+        return s_.end(x, status.iterations);
+    }
+
+    /// Forgets what the last step left: remainders of the sums, slopes, factors of Newton's method.
+    void reset() { s_.forget(); }
+
+private:
+    using Index = hvi::detail::IndexOf<Vector>;
+
+    static constexpr double b[1] = {
+        1.0,  // b_1 = 1
+    };
+
+    // m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.
+    static constexpr double m[1][1] = {
+        {
+            0.0,  // m_1,1 = 0
+        },
+    };
+    static constexpr double mt[1][1] = {
+        {
+            1.0,  // mt_1,1 = 1
+        },
+    };
+    static_assert(hvi::detail::complementary(m, mt), "the method is symplectic");
+
+    // Slopes of the next step are about N times those of this one.
+    static constexpr double N[1][1] = {
+        {
+            1.0,  // N_1,1 = 1
+        },
+    };
+
+    /// Starting values: the polynomial through the slopes of the last step, else slopes as at the
+    /// start of this one.
+    void predict() {
+        if (s_.h == s_.h_before) {
+            for (Index k = 0; k < s_.at.q.size(); ++k) {
+                const double Lp_1 = s_.Lp[0][k];
+                s_.Lp[0][k] = N[0][0] * Lp_1;
+            }
+            return;
+        }
+        auto&& slope = hvi::detail::scratch(s_.slope);
+        system_.dHdq(s_.at.q, s_.at.p, slope);
+        for (Index k = 0; k < s_.at.q.size(); ++k) {
+            s_.Lp[0][k] = -s_.h * slope[k];
+        }
+    }
+
+    /// The stage equations of P_1, which are solved at once.
+    struct Coupled {
+        const System& system;
+        hvi::detail::Stages<Vector, 1, 1>& s;
+
+        static constexpr bool separable = false;
+        static constexpr bool has_q = false;
+        static constexpr bool has_p = true;
+        static constexpr std::array<std::size_t, 0> unknown_q{};
+        static constexpr std::array<std::size_t, 1> unknown_p{0};
+        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
+        static constexpr double weight_q(std::size_t j) { return b[j]; }
+        static constexpr double weight_p(std::size_t i) { return b[i]; }
+
+        /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
+        void momenta() {
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                const double p = s.at.p[k];
+                const double e_p = s.remainder.p[k];
+                const double P_1 = p + (e_p + s.Lp[0][k]);
+                s.change.p[k] = std::abs(P_1 - s.P[0][k]);
+                s.P[0][k] = P_1;
+            }
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
+        }
+
+        /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
+        void positions() {
+        }
+
+        /// Lp_i = -h b_i dH/dq.
+        void forces() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdq(s.Q[0], s.P[0], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lp[0][k] = -s.h * slope[k];
+            }
+        }
+
+        /// What the rounding of component k of Q is to be compared with.
+        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
+            return 0.0;
+        }
+
+        /// The same of P.
+        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
+            return std::abs(s.P[0][k]) + std::abs(s.Lp[0][k]);
+        }
+    };
+
+    System system_;
+    hvi::detail::Stages<Vector, 1, 1> s_;
+    typename Solver::template Iteration<Vector> solver_;
+};
+
+}  // namespace hvi::generated
