@@ -3,6 +3,7 @@
 #include "generator/emit/banner.hpp"
 #include "generator/emit/embedded.hpp"
 #include "generator/emit/header.hpp"
+#include "generator/plan/same.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -61,7 +62,7 @@ void write(Writer& writer, const Scheme& scheme, const Move& move, bool first_of
     const bool other_keeps = move.kick ? scheme.keeps_velocity : scheme.keeps_force;
     const bool in_place = !first_of_kind || other_keeps;
     const std::string change =
-        value.weight.is_one() ? fmt::format("h * {}[k]", slope)
+        same(value.weight, 1) ? fmt::format("h * {}[k]", slope)
                               : fmt::format("h * {}[{}] * {}[k]", names.weights, move.index, slope);
     writer.open("for (Index k = 0; k < n; ++k) {{");
     if (in_place) {
@@ -104,7 +105,7 @@ std::string weights_text(const Scheme& scheme) {
     Writer writer(1);
     const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
         bool ones = true;
-        for (const StageValue& value : values) { ones = ones && value.weight.is_one(); }
+        for (const StageValue& value : values) { ones = ones && same(value.weight, 1); }
         if (!ones) { table(writer, name, weights(values)); }
     };
     write("b_p", scheme.positions);
@@ -131,7 +132,7 @@ std::string members_text(const Scheme& scheme) {
     writer.line("System system_;");
     writer.line("Vector q_{{}}, p_{{}}, slope_{{}};");
     if (scheme.keeps_force) {
-        writer.line("Vector force_{{}};    // dH/dq where the last step ended, at q_");
+        writer.line("Vector force_{{}};  // dH/dq where the last step ended, at q_");
     }
     if (scheme.keeps_velocity) {
         writer.line("Vector velocity_{{}};  // dH/dp where the last step ended, at p_");

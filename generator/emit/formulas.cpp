@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/header.hpp"
+#include "generator/plan/same.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -14,28 +15,19 @@ bool is_merged(const Scheme& scheme) {
     return false;
 }
 
-/// NOTE: zero and one leave no trace in the arithmetic: no term, no factor. A number that cannot be
-/// told from them is written like any other.
+/// NOTE: zero and one leave no trace in the arithmetic: no term, no factor.
 struct Term {
     Number coefficient;
     std::string factor;  // the coefficient in the header
     std::string slope;
 };
 
-bool is(const Number& number, long value) {
-    try {
-        return (number - Number(value)).is_zero();
-    } catch (const MathError&) {
-        return false;
-    }
-}
-
 std::string sum(const std::vector<Term>& terms) {
     std::string text;
     for (const Term& term : terms) {
-        if (is(term.coefficient, 0)) { continue; }
+        if (same(term.coefficient, 0)) { continue; }
         if (!text.empty()) { text += " + "; }
-        text += is(term.coefficient, 1) ? term.slope : term.factor + " * " + term.slope;
+        text += same(term.coefficient, 1) ? term.slope : term.factor + " * " + term.slope;
     }
     HVI_CHECK(!text.empty());
     return text;
@@ -50,7 +42,7 @@ std::string stage(std::string_view y, const std::string& terms) {
 
 std::string factor(const StageValue& value, const std::string& weights, std::size_t index,
                    std::string_view h) {
-    return is(value.weight, 1) ? std::string(h) : fmt::format("{} * {}[{}]", h, weights, index);
+    return same(value.weight, 1) ? std::string(h) : fmt::format("{} * {}[{}]", h, weights, index);
 }
 
 }  // namespace

@@ -56,6 +56,11 @@ Field::CosSin product(const Field::CosSin& left, const Field::CosSin& right) {
     return {left.cos * right.cos - left.sin * right.sin, left.sin * right.cos + left.cos * right.sin};
 }
 
+/// The even n for which cos(pi/n) reaches the cosine and sine of an angle, see Field::cyclotomic.
+numeric even_denominator(const numeric& half_turns) {
+    return half_turns.denom().is_odd() ? 2 * half_turns.denom() : half_turns.denom();
+}
+
 /// cos and sin of n times an angle.
 Field::CosSin times(Field::CosSin angle, long n) {
     if (n < 0) angle.sin = -angle.sin;
@@ -115,7 +120,7 @@ std::vector<std::string> Field::parameters() const {
     return result;
 }
 
-std::vector<Field::Part> Field::split(const Element& argument) {
+std::optional<std::vector<Field::Part>> Field::split(const Element& argument) {
     std::map<std::string, Part> parts;  // by the unit's text, in an order that does not vary
     const auto add = [&](const Element& summand, const numeric& size) {
         const numeric factor = leading_sign(summand) < 0 ? -size : size;
@@ -125,15 +130,14 @@ std::vector<Field::Part> Field::split(const Element& argument) {
         HVI_CHECK(is_new);
     };
     for (const auto& [monomial, coefficient] : argument.terms()) {
-        const ex fraction = coefficient.numer_denom();
-        const bool polynomial = GiNaC::is_a<numeric>(fraction.op(1));
-        const ex expanded = polynomial ? coefficient.expand() : fraction.op(0).expand();
-        const bool is_sum = polynomial && GiNaC::is_a<GiNaC::add>(expanded);
+        if (GiNaC::is_a<GiNaC::add>(coefficient.numer_denom().op(1).expand())) return std::nullopt;
+        const ex expanded = coefficient.expand();
+        const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
         for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
-            const ex part = is_sum ? expanded.op(i) : polynomial ? expanded : coefficient;
+            const ex part = is_sum ? expanded.op(i) : expanded;
             const ex size = part.numer_denom();
             add(Element::term(monomial, part, this),
-                size.op(0).expand().integer_content() / size.op(1).expand().integer_content());
+                size.op(0).integer_content() / size.op(1).integer_content());
         }
     }
     std::vector<Part> result;
@@ -152,9 +156,38 @@ std::optional<Field::Multiple> Field::multiple(const std::string& key, const num
     return Multiple{(factor * denominator).to_long(), denominator};
 }
 
+/// p, when the unit is log(p).
+std::optional<long> Field::prime_of_logarithm(const Element& unit) const {
+    for (const Transcendental& generator : transcendentals_) {
+        if (generator.prime != 0 && (unit - Element(generator.symbol)).is_zero()) {
+            return generator.prime;
+        }
+    }
+    return std::nullopt;
+}
+
+/// p^exponent, where square roots express it.
+std::optional<Element> Field::prime_power(long prime, const numeric& exponent) {
+    const numeric doubled = exponent * 2;
+    if (!doubled.is_integer() || GiNaC::abs(doubled) > most_times) return std::nullopt;
+    const auto root = doubled.is_even() ? std::optional(Element(prime)) : sqrt(Element(prime));
+    if (!root) return std::nullopt;
+    const numeric times = doubled.is_even() ? exponent : doubled;
+    const Element raised = power(*root, static_cast<unsigned>(GiNaC::abs(times).to_int()));
+    return times.is_negative() ? inverse(raised) : raised;
+}
+
 std::optional<Element> Field::exp(const Element& given) {
+    const auto parts = split(given + Element(0, this));
+    if (!parts) return std::nullopt;
     Element result(1, this);
-    for (const Part& part : split(given + Element(0, this))) {
+    for (const Part& part : *parts) {
+        if (const auto prime = prime_of_logarithm(part.unit)) {
+            const auto raised = prime_power(*prime, part.factor);
+            if (!raised) return std::nullopt;
+            result = result * *raised;
+            continue;
+        }
         const auto exponent = multiple("exp " + part.key, part.factor);
         if (!exponent) return std::nullopt;
         const Element unit = part.unit * Element(1 / exponent->denominator);
@@ -184,6 +217,7 @@ std::optional<Element> Field::log(const Element& argument) {
                 Transcendental generator;
                 generator.form = Expression::call("log", {Expression::integer(prime)});
                 generator.value = applied(arb_log, Element(prime));
+                generator.prime = prime;
                 result = result + transcendental("log " + std::to_string(prime), generator) *
                                       Element(weight);
             }
@@ -193,8 +227,10 @@ std::optional<Element> Field::log(const Element& argument) {
 }
 
 std::optional<Field::CosSin> Field::cos_sin(const Element& given) {
+    const auto parts = split(given + Element(0, this));
+    if (!parts) return std::nullopt;
     CosSin result{Element(1, this), Element(0, this)};
-    for (const Part& part : split(given + Element(0, this))) {
+    for (const Part& part : *parts) {
         const auto rotation = part.key == "pi" ? cos_sin_of_pi(part.factor) : cos_sin_of_part(part);
         if (!rotation) return std::nullopt;
         result = product(result, *rotation);
@@ -207,6 +243,7 @@ std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
     if (!angle) return std::nullopt;
     const auto known = angles_.find(part.key);
     if (known != angles_.end()) return times(known->second, angle->times);
+    if (algebraics_.size() >= most_generators) return std::nullopt;
 
     const Element unit = part.unit * Element(1 / angle->denominator);
     const Expression form = closed_form(unit);
@@ -229,6 +266,13 @@ std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
 std::optional<Field::CosSin> Field::cos_sin_of_pi(const numeric& half_turns) {
     const numeric denominator = half_turns.denom();
     if (denominator > 10000) return std::nullopt;
+    // NOTE: cos(pi/18) and sqrt(3) are not independent; where there is a generator cos(pi/N), every
+    // angle that it reaches is written with it.
+    const auto common = denominators_.find("cos pi");
+    if (common != denominators_.end() &&
+        GiNaC::irem(common->second, even_denominator(half_turns)).is_zero()) {
+        if (const auto known = cyclotomic(half_turns)) return known;
+    }
     const long n = denominator.to_long();
     const numeric times_pi_n = GiNaC::mod(half_turns.numer(), 2 * denominator);
     if (const auto base = constructible(n)) return times(*base, times_pi_n.to_long());
@@ -266,14 +310,15 @@ std::optional<Field::CosSin> Field::constructible(long n) {
 /// Any other rational multiple of pi, as a polynomial in cos(pi/N), N even: sin(pi p/n) is
 /// cos(pi (n - 2p)/(2n)). All such angles of one table share N.
 std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
-    const numeric denominator = half_turns.denom().is_odd() ? 2 * half_turns.denom()
-                                                            : half_turns.denom();
-    const auto common = multiple("cos pi", 1 / denominator);
+    const bool is_first = denominators_.find("cos pi") == denominators_.end();
+    const auto common = multiple("cos pi", 1 / even_denominator(half_turns));
     if (!common) return std::nullopt;
+    if (is_first && !algebraics_.empty()) throw TooCoarse{denominators_};
     const long n = common->denominator.to_long();
 
     if (angles_.find("pi") == angles_.end()) {
-        // The minimal polynomial of x = 2 cos(2 pi/(2n)), rescaled to one of x/2.
+        // The minimal polynomial of cos(2 pi/(2n)), or, in newer versions of FLINT, that of its
+        // double, which is monic.
         fmpz_poly_t minimal;
         fmpz_poly_init(minimal);
         arith_cos_minpoly(minimal, 2 * static_cast<ulong>(n));
@@ -292,7 +337,7 @@ std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
             return ball;
         };
         std::vector<numeric> coefficients;
-        for (unsigned k = 0; k < degree; ++k) {
+        for (unsigned k = 0; k <= degree; ++k) {
             char* text = fmpz_get_str(nullptr, 10, fmpz_poly_get_coeff_ptr(minimal, k));
             coefficients.emplace_back(text);
             flint_free(text);
@@ -308,7 +353,10 @@ std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
                 monomial.resize(index + 1);
                 monomial[index] = k;
             }
-            const numeric scale = GiNaC::pow(numeric(2), numeric(static_cast<long>(degree - k)));
+            const bool is_of_double = coefficients[degree].is_equal(1);
+            const numeric scale =
+                is_of_double ? GiNaC::pow(numeric(2), numeric(static_cast<long>(degree - k)))
+                             : coefficients[degree];
             reduced = reduced - Element::term(monomial, coefficients[k] / scale, this);
         }
         algebraics_[index].reduced = reduced;

@@ -15,7 +15,7 @@ using Kind = Expression::Kind;
 /// Limits on what is worth computing: beyond them a slip is likelier than a method.
 constexpr long most_exponent = 1000;
 constexpr double most_digits = 10000;
-constexpr double most_terms = 2000;
+constexpr double most_terms = 10000;
 
 /// At most how many terms a polynomial has when it is multiplied out.
 double most_expanded_terms(const GiNaC::ex& polynomial) {

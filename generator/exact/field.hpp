@@ -70,6 +70,7 @@ struct Transcendental {
     bool is_parameter = false;             ///< it, or what it is made of, has no value
     std::function<Ball(Precision)> value;  ///< empty with is_parameter
     std::optional<Element> exponent;       ///< x, where the generator is exp(x)
+    long prime = 0;                        ///< p, where the generator is log(p)
 };
 
 /// A generator g with a monic relation g^degree = reduced over g and what lies below it: sqrt(2);
@@ -97,6 +98,10 @@ struct TooCoarse {
 /// The generators, in the order in which they were met.
 class Field {
 public:
+    /// More algebraic generators than these make the arithmetic of the normal form too slow to be of
+    /// use: what needs another one is left to enclosures.
+    static constexpr std::size_t most_generators = 8;
+
     explicit Field(Denominators denominators) : denominators_(std::move(denominators)) {}
     Field(const Field&) = delete;
     Field& operator=(const Field&) = delete;
@@ -130,7 +135,11 @@ private:
         Element unit;
         std::string key;  ///< the unit's text
     };
-    [[nodiscard]] std::vector<Part> split(const Element& argument);
+    /// The parts of an argument, whose units are linearly independent over Q; empty where sums in
+    /// denominators hide whether they are.
+    [[nodiscard]] std::optional<std::vector<Part>> split(const Element& argument);
+    [[nodiscard]] std::optional<long> prime_of_logarithm(const Element& unit) const;
+    [[nodiscard]] std::optional<Element> prime_power(long prime, const GiNaC::numeric& exponent);
     struct Multiple {
         long times;
         GiNaC::numeric denominator;  ///< factor = times / denominator

@@ -9,6 +9,9 @@ namespace hvi::gen {
 
 namespace {
 
+/// Larger and smaller numbers are no coefficients, and their digits would take long.
+constexpr long most_decimal_exponent = 10000;
+
 /// An integer of FLINT with value semantics.
 class Integer {
 public:
@@ -64,7 +67,7 @@ Integer nearest_integer(const Number& value) {
     return refine(value, "how to round a number", only_nearest_integer);
 }
 
-/// floor(log10 |value|), or one more or less: an estimate to start from.
+/// A number not greater than log10 |value|, and not more than two less.
 long decimal_exponent(const Number& value) {
     return refine(value, "whether a number is zero", [](const Ball& ball) -> std::optional<long> {
         if (ball.sign() == 0) return std::nullopt;
@@ -75,7 +78,7 @@ long decimal_exponent(const Number& value) {
         arf_set_round(magnitude, arb_midref(ball.get()), 30, ARF_RND_DOWN);
         arf_abs(magnitude, magnitude);
         arf_abs_bound_lt_2exp_fmpz(exponent, magnitude);
-        const double bits = fmpz_get_d(exponent) - 1;
+        const double bits = fmpz_get_d(exponent) - 2;  // the midpoint may be a power of 2 above
         arf_clear(magnitude);
         fmpz_clear(exponent);
         return static_cast<long>(std::floor(bits * std::log10(2.0)));
@@ -101,8 +104,13 @@ std::string place_point(const std::string& digits, long exponent) {
 std::string Number::decimal(int digits) const {
     HVI_CHECK(digits >= 1 && !has_parameters());
     if (is_zero()) return "0";
-    // An estimate of the exponent may give one digit too many or too few; then the next one is right.
-    for (long exponent = decimal_exponent(*this);; ++exponent) {
+    const long first_exponent = decimal_exponent(*this);
+    if (std::abs(first_exponent) > most_decimal_exponent) {
+        throw MathError("a number of about 10^" + std::to_string(first_exponent) +
+                        " is beyond what can be written out");
+    }
+    // From an exponent that may be too small, upwards until the digits are not too many.
+    for (long exponent = first_exponent;; ++exponent) {
         const Integer scaled_value = nearest_integer(scaled(*this, digits - 1 - exponent));
         std::string text = scaled_value.text();
         const bool negative = text.front() == '-';
@@ -126,9 +134,10 @@ double Number::nearest_double() const {
         const double high = arf_get_d(upper, ARF_RND_NEAR);
         arf_clear(lower);
         arf_clear(upper);
-        // NOTE: a ball around zero that has shrunk below the denormals would do, but an exact zero
-        // that no normal form knows must not be decided by underflow.
-        return low == high && low != 0.0 ? std::optional(low) : std::nullopt;
+        // NOTE: zero is the answer for a number that underflows, not for a ball around zero: that
+        // a number is zero is not decided by underflow.
+        const bool decided = low == high && (low != 0.0 || ball.sign() != 0);
+        return decided ? std::optional(low) : std::nullopt;
     });
 }
 

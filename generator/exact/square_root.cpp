@@ -12,9 +12,6 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-/// More generators than this make the arithmetic of the normal form too slow to be of use.
-constexpr std::size_t most_generators = 8;
-
 /// The rational root of a rational square.
 std::optional<numeric> rational_root(const numeric& square) {
     if (square.is_negative()) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/plan/graph.hpp"
+#include "generator/plan/same.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -14,19 +15,6 @@ namespace {
 
 using Kind = StageNode::Kind;
 using Place = StageValue::Place;
-
-/// NOTE: numbers known by enclosures alone may be equal without a proof. Then the scheme is not
-/// simplified, which is correct, if slower.
-bool surely_zero(const Number& a) {
-    try {
-        return a.is_zero();
-    } catch (const MathError&) {
-        return false;
-    }
-}
-
-bool same(const Number& a, const Number& b) { return surely_zero(a - b); }
-bool surely_one(const Number& a) { return same(a, 1); }
 
 bool same(const NumberVector& a, const NumberVector& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -115,8 +103,8 @@ Place place_of(const NumberVector& row, bool ones_are_end) {
     bool zeros = true;
     bool ones = true;
     for (const Number& entry : row) {
-        zeros = zeros && surely_zero(entry);
-        ones = ones && surely_one(entry);
+        zeros = zeros && same(entry, 0);
+        ones = ones && same(entry, 1);
     }
     if (zeros) { return ones_are_end ? Place::start : Place::end; }
     if (ones) { return ones_are_end ? Place::end : Place::start; }
@@ -183,10 +171,10 @@ DependencyGraph dependencies(const Scheme& scheme, const Numbering& number) {
     DependencyGraph needs(number.size());
     for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
         for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-            if (!surely_zero(scheme.m[i][j])) {
+            if (!same(scheme.m[i][j], 0)) {
                 needs[number.of(Kind::Q, i)].push_back(number.of(Kind::Lq, j));
             }
-            if (!surely_one(scheme.m[i][j])) {
+            if (!same(scheme.m[i][j], 1)) {
                 needs[number.of(Kind::P, j)].push_back(number.of(Kind::Lp, i));
             }
         }
@@ -247,6 +235,15 @@ void set_kept(Scheme& scheme) {
     }
 }
 
+bool are_distinct(const NumberVector& c) {
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (same(c[i], c[j])) { return false; }
+        }
+    }
+    return true;
+}
+
 /// The polynomial through the slopes f_j at c_j, one step later:
 /// f(1 + c_i) = sum_j l_j(1 + c_i) f_j, so N_ij = (b_i/b_j) l_j(1 + c_i) for L_j = h b_j f_j.
 NumberMatrix extrapolation(const Tableau& tableau) {
@@ -265,11 +262,25 @@ NumberMatrix extrapolation(const Tableau& tableau) {
     return N;
 }
 
-double largest_row_sum(const NumberMatrix& N) {
+/// How much the extrapolation may magnify rounding: the largest sum_j |N_ij|. In doubles, since for
+/// many stages the exact N is costly and then of no use.
+double magnification(const Tableau& tableau) {
+    const std::size_t s = tableau.stages();
+    std::vector<double> b, c;
+    for (std::size_t i = 0; i < s; ++i) {
+        b.push_back(tableau.b[i].nearest_double());
+        c.push_back(tableau.c[i].nearest_double());
+    }
     double largest = 0.0;
-    for (const NumberVector& row : N) {
+    for (std::size_t i = 0; i < s; ++i) {
         double sum = 0.0;
-        for (const Number& entry : row) { sum += std::abs(entry.nearest_double()); }
+        for (std::size_t j = 0; j < s; ++j) {
+            double value = b[i] / b[j];
+            for (std::size_t k = 0; k < s; ++k) {
+                if (k != j) { value *= (1.0 + c[i] - c[k]) / (c[j] - c[k]); }
+            }
+            sum += std::abs(value);
+        }
         largest = std::max(largest, sum);
     }
     return largest;
@@ -278,11 +289,15 @@ double largest_row_sum(const NumberMatrix& N) {
 void set_extrapolation(Scheme& scheme, const Tableau& tableau) {
     constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
     if (scheme.is_explicit()) { return; }
-    if (scheme.positions.size() != tableau.stages() || scheme.momenta.size() != tableau.stages()) {
+    const bool merged =
+        scheme.positions.size() != tableau.stages() || scheme.momenta.size() != tableau.stages();
+    if (merged || !are_distinct(tableau.c)) {
+        scheme.decisions.push_back(
+            {"slopes at the start of the step are the starting values of the iteration",
+             "no polynomial interpolates slopes at equal nodes"});
         return;
     }
-    NumberMatrix N = extrapolation(tableau);
-    if (largest_row_sum(N) > most) {
+    if (magnification(tableau) > most) {
         scheme.decisions.push_back(
             {"slopes at the start of the step are the starting values of the iteration",
              "extrapolating the last step's slopes would magnify their rounding too much"});
@@ -291,7 +306,7 @@ void set_extrapolation(Scheme& scheme, const Tableau& tableau) {
     scheme.decisions.push_back(
         {"the last step's slopes, extrapolated, are the starting values of the iteration",
          "they are good to the order of the interpolation and cost no evaluation"});
-    scheme.extrapolation = std::move(N);
+    scheme.extrapolation = extrapolation(tableau);
 }
 
 }  // namespace
@@ -305,6 +320,9 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     Scheme scheme;
     scheme.separable = options.separable;
     scheme.one_tableau = same(tableau.A, tableau.A_tilde);
+    if (scheme.one_tableau && !tableau.A[0][0].closed_form()) {
+        scheme.decisions.push_back({"A~ is taken to be A", "they agree to 40 digits"});
+    }
     set_stages(scheme, tableau);
     set_places(scheme);
     set_blocks(scheme);

@@ -148,7 +148,7 @@ TEST_CASE("a method that cannot be read: status 2") {
         {2, "", {"--method-file", "missing.toml"}},
         {2, "", {"--method-file", "."}},
         // to come
-        {2, "1+tau", {"--basis", "1, 1/(1+tau)", "--nodes", "0, 1"}},
+        {2, "(1+tau)", {"--basis", "1, 1/(1+tau)", "--nodes", "0, 1"}},
         {2, "", {"--basis", "1, tau", "--nodes", "0, 1", "--weights", "1/2, 1/2"}},
         {2, "", {"--basis", "1, tau", "--nodes", "0, 1/2, 1"}},
     };

@@ -1,5 +1,7 @@
 // Methods with nodes that have no closed form: certified digits, and what stays exact.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <tuple>
+
 #include <catch2/catch.hpp>
 
 #include "tests/exact/exact.hpp"

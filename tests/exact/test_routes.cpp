@@ -1,5 +1,7 @@
 // The two routes of Algorithm 4.3, and the identities that every tableau satisfies.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <tuple>
+
 #include <catch2/catch.hpp>
 
 #include "tests/exact/exact.hpp"

@@ -145,6 +145,40 @@ TEST_CASE("a gradient that is not a number is a status") {
     CHECK(systems::same_bits(x, before));
 }
 
+TEST_CASE("a force that is not a number at the end of a step is a status") {
+    // q goes from 0.9 to 1.05; the stages between stay below 1.
+    hvi::State<systems::One> x{{0.9}, {2.0}};
+    const auto before = x;
+    CHECK(Lobatto3Separable<systems::Fenced>{}.step(x, 0.08).code() == hvi::Status::Code::not_finite);
+    CHECK(StormerVerletSeparable<systems::Fenced>{}.step(x, 0.08).code() ==
+          hvi::Status::Code::not_finite);
+    CHECK(systems::same_bits(x, before));
+}
+
+TEST_CASE("a new step size starts from the slope at the step's start") {
+    struct Recording {
+        using Vector = systems::One;
+        double* first;  // the position of the first evaluation since it was set to NaN
+        void dHdq(const Vector& q, Vector& out) const {
+            if (std::isnan(*first)) { *first = q[0]; }
+            out[0] = std::sin(q[0]);
+        }
+        void dHdp(const Vector& p, Vector& out) const { out = p; }
+    };
+    constexpr double unset = std::numeric_limits<double>::quiet_NaN();
+    double first = unset;
+    Gauss2Separable<Recording> stepper{Recording{&first}};
+    hvi::State<systems::One> x{{0.5}, {1.0}};
+    double last = 0.0;
+    for (const double h : {0.1, 0.1, 0.1, 0.2, 0.2, -0.2}) {
+        first = unset;
+        const double start = x.q[0];
+        REQUIRE(stepper.step(x, h).ok());
+        CHECK((first == start) == (h != last));
+        last = h;
+    }
+}
+
 TEST_CASE("after a failure the next step is that of a fresh stepper") {
     Gauss2Separable<systems::Fenced> stepper;
     hvi::State<systems::One> x{{0.5}, {0.1}};

@@ -280,7 +280,7 @@ private:
 
     System system_;
     Vector q_{}, p_{}, slope_{};
-    Vector force_{};    // dH/dq where the last step ended, at q_
+    Vector force_{};  // dH/dq where the last step ended, at q_
     bool known_ = false;  // whether it is kept
 };
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+
+#include "generator/emit/names.hpp"
+
+using namespace hvi::gen;
+
+TEST_CASE("classes and files are named after methods") {
+    CHECK(class_name("gauss:2") == "Gauss2");
+    CHECK(file_name("gauss:2") == "gauss_2.hpp");
+    CHECK(class_name("stormer-verlet") == "StormerVerlet");
+    CHECK(file_name("stormer-verlet") == "stormer_verlet.hpp");
+    CHECK(class_name("adjoint-symplectic-euler") == "AdjointSymplecticEuler");
+    CHECK(class_name("trig3") == "Trig3");
+    CHECK(class_name("newton-cotes-open:12") == "NewtonCotesOpen12");
+    CHECK(class_name("") == "Stepper");
+    CHECK(file_name("") == "stepper.hpp");
+    CHECK(class_name("3 nodes") == "Stepper3Nodes");
+}
+
+TEST_CASE("names that C++ allows and the header does not use are taken") {
+    for (const char* name : {"Gauss2", "my_stepper", "X", "_x", "Coupledness", "integrator"}) {
+        CHECK_NOTHROW(check_class_name(name, {}));
+    }
+}
+
+TEST_CASE("other names are refused") {
+    for (const char* name :
+         {"", "2nd", "a-b", "a b", "class", "co_await", "xor_eq", "alignas", "__x", "a__b", "_Big",
+          "\xc3\xa4", "System", "Solver", "State", "Status", "Coupled", "Coupled2", "hvi", "std", "m"}) {
+        CAPTURE(name);
+        CHECK_THROWS_AS(check_class_name(name, {}), InputError);
+    }
+}

@@ -1,0 +1,159 @@
+// What is solved for and what is left out.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "generator/plan/graph.hpp"
+#include "generator/plan/lattice.hpp"
+#include "generator/plan/plan.hpp"
+#include "generator/support/error.hpp"
+#include "tests/emit/tableaux.hpp"
+
+using namespace hvi::gen;
+using Kind = StageNode::Kind;
+using Where = StageValue::Place;
+
+namespace {
+
+const Block& only_coupled(const Scheme& scheme) {
+    REQUIRE(scheme.coupled_blocks() == 1);
+    return *std::find_if(scheme.blocks.begin(), scheme.blocks.end(),
+                         [](const Block& block) { return block.coupled; });
+}
+
+using Indices = std::vector<std::size_t>;
+
+}  // namespace
+
+TEST_CASE("components come in the order in which they can be computed") {
+    // 0 needs 1; 1 and 2 need each other; 3 stands alone.
+    const auto found = components({{1}, {2}, {1}, {}});
+    CHECK(found == std::vector<std::vector<std::size_t>>{{1, 2}, {0}, {3}});
+}
+
+TEST_CASE("separable symplectic Euler and Verlet need no solver") {
+    const Scheme euler = plan(tableaux::symplectic_euler(), {.separable = true});
+    CHECK(euler.is_explicit());
+    CHECK(euler.forces_evaluated() == 1);
+    CHECK(euler.velocities_evaluated() == 1);
+
+    const Scheme verlet = plan(tableaux::verlet(), {.separable = true});
+    CHECK(verlet.is_explicit());
+    CHECK(verlet.momenta.size() == 1);
+    CHECK(verlet.momenta[0].stages == Indices{0, 1});
+    CHECK(verlet.momenta[0].weight.is_one());
+    CHECK(verlet.keeps_force);
+    CHECK_FALSE(verlet.keeps_velocity);
+    CHECK(verlet.forces_evaluated() == 1);
+    CHECK(verlet.velocities_evaluated() == 1);
+
+    const Scheme position = plan(tableaux::position_verlet(), {.separable = true});
+    CHECK(position.is_explicit());
+    CHECK(position.positions.size() == 1);
+    CHECK(position.keeps_velocity);
+    CHECK_FALSE(position.keeps_force);
+}
+
+TEST_CASE("for general H nothing is explicit") {
+    for (const auto& tableau : {tableaux::symplectic_euler(), tableaux::verlet(),
+                                tableaux::lobatto_3(), tableaux::midpoint()}) {
+        CHECK_FALSE(plan(tableau, {.separable = false}).is_explicit());
+    }
+}
+
+TEST_CASE("symplectic Euler for general H solves for p alone") {
+    const Scheme scheme = plan(tableaux::symplectic_euler(), {.separable = false});
+    const Block& block = only_coupled(scheme);
+    CHECK(block.of(Kind::P) == Indices{0});
+    CHECK(block.of(Kind::Lp) == Indices{0});
+    CHECK(block.of(Kind::Q).empty());
+    CHECK(block.of(Kind::Lq).empty());
+}
+
+TEST_CASE("lobatto:3 solves for one force when H is separable") {
+    const Scheme scheme = plan(tableaux::lobatto_3(), {.separable = true});
+    const Block& block = only_coupled(scheme);
+    CHECK(block.of(Kind::Q) == Indices{1});
+    CHECK(block.of(Kind::Lp) == Indices{1});
+    CHECK(block.of(Kind::P) == Indices{0, 1, 2});
+    CHECK(scheme.positions[0].place == Where::start);
+    CHECK(scheme.positions[2].place == Where::end);
+    CHECK(scheme.keeps_force);
+    CHECK_FALSE(scheme.one_tableau);
+}
+
+TEST_CASE("stages that decouple are solved one after the other") {
+    for (const bool separable : {false, true}) {
+        const Scheme scheme = plan(tableaux::two_midpoints(), {.separable = separable});
+        CHECK(scheme.coupled_blocks() == 2);
+        CHECK(scheme.one_tableau);
+        CHECK(scheme.blocks.front().of(Kind::Q) == Indices{0});
+    }
+}
+
+TEST_CASE("the dump of a scheme is stable") {
+    CHECK(dump(plan(tableaux::verlet(), {.separable = true})) ==
+          "separable\n"
+          "Q_1: start, weight 1/2, stages 1\n"
+          "Q_2: end, weight 1/2, stages 2\n"
+          "P_1: inner, weight 1, stages 1 2\n"
+          "m: 0\n"
+          "m: 1\n"
+          "evaluate Q_1\n"
+          "evaluate Lp_1\n"
+          "evaluate P_1\n"
+          "evaluate Lq_1\n"
+          "evaluate Q_2\n"
+          "evaluate Lp_2\n"
+          "P_1 = P_2 is evaluated once: these stages are equal\n"
+          "Q_1 is not solved for: it is q at the start of the step\n"
+          "Q_2 takes no sum of its own: it is q at the end of the step\n"
+          "no solver: no stage depends on itself: the step is kicks and drifts in turn\n"
+          "no compensated summation: the error of the step is far above round-off\n"
+          "one force a step is not evaluated: the last one of a step is the first one of the next\n");
+}
+
+TEST_CASE("coefficients are complementary in doubles, for every entry") {
+    for (const auto& tableau :
+         {tableaux::lobatto_3(), tableaux::negative_weight(), tableaux::two_midpoints(),
+          tableaux::midpoint(), tableaux::verlet()}) {
+        const Scheme scheme = plan(tableau, {.separable = false});
+        const RoundedCoefficients rounded_ = rounded(scheme);
+        for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
+            for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
+                CHECK(1.0 - rounded_.m[i][j] == rounded_.mt[j][i]);
+                CHECK(1.0 - rounded_.mt[j][i] == rounded_.m[i][j]);
+                CHECK(std::abs(rounded_.m[i][j] - scheme.m[i][j].nearest_double()) <=
+                      0x1p-53 * std::max(std::abs(rounded_.m[i][j]), std::abs(rounded_.mt[j][i])) * 2);
+            }
+        }
+    }
+}
+
+TEST_CASE("extrapolation is exact for polynomials through the nodes") {
+    // Slopes 1, c, c^2 of Lobatto: L_i = b_i c_i^k goes to b_i (1 + c_i)^k.
+    const Tableau tableau = tableaux::lobatto_3();
+    const Scheme scheme = plan(tableau, {.separable = false});
+    REQUIRE(scheme.extrapolation.has_value());
+    for (int k = 0; k < 3; ++k) {
+        const auto power = [&](const Number& x) {
+            Number value = 1;
+            for (int i = 0; i < k; ++i) { value = value * x; }
+            return value;
+        };
+        for (std::size_t i = 0; i < 3; ++i) {
+            Number sum = 0;
+            for (std::size_t j = 0; j < 3; ++j) {
+                sum = sum + (*scheme.extrapolation)[i][j] * tableau.b[j] * power(tableau.c[j]);
+            }
+            CHECK((sum - tableau.b[i] * power(Number(1) + tableau.c[i])).is_zero());
+        }
+    }
+}
+
+TEST_CASE("a free parameter is refused") {
+    Tableau tableau = tableaux::midpoint();
+    tableau.parameters = {"w"};
+    CHECK_THROWS_AS(plan(tableau, {}), InputError);
+}
