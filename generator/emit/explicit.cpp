@@ -49,27 +49,40 @@ void write(Writer& writer, const Scheme& scheme, const Move& move, bool first_of
     const std::string_view slope = keeps ? names.kept : "slope_";
     const std::string other_start = move.kick ? "x.q" : "x.p";
 
-    if (keeps && !moved_other) {
-        writer.open("if (!known_ || !hvi::detail::same_bits({}, {})) {{", names.other, other_start)
-            .line("{} = {};", names.other, other_start)
-            .line("system_.{}({}, {});", names.gradient, names.other, slope)
-            .close();
-    } else {
-        writer.line("system_.{}({}, {});", names.gradient,
-                    moved_other ? std::string(names.other) : other_start, slope);
-    }
     // NOTE: what a kept slope belongs to, is equal to x and at hand.
     const bool other_keeps = move.kick ? scheme.keeps_velocity : scheme.keeps_force;
     const bool in_place = !first_of_kind || other_keeps;
     const std::string change =
         same(value.weight, 1) ? fmt::format("h * {}[k]", slope)
                               : fmt::format("h * {}[{}] * {}[k]", names.weights, move.index, slope);
-    writer.open("for (Index k = 0; k < n; ++k) {{");
-    if (in_place) {
-        writer.line("{}[k] {}= {};", names.moved, names.sign, change);
-    } else {
-        writer.line("{}[k] = {}[k] {} {};", names.moved, names.from, names.sign, change);
+    const auto add = [&] {
+        writer.open("for (Index k = 0; k < n; ++k) {{");
+        if (in_place) {
+            writer.line("{}[k] {}= {};", names.moved, names.sign, change);
+        } else {
+            writer.line("{}[k] = {}[k] {} {};", names.moved, names.from, names.sign, change);
+        }
+        writer.close();
+    };
+    const auto evaluate = [&](std::string_view at) {
+        writer.line("system_.{}({}, {});", names.gradient, at, slope);
+    };
+    if (!keeps || moved_other) {
+        evaluate(moved_other ? std::string(names.other) : other_start);
+        add();
+        return;
     }
+    // NOTE: known_ is false while the step is under way, should the system throw. The sum comes
+    // before the test: after it, g++ keeps x in memory for the call of the system in the branch that
+    // is hardly ever taken, and a step waits for that memory.
+    HVI_CHECK(!in_place);
+    writer.line("const bool kept = known_ && hvi::detail::same_bits({}, {});", names.other,
+                other_start);
+    writer.line("known_ = false;");
+    add();
+    writer.open("if (!kept) {{").line("{} = {};", names.other, other_start);
+    evaluate(names.other);
+    add();
     writer.close();
 }
 

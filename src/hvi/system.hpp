@@ -77,11 +77,14 @@ constexpr bool check_system() {
     return true;
 }
 
-/// Gives v the dimension n. Allocates only where the dimension is dynamic and new.
+/// Gives v the dimension n, filled with zeros where that is new. Allocates only then, and only
+/// where the dimension is dynamic.
 template <class Vector>
 void fit(Vector& v, IndexOf<Vector> n) {
     if constexpr (HasResize<Vector>::value) {
-        if (v.size() != n) { v.resize(n); }
+        if (v.size() == n) { return; }
+        v.resize(n);
+        for (IndexOf<Vector> k = 0; k < n; ++k) { v[k] = 0.0; }
     }
 }
 

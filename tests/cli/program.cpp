@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -21,6 +22,12 @@ void redirect(int stream, const fs::path& file) {
     const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (opened < 0 || ::dup2(opened, stream) < 0) ::_exit(126);
     ::close(opened);
+}
+
+/// Leaves out the lines `hvi-gen: STAGE (N s)` that a slow machine, or a sanitizer, brings about.
+std::string without_progress(const std::string& text) {
+    static const std::regex progress("hvi-gen: [^\n]* \\([0-9]+ s\\)\n");
+    return std::regex_replace(text, progress, "");
 }
 
 Outcome run(std::vector<std::string> words, const fs::path& directory) {
@@ -42,7 +49,7 @@ Outcome run(std::vector<std::string> words, const fs::path& directory) {
     int status = 0;
     ::waitpid(child, &status, 0);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return {code, contents(out), contents(err)};
+    return {code, contents(out), without_progress(contents(err))};
 }
 
 }  // namespace

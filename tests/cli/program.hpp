@@ -11,7 +11,7 @@ namespace hvi::test {
 struct Outcome {
     int status = -1;  ///< the exit status, or 128 and the number of the signal as in a shell
     std::string out;
-    std::string err;
+    std::string err;  ///< without the words about progress
 };
 
 /// Runs hvi-gen with these words, in the directory when one is given.

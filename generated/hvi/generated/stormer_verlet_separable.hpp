@@ -173,11 +173,14 @@ constexpr bool check_system() {
     return true;
 }
 
-/// Gives v the dimension n. Allocates only where the dimension is dynamic and new.
+/// Gives v the dimension n, filled with zeros where that is new. Allocates only then, and only
+/// where the dimension is dynamic.
 template <class Vector>
 void fit(Vector& v, IndexOf<Vector> n) {
     if constexpr (HasResize<Vector>::value) {
-        if (v.size() != n) { v.resize(n); }
+        if (v.size() == n) { return; }
+        v.resize(n);
+        for (IndexOf<Vector> k = 0; k < n; ++k) { v[k] = 0.0; }
     }
 }
 
@@ -244,12 +247,17 @@ public:
         hvi::detail::fit(force_, n);
         hvi::detail::fit(slope_, n);
 
-        if (!known_ || !hvi::detail::same_bits(q_, x.q)) {
-            q_ = x.q;
-            system_.dHdq(q_, force_);
-        }
+        const bool kept = known_ && hvi::detail::same_bits(q_, x.q);
+        known_ = false;
         for (Index k = 0; k < n; ++k) {
             p_[k] = x.p[k] - h * b_p[0] * force_[k];
+        }
+        if (!kept) {
+            q_ = x.q;
+            system_.dHdq(q_, force_);
+            for (Index k = 0; k < n; ++k) {
+                p_[k] = x.p[k] - h * b_p[0] * force_[k];
+            }
         }
         system_.dHdp(p_, slope_);
         for (Index k = 0; k < n; ++k) {
