@@ -32,11 +32,7 @@ int main(int argc, char** argv) {
     try {
         run_command(argc, argv);
         return static_cast<int>(ExitStatus::done);
-    } catch (const Error& error) {
-        return report(error);
-    } catch (const std::exception& error) {
+    } catch (const Error& error) { return report(error); } catch (const std::exception& error) {
         return report(InternalError(error.what()));
-    } catch (...) {
-        return report(InternalError("an exception of unknown type"));
-    }
+    } catch (...) { return report(InternalError("an exception of unknown type")); }
 }

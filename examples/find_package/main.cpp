@@ -1,9 +1,9 @@
 // A mass on a spring, H = p^2/2 + q^2/2, with the explicit Stormer-Verlet method.
 // SPDX-License-Identifier: MIT
-#include <hvi/generated/stormer_verlet_separable.hpp>
-
 #include <array>
 #include <cstdio>
+
+#include <hvi/generated/stormer_verlet_separable.hpp>
 
 struct Spring {
     using Vector = std::array<double, 1>;

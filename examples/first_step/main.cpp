@@ -1,10 +1,10 @@
 // A pendulum, H = p^2/2 - cos(q), swinging for a thousand seconds with the two-stage Gauss method.
 // SPDX-License-Identifier: MIT
-#include <hvi/generated/gauss_2.hpp>
-
 #include <array>
 #include <cmath>
 #include <cstdio>
+
+#include <hvi/generated/gauss_2.hpp>
 
 struct Pendulum {
     using Vector = std::array<double, 1>;

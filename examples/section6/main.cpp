@@ -73,7 +73,8 @@ struct Errors {
 
 template <class System, class Stepper>
 Errors errors_at(double t, int steps) {
-    const State x = integrate<System>(Stepper{System{}}, t / steps, steps, [](int, const State&) {});
+    const State x =
+        integrate<System>(Stepper{System{}}, t / steps, steps, [](int, const State&) {});
     const State exact = System::solution(t);
     return {std::abs(x.q[0] - exact.q[0]), std::abs(x.p[0] - exact.p[0])};
 }
@@ -142,8 +143,8 @@ void show_energy(const std::string& file, double h, int steps) {
     csv << "t,cheby4,gaule4\n";
     for (std::size_t i = 0; i < cheby4.size(); ++i)
         csv << 10 * static_cast<double>(i) * h << ',' << cheby4[i] << ',' << gaule4[i] << '\n';
-    std::printf("  largest energy error, h = %g to t = %g: Cheby4 %.4e, GauLe4 %.1e\n", h, h * steps,
-                largest(cheby4), largest(gaule4));
+    std::printf("  largest energy error, h = %g to t = %g: Cheby4 %.4e, GauLe4 %.1e\n", h,
+                h * steps, largest(cheby4), largest(gaule4));
 }
 
 }  // namespace

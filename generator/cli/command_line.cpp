@@ -12,7 +12,8 @@ std::string_view name_of(std::string_view word) { return word.substr(0, word.fin
 
 /// A word as one would type it, so that blanks do not seem to end it.
 std::string quoted(const std::string& word) {
-    const bool plain = !word.empty() && word.find_first_of(" \t\n\"'$*()[]{};&|<>\\") == std::string::npos;
+    const bool plain =
+        !word.empty() && word.find_first_of(" \t\n\"'$*()[]{};&|<>\\") == std::string::npos;
     return plain ? word : "\"" + word + "\"";
 }
 
@@ -30,9 +31,12 @@ CommandLine::CommandLine(int argc, const char* const* argv)
     source_ = std::make_shared<const Source>(Source{"command line", std::move(line)});
 }
 
-Place CommandLine::place(std::string_view word, std::size_t n) const {
+Place CommandLine::place(const std::vector<std::string>& names, std::size_t n) const {
+    const auto is_named = [&](std::string_view word) {
+        return std::find(names.begin(), names.end(), word) != names.end();
+    };
     for (std::size_t i = 0; i < words_.size(); ++i) {
-        if (words_[i] != word && name_of(words_[i]) != word) continue;
+        if (!is_named(words_[i]) && !is_named(name_of(words_[i]))) continue;
         if (n == 0) return {source_, ranges_[i]};
         --n;
     }

@@ -18,9 +18,9 @@ public:
     /// What follows the name of the program.
     [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 
-    /// The place of the n-th word that is `word`, or that gives a value to it as in `--word=value`;
-    /// of the whole line when there is none.
-    [[nodiscard]] Place place(std::string_view word, std::size_t n = 0) const;
+    /// The place of the n-th word that is one of `names`, or that gives a value to it as in
+    /// `--name=value`; of the whole line when there is none.
+    [[nodiscard]] Place place(const std::vector<std::string>& names, std::size_t n = 0) const;
 
     /// The place of the last word. Precondition: there is one.
     [[nodiscard]] Place last() const { return {source_, ranges_.back()}; }

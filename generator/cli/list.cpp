@@ -24,7 +24,8 @@ std::string table(std::string_view title, const Rows& rows) {
     std::string text = fmt::format("{}\n", title);
     for (const auto& row : rows) {
         std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("  {:<{}}", row[i], widths[i]);
+        for (std::size_t i = 0; i < row.size(); ++i)
+            line += fmt::format("  {:<{}}", row[i], widths[i]);
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }
@@ -55,9 +56,7 @@ std::string bases() {
     return table("Basis functions: --basis", item_rows(basis_families(), basis_forms()));
 }
 
-std::string nodes() {
-    return table("Nodes: --nodes", item_rows(node_families(), node_forms()));
-}
+std::string nodes() { return table("Nodes: --nodes", item_rows(node_families(), node_forms())); }
 
 std::string methods() {
     Rows rows;
@@ -75,11 +74,16 @@ std::string scenes() { return "Scenes\n  none in this version\n"; }
 
 void run(const ListOptions& options) {
     std::string text;
-    if (options.topic == "bases") text = bases();
-    else if (options.topic == "nodes") text = nodes();
-    else if (options.topic == "methods") text = methods();
-    else if (options.topic == "scenes") text = scenes();
-    else text = bases() + "\n" + nodes() + "\n" + methods() + "\n" + scenes();
+    if (options.topic == "bases")
+        text = bases();
+    else if (options.topic == "nodes")
+        text = nodes();
+    else if (options.topic == "methods")
+        text = methods();
+    else if (options.topic == "scenes")
+        text = scenes();
+    else
+        text = bases() + "\n" + nodes() + "\n" + methods() + "\n" + scenes();
     write_result({}, text);
 }
 

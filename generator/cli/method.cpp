@@ -20,7 +20,8 @@ Method read_method(const MethodOptions& options) {
     if (options.name) return named_method(source("--method", *options.name));
     if (options.file) return method_from_file(*options.file);
     const auto weights = options.weights ? source("--weights", *options.weights) : nullptr;
-    return method_from_text(source("--basis", *options.basis), source("--nodes", *options.nodes), weights);
+    return method_from_text(source("--basis", *options.basis), source("--nodes", *options.nodes),
+                            weights);
 }
 
 void set_parameters(Method& method, const std::vector<std::string>& assignments) {

@@ -5,13 +5,13 @@
 // place. It only refuses a last option without its value.
 #include "generator/cli/options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <charconv>
 #include <sstream>
 #include <string_view>
 #include <utility>
+
+#include <CLI/CLI.hpp>
 
 #include "generator/read/nearest.hpp"
 #include "generator/support/version.hpp"
@@ -48,7 +48,9 @@ Place value_place(const std::string& option, const std::string& value) {
 void add_value(CLI::App& command, const std::string& names, const std::string& type,
                const std::string& help) {
     // NOTE: exactly one value for each occurrence, so that no word behind it is swallowed.
-    command.add_option(names, [](const CLI::results_t&) { return true; }, help)
+    command
+        .add_option(
+            names, [](const CLI::results_t&) { return true; }, help)
         ->expected(1)
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -104,15 +106,27 @@ class Words {
 public:
     Words(const CLI::App& command, const CommandLine& line) : command_(command), line_(line) {}
 
-    /// CLI11 takes the next word for a value, whatever it is: an option forgotten its own value.
+    /// CLI11 takes the next word for a value, even when it is another option.
     void check_values() const {
         for (const CLI::Option* option : command_.get_options()) {
             const auto& values = option->results();
             for (std::size_t i = 0; i < values.size(); ++i) {
-                if (command_.get_option_no_throw(values[i].substr(0, values[i].find('='))))
-                    throw InputError(option->get_name() + " needs a value", line_.place(option->get_name(), i));
+                const std::string word = values[i].substr(0, values[i].find('='));
+                if (word.starts_with("-") && command_.get_option_no_throw(word))
+                    throw InputError(option->get_name() + " needs a value",
+                                     place(option->get_name(), i));
             }
         }
+    }
+
+    /// The place of the n-th occurrence of an option, by whichever of its names.
+    [[nodiscard]] Place place(const std::string& option, std::size_t n = 0) const {
+        std::vector<std::string> names;
+        for (const std::string& name : command_.get_option(option)->get_snames())
+            names.push_back("-" + name);
+        for (const std::string& name : command_.get_option(option)->get_lnames())
+            names.push_back("--" + name);
+        return line_.place(names, n);
     }
 
     /// The values of an option, one for each occurrence.
@@ -124,13 +138,13 @@ public:
     [[nodiscard]] std::optional<std::string> value(const std::string& option) const {
         const auto& given = values(option);
         if (given.empty()) return {};
-        if (given.size() > 1) throw InputError(option + " is given twice", line_.place(option, 1));
+        if (given.size() > 1) throw InputError(option + " is given twice", place(option, 1));
         return given.front();
     }
 
     [[nodiscard]] bool flag(const std::string& option) const {
         for (const std::string& value : command_.get_option(option)->results())
-            if (value != "true") throw InputError(option + " takes no value", line_.place(option));
+            if (value != "true") throw InputError(option + " takes no value", place(option));
         return command_.count(option) > 0;
     }
 
@@ -142,7 +156,7 @@ public:
             for (const std::string& option : group)
                 if (!here && !values(option).empty()) here = &option;
             if (first && here)
-                throw InputError(*first + " and " + *here + " each give a method", line_.place(*here),
+                throw InputError(*first + " and " + *here + " each give a method", place(*here),
                                  "leave one of them out");
             if (here) first = here;
         }
@@ -152,11 +166,12 @@ public:
         const auto given = value(option);
         if (!given) return {};
         int number = 0;
-        const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), number);
+        const auto [end, error] =
+            std::from_chars(given->data(), given->data() + given->size(), number);
         const bool whole = error == std::errc{} && end == given->data() + given->size();
         if (!whole || number < least || number > most)
-            throw InputError(option + " takes a whole number from " + std::to_string(least) + " to " +
-                                 std::to_string(most),
+            throw InputError(option + " takes a whole number from " + std::to_string(least) +
+                                 " to " + std::to_string(most),
                              value_place(option, *given));
         return number;
     }
@@ -170,9 +185,11 @@ public:
             if (choices[i] == *given) return i;
         }
         std::string all;
-        for (const std::string_view each : choices) all.append(all.empty() ? "" : ", ").append(each);
+        for (const std::string_view each : choices)
+            all.append(all.empty() ? "" : ", ").append(each);
         throw InputError("no such value of " + option + ": `" + *given + "`",
-                         value_place(option, *given), did_you_mean(*given, choices, "one of " + all));
+                         value_place(option, *given),
+                         did_you_mean(*given, choices, "one of " + all));
     }
 
 private:
@@ -193,17 +210,18 @@ MethodOptions method_options(const Words& words, const CommandLine& line) {
     if (!method.name && !method.basis && !method.nodes && !method.weights && !method.file)
         throw InputError("no method is given", line.end(), "for example --method gauss:2");
     if (method.weights && !method.basis)
-        throw InputError("--weights needs --basis and --nodes", line.place("--weights"));
+        throw InputError("--weights needs --basis and --nodes", words.place("--weights"));
     if (method.nodes && !method.basis)
-        throw InputError("--nodes needs --basis", line.place("--nodes"));
+        throw InputError("--nodes needs --basis", words.place("--nodes"));
     if (method.basis && !method.nodes)
-        throw InputError("--basis needs --nodes", line.place("--basis"));
+        throw InputError("--basis needs --nodes", words.place("--basis"));
     return method;
 }
 
-std::optional<std::filesystem::path> output_option(const Words& words, const CommandLine& line) {
+std::optional<std::filesystem::path> output_option(const Words& words) {
     const auto output = words.value("--output");
-    if (output && output->empty()) throw InputError("-o needs the name of a file", line.end());
+    if (output && output->empty())
+        throw InputError("--output needs the name of a file", words.place("--output"));
     return output;
 }
 
@@ -213,21 +231,22 @@ TableauOptions tableau_options(const Words& words, const CommandLine& line) {
     options.format = static_cast<TableauOptions::Format>(
         words.choice("--format", {"text", "json", "latex", "markdown", "csv"}));
     options.digits = words.number("--digits", 1, 10000).value_or(options.digits);
-    options.output = output_option(words, line);
+    options.output = output_option(words);
     return options;
 }
 
 StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     for (const char* option : announced_options)
-        if (words.value(option)) to_come(option, line.place(option));
-    if (const auto scene = words.value("SCENE")) to_come("a stepper for a scene", line.place(*scene));
+        if (!words.values(option).empty()) to_come(option, words.place(option));
+    if (const auto scene = words.value("SCENE"))
+        to_come("a stepper for a scene", line.place({*scene}));
 
     StepperOptions options;
     options.method = method_options(words, line);
     options.separable = words.flag("--separable");
     options.name = words.value("--name");
     options.explain = words.flag("--explain");
-    options.output = output_option(words, line);
+    options.output = output_option(words);
     return options;
 }
 
@@ -236,16 +255,18 @@ ListOptions list_options(const Words& words) {
 }
 
 /// A word that CLI11 could give to nothing.
-[[noreturn]] void refuse(const std::string& word, const CLI::App& command, const CommandLine& line) {
+[[noreturn]] void refuse(const std::string& word, const CLI::App& command,
+                         const CommandLine& line) {
     if (word.starts_with("-")) {
         std::vector<std::string> names;
         for (const CLI::Option* option : command.get_options())
             if (!option->get_positional()) names.push_back(option->get_name());
-        throw InputError("unknown option `" + word + "`", line.place(word),
-                         did_you_mean(word, {names.begin(), names.end()},
-                                      "`hvi-gen " + command.get_name() + " --help` lists the options"));
+        throw InputError(
+            "unknown option `" + word + "`", line.place({word}),
+            did_you_mean(word, {names.begin(), names.end()},
+                         "`hvi-gen " + command.get_name() + " --help` lists the options"));
     }
-    throw InputError("unexpected word `" + word + "`", line.place(word),
+    throw InputError("unexpected word `" + word + "`", line.place({word}),
                      "a method is given by --method, as in --method gauss:2");
 }
 
@@ -257,11 +278,13 @@ const CLI::App& command_of(const CLI::App& app, const CommandLine& line) {
     if (rest.empty())
         throw InputError("no command is given", line.end(), "`hvi-gen --help` lists the commands");
     if (rest.front().starts_with("-"))
-        throw InputError("unknown option `" + rest.front() + "`", line.place(rest.front()),
-                         "options of a command stand behind it, as in hvi-gen tableau --method gauss:2");
+        throw InputError(
+            "unknown option `" + rest.front() + "`", line.place({rest.front()}),
+            "options of a command stand behind it, as in hvi-gen tableau --method gauss:2");
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
-    throw InputError("unknown command `" + rest.front() + "`", line.place(rest.front()),
+    for (const CLI::App* command : app.get_subcommands(nullptr))
+        names.push_back(command->get_name());
+    throw InputError("unknown command `" + rest.front() + "`", line.place({rest.front()}),
                      did_you_mean(rest.front(), {names.begin(), names.end()},
                                   "`hvi-gen --help` lists the commands"));
 }
@@ -269,7 +292,7 @@ const CLI::App& command_of(const CLI::App& app, const CommandLine& line) {
 Request request(const CLI::App& command, const CommandLine& line) {
     const std::string& name = command.get_name();
     for (const auto& [announced, help] : announced_commands)
-        if (name == announced) to_come("the command `" + name + "`", line.place(name));
+        if (name == announced) to_come("the command `" + name + "`", line.place({name}));
     const Words words(command, line);
     words.check_values();
     if (const auto rest = command.remaining(); !rest.empty()) refuse(rest.front(), command, line);

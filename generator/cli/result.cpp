@@ -6,8 +6,10 @@
 namespace hvi::gen {
 
 void write_result(const std::optional<std::filesystem::path>& file, std::string_view text) {
-    if (file) write_file(*file, text);
-    else write_standard_output(text);
+    if (file)
+        write_file(*file, text);
+    else
+        write_standard_output(text);
 }
 
 void run(const Information& information) { write_standard_output(information.text); }

@@ -14,7 +14,8 @@ namespace hvi::gen {
 namespace {
 
 void check_name(const std::string& name) {
-    check_class_name(name, Place{std::make_shared<const Source>(Source{"--name", name}), {0, name.size()}});
+    check_class_name(
+        name, Place{std::make_shared<const Source>(Source{"--name", name}), {0, name.size()}});
 }
 
 /// The command that writes the same header again, wherever to.

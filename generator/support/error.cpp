@@ -23,9 +23,10 @@ std::size_t character_length(std::string_view text) {
     if (lead < 0xc2 || lead > 0xf4) return 0;
     const std::size_t length = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
     const std::string_view tail = text.substr(1, length - 1);
-    const bool whole = tail.size() == length - 1 && std::all_of(tail.begin(), tail.end(), [](char byte) {
-        return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
-    });
+    const bool whole =
+        tail.size() == length - 1 && std::all_of(tail.begin(), tail.end(), [](char byte) {
+            return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
+        });
     return whole ? length : 0;
 }
 
@@ -37,8 +38,7 @@ std::string_view glyph(std::string_view character) {
     if (character == "\t" || character == "\n" || character == "\r") return " ";
     if (character.size() == 1) return lead >= 0x20 && lead < 0x7f ? character : "?";
     if (character.size() > 2) return "?";
-    const unsigned code =
-        (lead & 0x1fU) << 6U | (static_cast<unsigned char>(character[1]) & 0x3fU);
+    const unsigned code = (lead & 0x1fU) << 6U | (static_cast<unsigned char>(character[1]) & 0x3fU);
     const bool letter =
         (code >= 0xa1 && code < 0x300 && code != 0xad) || (code >= 0x370 && code < 0x483);
     return letter ? character : "?";
@@ -61,7 +61,8 @@ public:
 
     /// The column of a byte of the text; size() for its end.
     [[nodiscard]] std::size_t of_byte(std::size_t byte) const {
-        const auto after = std::upper_bound(begins_.begin(), begins_.end(), std::min(byte, begins_.back()));
+        const auto after =
+            std::upper_bound(begins_.begin(), begins_.end(), std::min(byte, begins_.back()));
         return static_cast<std::size_t>(after - begins_.begin()) - 1;
     }
 

@@ -20,8 +20,8 @@ constexpr auto interval = 5s;
 
 std::atomic<const char*> current_stage = "working";
 
-/// A thread without signals, which are for the main thread: that one holds them back while it writes
-/// a file. Where no thread is to be had, there is no word on progress, and all else goes on.
+/// A thread without signals, which are for the main thread: that one holds them back while it
+/// writes a file. Where no thread is to be had, there is no word on progress, and all else goes on.
 template <class Run>
 std::thread start_watcher(Run run) {
     sigset_t all;
@@ -31,8 +31,7 @@ std::thread start_watcher(Run run) {
     std::thread thread;
     try {
         thread = std::thread(run);
-    } catch (const std::system_error&) {
-    }
+    } catch (const std::system_error&) {}
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     return thread;
 }
@@ -58,7 +57,8 @@ void Progress::watch() {
     auto next = start_ + silence;
     for (std::unique_lock lock(mutex_); !ended_.wait_until(lock, next, [this] { return end_; });
          next += interval) {
-        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(next - start_).count();
+        const auto seconds =
+            std::chrono::duration_cast<std::chrono::seconds>(next - start_).count();
         const std::string line = "hvi-gen: " + std::string(current_stage.load()) + " (" +
                                  std::to_string(seconds) + " s)\n";
         // One write, so that the line is not mixed with others; if nobody can read it, so be it.

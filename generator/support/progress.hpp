@@ -18,8 +18,8 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// What is being done in this scope: `const Progress::Stage stage("inverting M");`. Stages nest.
-    /// Announcing one costs an exchange of a pointer, and needs no Progress to be there.
+    /// What is being done in this scope: `const Progress::Stage stage("inverting M");`. Stages
+    /// nest. Announcing one costs an exchange of a pointer, and needs no Progress to be there.
     class Stage {
     public:
         /// `text` is a literal: it must outlive the program's last line.

@@ -30,7 +30,9 @@ public:
     Directory& operator=(const Directory&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
+        return path_ / name;
+    }
     [[nodiscard]] std::vector<std::string> names() const;  ///< of what is in it, sorted
 
 private:

@@ -1,9 +1,9 @@
 // What goes where when all is well, and what is left when the outside fails.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <catch2/catch.hpp>
 
 #include "tests/cli/program.hpp"
 
@@ -15,7 +15,8 @@ namespace {
 
 const std::vector<std::string> tableau = {"tableau", "--method", "gauss:2"};
 
-std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+std::vector<std::string> with(std::vector<std::string> words,
+                              const std::vector<std::string>& more) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
 }
@@ -35,8 +36,12 @@ std::string same_every_time(const std::vector<std::string>& words) {
 
 TEST_CASE("help and version go to standard output") {
     for (const std::vector<std::string>& words :
-         std::vector<std::vector<std::string>>{{"--help"}, {"-h"}, {"tableau", "--help"}, {"stepper", "--help"},
-                                               {"list", "--help"}, {"--version"}}) {
+         std::vector<std::vector<std::string>>{{"--help"},
+                                               {"-h"},
+                                               {"tableau", "--help"},
+                                               {"stepper", "--help"},
+                                               {"list", "--help"},
+                                               {"--version"}}) {
         const Outcome outcome = hvi_gen(words);
         CHECK(outcome.status == 0);
         CHECK(!outcome.out.empty());
@@ -63,17 +68,18 @@ TEST_CASE("all of list is its parts") {
     for (const std::string topic : {"bases", "nodes", "methods", "scenes"})
         CHECK(all.find(same_every_time({"list", topic})) != std::string::npos);
     for (const std::string name :
-         {"monomials:S", "trig:S", "bspline(k,i)", "gauss:S", "lobatto:S", "radau-left:S", "radau-right:S",
-          "newton-cotes:S", "newton-cotes-open:S", "chebyshev:S", "clenshaw-curtis:S", "fejer:S",
-          "roots(P(tau))", "symplectic-euler", "midpoint", "adjoint-symplectic-euler", "stormer-verlet",
-          "trig3"})
+         {"monomials:S", "trig:S", "bspline(k,i)", "gauss:S", "lobatto:S", "radau-left:S",
+          "radau-right:S", "newton-cotes:S", "newton-cotes-open:S", "chebyshev:S",
+          "clenshaw-curtis:S", "fejer:S", "roots(P(tau))", "symplectic-euler", "midpoint",
+          "adjoint-symplectic-euler", "stormer-verlet", "trig3"})
         CHECK(all.find("  " + name) != std::string::npos);
 }
 
 TEST_CASE("every form of METHOD is read") {
     const Directory directory;
-    write(directory / "method.toml", "name = \"mine\"\nbasis = [\"1\", \"cos(w*tau)\"]\nnodes = \"0, 1\"\n"
-                                     "[parameters]\nw = \"1/2\"\n");
+    write(directory / "method.toml",
+          "name = \"mine\"\nbasis = [\"1\", \"cos(w*tau)\"]\nnodes = \"0, 1\"\n"
+          "[parameters]\nw = \"1/2\"\n");
     const std::vector<std::vector<std::string>> methods = {
         {"--method", "stormer-verlet"},
         {"--method=stormer-verlet"},
@@ -97,8 +103,8 @@ TEST_CASE("every form of METHOD is read") {
 }
 
 TEST_CASE("--param leaves the word behind it alone") {
-    const Outcome outcome = hvi_gen({"stepper", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1",
-                                     "scene.toml"});
+    const Outcome outcome = hvi_gen(
+        {"stepper", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1", "scene.toml"});
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("a stepper for a scene") != std::string::npos);
 }
@@ -135,16 +141,17 @@ TEST_CASE("a file keeps its permissions, and a new one gets the usual ones") {
     const Directory directory;
     write(directory / "old", "");
     ::chmod((directory / "old").c_str(), 0640);
-    const Outcome outcome =
-        shell("umask 027; hvi-gen tableau --method midpoint -o new; "
-              "hvi-gen tableau --method midpoint -o old; stat -c %a new old", directory.path());
+    const Outcome outcome = shell("umask 027; hvi-gen tableau --method midpoint -o new; "
+                                  "hvi-gen tableau --method midpoint -o old; stat -c %a new old",
+                                  directory.path());
     CHECK(outcome.out == "640\n640\n");
 }
 
 TEST_CASE("what cannot be written: status 3") {
     const Directory directory;
     const std::string line = "hvi-gen tableau --method midpoint ";
-    for (const std::string where : {"-o .", "-o missing/file", "-o /dev/full", "> /dev/full", ">&-", "-o /proc/file"}) {
+    for (const std::string where :
+         {"-o .", "-o missing/file", "-o /dev/full", "> /dev/full", ">&-", "-o /proc/file"}) {
         const Outcome outcome = shell(line + where, directory.path());
         INFO(where << "\n" << outcome.err);
         CHECK(outcome.status == 3);
@@ -154,14 +161,16 @@ TEST_CASE("what cannot be written: status 3") {
     }
     CHECK(shell("hvi-gen --help > /dev/full").status == 3);
     CHECK(shell("hvi-gen list > /dev/full").status == 3);
-    CHECK(shell("set -o pipefail; { hvi-gen list; echo $? >&2; } | true").err.find("141") == std::string::npos);
+    CHECK(shell("set -o pipefail; { hvi-gen list; echo $? >&2; } | true").err.find("141") ==
+          std::string::npos);
 }
 
 TEST_CASE("a full disk leaves the old file") {
     const Directory directory;
     write(directory / "old", "old");
     // The shell counts in blocks of 1024 bytes; the signal of the limit is ignored, writing fails.
-    const Outcome outcome = shell("trap '' XFSZ; ulimit -f 1; hvi-gen stepper --method gauss:4 -o old", directory.path());
+    const Outcome outcome = shell(
+        "trap '' XFSZ; ulimit -f 1; hvi-gen stepper --method gauss:4 -o old", directory.path());
     INFO(outcome.err);
     CHECK(outcome.status == 3);
     CHECK((contents(directory / "old") == "old"));
@@ -177,10 +186,10 @@ TEST_CASE("an interruption ends with status 130, and leaves nothing") {
     const Directory directory;
     for (const std::string signal : {"INT", "TERM"}) {
         // The program waits for its input: a pipe that nobody writes to.
-        const Outcome outcome =
-            shell("mkfifo pipe; \"$hvi_gen\" tableau --method-file pipe -o new & sleep 0.3; kill -" + signal +
-                      " $!; wait $!; status=$?; rm pipe; exit $status",
-                  directory.path());
+        const Outcome outcome = shell(
+            "mkfifo pipe; \"$hvi_gen\" tableau --method-file pipe -o new & sleep 0.3; kill -" +
+                signal + " $!; wait $!; status=$?; rm pipe; exit $status",
+            directory.path());
         INFO(outcome.err);
         CHECK(outcome.status == 130);
         CHECK(directory.names().empty());

@@ -1,8 +1,8 @@
 // Every refusal of CONTRACT.md: its status, its message, and that nothing else is written.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <sstream>
+
+#include <catch2/catch.hpp>
 
 #include "tests/cli/program.hpp"
 
@@ -142,7 +142,9 @@ TEST_CASE("a method that cannot be read: status 2") {
         {2, "", {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w"}},
         {2, "", {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1/0"}},
         {2, "", {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "pi=3"}},
-        {2, "", {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1", "--param", "w=2"}},
+        {2,
+         "",
+         {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1", "--param", "w=2"}},
         {2, "", {"--basis", "1, cos(h*tau)", "--nodes", "0, 1"}},
         // missing files
         {2, "", {"--method-file", "missing.toml"}},
@@ -172,7 +174,8 @@ TEST_CASE("a method file that cannot be read: status 2") {
     const Directory directory;
     for (const std::string& file : files) {
         write(directory / "method.toml", file);
-        const Outcome outcome = hvi_gen({"tableau", "--method-file", "method.toml", "-o", "new"}, directory.path());
+        const Outcome outcome =
+            hvi_gen({"tableau", "--method-file", "method.toml", "-o", "new"}, directory.path());
         INFO(file << "\n" << outcome.err);
         CHECK(outcome.status == 2);
         CHECK(outcome.out.empty());
@@ -199,7 +202,9 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "--basis", {"tableau", "--method", "gauss:2", "--basis", "1"}},
         {2, "--nodes", {"tableau", "--method", "gauss:2", "--nodes", "1"}},
         {2, "--method-file", {"tableau", "--method", "gauss:2", "--method-file", "a.toml"}},
-        {2, "--method-file", {"tableau", "--basis", "1", "--nodes", "1", "--method-file", "a.toml"}},
+        {2,
+         "--method-file",
+         {"tableau", "--basis", "1", "--nodes", "1", "--method-file", "a.toml"}},
         {2, "--basis", {"tableau", "--basis", "1"}},
         {2, "--nodes", {"tableau", "--nodes", "1"}},
         {2, "--weights", {"tableau", "--weights", "1"}},
@@ -207,7 +212,9 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "--method", {"tableau", "--method"}},
         {2, "--method", {"tableau", "--method", "--digits", "5"}},
         {2, "-o", {"tableau", "--method", "gauss:2", "-o"}},
-        {2, "", {"tableau", "--method", "gauss:2", "-o", ""}},
+        {2, "-o", {"tableau", "--method", "gauss:2", "-o", "--digits", "5"}},
+        {2, "--output", {"tableau", "--method", "gauss:2", "-o", "a", "--output", "b"}},
+        {2, "-o", {"tableau", "--method", "gauss:2", "-o", ""}},
         {2, "yaml", {"tableau", "--method", "gauss:2", "--format", "yaml"}},
         {2, "0", {"tableau", "--method", "gauss:2", "--digits", "0"}},
         {2, "-3", {"tableau", "--method", "gauss:2", "--digits", "-3"}},

@@ -32,37 +32,44 @@ TEST_CASE("carets at the ends of a text") {
 }
 
 TEST_CASE("letters of other alphabets take one column, all else that is not ASCII becomes one ?") {
-    CHECK(shown("\u03c0*tau", {3, 6}) == "error: what\n  --basis: \u03c0*tau\n             ^~~\nhelp: help\n");
-    CHECK(shown("\u221a2+x", {5, 6}) == "error: what\n  --basis: ?2+x\n              ^\nhelp: help\n");
-    CHECK(shown("\U0001f600+x", {5, 6}) == "error: what\n  --basis: ?+x\n             ^\nhelp: help\n");
+    CHECK(shown("\u03c0*tau", {3, 6}) ==
+          "error: what\n  --basis: \u03c0*tau\n             ^~~\nhelp: help\n");
+    CHECK(shown("\u221a2+x", {5, 6}) ==
+          "error: what\n  --basis: ?2+x\n              ^\nhelp: help\n");
+    CHECK(shown("\U0001f600+x", {5, 6}) ==
+          "error: what\n  --basis: ?+x\n             ^\nhelp: help\n");
     CHECK(shown("\u0301+x", {3, 4}) == "error: what\n  --basis: ?+x\n             ^\nhelp: help\n");
 }
 
 TEST_CASE("nothing reaches the terminal that it would act on") {
-    const std::string hostile = "\x1b[2J\x07\x08\x7f\xc2\x9b" "31m\xe2\x80\xae\xff\xc3\t\r\nx";
+    const std::string hostile = "\x1b[2J\x07\x08\x7f\xc2\x9b"
+                                "31m\xe2\x80\xae\xff\xc3\t\r\nx";
     const std::string text = shown(hostile, {hostile.size() - 1, hostile.size()});
     CHECK(text.find("  --basis: ?[2J????31m???   x\n") != std::string::npos);
-    CHECK(message(InputError(hostile, {}, hostile)) == "error: ?[2J????31m???   x\nhelp: ?[2J????31m???   x\n");
+    CHECK(message(InputError(hostile, {}, hostile)) ==
+          "error: ?[2J????31m???   x\nhelp: ?[2J????31m???   x\n");
 }
 
 TEST_CASE("of a long text a window around the caret is shown") {
     const std::string text = std::string(1000, 'a') + "#" + std::string(1000, 'b');
-    CHECK(shown(text, {1000, 1001}) ==
-          "error: what\n"
-          "  --basis: ..." + std::string(32, 'a') + "#" + std::string(31, 'b') + "...\n" +
-          std::string(11 + 3 + 32, ' ') + "^\nhelp: help\n");
-    CHECK(shown(text, {0, 2001}) ==
-          "error: what\n"
-          "  --basis: " + std::string(64, 'a') + "...\n" +
-          std::string(11, ' ') + "^" + std::string(63, '~') + "\nhelp: help\n");
-    CHECK(shown(text, {2001, 2001}) ==
-          "error: what\n"
-          "  --basis: ..." + std::string(64, 'b') + "\n" +
-          std::string(11 + 3 + 64, ' ') + "^\nhelp: help\n");
+    CHECK(shown(text, {1000, 1001}) == "error: what\n"
+                                       "  --basis: ..." +
+                                           std::string(32, 'a') + "#" + std::string(31, 'b') +
+                                           "...\n" + std::string(11 + 3 + 32, ' ') +
+                                           "^\nhelp: help\n");
+    CHECK(shown(text, {0, 2001}) == "error: what\n"
+                                    "  --basis: " +
+                                        std::string(64, 'a') + "...\n" + std::string(11, ' ') +
+                                        "^" + std::string(63, '~') + "\nhelp: help\n");
+    CHECK(shown(text, {2001, 2001}) == "error: what\n"
+                                       "  --basis: ..." +
+                                           std::string(64, 'b') + "\n" +
+                                           std::string(11 + 3 + 64, ' ') + "^\nhelp: help\n");
 }
 
 TEST_CASE("long names and long words are cut") {
-    const auto source = std::make_shared<const Source>(Source{std::string(500, 'd') + "/file.toml", "x"});
+    const auto source =
+        std::make_shared<const Source>(Source{std::string(500, 'd') + "/file.toml", "x"});
     const std::string text = message(InputError(std::string(5000, 'w'), Place{source, {0, 1}}));
     CHECK(text.size() < 800);
     CHECK(text.find("/file.toml: x\n") != std::string::npos);

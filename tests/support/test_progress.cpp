@@ -1,13 +1,13 @@
 // Words about work that takes long.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 #include <string>
 #include <thread>
+
+#include <catch2/catch.hpp>
 
 #include "generator/support/progress.hpp"
 
