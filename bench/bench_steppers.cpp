@@ -4,13 +4,13 @@
 // The program times everything in one run, takes the medians of several repetitions in random
 // order, and prints their ratios last, so that a slow or busy machine matters little.
 
+#include <benchmark/benchmark.h>
+
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
-
-#include <benchmark/benchmark.h>
 
 #include <hvi/generated/gauss_2.hpp>
 #include <hvi/generated/gauss_2_separable.hpp>
@@ -53,8 +53,8 @@ void gauss_by_hand(benchmark::State& state) {
 }
 BENCHMARK(gauss_by_hand);
 
-/// So many steps in a loop like a user's, which leaves at the first that fails. NOTE: apart from the
-/// benchmark's own calls, which would keep g++ from holding the state in registers.
+/// So many steps in a loop like a user's, which leaves at the first that fails. NOTE: apart from
+/// the benchmark's own calls, which would keep g++ from holding the state in registers.
 template <class Stepper, class State>
 hvi::Status advance(Stepper& given, State& start, double h, long& iterations) {
     Stepper stepper = given;
@@ -145,10 +145,9 @@ private:
 
 int main(int argc, char** argv) {
     std::vector<std::string> words(argv, argv + argc);
-    words.insert(words.begin() + 1, {"--benchmark_repetitions=9",
-                                     "--benchmark_enable_random_interleaving=true",
-                                     "--benchmark_min_time=0.1",
-                                     "--benchmark_report_aggregates_only=true"});
+    words.insert(words.begin() + 1,
+                 {"--benchmark_repetitions=9", "--benchmark_enable_random_interleaving=true",
+                  "--benchmark_min_time=0.1", "--benchmark_report_aggregates_only=true"});
     std::vector<char*> arguments;
     for (std::string& word : words) { arguments.push_back(word.data()); }
     int count = static_cast<int>(arguments.size());

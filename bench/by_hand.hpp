@@ -120,19 +120,21 @@ private:
     }
     [[nodiscard]] static Stage difference(const Stage& a, const Stage& b, const Stage& c,
                                           const Stage& d) {
-        return {std::abs(a.x - b.x) + std::abs(c.x - d.x), std::abs(a.y - b.y) + std::abs(c.y - d.y)};
+        return {std::abs(a.x - b.x) + std::abs(c.x - d.x),
+                std::abs(a.y - b.y) + std::abs(c.y - d.y)};
     }
     static int less(double change, double& smallest) {
-        const int falls =
-            static_cast<int>(change > 0.0) & static_cast<int>(change < smallest);
+        const int falls = static_cast<int>(change > 0.0) & static_cast<int>(change < smallest);
         smallest = change < smallest ? change : smallest;
         return falls;
     }
     static bool small(const Stage& change, const Stage& a, const Stage& b, const Stage& c,
                       const Stage& d) {
         constexpr double rounding = 8 * DBL_EPSILON;
-        return change.x <= rounding * (std::abs(a.x) + std::abs(b.x) + std::abs(c.x) + std::abs(d.x)) &&
-               change.y <= rounding * (std::abs(a.y) + std::abs(b.y) + std::abs(c.y) + std::abs(d.y));
+        return change.x <=
+                   rounding * (std::abs(a.x) + std::abs(b.x) + std::abs(c.x) + std::abs(d.x)) &&
+               change.y <=
+                   rounding * (std::abs(a.y) + std::abs(b.y) + std::abs(c.y) + std::abs(d.y));
     }
     static void add(double& value, double& cut_off, double increment) {
         const hvi::Sum sum = hvi::two_sum(value, cut_off + increment);

@@ -13,8 +13,8 @@ std::string method_title(const Tableau& tableau) {
 
 void list(Writer& writer, std::string_view letter, const NumberVector& values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-        writer.comment(fmt::format("{}_{} = {}", letter, i + 1, exact_text(values[i])),
-                       "//     ", 4);
+        writer.comment(fmt::format("{}_{} = {}", letter, i + 1, exact_text(values[i])), "//     ",
+                       4);
     }
 }
 
@@ -57,9 +57,9 @@ std::string method_text(const Tableau& tableau, const Scheme& scheme) {
     for (const Expression& psi : tableau.basis) {
         basis += (basis.empty() ? "" : ", ") + to_text(psi);
     }
-    writer.comment(fmt::format("{}: symplectic, {} stage{}, for {} Hamiltonians.", method_title(tableau),
-                               tableau.stages(), tableau.stages() == 1 ? "" : "s",
-                               scheme.separable ? "separable" : "general"));
+    writer.comment(fmt::format(
+        "{}: symplectic, {} stage{}, for {} Hamiltonians.", method_title(tableau), tableau.stages(),
+        tableau.stages() == 1 ? "" : "s", scheme.separable ? "separable" : "general"));
     if (!basis.empty()) { writer.comment(fmt::format("Basis functions of tau: {}.", basis)); }
     if (scheme.one_tableau) {
         writer.comment("A == A~: a Runge-Kutta method, which conserves all quadratic invariants.");

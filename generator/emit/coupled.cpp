@@ -23,7 +23,9 @@ std::string unknowns(const Block& block) {
 
 std::string index_list(std::string_view name, const std::vector<std::size_t>& indices) {
     std::string list;
-    for (const std::size_t i : indices) { list += fmt::format("{}{}", list.empty() ? "" : ", ", i); }
+    for (const std::size_t i : indices) {
+        list += fmt::format("{}{}", list.empty() ? "" : ", ", i);
+    }
     Writer writer(2);
     writer.line("static constexpr std::array<std::size_t, {}> {}{{{}}};", indices.size(), name,
                 list);
@@ -67,7 +69,8 @@ std::string size(const std::vector<std::size_t>& values, std::string_view letter
                  const std::vector<std::size_t>& slopes, std::string_view slope_letter) {
     if (values.empty()) { return "return 0.0;"; }
     std::string sum;
-    for (const auto& [indices, name] : {std::pair{values, letter}, std::pair{slopes, slope_letter}}) {
+    for (const auto& [indices, name] :
+         {std::pair{values, letter}, std::pair{slopes, slope_letter}}) {
         for (const std::size_t i : indices) {
             sum += fmt::format("{}std::abs(s.{}[{}][k])", sum.empty() ? "" : " + ", name, i);
         }
@@ -102,14 +105,14 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
          {"momenta", stage_values(P, "P", "p", measures_p,
                                   [&](std::size_t j) { return momentum_sum(scheme, j, "s"); })},
          {"velocities",
-          slopes(Lq, "Lq",
-                 [&](std::size_t j) { return evaluate_velocity(scheme, j, "s"); },
-                 [&](std::size_t j) { return velocity_factor(scheme, j, "s.h"); })},
+          slopes(
+              Lq, "Lq", [&](std::size_t j) { return evaluate_velocity(scheme, j, "s"); },
+              [&](std::size_t j) { return velocity_factor(scheme, j, "s.h"); })},
          {"positions", stage_values(Q, "Q", "q", true,
                                     [&](std::size_t i) { return position_sum(scheme, i, "s"); })},
-         {"forces", slopes(Lp, "Lp",
-                           [&](std::size_t i) { return evaluate_force(scheme, i, "s"); },
-                           [&](std::size_t i) { return force_factor(scheme, i, "s.h"); })},
+         {"forces", slopes(
+                        Lp, "Lp", [&](std::size_t i) { return evaluate_force(scheme, i, "s"); },
+                        [&](std::size_t i) { return force_factor(scheme, i, "s.h"); })},
          {"size_q", size(Q, "Q", Lq, "Lq")},
          {"size_p", size(P, "P", Lp, "Lp")}});
     struct_text.pop_back();

@@ -73,8 +73,8 @@ void write(Writer& writer, const Scheme& scheme, const Move& move, bool first_of
         return;
     }
     // NOTE: known_ is false while the step is under way, should the system throw. The sum comes
-    // before the test: after it, g++ keeps x in memory for the call of the system in the branch that
-    // is hardly ever taken, and a step waits for that memory.
+    // before the test: after it, g++ keeps x in memory for the call of the system in the branch
+    // that is hardly ever taken, and a step waits for that memory.
     HVI_CHECK(!in_place);
     writer.line("const bool kept = known_ && hvi::detail::same_bits({}, {});", names.other,
                 other_start);

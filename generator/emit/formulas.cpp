@@ -53,8 +53,8 @@ std::string weights_p(const Scheme& scheme) { return is_merged(scheme) ? "b_p" :
 std::string position_sum(const Scheme& scheme, std::size_t i, std::string_view s) {
     std::vector<Term> terms;
     for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-        terms.push_back({scheme.m[i][j], fmt::format("m[{}][{}]", i, j),
-                         fmt::format("{}.Lq[{}][k]", s, j)});
+        terms.push_back(
+            {scheme.m[i][j], fmt::format("m[{}][{}]", i, j), fmt::format("{}.Lq[{}][k]", s, j)});
     }
     return stage("q", sum(terms));
 }

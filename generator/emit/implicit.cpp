@@ -71,21 +71,25 @@ void evaluate_stage(Writer& writer, const Scheme& scheme, const StageNode& node,
     const std::string_view letter = is_q ? "Q" : "P";
     const std::string_view y = is_q ? "q" : "p";
     switch (value.place) {
-        case Place::start:
-            if (!scheme.separable) { writer.line("s_.{}[{}] = s_.at.{};", letter, node.index, y); }
-            return;
-        case Place::end:
-            if (is_q) { updates.q(); } else { updates.p(); }
-            return;
-        case Place::inner:
-            writer.open(loop);
-            writer.line("const double {0} = s_.at.{0}[k];", y);
-            writer.line("const double e_{0} = s_.remainder.{0}[k];", y);
-            writer.line("s_.{}[{}][k] = {};", letter, node.index,
-                        is_q ? position_sum(scheme, node.index, "s_")
-                             : momentum_sum(scheme, node.index, "s_"));
-            writer.close();
-            return;
+    case Place::start:
+        if (!scheme.separable) { writer.line("s_.{}[{}] = s_.at.{};", letter, node.index, y); }
+        return;
+    case Place::end:
+        if (is_q) {
+            updates.q();
+        } else {
+            updates.p();
+        }
+        return;
+    case Place::inner:
+        writer.open(loop);
+        writer.line("const double {0} = s_.at.{0}[k];", y);
+        writer.line("const double e_{0} = s_.remainder.{0}[k];", y);
+        writer.line("s_.{}[{}][k] = {};", letter, node.index,
+                    is_q ? position_sum(scheme, node.index, "s_")
+                         : momentum_sum(scheme, node.index, "s_"));
+        writer.close();
+        return;
     }
 }
 
@@ -104,9 +108,7 @@ void evaluate_slope(Writer& writer, const Scheme& scheme, const StageNode& node)
     if (!is_kept(scheme, node)) {
         writer.line("system_.{}", is_force ? evaluate_force(scheme, node.index, "s_")
                                            : evaluate_velocity(scheme, node.index, "s_"));
-        writer.open(loop)
-            .line("s_.{}[{}][k] = {} * slope[k];", letter, node.index, factor)
-            .close();
+        writer.open(loop).line("s_.{}[{}][k] = {} * slope[k];", letter, node.index, factor).close();
         return;
     }
     const std::string_view slope = is_force ? "force_" : "velocity_";
@@ -114,9 +116,7 @@ void evaluate_slope(Writer& writer, const Scheme& scheme, const StageNode& node)
         writer.line("system_.{}(s_.at.{}, {});", is_force ? "dHdq" : "dHdp", is_force ? "q" : "p",
                     slope);
     }
-    writer.open(loop)
-        .line("s_.{}[{}][k] = {} * {}[k];", letter, node.index, factor, slope)
-        .close();
+    writer.open(loop).line("s_.{}[{}][k] = {} * {}[k];", letter, node.index, factor, slope).close();
 }
 
 void begin_kept(Writer& writer, bool keeps, std::string_view gradient, std::string_view y,
@@ -144,9 +144,7 @@ std::string steps_text(const Scheme& scheme) {
     begin_kept(writer, scheme.keeps_force, "dHdq", "q", "force_");
     begin_kept(writer, scheme.keeps_velocity, "dHdp", "p", "velocity_");
     writer.line("if constexpr (Solver::takes_starting_values) {{ predict(); }}").blank();
-    if (evaluates_slopes(scheme)) {
-        writer.line("auto&& slope = hvi::detail::scratch(s_.slope);");
-    }
+    if (evaluates_slopes(scheme)) { writer.line("auto&& slope = hvi::detail::scratch(s_.slope);"); }
     const bool several = scheme.coupled_blocks() > 1;
     if (several) { writer.line("int iterations = 0;"); }
     std::size_t number = 0;
@@ -346,13 +344,17 @@ std::string purpose_text(const Scheme& scheme) {
     if (scheme.separable) {
         writer.comment("For H(q, p) = T(p) + U(q). `System` names its `Vector` (std::array<double, "
                        "n> or one of Eigen) and has const members dHdq(q, out) = grad U and "
-                       "dHdp(p, out) = grad T.", "/// ");
+                       "dHdp(p, out) = grad T.",
+                       "/// ");
     } else {
-        writer.comment("`System` names its `Vector` (std::array<double, n> or one of Eigen) and has "
-                       "const members dHdq(q, p, out) and dHdp(q, p, out).", "/// ");
+        writer.comment(
+            "`System` names its `Vector` (std::array<double, n> or one of Eigen) and has "
+            "const members dHdq(q, p, out) and dHdp(q, p, out).",
+            "/// ");
     }
     writer.comment("`Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that "
-                   "are not small against the fastest period.", "/// ");
+                   "are not small against the fastest period.",
+                   "/// ");
     return writer.str();
 }
 
@@ -360,17 +362,16 @@ std::string purpose_text(const Scheme& scheme) {
 
 std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
-    return fill("implicit.hpp.in",
-                {{"banner", banner(tableau, scheme, options)},
-                 {"format", std::to_string(format)},
-                 {"name", options.class_name},
-                 {"purpose", purpose_text(scheme)},
-                 {"separable", scheme.separable ? "true" : "false"},
-                 {"steps", steps_text(scheme)},
-                 {"constants", constants_text(scheme)},
-                 {"predict", predict_text(scheme)},
-                 {"coupled", coupled_text(scheme)},
-                 {"members", members_text(scheme)}});
+    return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
+                                    {"format", std::to_string(format)},
+                                    {"name", options.class_name},
+                                    {"purpose", purpose_text(scheme)},
+                                    {"separable", scheme.separable ? "true" : "false"},
+                                    {"steps", steps_text(scheme)},
+                                    {"constants", constants_text(scheme)},
+                                    {"predict", predict_text(scheme)},
+                                    {"coupled", coupled_text(scheme)},
+                                    {"members", members_text(scheme)}});
 }
 
 }  // namespace hvi::gen

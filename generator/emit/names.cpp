@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
 
 namespace hvi::gen {
 namespace {
@@ -18,33 +18,45 @@ char to_upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : 
 
 /// Sorted. Of C++17 and C++20.
 constexpr std::array<std::string_view, 92> keywords{
-    "alignas",      "alignof",     "and",           "and_eq",       "asm",
-    "auto",         "bitand",      "bitor",         "bool",         "break",
-    "case",         "catch",       "char",          "char16_t",     "char32_t",
-    "char8_t",      "class",       "co_await",      "co_return",    "co_yield",
-    "compl",        "concept",     "const",         "const_cast",   "consteval",
-    "constexpr",    "constinit",   "continue",      "decltype",     "default",
-    "delete",       "do",          "double",        "dynamic_cast", "else",
-    "enum",         "explicit",    "export",        "extern",       "false",
-    "float",        "for",         "friend",        "goto",         "if",
-    "inline",       "int",         "long",          "mutable",      "namespace",
-    "new",          "noexcept",    "not",           "not_eq",       "nullptr",
-    "operator",     "or",          "or_eq",         "private",      "protected",
-    "public",       "register",    "reinterpret_cast", "requires",  "return",
-    "short",        "signed",      "sizeof",        "static",       "static_assert",
-    "static_cast",  "struct",      "switch",        "template",     "this",
-    "thread_local", "throw",       "true",          "try",          "typedef",
-    "typeid",       "typename",    "union",         "unsigned",     "using",
-    "virtual",      "void",        "volatile",      "wchar_t",      "while",
-    "xor",          "xor_eq",
+    "alignas",       "alignof",     "and",
+    "and_eq",        "asm",         "auto",
+    "bitand",        "bitor",       "bool",
+    "break",         "case",        "catch",
+    "char",          "char16_t",    "char32_t",
+    "char8_t",       "class",       "co_await",
+    "co_return",     "co_yield",    "compl",
+    "concept",       "const",       "const_cast",
+    "consteval",     "constexpr",   "constinit",
+    "continue",      "decltype",    "default",
+    "delete",        "do",          "double",
+    "dynamic_cast",  "else",        "enum",
+    "explicit",      "export",      "extern",
+    "false",         "float",       "for",
+    "friend",        "goto",        "if",
+    "inline",        "int",         "long",
+    "mutable",       "namespace",   "new",
+    "noexcept",      "not",         "not_eq",
+    "nullptr",       "operator",    "or",
+    "or_eq",         "private",     "protected",
+    "public",        "register",    "reinterpret_cast",
+    "requires",      "return",      "short",
+    "signed",        "sizeof",      "static",
+    "static_assert", "static_cast", "struct",
+    "switch",        "template",    "this",
+    "thread_local",  "throw",       "true",
+    "try",           "typedef",     "typeid",
+    "typename",      "union",       "unsigned",
+    "using",         "virtual",     "void",
+    "volatile",      "wchar_t",     "while",
+    "xor",           "xor_eq",
 };
 
 /// What means something else where the class is declared: members, template parameters, and names
 /// of hvi and of macros that standard headers may define.
 constexpr std::array<std::string_view, 31> taken{
-    "System", "Solver", "Vector", "State",   "Status",    "Index",     "Coupled",  "Stages",
-    "Sum",    "step",   "reset",  "predict", "system_",   "s_",        "solver_",  "force_",
-    "p_",     "q_",     "slope_", "known_",  "velocity_", "m",         "mt",       "N",
+    "System", "Solver", "Vector", "State",   "Status",    "Index",      "Coupled", "Stages",
+    "Sum",    "step",   "reset",  "predict", "system_",   "s_",         "solver_", "force_",
+    "p_",     "q_",     "slope_", "known_",  "velocity_", "m",          "mt",      "N",
     "b",      "b_q",    "b_p",    "hvi",     "std",       "FixedPoint", "Newton",
 };
 

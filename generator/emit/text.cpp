@@ -14,8 +14,8 @@ namespace {
 /// position of the blank; npos when there is none.
 std::size_t break_at(std::string_view text, std::size_t room) {
     for (std::size_t i = std::min(room, text.size() - 1); i > 0; --i) {
-        const bool is_operator = i + 2 < text.size() && text[i + 2] == ' ' &&
-                                 (text[i + 1] == '+' || text[i + 1] == '-');
+        const bool is_operator =
+            i + 2 < text.size() && text[i + 2] == ' ' && (text[i + 1] == '+' || text[i + 1] == '-');
         if (text[i] == ' ' && is_operator) { return i; }
     }
     const std::size_t blank = text.rfind(' ', room);
@@ -78,8 +78,7 @@ std::string fill_line(std::string_view line, const Holes& holes, std::set<std::s
         const auto found = holes.find(line.substr(at + 1, end - at - 1));
         HVI_CHECK(found != holes.end());
         used.insert(found->first);
-        const bool alone =
-            line.find_first_not_of(' ') == at && line.find_last_not_of(' ') == end;
+        const bool alone = line.find_first_not_of(' ') == at && line.find_last_not_of(' ') == end;
         if (alone && found->second.empty()) { return {}; }
         result += line.substr(0, at);
         result += alone ? indented(found->second, at) : found->second;

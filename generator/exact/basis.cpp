@@ -20,7 +20,8 @@ Expression trigonometric(long index) {
     std::vector<Expression> angle{Expression::symbol("pi"), Expression::symbol("tau")};
     const long wave = (index + 1) / 2;
     if (wave > 1) angle.insert(angle.begin(), Expression::integer(wave));
-    return Expression::call(index % 2 == 1 ? "cos" : "sin", {Expression::product(std::move(angle))});
+    return Expression::call(index % 2 == 1 ? "cos" : "sin",
+                            {Expression::product(std::move(angle))});
 }
 
 }  // namespace

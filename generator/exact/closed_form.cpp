@@ -22,9 +22,9 @@ struct Term {
     Monomial monomial;
 };
 
-/// (sum of numerator)/(sum of denominator): integer coefficients without a common divisor, the first
-/// of the denominator positive, no algebraic generator in the denominator. GiNaC's order of terms,
-/// which changes from run to run, ends here: the terms are sorted by their exponents.
+/// (sum of numerator)/(sum of denominator): integer coefficients without a common divisor, the
+/// first of the denominator positive, no algebraic generator in the denominator. GiNaC's order of
+/// terms, which changes from run to run, ends here: the terms are sorted by their exponents.
 struct Fraction {
     std::vector<Term> numerator;
     std::vector<Term> denominator;
@@ -55,9 +55,8 @@ Term read_product(const ex& product, const Field* field) {
         const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
         const ex symbol = is_power ? factor.op(0) : factor;
         const auto& generators = field->transcendentals();
-        const auto found = std::find_if(generators.begin(), generators.end(), [&](const auto& g) {
-            return symbol.is_equal(g.symbol);
-        });
+        const auto found = std::find_if(generators.begin(), generators.end(),
+                                        [&](const auto& g) { return symbol.is_equal(g.symbol); });
         HVI_CHECK(found != generators.end());
         term.powers[static_cast<std::size_t>(found - generators.begin())] +=
             is_power ? GiNaC::ex_to<numeric>(factor.op(1)).to_int() : 1;
@@ -76,8 +75,8 @@ void append_polynomial(std::vector<Term>& terms, const ex& polynomial, const Mon
 }
 
 /// Powers of a cosine generator g = cos(pi/n) as cosines of multiple angles,
-/// g^k = 2^(1-k) (cos(k pi/n) + k cos((k-2) pi/n) + ...): from here on an exponent k of g stands for
-/// cos(k pi/n).
+/// g^k = 2^(1-k) (cos(k pi/n) + k cos((k-2) pi/n) + ...): from here on an exponent k of g stands
+/// for cos(k pi/n).
 std::vector<Term> with_multiple_angles(const std::vector<Term>& terms, std::size_t index) {
     std::map<std::pair<std::vector<int>, Monomial>, numeric> sums;
     for (const Term& term : terms) {
@@ -87,8 +86,8 @@ std::vector<Term> with_multiple_angles(const std::vector<Term>& terms, std::size
             if (k != 0) monomial[index] = k - 2 * j;
             while (!monomial.empty() && monomial.back() == 0) monomial.pop_back();
             const numeric both = 2 * j == k ? 1 : 2;
-            const numeric share = GiNaC::binomial(numeric(k), numeric(j)) * both /
-                                  GiNaC::pow(numeric(2), numeric(k));
+            const numeric share =
+                GiNaC::binomial(numeric(k), numeric(j)) * both / GiNaC::pow(numeric(2), numeric(k));
             sums[{term.powers, monomial}] += term.coefficient * share;
         }
     }
@@ -226,8 +225,8 @@ Expression cosine_form(const numeric& half_turns) {
 }
 
 /// One term with its sign; `divided_by` are powers of transcendental generators below the line.
-Expression term_form(const Term& term, const numeric& denominator, const std::vector<int>& divided_by,
-                     const Field* field) {
+Expression term_form(const Term& term, const numeric& denominator,
+                     const std::vector<int>& divided_by, const Field* field) {
     Radicals roots = radicals(term.monomial, field);
     const numeric coefficient = term.coefficient * roots.factor / denominator;
     std::vector<int> powers = term.powers;
@@ -321,9 +320,9 @@ Expression quotient_form(const Fraction& fraction, const Field* field) {
     };
     Fraction flipped = fraction;
     negate(flipped.numerator);
-    const bool negative = std::all_of(
-        fraction.numerator.begin(), fraction.numerator.end(),
-        [](const Term& term) { return term.coefficient.is_negative(); });
+    const bool negative =
+        std::all_of(fraction.numerator.begin(), fraction.numerator.end(),
+                    [](const Term& term) { return term.coefficient.is_negative(); });
     if (negative) return Expression::negation(quotient(flipped));
     if (fraction.denominator.size() < 2) return quotient(fraction);
     negate(flipped.denominator);

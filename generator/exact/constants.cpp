@@ -53,7 +53,8 @@ std::function<Ball(Precision)> remembered(std::function<Ball(Precision)> value) 
 }
 
 Field::CosSin product(const Field::CosSin& left, const Field::CosSin& right) {
-    return {left.cos * right.cos - left.sin * right.sin, left.sin * right.cos + left.cos * right.sin};
+    return {left.cos * right.cos - left.sin * right.sin,
+            left.sin * right.cos + left.cos * right.sin};
 }
 
 /// The even n for which cos(pi/n) reaches the cosine and sine of an angle, see Field::cyclotomic.
@@ -373,7 +374,8 @@ std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
         }
         return result;
     };
-    const numeric turn = GiNaC::mod(half_turns.numer(), 2 * half_turns.denom()) / half_turns.denom();
+    const numeric turn =
+        GiNaC::mod(half_turns.numer(), 2 * half_turns.denom()) / half_turns.denom();
     return CosSin{cosine_of(turn), cosine_of(numeric(1, 2) - turn)};
 }
 

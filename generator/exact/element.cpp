@@ -101,9 +101,9 @@ Element operator*(const Element& left, const Element& right) {
     result.field_ = common_field(left, right);
     for (const auto& [left_monomial, left_coefficient] : left.terms_) {
         for (const auto& [right_monomial, right_coefficient] : right.terms_) {
-            const Element part = Element::term(product(left_monomial, right_monomial),
-                                               lowest_terms(left_coefficient * right_coefficient),
-                                               result.field_);
+            const Element part =
+                Element::term(product(left_monomial, right_monomial),
+                              lowest_terms(left_coefficient * right_coefficient), result.field_);
             for (const auto& [monomial, coefficient] : part.terms_) {
                 result.add_term(monomial, coefficient);
             }
@@ -191,8 +191,8 @@ Element inverse(const Element& argument) {
         std::swap(remainder, next_remainder);
         std::swap(cofactor, next_cofactor);
         if (remainder.empty()) {
-            throw MathError("cannot decide whether a number is zero",
-                            {}, "it is a divisor of zero in the algebraic normal form");
+            throw MathError("cannot decide whether a number is zero", {},
+                            "it is a divisor of zero in the algebraic normal form");
         }
     }
     const Element scale = inverse(remainder.front());

@@ -88,16 +88,15 @@ private:
 
     ExactFunction value(const Expression& expression) const {
         switch (expression.kind) {
-            case Kind::number:
-                return ExactFunction(ground_.rational(expression.numerator, expression.denominator));
-            case Kind::symbol: return symbol(expression);
-            case Kind::sum: return sum(expression);
-            case Kind::product: return product(expression);
-            case Kind::negation:
-                return ExactFunction(Number(-1)) * evaluate(expression.arguments[0]);
-            case Kind::reciprocal: return reciprocal(expression.arguments[0]);
-            case Kind::power: return raised(expression);
-            case Kind::call: return call(expression);
+        case Kind::number:
+            return ExactFunction(ground_.rational(expression.numerator, expression.denominator));
+        case Kind::symbol: return symbol(expression);
+        case Kind::sum: return sum(expression);
+        case Kind::product: return product(expression);
+        case Kind::negation: return ExactFunction(Number(-1)) * evaluate(expression.arguments[0]);
+        case Kind::reciprocal: return reciprocal(expression.arguments[0]);
+        case Kind::power: return raised(expression);
+        case Kind::call: return call(expression);
         }
         HVI_CHECK(false && "every kind of expression has a value");
         return {};
@@ -176,7 +175,8 @@ private:
         return integer_power(base, rational.to_long(), expression);
     }
 
-    ExactFunction integer_power(const Expression& base, long exponent, const Expression& whole) const {
+    ExactFunction integer_power(const Expression& base, long exponent,
+                                const Expression& whole) const {
         const ExactFunction factor = exponent < 0 ? reciprocal(base) : evaluate(base);
         const auto count = static_cast<unsigned>(std::abs(exponent));
         // Binomial bound on the terms of the power of a sum.
@@ -212,8 +212,8 @@ private:
     Affine affine(const ExactFunction& function, const Expression& expression) const {
         Affine result;
         for (const ExactTerm& term : function.terms()) {
-            const bool fits = term.power <= 1 && term.rate.is_zero() &&
-                              term.wave == ExactTerm::Wave::none;
+            const bool fits =
+                term.power <= 1 && term.rate.is_zero() && term.wave == ExactTerm::Wave::none;
             if (!fits) refuse_class(expression);
             (term.power == 1 ? result.slope : result.offset) = term.coefficient;
         }
@@ -245,7 +245,8 @@ private:
             if (name == "cosh" || name == "sinh") return hyperbolic(name == "cosh", argument);
             if (name == "sqrt") return ExactFunction(ground_.sqrt(constant(argument)));
             if (name == "log") return ExactFunction(ground_.log(constant(argument)));
-            if (name == "tan" || name == "tanh") return ExactFunction(tangent(name == "tan", argument));
+            if (name == "tan" || name == "tanh")
+                return ExactFunction(tangent(name == "tan", argument));
         }
         throw InputError("`" + name + "` is not built yet here", place(expression));
     }
@@ -273,8 +274,8 @@ private:
 
 }  // namespace
 
-ExactFunction evaluate_function(const Expression& expression, const std::shared_ptr<const Source>& source,
-                           const Ground& ground) {
+ExactFunction evaluate_function(const Expression& expression,
+                                const std::shared_ptr<const Source>& source, const Ground& ground) {
     return Evaluator(source, ground).evaluate(expression);
 }
 

@@ -80,9 +80,9 @@ struct Algebraic {
 
     Kind kind = Kind::root;
     unsigned degree = 2;
-    Element reduced;                       ///< g^degree, of degree less than that in g
-    long denominator = 1;                  ///< n of cos(pi/n)
-    Expression form;                       ///< how a root or sine is written
+    Element reduced;       ///< g^degree, of degree less than that in g
+    long denominator = 1;  ///< n of cos(pi/n)
+    Expression form;       ///< how a root or sine is written
     bool is_parameter = false;
     std::function<Ball(Precision)> value;  ///< empty with is_parameter
 };
@@ -98,16 +98,20 @@ struct TooCoarse {
 /// The generators, in the order in which they were met.
 class Field {
 public:
-    /// More algebraic generators than these make the arithmetic of the normal form too slow to be of
-    /// use: what needs another one is left to enclosures.
+    /// More algebraic generators than these make the arithmetic of the normal form too slow to be
+    /// of use: what needs another one is left to enclosures.
     static constexpr std::size_t most_generators = 8;
 
     explicit Field(Denominators denominators) : denominators_(std::move(denominators)) {}
     Field(const Field&) = delete;
     Field& operator=(const Field&) = delete;
 
-    [[nodiscard]] const std::vector<Transcendental>& transcendentals() const { return transcendentals_; }
-    [[nodiscard]] const Algebraic& algebraic(std::size_t index) const { return algebraics_.at(index); }
+    [[nodiscard]] const std::vector<Transcendental>& transcendentals() const {
+        return transcendentals_;
+    }
+    [[nodiscard]] const Algebraic& algebraic(std::size_t index) const {
+        return algebraics_.at(index);
+    }
     [[nodiscard]] std::size_t algebraic_count() const { return algebraics_.size(); }
 
     [[nodiscard]] Element pi();

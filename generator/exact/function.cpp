@@ -123,7 +123,7 @@ ExactFunction operator*(const ExactFunction& left, const ExactFunction& right) {
     for (const ExactTerm& a : left.terms_) {
         for (const ExactTerm& b : right.terms_) {
             ExactTerm term{a.coefficient * b.coefficient, a.power + b.power, a.rate + b.rate,
-                              Wave::none, Number(0)};
+                           Wave::none, Number(0)};
             if (a.wave == Wave::none || b.wave == Wave::none) {
                 term.wave = a.wave == Wave::none ? b.wave : a.wave;
                 term.frequency = a.frequency + b.frequency;

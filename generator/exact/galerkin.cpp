@@ -35,9 +35,7 @@ auto with_denominators(Work work) {
     for (Denominators denominators;;) {
         try {
             return work(denominators);
-        } catch (const TooCoarse& answer) {
-            denominators = answer.finer;
-        }
+        } catch (const TooCoarse& answer) { denominators = answer.finer; }
     }
 }
 
@@ -52,12 +50,12 @@ void check_counts(const Method& method, const Ingredients& given) {
                         whole(method.nodes), "every function needs a node of its own");
     }
     if (method.weights || nodes > functions) {
-        throw InputError("the general Galerkin form (4.6), with " +
-                             std::string(method.weights ? "its own weights"
-                                                        : "more nodes than functions") +
-                             ", is to come",
-                         whole(method.weights ? *method.weights : method.nodes),
-                         "give as many nodes as basis functions, and no weights");
+        throw InputError(
+            "the general Galerkin form (4.6), with " +
+                std::string(method.weights ? "its own weights" : "more nodes than functions") +
+                ", is to come",
+            whole(method.weights ? *method.weights : method.nodes),
+            "give as many nodes as basis functions, and no weights");
     }
 }
 
@@ -70,10 +68,9 @@ std::string combination_text(const NumberVector& v, const std::vector<BasisFunct
         if (!factor) return "a combination of the basis functions";
         const bool negative = factor->kind == Expression::Kind::negation;
         const Expression& size = negative ? factor->arguments[0] : *factor;
-        Expression term = to_text(size) == "1" ? psi[i].form
-                          : to_text(psi[i].form) == "1"
-                              ? size
-                              : Expression::product({size, psi[i].form});
+        Expression term = to_text(size) == "1"          ? psi[i].form
+                          : to_text(psi[i].form) == "1" ? size
+                                                        : Expression::product({size, psi[i].form});
         terms.push_back(negative ? Expression::negation(std::move(term)) : std::move(term));
     }
     return "`" + to_text(Expression::sum(std::move(terms))) + "`";
@@ -223,7 +220,8 @@ Tableau derive(const Method& method, const Ingredients& given) {
 }
 
 /// sum_k coefficients[k] functions[k]
-ExactFunction combine(const NumberVector& coefficients, const std::vector<BasisFunction>& functions) {
+ExactFunction combine(const NumberVector& coefficients,
+                      const std::vector<BasisFunction>& functions) {
     ExactFunction sum;
     for (std::size_t k = 0; k < functions.size(); ++k) {
         sum = sum + ExactFunction(coefficients[k]) * functions[k].function;

@@ -16,8 +16,8 @@ namespace hvi::gen {
 /// form (4.6), which is to come.
 [[nodiscard]] Tableau derive(const Method& method);
 
-/// The two routes of steps 3 and 4: through M^-1, as `derive` goes, and by integrating the functions
-/// phi = M^-1 psi themselves.
+/// The two routes of steps 3 and 4: through M^-1, as `derive` goes, and by integrating the
+/// functions phi = M^-1 psi themselves.
 struct Weights {
     NumberVector b;
     NumberMatrix A;

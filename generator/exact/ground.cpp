@@ -12,8 +12,10 @@ using ArbFunction = void (*)(arb_t, const arb_t, slong);
 
 Number by_enclosure(const Number& argument, const char* name, ArbFunction function) {
     if (argument.has_parameters()) {
-        throw InputError(std::string(name) + " of an expression with a free parameter in this place "
-                         "is not built yet", {}, "give the parameter a value with --param");
+        throw InputError(std::string(name) +
+                             " of an expression with a free parameter in this place "
+                             "is not built yet",
+                         {}, "give the parameter a value with --param");
     }
     return number(Real([argument, function](Precision bits) {
         Ball result = enclosure(argument, bits);

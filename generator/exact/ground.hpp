@@ -17,7 +17,8 @@ class Ground {
 public:
     explicit Ground(std::shared_ptr<Field> field) : field_(std::move(field)) {}
 
-    [[nodiscard]] Number rational(const std::string& numerator, const std::string& denominator) const;
+    [[nodiscard]] Number rational(const std::string& numerator,
+                                  const std::string& denominator) const;
     [[nodiscard]] Number pi() const;
 
     /// The value given to a parameter, or the free symbol.
@@ -25,8 +26,8 @@ public:
     void set_parameter(const std::string& name, Number value);
     [[nodiscard]] std::vector<std::string> free_parameters() const { return field_->parameters(); }
 
-    /// Throw MathError where the function is not real, InputError where a free parameter stands in a
-    /// place that the exact arithmetic does not reach yet.
+    /// Throw MathError where the function is not real, InputError where a free parameter stands in
+    /// a place that the exact arithmetic does not reach yet.
     [[nodiscard]] Number sqrt(const Number& argument) const;
     [[nodiscard]] Number exp(const Number& argument) const;
     [[nodiscard]] Number log(const Number& argument) const;

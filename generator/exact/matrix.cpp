@@ -82,8 +82,7 @@ std::optional<NumberVector> left_null_vector(const NumberMatrix& matrix) {
     if (rank == count) return std::nullopt;
     NumberVector combination(rows[rank].begin() + static_cast<long>(columns), rows[rank].end());
     std::size_t last = count;
-    while (last-- > 0 && combination[last].is_zero()) {
-    }
+    while (last-- > 0 && combination[last].is_zero()) {}
     const Number scale = Number(1) / combination.at(last);
     for (Number& entry : combination) entry = entry * scale;
     return combination;

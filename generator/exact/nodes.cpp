@@ -25,7 +25,9 @@ std::optional<RationalPolynomial> node_polynomial(const std::string& family, uns
     return std::nullopt;
 }
 
-Number fraction(long numerator, long denominator) { return Number(numerator) / Number(denominator); }
+Number fraction(long numerator, long denominator) {
+    return Number(numerator) / Number(denominator);
+}
 
 /// (1 - cos(pi p/q))/2: from the angle on the circle to [0, 1], ascending.
 Number projected(long p, long q, const Ground& ground) {

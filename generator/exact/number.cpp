@@ -33,8 +33,8 @@ Number combine(const Number& left, const Number& right, BallOperation operation)
 Number::Number(long value) : Number(number(Element(GiNaC::numeric(value)), nullptr)) {}
 
 Number number(Element element, std::shared_ptr<Field> field) {
-    return Number(std::make_shared<const Number::Value>(
-        Number::Value{std::move(element), std::move(field)}));
+    return Number(
+        std::make_shared<const Number::Value>(Number::Value{std::move(element), std::move(field)}));
 }
 
 Number number(Real real) {

@@ -35,7 +35,8 @@ public:
     /// Whether a free parameter is left, so that there is no decimal value.
     [[nodiscard]] bool has_parameters() const;
 
-    /// In lowest terms, with a rational denominator where it is algebraic; empty where there is none.
+    /// In lowest terms, with a rational denominator where it is algebraic; empty where there is
+    /// none.
     [[nodiscard]] std::optional<Expression> closed_form() const;
 
     /// The value correctly rounded (half to even) to so many significant digits, as `0.0193...`

@@ -153,7 +153,8 @@ NumberVector coefficients(IntegerPolynomial& factor, const Ground& ground) {
 }
 
 /// Real roots of a x^2 + b x + c, if any.
-NumberVector quadratic_roots(const Number& a, const Number& b, const Number& c, const Ground& ground) {
+NumberVector quadratic_roots(const Number& a, const Number& b, const Number& c,
+                             const Ground& ground) {
     const Number discriminant = b * b - Number(4) * a * c;
     if (discriminant.sign() < 0) return {};
     const Number root = ground.sqrt(discriminant);
@@ -174,11 +175,12 @@ bool append_exact_roots(NumberVector& roots, IntegerPolynomial& factor, const Gr
     if (k.size() != 5) return false;
     // x = y - m with m = k3/(4 k4) removes y^3; exact when y^1 goes with it.
     const Number m = k[3] / (Number(4) * k[4]);
-    const Number linear = k[1] - Number(2) * k[2] * m + Number(3) * k[3] * m * m -
-                          Number(4) * k[4] * m * m * m;
+    const Number linear =
+        k[1] - Number(2) * k[2] * m + Number(3) * k[3] * m * m - Number(4) * k[4] * m * m * m;
     if (!linear.is_zero()) return false;
     const Number square = k[2] - Number(3) * k[3] * m + Number(6) * k[4] * m * m;
-    const Number constant = k[0] - k[1] * m + k[2] * m * m - k[3] * m * m * m + k[4] * m * m * m * m;
+    const Number constant =
+        k[0] - k[1] * m + k[2] * m * m - k[3] * m * m * m + k[4] * m * m * m * m;
     for (const Number& y_squared : quadratic_roots(k[4], square, constant, ground)) {
         if (y_squared.sign() < 0) continue;
         const Number y = ground.sqrt(y_squared);
@@ -204,9 +206,8 @@ NumberVector real_roots(const RationalPolynomial& polynomial, const Ground& grou
         if (!append_exact_roots(roots, *factor, ground)) append_enclosed_roots(roots, factor);
     }
     fmpz_poly_factor_clear(factors);
-    std::sort(roots.begin(), roots.end(), [](const Number& left, const Number& right) {
-        return (left - right).sign() < 0;
-    });
+    std::sort(roots.begin(), roots.end(),
+              [](const Number& left, const Number& right) { return (left - right).sign() < 0; });
     return roots;
 }
 

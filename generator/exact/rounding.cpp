@@ -92,11 +92,13 @@ std::string place_point(const std::string& digits, long exponent) {
         const std::string tail = count > 1 ? "." + digits.substr(1) : "";
         return digits.substr(0, 1) + tail + "e" + std::to_string(exponent);
     }
-    if (exponent < 0) return "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+    if (exponent < 0)
+        return "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
     std::string whole = digits.substr(0, static_cast<std::size_t>(std::min(count, exponent + 1)));
     whole.append(static_cast<std::size_t>(exponent + 1) - whole.size(), '0');
-    return exponent + 1 < count ? whole + "." + digits.substr(static_cast<std::size_t>(exponent + 1))
-                                : whole;
+    return exponent + 1 < count
+               ? whole + "." + digits.substr(static_cast<std::size_t>(exponent + 1))
+               : whole;
 }
 
 }  // namespace

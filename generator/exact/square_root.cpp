@@ -38,7 +38,8 @@ std::optional<ex> rational_function_root(const ex& square) {
             const auto constant = rational_root(GiNaC::ex_to<numeric>(factor));
             if (!constant) return std::nullopt;
             root *= *constant;
-        } else if (GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::even)) {
+        } else if (GiNaC::is_a<GiNaC::power>(factor) &&
+                   factor.op(1).info(GiNaC::info_flags::even)) {
             root *= GiNaC::pow(factor.op(0), factor.op(1) / 2);
         } else {
             return std::nullopt;
@@ -102,8 +103,8 @@ std::optional<Element> root_in_field(const Element& argument, std::size_t level)
     }
     Field& field = *argument.field();
     const Algebraic& top = field.algebraic(level - 1);
-    const std::vector<Element> parts =
-        argument.level() < level ? std::vector<Element>{argument} : argument.coefficients(level - 1);
+    const std::vector<Element> parts = argument.level() < level ? std::vector<Element>{argument}
+                                                                : argument.coefficients(level - 1);
     const Element& a = parts.front();
     if (argument.level() < level) {
         if (auto root = root_in_field(a, level - 1)) return root;
@@ -113,7 +114,8 @@ std::optional<Element> root_in_field(const Element& argument, std::size_t level)
         return root ? std::optional(*root * generator(field, level - 1)) : std::nullopt;
     }
     if (top.degree != 2) return std::nullopt;
-    // a + b g = (u + v g)^2 with g^2 = n: the norm a^2 - n b^2 is a square r^2, and u^2 = (a +- r)/2.
+    // a + b g = (u + v g)^2 with g^2 = n: the norm a^2 - n b^2 is a square r^2, and u^2 = (a +-
+    // r)/2.
     const Element& b = parts.at(1);
     const auto norm_root = root_in_field(a * a - top.reduced * b * b, level - 1);
     if (!norm_root) return std::nullopt;
@@ -144,11 +146,13 @@ std::optional<Element> Field::sqrt(const Element& given) {
     if (const auto root = root_in_field(argument, algebraics_.size())) return positive(*root);
     if (hvi::gen::has_parameters(argument)) return std::nullopt;
 
-    // sqrt(a + b g) = sqrt((a+r)/2) +- sqrt((a-r)/2) where r^2 = a^2 - b^2 g^2 exists: sqrt(2+sqrt(3))
-    // is sqrt(6)/2 + sqrt(2)/2, which asks for simpler generators.
-    if (const std::size_t level = argument.level(); level != 0 && algebraics_[level - 1].degree == 2) {
+    // sqrt(a + b g) = sqrt((a+r)/2) +- sqrt((a-r)/2) where r^2 = a^2 - b^2 g^2 exists:
+    // sqrt(2+sqrt(3)) is sqrt(6)/2 + sqrt(2)/2, which asks for simpler generators.
+    if (const std::size_t level = argument.level();
+        level != 0 && algebraics_[level - 1].degree == 2) {
         const auto parts = argument.coefficients(level - 1);
-        const Element norm = parts[0] * parts[0] - algebraics_[level - 1].reduced * parts[1] * parts[1];
+        const Element norm =
+            parts[0] * parts[0] - algebraics_[level - 1].reduced * parts[1] * parts[1];
         if (const auto r = root_in_field(norm, level - 1)) {
             const Element half(numeric(1, 2));
             const auto outer = sqrt((parts[0] + *r) * half);

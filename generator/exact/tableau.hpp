@@ -20,8 +20,8 @@ struct Tableau {
     std::vector<std::string> parameters;  ///< free symbols, sorted
     std::vector<Expression> basis;        ///< psi_1 .. psi_s, functions of tau
 
-    NumberVector c;        ///< nodes
-    NumberMatrix M;        ///< M[i][j] = psi_i(c_j)
+    NumberVector c;  ///< nodes
+    NumberMatrix M;  ///< M[i][j] = psi_i(c_j)
     NumberMatrix M_inverse;
     NumberVector B;        ///< B[i] = integral of psi_i over [0,1]
     NumberVector b;        ///< weights, b = M^-1 B

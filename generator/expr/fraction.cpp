@@ -18,22 +18,17 @@ void collect(const Expression& expression, bool inverted, Fraction& fraction) {
             there.emplace_back(std::string_view(expression.denominator));
         break;
     case Expression::Kind::product:
-        for (const Expression& factor : expression.arguments)
-            collect(factor, inverted, fraction);
+        for (const Expression& factor : expression.arguments) collect(factor, inverted, fraction);
         break;
     case Expression::Kind::negation:
         fraction.negative = !fraction.negative;
         collect(expression.arguments[0], inverted, fraction);
         break;
-    case Expression::Kind::reciprocal:
-        collect(expression.arguments[0], !inverted, fraction);
-        break;
+    case Expression::Kind::reciprocal: collect(expression.arguments[0], !inverted, fraction); break;
     case Expression::Kind::symbol:
     case Expression::Kind::sum:
     case Expression::Kind::power:
-    case Expression::Kind::call:
-        here.emplace_back(&expression);
-        break;
+    case Expression::Kind::call: here.emplace_back(&expression); break;
     }
 }
 

@@ -28,9 +28,7 @@ constexpr std::array<Function, 14> table{{
 
 }  // namespace
 
-std::span<const Function> functions() {
-    return table;
-}
+std::span<const Function> functions() { return table; }
 
 const Function* find_function(std::string_view name) {
     const auto* found = std::find_if(table.begin(), table.end(),

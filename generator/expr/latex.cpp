@@ -17,17 +17,11 @@ enum class Bar { stacked, slash };
 
 std::string latex(const Expression& expression, Bar bar);
 
-std::string parenthesised(const std::string& text) {
-    return "\\left(" + text + "\\right)";
-}
+std::string parenthesised(const std::string& text) { return "\\left(" + text + "\\right)"; }
 
-bool is_letter(char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
-}
+bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
-bool is_digit(char c) {
-    return '0' <= c && c <= '9';
-}
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
 bool is_greek(std::string_view word) {
     static constexpr std::array<std::string_view, 34> letters{
@@ -44,8 +38,7 @@ std::string word_latex(std::string_view word) {
     if (word.size() == 1 && word != "_") return std::string(word);
     if (std::all_of(word.begin(), word.end(), is_digit)) return std::string(word);
     std::string escaped;
-    for (const char c : word)
-        escaped += c == '_' ? std::string("\\_") : std::string(1, c);
+    for (const char c : word) escaped += c == '_' ? std::string("\\_") : std::string(1, c);
     return "\\mathit{" + escaped + "}";
 }
 
@@ -93,8 +86,7 @@ std::string factor_latex(const Factor& factor) {
     if (const auto* digits = std::get_if<std::string_view>(&factor)) return std::string(*digits);
     const Expression& expression = *std::get<const Expression*>(factor);
     switch (expression.kind) {
-    case Expression::Kind::sum:
-        return parenthesised(latex(expression, Bar::stacked));
+    case Expression::Kind::sum: return parenthesised(latex(expression, Bar::stacked));
     case Expression::Kind::power:
         return power_latex(expression.arguments[0], expression.arguments[1]);
     case Expression::Kind::call:
@@ -102,16 +94,14 @@ std::string factor_latex(const Factor& factor) {
             return "\\sqrt{" + latex(expression.arguments[0], Bar::stacked) + "}";
         if (expression.name == "exp") return exponential_latex(expression.arguments[0]);
         return call_latex(expression);
-    default:
-        return symbol_latex(expression.name);
+    default: return symbol_latex(expression.name);
     }
 }
 
 /// Whether a text ends in a command like `\pi`, which a letter must not follow directly.
 bool ends_in_command(const std::string& text) {
     std::size_t k = text.size();
-    while (k > 0 && is_letter(text[k - 1]))
-        --k;
+    while (k > 0 && is_letter(text[k - 1])) --k;
     return k > 0 && k < text.size() && text[k - 1] == '\\';
 }
 
@@ -171,8 +161,6 @@ std::string latex(const Expression& expression, Bar bar) {
 
 }  // namespace
 
-std::string to_latex(const Expression& expression) {
-    return latex(expression, Bar::stacked);
-}
+std::string to_latex(const Expression& expression) { return latex(expression, Bar::stacked); }
 
 }  // namespace hvi::gen

@@ -8,9 +8,7 @@ namespace hvi::gen {
 
 namespace {
 
-std::string parenthesised(const std::string& text) {
-    return "(" + text + ")";
-}
+std::string parenthesised(const std::string& text) { return "(" + text + ")"; }
 
 /// A base must be a single word: `2`, `x`, `sin(x)`; all else gets parentheses.
 std::string base_text(const Expression& base) {
@@ -37,22 +35,18 @@ std::string factor_text(const Factor& factor) {
     if (const auto* digits = std::get_if<std::string_view>(&factor)) return std::string(*digits);
     const Expression& expression = *std::get<const Expression*>(factor);
     switch (expression.kind) {
-    case Expression::Kind::sum:
-        return parenthesised(to_text(expression));
-    case Expression::Kind::call:
-        return call_text(expression);
+    case Expression::Kind::sum: return parenthesised(to_text(expression));
+    case Expression::Kind::call: return call_text(expression);
     case Expression::Kind::power:
         return base_text(expression.arguments[0]) + "^" + exponent_text(expression.arguments[1]);
-    default:
-        return expression.name;
+    default: return expression.name;
     }
 }
 
 std::string factors_text(const std::vector<Factor>& factors) {
     if (factors.empty()) return "1";
     std::string text;
-    for (const Factor& factor : factors)
-        text += (text.empty() ? "" : "*") + factor_text(factor);
+    for (const Factor& factor : factors) text += (text.empty() ? "" : "*") + factor_text(factor);
     return text;
 }
 

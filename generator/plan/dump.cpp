@@ -13,9 +13,9 @@ std::string text(const Number& number) {
 
 std::string_view text(StageValue::Place place) {
     switch (place) {
-        case StageValue::Place::start: return "start";
-        case StageValue::Place::inner: return "inner";
-        case StageValue::Place::end: return "end";
+    case StageValue::Place::start: return "start";
+    case StageValue::Place::inner: return "inner";
+    case StageValue::Place::end: return "end";
     }
     HVI_CHECK(false);
     return {};
@@ -23,10 +23,10 @@ std::string_view text(StageValue::Place place) {
 
 std::string_view text(StageNode::Kind kind) {
     switch (kind) {
-        case StageNode::Kind::Q: return "Q";
-        case StageNode::Kind::P: return "P";
-        case StageNode::Kind::Lq: return "Lq";
-        case StageNode::Kind::Lp: return "Lp";
+    case StageNode::Kind::Q: return "Q";
+    case StageNode::Kind::P: return "P";
+    case StageNode::Kind::Lq: return "Lq";
+    case StageNode::Kind::Lp: return "Lp";
     }
     HVI_CHECK(false);
     return {};
@@ -37,7 +37,9 @@ std::string lines(std::string_view letter, const std::vector<StageValue>& values
     for (std::size_t i = 0; i < values.size(); ++i) {
         result += fmt::format("{}_{}: {}, weight {}, stages", letter, i + 1, text(values[i].place),
                               text(values[i].weight));
-        for (const std::size_t stage : values[i].stages) { result += fmt::format(" {}", stage + 1); }
+        for (const std::size_t stage : values[i].stages) {
+            result += fmt::format(" {}", stage + 1);
+        }
         result += '\n';
     }
     return result;

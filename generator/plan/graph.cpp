@@ -13,7 +13,10 @@ namespace {
 class Tarjan {
 public:
     explicit Tarjan(const DependencyGraph& needs)
-        : needs_(needs), number_(needs.size(), unseen), lowest_(needs.size()), open_(needs.size()) {}
+        : needs_(needs),
+          number_(needs.size(), unseen),
+          lowest_(needs.size()),
+          open_(needs.size()) {}
 
     std::vector<std::vector<std::size_t>> run() {
         for (std::size_t v = 0; v < needs_.size(); ++v) {

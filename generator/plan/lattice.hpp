@@ -17,8 +17,8 @@ struct RoundedCoefficients {
 };
 
 /// Rounds each m_ij to a multiple of ulp(max(|m_ij|, |1 - m_ij|)) and takes mt_ji = 1 - m_ij, which
-/// is then a double. Where A == A~ only the entries with i > j are rounded, m_ji = 1 - m_ij, and the
-/// diagonal is 1/2.
+/// is then a double. Where A == A~ only the entries with i > j are rounded, m_ji = 1 - m_ij, and
+/// the diagonal is 1/2.
 [[nodiscard]] RoundedCoefficients rounded(const Scheme& scheme);
 
 }  // namespace hvi::gen

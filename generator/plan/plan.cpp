@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/plan/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "generator/plan/graph.hpp"
 #include "generator/plan/same.hpp"
@@ -124,9 +124,8 @@ void set_places(Scheme& scheme) {
     const auto note = [&](const char* letter, const char* state, const StageValue& value) {
         const std::string name = fmt::format("{}_{}", letter, value.stages.front() + 1);
         if (value.place == Place::start) {
-            scheme.decisions.push_back(
-                {fmt::format("{} is not solved for", name),
-                 fmt::format("it is {} at the start of the step", state)});
+            scheme.decisions.push_back({fmt::format("{} is not solved for", name),
+                                        fmt::format("it is {} at the start of the step", state)});
         } else if (value.place == Place::end) {
             scheme.decisions.push_back({fmt::format("{} takes no sum of its own", name),
                                         fmt::format("it is {} at the end of the step", state)});
@@ -145,10 +144,10 @@ public:
     [[nodiscard]] std::size_t size() const { return 2 * (positions_ + momenta_); }
     [[nodiscard]] std::size_t of(Kind kind, std::size_t index) const {
         switch (kind) {
-            case Kind::Q: return index;
-            case Kind::P: return positions_ + index;
-            case Kind::Lq: return positions_ + momenta_ + index;
-            case Kind::Lp: return positions_ + 2 * momenta_ + index;
+        case Kind::Q: return index;
+        case Kind::P: return positions_ + index;
+        case Kind::Lq: return positions_ + momenta_ + index;
+        case Kind::Lp: return positions_ + 2 * momenta_ + index;
         }
         HVI_CHECK(false);
         return 0;
@@ -222,8 +221,7 @@ bool has(const std::vector<StageValue>& values, Place place) {
 /// First same as last.
 void set_kept(Scheme& scheme) {
     if (!scheme.separable) { return; }
-    scheme.keeps_force =
-        has(scheme.positions, Place::start) && has(scheme.positions, Place::end);
+    scheme.keeps_force = has(scheme.positions, Place::start) && has(scheme.positions, Place::end);
     scheme.keeps_velocity = has(scheme.momenta, Place::start) && has(scheme.momenta, Place::end);
     if (scheme.keeps_force) {
         scheme.decisions.push_back({"one force a step is not evaluated",

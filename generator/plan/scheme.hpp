@@ -17,7 +17,7 @@ struct StageValue {
     enum class Place {
         start,  ///< the state that the step begins with: a row of zeros
         inner,
-        end,    ///< the state that the step ends with: the row b
+        end,  ///< the state that the step ends with: the row b
     };
     Place place = Place::inner;
     std::vector<std::size_t> stages;  ///< of the tableau, 0-based, that have this value
@@ -54,14 +54,14 @@ struct Decision {
 ///
 /// with i over `positions`, j over `momenta`, and the order in which they are computed.
 struct Scheme {
-    bool separable = false;            ///< H = T(p) + U(q): Lq_j needs P_j alone, Lp_i needs Q_i
-    bool one_tableau = false;          ///< A == A~: then mt == m
+    bool separable = false;    ///< H = T(p) + U(q): Lq_j needs P_j alone, Lp_i needs Q_i
+    bool one_tableau = false;  ///< A == A~: then mt == m
     std::vector<StageValue> positions;
     std::vector<StageValue> momenta;
-    NumberMatrix m;                    ///< positions x momenta
-    std::vector<Block> blocks;         ///< each needs only what stands before it
-    bool keeps_force = false;          ///< the last force of a step is the first of the next
-    bool keeps_velocity = false;       ///< the same of dH/dp
+    NumberMatrix m;               ///< positions x momenta
+    std::vector<Block> blocks;    ///< each needs only what stands before it
+    bool keeps_force = false;     ///< the last force of a step is the first of the next
+    bool keeps_velocity = false;  ///< the same of dH/dp
     /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.
     std::optional<NumberMatrix> extrapolation;
     std::vector<Decision> decisions;

@@ -46,25 +46,15 @@ constexpr std::array<MethodEntry, 5> method_table{{
 
 }  // namespace
 
-std::span<const FamilyEntry> basis_families() {
-    return basis_table;
-}
+std::span<const FamilyEntry> basis_families() { return basis_table; }
 
-std::span<const FamilyEntry> node_families() {
-    return node_table;
-}
+std::span<const FamilyEntry> node_families() { return node_table; }
 
-std::span<const FormEntry> basis_forms() {
-    return basis_form_table;
-}
+std::span<const FormEntry> basis_forms() { return basis_form_table; }
 
-std::span<const FormEntry> node_forms() {
-    return node_form_table;
-}
+std::span<const FormEntry> node_forms() { return node_form_table; }
 
-std::span<const MethodEntry> named_methods() {
-    return method_table;
-}
+std::span<const MethodEntry> named_methods() { return method_table; }
 
 const FamilyEntry* find_family(std::span<const FamilyEntry> families, std::string_view name) {
     const auto found = std::find_if(families.begin(), families.end(),

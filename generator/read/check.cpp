@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/check.hpp"
 
+#include <fmt/format.h>
+
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "generator/read/catalogue.hpp"
 #include "generator/read/names.hpp"
@@ -78,8 +78,7 @@ void check_family(const Family& family, const Place& place, std::string_view sub
                          "functions stand in --basis, nodes in --nodes");
     if (entry == nullptr) {
         std::vector<std::string_view> names;
-        for (const FamilyEntry& known : families)
-            names.push_back(known.name);
+        for (const FamilyEntry& known : families) names.push_back(known.name);
         throw InputError(fmt::format("there is no family of {} `{}`", subject, family.name), place,
                          did_you_mean(family.name, names,
                                       fmt::format("the families are {}", fmt::join(names, ", "))));

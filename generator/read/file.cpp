@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/file.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <fstream>
 #include <memory>
 #include <system_error>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "generator/support/error.hpp"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/method.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "generator/read/catalogue.hpp"
 #include "generator/read/check.hpp"
@@ -26,10 +26,8 @@ Place whole(const std::shared_ptr<const Source>& source) {
 
 /// The part of a text without the blanks around it; empty when it is all blank.
 Range trimmed(std::string_view text, Range range) {
-    while (range.begin < range.end && is_blank(text[range.begin]))
-        ++range.begin;
-    while (range.end > range.begin && is_blank(text[range.end - 1]))
-        --range.end;
+    while (range.begin < range.end && is_blank(text[range.begin])) ++range.begin;
+    while (range.end > range.begin && is_blank(text[range.end - 1])) --range.end;
     return range;
 }
 
@@ -39,10 +37,8 @@ std::string part(const Source& source, Range range) {
 
 std::vector<std::string_view> method_names() {
     std::vector<std::string_view> names;
-    for (const FamilyEntry& entry : node_families())
-        names.push_back(entry.name);
-    for (const MethodEntry& entry : named_methods())
-        names.push_back(entry.name);
+    for (const FamilyEntry& entry : node_families()) names.push_back(entry.name);
+    for (const MethodEntry& entry : named_methods()) names.push_back(entry.name);
     return names;
 }
 

@@ -1,11 +1,12 @@
 // Method files. toml++ reads the TOML; numbers are taken from the text as they are written, since
 // 0.1 as a double is not 1/10.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include "generator/read/catalogue.hpp"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
 
 #include "generator/expr/functions.hpp"
 #include "generator/read/token.hpp"
@@ -41,9 +41,7 @@ bool is_name(const std::string& text) {
 
 }  // namespace
 
-bool is_constant(std::string_view name) {
-    return name == "pi" || name == "e";
-}
+bool is_constant(std::string_view name) { return name == "pi" || name == "e"; }
 
 bool is_reserved(std::string_view name) {
     return find_reserved(name) != nullptr || find_function(name) != nullptr;
@@ -63,8 +61,7 @@ void check_parameter_name(const std::string& name, const Place& place) {
 
 void walk(const Expression& expression, const std::function<bool(const Expression&)>& visit) {
     if (!visit(expression)) return;
-    for (const Expression& argument : expression.arguments)
-        walk(argument, visit);
+    for (const Expression& argument : expression.arguments) walk(argument, visit);
 }
 
 }  // namespace hvi::gen

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/parse.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "generator/expr/functions.hpp"
 #include "generator/read/decimal.hpp"
@@ -24,9 +24,7 @@ using Kind = Token::Kind;
 constexpr std::size_t longest_text = 64 * 1024;
 constexpr int deepest_nesting = 200;
 
-Range whole(const Source& source) {
-    return {0, source.text.size()};
-}
+Range whole(const Source& source) { return {0, source.text.size()}; }
 
 class Parser {
 public:
@@ -109,8 +107,7 @@ std::optional<Family> Parser::family() {
     if (!next_.is(Kind::name)) return {};
     const std::string_view text = lexer_.text();
     const auto skip = [&](std::size_t from, auto&& accepts) {
-        while (from < text.size() && accepts(text[from]))
-            ++from;
+        while (from < text.size() && accepts(text[from])) ++from;
         return from;
     };
     const Range word{next_.range.begin,
@@ -119,8 +116,7 @@ std::optional<Family> Parser::family() {
     if (text.substr(colon, 1) != ":") return {};
 
     Range size{skip(colon + 1, is_blank), std::min(text.find(',', colon), text.size())};
-    while (size.end > size.begin && is_blank(text[size.end - 1]))
-        --size.end;
+    while (size.end > size.begin && is_blank(text[size.end - 1])) --size.end;
     const std::string digits = size.begin < size.end ? lexer_.text(size) : "";
     if (digits.empty())
         fail({colon, colon + 1}, "a number is missing after the colon",
@@ -293,8 +289,7 @@ void Parser::fail_unknown_function(const Token& name) const {
     const std::string text = lexer_.text(name.range);
     const std::string product = fmt::format("a product is written `{}*(...)`", text);
     std::vector<std::string_view> names;
-    for (const Function& function : functions())
-        names.push_back(function.name);
+    for (const Function& function : functions()) names.push_back(function.name);
     fail(name.range, fmt::format("there is no function `{}`", text),
          is_reserved(text) ? product
                            : did_you_mean(text, names,

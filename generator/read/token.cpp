@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/token.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace hvi::gen {
 
@@ -61,21 +61,13 @@ std::string shown(std::string_view character) {
 
 }  // namespace
 
-bool is_digit(char c) {
-    return '0' <= c && c <= '9';
-}
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-bool is_name_start(char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
-}
+bool is_name_start(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
 
-bool is_name_char(char c) {
-    return is_name_start(c) || is_digit(c);
-}
+bool is_name_char(char c) { return is_name_start(c) || is_digit(c); }
 
 Lexer::Lexer(std::shared_ptr<const Source> source, Range part)
     : source_(std::move(source)),
@@ -85,8 +77,7 @@ Lexer::Lexer(std::shared_ptr<const Source> source, Range part)
 }
 
 Token Lexer::next() {
-    while (position_ < text_.size() && is_blank(text_[position_]))
-        ++position_;
+    while (position_ < text_.size() && is_blank(text_[position_])) ++position_;
     if (position_ == text_.size()) return {Token::Kind::end, {position_, position_}};
     const char c = text_[position_];
     const bool point = c == '.' && position_ + 1 < text_.size() && is_digit(text_[position_ + 1]);
@@ -99,8 +90,7 @@ Token Lexer::next() {
 Token Lexer::number() {
     std::size_t end = position_;
     const auto skip_digits = [&] {
-        while (end < text_.size() && is_digit(text_[end]))
-            ++end;
+        while (end < text_.size() && is_digit(text_[end])) ++end;
     };
     skip_digits();
     if (end < text_.size() && text_[end] == '.') {
@@ -120,35 +110,26 @@ Token Lexer::number() {
 
 Token Lexer::name() {
     std::size_t end = position_ + 1;
-    while (end < text_.size() && is_name_char(text_[end]))
-        ++end;
+    while (end < text_.size() && is_name_char(text_[end])) ++end;
     return {Token::Kind::name, {position_, end}};
 }
 
 Token Lexer::sign() {
     const Range range{position_, position_ + 1};
     switch (text_[position_]) {
-    case '+':
-        return {Token::Kind::plus, range};
-    case '-':
-        return {Token::Kind::minus, range};
-    case '/':
-        return {Token::Kind::over, range};
-    case '^':
-        return {Token::Kind::power, range};
-    case '(':
-        return {Token::Kind::open, range};
-    case ')':
-        return {Token::Kind::close, range};
-    case ',':
-        return {Token::Kind::comma, range};
+    case '+': return {Token::Kind::plus, range};
+    case '-': return {Token::Kind::minus, range};
+    case '/': return {Token::Kind::over, range};
+    case '^': return {Token::Kind::power, range};
+    case '(': return {Token::Kind::open, range};
+    case ')': return {Token::Kind::close, range};
+    case ',': return {Token::Kind::comma, range};
     case '*':
         if (text_.substr(range.end, 1) == "*")
             throw InputError("`**` is no operator", Place{source_, {range.begin, range.end + 1}},
                              "write `^` for a power");
         return {Token::Kind::times, range};
-    default:
-        refuse_character();
+    default: refuse_character();
     }
 }
 

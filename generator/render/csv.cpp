@@ -1,8 +1,8 @@
 // A tableau as comma-separated values.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <string_view>
-
 #include <fmt/format.h>
+
+#include <string_view>
 
 #include "generator/render/entry.hpp"
 #include "generator/render/render.hpp"
@@ -15,8 +15,7 @@ namespace {
 std::string field(const std::optional<std::string>& text) {
     if (!text || text->find_first_of("\",\r\n") == std::string::npos) return text.value_or("");
     std::string quoted = "\"";
-    for (const char c : *text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : *text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
 }
 

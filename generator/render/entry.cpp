@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/render/entry.hpp"
 
-#include <utility>
-
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace hvi::gen {
 
@@ -12,8 +12,7 @@ namespace {
 
 Part vector_part(std::string_view name, const NumberVector& vector) {
     NumberMatrix rows;
-    for (const Number& number : vector)
-        rows.push_back({number});
+    for (const Number& number : vector) rows.push_back({number});
     return {name, true, std::move(rows)};
 }
 
@@ -24,9 +23,7 @@ std::optional<std::string> Entry::exact_text() const {
     return to_text(*exact);
 }
 
-std::string Entry::best_text() const {
-    return exact ? to_text(*exact) : decimal.value_or("?");
-}
+std::string Entry::best_text() const { return exact ? to_text(*exact) : decimal.value_or("?"); }
 
 Entry make_entry(const Number& number, int digits) {
     HVI_CHECK(digits >= 1);

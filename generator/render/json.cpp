@@ -30,8 +30,7 @@ Json part_json(const Part& part, int digits) {
     Json json = Json::array();
     for (const NumberVector& row : part.rows) {
         Json entries = Json::array();
-        for (const Number& number : row)
-            entries.push_back(entry_json(number, digits));
+        for (const Number& number : row) entries.push_back(entry_json(number, digits));
         json.push_back(part.is_vector ? std::move(entries.front()) : std::move(entries));
     }
     return json;
@@ -46,10 +45,8 @@ std::string render_json(const Tableau& tableau, int digits) {
     json["stages"] = tableau.stages();
     json["parameters"] = tableau.parameters;
     json["basis"] = Json::array();
-    for (const Expression& function : tableau.basis)
-        json["basis"].push_back(to_text(function));
-    for (const Part& part : parts(tableau))
-        json[std::string(part.name)] = part_json(part, digits);
+    for (const Expression& function : tableau.basis) json["basis"].push_back(to_text(function));
+    for (const Part& part : parts(tableau)) json[std::string(part.name)] = part_json(part, digits);
     return json.dump(2) + "\n";
 }
 

@@ -24,8 +24,7 @@ std::string cell(const Number& number, int digits) {
 
 std::string row_line(const std::string& head, const NumberVector& row, int digits) {
     std::string line = head;
-    for (const Number& number : row)
-        line += " & " + cell(number, digits);
+    for (const Number& number : row) line += " & " + cell(number, digits);
     return line;
 }
 

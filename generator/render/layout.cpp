@@ -17,9 +17,7 @@ std::string padded(std::string text, std::size_t columns) {
     return text;
 }
 
-void strip_blanks(std::string& line) {
-    line.erase(line.find_last_not_of(' ') + 1);
-}
+void strip_blanks(std::string& line) { line.erase(line.find_last_not_of(' ') + 1); }
 
 /// Makes the cells of one column equally wide.
 void align(std::vector<std::string*> column) {
@@ -31,8 +29,7 @@ void align(std::vector<std::string*> column) {
         if (signs && cell->front() != '-') cell->insert(0, 1, ' ');
         columns = std::max(columns, cell->size());
     }
-    for (std::string* cell : column)
-        *cell = padded(std::move(*cell), columns);
+    for (std::string* cell : column) *cell = padded(std::move(*cell), columns);
 }
 
 std::string joined(const std::vector<std::string>& cells) {
@@ -80,13 +77,11 @@ std::size_t line_length(std::string_view text, std::size_t columns) {
 Lines table_lines(const Table& table) {
     Table aligned = table;
     std::vector<std::string*> heads{&aligned.corner, &aligned.last_head};
-    for (std::string& head : aligned.heads)
-        heads.push_back(&head);
+    for (std::string& head : aligned.heads) heads.push_back(&head);
     align(heads);
     for (std::size_t j = 0; j < aligned.last_row.size(); ++j) {
         std::vector<std::string*> column{&aligned.last_row[j]};
-        for (std::vector<std::string>& row : aligned.rows)
-            column.push_back(&row[j]);
+        for (std::vector<std::string>& row : aligned.rows) column.push_back(&row[j]);
         align(column);
     }
     const std::string last = joined(aligned.last_row);
@@ -102,8 +97,7 @@ Lines table_lines(const Table& table) {
 
 std::size_t width(const Lines& lines) {
     std::size_t columns = 0;
-    for (const std::string& line : lines)
-        columns = std::max(columns, line.size());
+    for (const std::string& line : lines) columns = std::max(columns, line.size());
     return columns;
 }
 

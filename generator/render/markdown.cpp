@@ -10,9 +10,7 @@ namespace hvi::gen {
 namespace {
 
 /// Our notation has no bar, which alone would end a cell.
-std::string code(const std::optional<std::string>& text) {
-    return text ? "`" + *text + "`" : "";
-}
+std::string code(const std::optional<std::string>& text) { return text ? "`" + *text + "`" : ""; }
 
 std::string code(const Number& number, int digits) {
     return code(make_entry(number, digits).best_text());
@@ -20,8 +18,7 @@ std::string code(const Number& number, int digits) {
 
 std::string row_line(const std::string& head, const NumberVector& row, int digits) {
     std::string line = "| " + head + " |";
-    for (const Number& number : row)
-        line += " " + code(number, digits) + " |";
+    for (const Number& number : row) line += " " + code(number, digits) + " |";
     return line + "\n";
 }
 
@@ -29,21 +26,17 @@ std::string row_line(const std::string& head, const NumberVector& row, int digit
 std::string butcher_table(std::string_view c_name, const NumberVector& c, std::string_view a_name,
                           const NumberMatrix& A, const NumberVector& b, int digits) {
     std::string text = fmt::format("| {} | {} |", c_name, a_name);
-    for (std::size_t j = 1; j < b.size(); ++j)
-        text += " |";
+    for (std::size_t j = 1; j < b.size(); ++j) text += " |";
     text += "\n|---|";
-    for (std::size_t j = 0; j < b.size(); ++j)
-        text += "---|";
+    for (std::size_t j = 0; j < b.size(); ++j) text += "---|";
     text += "\n";
-    for (std::size_t i = 0; i < c.size(); ++i)
-        text += row_line(code(c[i], digits), A[i], digits);
+    for (std::size_t i = 0; i < c.size(); ++i) text += row_line(code(c[i], digits), A[i], digits);
     return text + row_line("**b**", b, digits);
 }
 
 std::string list(const std::vector<std::string>& items) {
     std::string text;
-    for (const std::string& item : items)
-        text += (text.empty() ? "" : ", ") + code(item);
+    for (const std::string& item : items) text += (text.empty() ? "" : ", ") + code(item);
     return text;
 }
 
@@ -51,8 +44,7 @@ std::string list(const std::vector<std::string>& items) {
 
 std::string render_markdown(const Tableau& tableau, int digits) {
     std::vector<std::string> basis;
-    for (const Expression& function : tableau.basis)
-        basis.push_back(to_text(function));
+    for (const Expression& function : tableau.basis) basis.push_back(to_text(function));
     std::string text = fmt::format("# Tableau of `{}`\n\n", title(tableau));
     text += fmt::format("- stages: {}\n- basis functions: {}\n", tableau.stages(), list(basis));
     if (!tableau.parameters.empty()) text += "- parameters: " + list(tableau.parameters) + "\n";

@@ -1,9 +1,9 @@
 // A tableau for people, in a terminal of 80 columns.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
-
-#include <fmt/format.h>
 
 #include "generator/render/entry.hpp"
 #include "generator/render/layout.hpp"
@@ -26,14 +26,12 @@ template <class Form>
 Shown shown(const Tableau& tableau, Form&& form) {
     const auto vector = [&](const NumberVector& numbers) {
         std::vector<std::string> texts;
-        for (const Number& number : numbers)
-            texts.push_back(form(number));
+        for (const Number& number : numbers) texts.push_back(form(number));
         return texts;
     };
     const auto matrix = [&](const NumberMatrix& rows) {
         Cells cells;
-        for (const NumberVector& row : rows)
-            cells.push_back(vector(row));
+        for (const NumberVector& row : rows) cells.push_back(vector(row));
         return cells;
     };
     return {vector(tableau.c), matrix(tableau.A), vector(tableau.c_tilde), matrix(tableau.A_tilde),
@@ -41,8 +39,7 @@ Shown shown(const Tableau& tableau, Form&& form) {
 }
 
 void append(std::string& text, const Lines& lines) {
-    for (const std::string& line : lines)
-        text += line + "\n";
+    for (const std::string& line : lines) text += line + "\n";
 }
 
 std::string vector_entries(std::string_view name, const std::vector<std::string>& vector) {

@@ -13,10 +13,10 @@ namespace hvi::gen {
 /// Exit statuses of CONTRACT.md, "Output and exit status".
 enum class ExitStatus : int {
     done = 0,
-    mathematics = 1,   ///< understood, but mathematics forbids it
-    input = 2,         ///< cannot be read
-    environment = 3,   ///< something outside failed
-    bug = 70,          ///< a broken invariant of ours
+    mathematics = 1,  ///< understood, but mathematics forbids it
+    input = 2,        ///< cannot be read
+    environment = 3,  ///< something outside failed
+    bug = 70,         ///< a broken invariant of ours
     interrupted = 130,
 };
 
@@ -94,5 +94,5 @@ public:
 }  // namespace hvi::gen
 
 /// States an invariant of ours; when it does not hold, the program ends with status 70.
-#define HVI_CHECK(condition) \
+#define HVI_CHECK(condition)                                                                       \
     ((condition) ? void() : ::hvi::gen::check_failed(#condition, __FILE__, __LINE__))

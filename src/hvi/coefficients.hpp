@@ -6,8 +6,8 @@
 
 namespace hvi::detail {
 
-/// m_ij + mt_ji == 1 for all entries and without rounding: b_i a~_ij + b_j a_ji = b_i b_j divided by
-/// b_i b_j, the condition for (4.18) to be symplectic.
+/// m_ij + mt_ji == 1 for all entries and without rounding: b_i a~_ij + b_j a_ji = b_i b_j divided
+/// by b_i b_j, the condition for (4.18) to be symplectic.
 template <std::size_t r, std::size_t s>
 [[nodiscard]] constexpr bool complementary(const double (&m)[r][s], const double (&mt)[s][r]) {
     for (std::size_t i = 0; i < r; ++i) {

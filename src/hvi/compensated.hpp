@@ -34,8 +34,8 @@ namespace detail {
 
 /// Whether two_sum() is what it says, or was compiled with reordered sums.
 [[nodiscard]] inline bool sums_are_exact() {
-    volatile const double large = 1.0;
-    volatile const double small = 0x1p-60;
+    const volatile double large = 1.0;
+    const volatile double small = 0x1p-60;
     const Sum sum = two_sum(large, small);
     return sum.value == 1.0 && sum.remainder == 0x1p-60;
 }

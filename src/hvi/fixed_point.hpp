@@ -30,16 +30,16 @@ struct FixedPoint {
                 coupled.forces();
                 sweep(coupled);
                 switch (judge(coupled)) {
-                    case detail::Verdict::go_on: break;
-                    case detail::Verdict::unchanged: return Status(Status::Code::ok, iteration);
-                    case detail::Verdict::at_noise:
-                        coupled.forces();
-                        return Status(Status::Code::ok, iteration);
-                    case detail::Verdict::not_finite:
-                        // NOTE: later than in the first sweeps it is the iteration that diverges.
-                        return Status(iteration == 2 ? Status::Code::not_finite
-                                                     : Status::Code::not_converged,
-                                      iteration);
+                case detail::Verdict::go_on: break;
+                case detail::Verdict::unchanged: return Status(Status::Code::ok, iteration);
+                case detail::Verdict::at_noise:
+                    coupled.forces();
+                    return Status(Status::Code::ok, iteration);
+                case detail::Verdict::not_finite:
+                    // NOTE: later than in the first sweeps it is the iteration that diverges.
+                    return Status(iteration == 2 ? Status::Code::not_finite
+                                                 : Status::Code::not_converged,
+                                  iteration);
                 }
             }
             return Status(Status::Code::not_converged, most_iterations);

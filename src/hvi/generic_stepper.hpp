@@ -21,8 +21,8 @@ struct Coefficients {
     std::vector<std::vector<double>> A_tilde;
 };
 
-/// Applies any tableau to any Hamiltonian, both known at run time only, by the formulas as the paper
-/// prints them and Jacobi's fixed-point iteration: no scaled form, no remembered values, no
+/// Applies any tableau to any Hamiltonian, both known at run time only, by the formulas as the
+/// paper prints them and Jacobi's fixed-point iteration: no scaled form, no remembered values, no
 /// compensated sums. For tests; what hvi-gen writes is faster and loses less to rounding.
 class GenericStepper {
 public:
@@ -46,7 +46,7 @@ public:
             }
             double change = 0.0;
             for (std::size_t i = 0; i < s; ++i) {
-                change += replace(Q[i], sum(x.q, h, method_.A[i], velocity));       // (4.18c)
+                change += replace(Q[i], sum(x.q, h, method_.A[i], velocity));      // (4.18c)
                 change += replace(P[i], sum(x.p, -h, method_.A_tilde[i], slope));  // (4.18d)
             }
             if (!std::isfinite(change)) { return Status(Status::Code::not_finite, iteration); }
@@ -80,9 +80,7 @@ private:
     /// Returns how much the value changes.
     static double replace(Vector& value, const Vector& by) {
         double change = 0.0;
-        for (std::size_t k = 0; k < value.size(); ++k) {
-            change += std::abs(by[k] - value[k]);
-        }
+        for (std::size_t k = 0; k < value.size(); ++k) { change += std::abs(by[k] - value[k]); }
         value = by;
         return change;
     }

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <Eigen/Dense>
-
 #include <hvi/round_off.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -20,17 +19,16 @@ namespace detail {
 template <class System, class Vector, class = void>
 struct HasHessian : std::false_type {};
 template <class System, class Vector>
-struct HasHessian<
-    System, Vector,
-    std::void_t<decltype(std::declval<const System&>().d2Hdq2(
-                    std::declval<const Vector&>(), std::declval<const Vector&>(),
-                    std::declval<Eigen::MatrixXd&>())),
-                decltype(std::declval<const System&>().d2Hdqdp(
-                    std::declval<const Vector&>(), std::declval<const Vector&>(),
-                    std::declval<Eigen::MatrixXd&>())),
-                decltype(std::declval<const System&>().d2Hdp2(
-                    std::declval<const Vector&>(), std::declval<const Vector&>(),
-                    std::declval<Eigen::MatrixXd&>()))>> : std::true_type {};
+struct HasHessian<System, Vector,
+                  std::void_t<decltype(std::declval<const System&>().d2Hdq2(
+                                  std::declval<const Vector&>(), std::declval<const Vector&>(),
+                                  std::declval<Eigen::MatrixXd&>())),
+                              decltype(std::declval<const System&>().d2Hdqdp(
+                                  std::declval<const Vector&>(), std::declval<const Vector&>(),
+                                  std::declval<Eigen::MatrixXd&>())),
+                              decltype(std::declval<const System&>().d2Hdp2(
+                                  std::declval<const Vector&>(), std::declval<const Vector&>(),
+                                  std::declval<Eigen::MatrixXd&>()))>> : std::true_type {};
 
 template <class System, class Vector, class = void>
 struct HasSeparableHessian : std::false_type {};
@@ -70,7 +68,8 @@ struct Newton {
             fit<Coupled>(coupled.s.n);
             round_off_.begin(coupled.s.n);
             begin(coupled);
-            const bool reusable = factored_ && coupled.s.continues && coupled.s.h == coupled.s.h_before;
+            const bool reusable =
+                factored_ && coupled.s.continues && coupled.s.h == coupled.s.h_before;
             bool reused = reusable;
             if (!reusable && !factorise(coupled)) { return Status(Status::Code::singular); }
 
@@ -79,10 +78,10 @@ struct Newton {
                 correct(coupled);
                 switch (round_off_.template judge<Coupled::has_q, Coupled::has_p>(coupled.s.change,
                                                                                   coupled)) {
-                    case detail::Verdict::go_on: break;
-                    case detail::Verdict::unchanged:
-                    case detail::Verdict::at_noise: return Status(Status::Code::ok, iteration);
-                    case detail::Verdict::not_finite: return failed(iteration);
+                case detail::Verdict::go_on: break;
+                case detail::Verdict::unchanged:
+                case detail::Verdict::at_noise: return Status(Status::Code::ok, iteration);
+                case detail::Verdict::not_finite: return failed(iteration);
                 }
                 const double change = relative_change(coupled);
                 if (change <= nothing) { return Status(Status::Code::ok, iteration); }
@@ -183,12 +182,12 @@ struct Newton {
             for (Index k = 0; k < n_; ++k) {
                 const auto component = static_cast<detail::IndexOf<Vector>>(k);
                 if constexpr (Coupled::has_q) {
-                    change = std::fmax(change, ratio(coupled.s.change.q[component],
-                                                     coupled.size_q(component)));
+                    change = std::fmax(
+                        change, ratio(coupled.s.change.q[component], coupled.size_q(component)));
                 }
                 if constexpr (Coupled::has_p) {
-                    change = std::fmax(change, ratio(coupled.s.change.p[component],
-                                                     coupled.size_p(component)));
+                    change = std::fmax(
+                        change, ratio(coupled.s.change.p[component], coupled.size_p(component)));
                 }
             }
             return change;

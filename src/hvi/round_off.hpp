@@ -13,8 +13,8 @@ namespace hvi::detail {
 
 enum class Verdict {
     go_on,
-    unchanged,   ///< not a bit changes any more
-    at_noise,    ///< what still changes is rounding
+    unchanged,  ///< not a bit changes any more
+    at_noise,   ///< what still changes is rounding
     not_finite,
 };
 
@@ -72,7 +72,8 @@ private:
         for (Index k = 0; k < change.size(); ++k) {
             // NOTE: no branch here: which components fall is noise, that no processor predicts.
             seen.total += change[k];
-            seen.falls |= static_cast<int>(change[k] > 0.0) & static_cast<int>(change[k] < smallest[k]);
+            seen.falls |=
+                static_cast<int>(change[k] > 0.0) & static_cast<int>(change[k] < smallest[k]);
             smallest[k] = change[k] < smallest[k] ? change[k] : smallest[k];
         }
     }

@@ -31,12 +31,12 @@ struct Stages {
     State<Vector> remainder;  ///< what rounding cut off from `at`
     std::array<Vector, positions> Q{}, Lp{};
     std::array<Vector, momenta> P{}, Lq{};
-    Vector slope{};           ///< see scratch()
-    State<Vector> change;     ///< of the stage values in one sweep: for each component, over stages
-    Index n{};                ///< dimension of q and of p
+    Vector slope{};        ///< see scratch()
+    State<Vector> change;  ///< of the stage values in one sweep: for each component, over stages
+    Index n{};             ///< dimension of q and of p
     double h = 0.0;
-    double h_before = 0.0;    ///< step size that the slopes belong to; 0 when there are none
-    bool continues = false;   ///< the step begins, bit for bit, where the last one ended
+    double h_before = 0.0;   ///< step size that the slopes belong to; 0 when there are none
+    bool continues = false;  ///< the step begins, bit for bit, where the last one ended
 
     /// Prepares a step of size h from x. Precondition: h != 0.
     [[nodiscard]] Status begin(const State<Vector>& x, double step_size) {

@@ -48,13 +48,12 @@ struct HasGradients<System, Vector,
 template <class System, class Vector, class = void>
 struct HasSeparableGradients : std::false_type {};
 template <class System, class Vector>
-struct HasSeparableGradients<System, Vector,
-                             std::void_t<decltype(std::declval<const System&>().dHdq(
-                                             std::declval<const Vector&>(),
-                                             std::declval<Vector&>())),
-                                         decltype(std::declval<const System&>().dHdp(
-                                             std::declval<const Vector&>(),
-                                             std::declval<Vector&>()))>> : std::true_type {};
+struct HasSeparableGradients<
+    System, Vector,
+    std::void_t<decltype(std::declval<const System&>().dHdq(std::declval<const Vector&>(),
+                                                            std::declval<Vector&>())),
+                decltype(std::declval<const System&>().dHdp(
+                    std::declval<const Vector&>(), std::declval<Vector&>()))>> : std::true_type {};
 
 /// Says in words what a class lacks that is to be a Hamiltonian system.
 template <class System, bool separable>

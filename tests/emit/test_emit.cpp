@@ -1,10 +1,10 @@
 // What a header says. That it runs is tested in tests/run.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <cstdlib>
 #include <sstream>
 #include <string>
+
+#include <catch2/catch.hpp>
 
 #include "generator/emit/emit.hpp"
 #include "generator/emit/text.hpp"
@@ -22,13 +22,15 @@ std::string header(const Tableau& tableau, bool separable, std::string name = "M
                 {std::move(name), "hvi-gen stepper --method by-hand"});
 }
 
-std::string from_class(const std::string& text) { return text.substr(text.find("\nnamespace hvi::generated")); }
+std::string from_class(const std::string& text) {
+    return text.substr(text.find("\nnamespace hvi::generated"));
+}
 
 }  // namespace
 
 TEST_CASE("an explicit header includes the standard library alone") {
-    for (const auto& tableau : {tableaux::symplectic_euler(), tableaux::verlet(),
-                                tableaux::position_verlet()}) {
+    for (const auto& tableau :
+         {tableaux::symplectic_euler(), tableaux::verlet(), tableaux::position_verlet()}) {
         const std::string text = header(tableau, true);
         CHECK_THAT(text, !Contains("#include <hvi"));
         CHECK_THAT(text, !Contains("#include \""));
@@ -71,8 +73,9 @@ TEST_CASE("a header says what made it and from what") {
 }
 
 TEST_CASE("the text of a header is well laid out") {
-    for (const auto& tableau : {tableaux::lobatto_3(), tableaux::verlet(), tableaux::two_midpoints(),
-                                tableaux::negative_weight(), tableaux::position_verlet()}) {
+    for (const auto& tableau :
+         {tableaux::lobatto_3(), tableaux::verlet(), tableaux::two_midpoints(),
+          tableaux::negative_weight(), tableaux::position_verlet()}) {
         for (const bool separable : {false, true}) {
             std::istringstream text(header(tableau, separable));
             std::string line, last;
@@ -115,8 +118,8 @@ TEST_CASE("long statements and comments are broken to the page") {
 
 TEST_CASE("holes that are unknown, missing or not used break an invariant") {
     CHECK_THROWS_AS(fill("banner.hpp.in", {}), InternalError);
-    const Holes holes{{"version", "1"}, {"command", "c"}, {"method", "m"}, {"tableau", "t"},
-                      {"choices", ""}};
+    const Holes holes{
+        {"version", "1"}, {"command", "c"}, {"method", "m"}, {"tableau", "t"}, {"choices", ""}};
     CHECK_NOTHROW(fill("banner.hpp.in", holes));
     Holes more = holes;
     more["surplus"] = "x";

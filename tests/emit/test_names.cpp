@@ -26,8 +26,9 @@ TEST_CASE("names that C++ allows and the header does not use are taken") {
 
 TEST_CASE("other names are refused") {
     for (const char* name :
-         {"", "2nd", "a-b", "a b", "class", "co_await", "xor_eq", "alignas", "__x", "a__b", "_Big",
-          "\xc3\xa4", "System", "Solver", "State", "Status", "Coupled", "Coupled2", "hvi", "std", "m"}) {
+         {"",        "2nd",    "a-b",     "a b",      "class",    "co_await", "xor_eq",
+          "alignas", "__x",    "a__b",    "_Big",     "\xc3\xa4", "System",   "Solver",
+          "State",   "Status", "Coupled", "Coupled2", "hvi",      "std",      "m"}) {
         CAPTURE(name);
         CHECK_THROWS_AS(check_class_name(name, {}), InputError);
     }

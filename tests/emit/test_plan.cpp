@@ -1,8 +1,8 @@
 // What is solved for and what is left out.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+
+#include <catch2/catch.hpp>
 
 #include "generator/plan/graph.hpp"
 #include "generator/plan/lattice.hpp"
@@ -93,25 +93,26 @@ TEST_CASE("stages that decouple are solved one after the other") {
 }
 
 TEST_CASE("the dump of a scheme is stable") {
-    CHECK(dump(plan(tableaux::verlet(), {.separable = true})) ==
-          "separable\n"
-          "Q_1: start, weight 1/2, stages 1\n"
-          "Q_2: end, weight 1/2, stages 2\n"
-          "P_1: inner, weight 1, stages 1 2\n"
-          "m: 0\n"
-          "m: 1\n"
-          "evaluate Q_1\n"
-          "evaluate Lp_1\n"
-          "evaluate P_1\n"
-          "evaluate Lq_1\n"
-          "evaluate Q_2\n"
-          "evaluate Lp_2\n"
-          "P_1 = P_2 is evaluated once: these stages are equal\n"
-          "Q_1 is not solved for: it is q at the start of the step\n"
-          "Q_2 takes no sum of its own: it is q at the end of the step\n"
-          "no solver: no stage depends on itself: the step is kicks and drifts in turn\n"
-          "no compensated summation: the error of the step is far above round-off\n"
-          "one force a step is not evaluated: the last one of a step is the first one of the next\n");
+    CHECK(
+        dump(plan(tableaux::verlet(), {.separable = true})) ==
+        "separable\n"
+        "Q_1: start, weight 1/2, stages 1\n"
+        "Q_2: end, weight 1/2, stages 2\n"
+        "P_1: inner, weight 1, stages 1 2\n"
+        "m: 0\n"
+        "m: 1\n"
+        "evaluate Q_1\n"
+        "evaluate Lp_1\n"
+        "evaluate P_1\n"
+        "evaluate Lq_1\n"
+        "evaluate Q_2\n"
+        "evaluate Lp_2\n"
+        "P_1 = P_2 is evaluated once: these stages are equal\n"
+        "Q_1 is not solved for: it is q at the start of the step\n"
+        "Q_2 takes no sum of its own: it is q at the end of the step\n"
+        "no solver: no stage depends on itself: the step is kicks and drifts in turn\n"
+        "no compensated summation: the error of the step is far above round-off\n"
+        "one force a step is not evaluated: the last one of a step is the first one of the next\n");
 }
 
 TEST_CASE("coefficients are complementary in doubles, for every entry") {
@@ -125,7 +126,8 @@ TEST_CASE("coefficients are complementary in doubles, for every entry") {
                 CHECK(1.0 - rounded_.m[i][j] == rounded_.mt[j][i]);
                 CHECK(1.0 - rounded_.mt[j][i] == rounded_.m[i][j]);
                 CHECK(std::abs(rounded_.m[i][j] - scheme.m[i][j].nearest_double()) <=
-                      0x1p-53 * std::max(std::abs(rounded_.m[i][j]), std::abs(rounded_.mt[j][i])) * 2);
+                      0x1p-53 * std::max(std::abs(rounded_.m[i][j]), std::abs(rounded_.mt[j][i])) *
+                          2);
             }
         }
     }

@@ -20,42 +20,37 @@ auto with_ground(Work work) {
     for (Denominators denominators;;) {
         try {
             return work(Ground(std::make_shared<Field>(denominators)));
-        } catch (const TooCoarse &answer) {
-            denominators = answer.finer;
-        }
+        } catch (const TooCoarse& answer) { denominators = answer.finer; }
     }
 }
 
-inline Number read(const std::string &text, const Ground &ground) {
+inline Number read(const std::string& text, const Ground& ground) {
     const auto given = source(text);
     return evaluate_number(parse_expression(given), given, ground);
 }
 
-inline Number number(const std::string &text) {
-    return with_ground([&](const Ground &ground) { return read(text, ground); });
+inline Number number(const std::string& text) {
+    return with_ground([&](const Ground& ground) { return read(text, ground); });
 }
 
 /// The closed form, or `none`.
-inline std::string text(const Number &number) {
+inline std::string text(const Number& number) {
     const auto form = number.closed_form();
     return form ? to_text(*form) : "none";
 }
 
-inline std::vector<std::string> texts(const NumberVector &numbers) {
+inline std::vector<std::string> texts(const NumberVector& numbers) {
     std::vector<std::string> result;
-    for (const Number &entry : numbers)
-        result.push_back(text(entry));
+    for (const Number& entry : numbers) result.push_back(text(entry));
     return result;
 }
 
 /// The closed form of the number that a text stands for.
-inline std::string normal(const std::string &given) {
-    return text(number(given));
-}
+inline std::string normal(const std::string& given) { return text(number(given)); }
 
 /// Whether two lists of texts stand for the same numbers, decided in one field.
-inline bool same(const std::vector<std::string> &left, const std::vector<std::string> &right) {
-    return left.size() == right.size() && with_ground([&](const Ground &ground) {
+inline bool same(const std::vector<std::string>& left, const std::vector<std::string>& right) {
+    return left.size() == right.size() && with_ground([&](const Ground& ground) {
                for (std::size_t i = 0; i < left.size(); ++i) {
                    if (!(read(left[i], ground) - read(right[i], ground)).is_zero()) return false;
                }
@@ -63,39 +58,36 @@ inline bool same(const std::vector<std::string> &left, const std::vector<std::st
            });
 }
 
-inline bool same(const std::string &left, const std::string &right) {
+inline bool same(const std::string& left, const std::string& right) {
     return same(std::vector{left}, std::vector{right});
 }
 
 /// Whether exact numbers, through their closed forms, are those of the texts.
-inline bool same(const NumberVector &numbers, const std::vector<std::string> &expected) {
+inline bool same(const NumberVector& numbers, const std::vector<std::string>& expected) {
     return same(texts(numbers), expected);
 }
 
-inline Method method(const std::string &name) {
-    return named_method(source(name, "--method"));
-}
+inline Method method(const std::string& name) { return named_method(source(name, "--method")); }
 
-inline Method method(const std::string &basis, const std::string &nodes) {
+inline Method method(const std::string& basis, const std::string& nodes) {
     return method_from_text(source(basis, "--basis"), source(nodes, "--nodes"));
 }
 
 /// A method in one text for lists of them: `gauss:2`, or `1, tau | 0, 1`.
-inline Method any_method(const std::string &given) {
+inline Method any_method(const std::string& given) {
     const std::size_t bar = given.find('|');
     return bar == std::string::npos ? method(given)
                                     : method(given.substr(0, bar), given.substr(bar + 1));
 }
 
 /// All entries of a tableau, row after row.
-inline NumberVector all_entries(const Tableau &tableau) {
+inline NumberVector all_entries(const Tableau& tableau) {
     NumberVector result;
-    for (const NumberVector *vector : {&tableau.c, &tableau.b, &tableau.c_tilde, &tableau.B})
+    for (const NumberVector* vector : {&tableau.c, &tableau.b, &tableau.c_tilde, &tableau.B})
         result.insert(result.end(), vector->begin(), vector->end());
-    for (const NumberMatrix *matrix :
+    for (const NumberMatrix* matrix :
          {&tableau.A, &tableau.A_tilde, &tableau.M, &tableau.M_inverse, &tableau.A_psi}) {
-        for (const NumberVector &row : *matrix)
-            result.insert(result.end(), row.begin(), row.end());
+        for (const NumberVector& row : *matrix) result.insert(result.end(), row.begin(), row.end());
     }
     return result;
 }

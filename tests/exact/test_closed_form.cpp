@@ -10,19 +10,19 @@ using namespace hvi::gen;
 namespace {
 
 /// Whether the text of a number, read in the number's own field, is the number.
-bool reads_back(const std::string &given) {
-    return with_ground([&](const Ground &ground) {
+bool reads_back(const std::string& given) {
+    return with_ground([&](const Ground& ground) {
         const Number number = read(given, ground);
         return (number - read(text(number), ground)).is_zero();
     });
 }
 
 /// Whether a divisor has `name` in it.
-bool divides_by(const Expression &expression, const std::string &name) {
+bool divides_by(const Expression& expression, const std::string& name) {
     bool found = false;
-    walk(expression, [&](const Expression &part) {
+    walk(expression, [&](const Expression& part) {
         if (part.kind != Expression::Kind::reciprocal) return true;
-        walk(part, [&](const Expression &inner) {
+        walk(part, [&](const Expression& inner) {
             found = found || inner.name == name;
             return true;
         });
@@ -65,8 +65,8 @@ TEST_CASE("every entry of a tableau is read back as itself") {
         "1, tau, cos(tau), sin(tau) | 0, 1/3, 2/3, 1", "1, tau*exp(-2*tau) | 1/4, 3/4");
     CAPTURE(given);
     const NumberVector entries = all_entries(derive(any_method(given)));
-    with_ground([&](const Ground &ground) {
-        for (const Number &entry : entries) {
+    with_ground([&](const Ground& ground) {
+        for (const Number& entry : entries) {
             CAPTURE(text(entry));
             const Number number = read(text(entry), ground);
             CHECK(number.decimal(60) == entry.decimal(60));
@@ -80,8 +80,8 @@ TEST_CASE("entries with a free parameter are read back") {
     const Tableau tableau = derive(method("1, tau, cos(w*tau), sin(w*tau)", "0, 1/3, 2/3, 1"));
     CHECK(tableau.parameters == std::vector<std::string>{"w"});
     const NumberVector entries = all_entries(tableau);
-    CHECK(with_ground([&](const Ground &ground) {
-        for (const Number &entry : entries) {
+    CHECK(with_ground([&](const Ground& ground) {
+        for (const Number& entry : entries) {
             const Number number = read(text(entry), ground);
             if (!(number - read(text(number), ground)).is_zero()) return false;
         }
@@ -90,13 +90,13 @@ TEST_CASE("entries with a free parameter are read back") {
 }
 
 TEST_CASE("an algebraic number has a rational denominator") {
-    for (const char *given :
+    for (const char* given :
          {"1/sqrt(2)", "1/(1+sqrt(2)+sqrt(3))", "1/sqrt(2+sqrt(2))", "sqrt(1/(5-sqrt(5)))",
           "1/cos(pi/24)", "1/(sqrt(525-70*sqrt(30))+1)"}) {
         CAPTURE(given, normal(given));
         CHECK_FALSE(divides_by(*number(given).closed_form(), "sqrt"));
     }
-    for (const Number &entry : all_entries(derive(method("gauss:4")))) {
+    for (const Number& entry : all_entries(derive(method("gauss:4")))) {
         CAPTURE(text(entry));
         CHECK_FALSE(divides_by(*entry.closed_form(), "sqrt"));
     }

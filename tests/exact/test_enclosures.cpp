@@ -10,15 +10,14 @@ using namespace hvi::gen;
 
 namespace {
 
-Number sum(const NumberVector &terms) {
+Number sum(const NumberVector& terms) {
     Number result;
-    for (const Number &term : terms)
-        result = result + term;
+    for (const Number& term : terms) result = result + term;
     return result;
 }
 
 /// |number| < 10^-60
-bool is_tiny(const Number &number) {
+bool is_tiny(const Number& number) {
     const Number bound = Number(1) / power(Number(10), 60);
     return (bound - number).sign() == 1 && (bound + number).sign() == 1;
 }
@@ -47,8 +46,8 @@ TEST_CASE("Gauss nodes and weights as in the tables") {
     const Tableau tableau = derive(method("gauss:" + std::to_string(rule.s)));
     const std::size_t half = rule.x.size();
     for (std::size_t i = 0; i < half; ++i) {
-        const Number &above = tableau.c[half + i];
-        const Number &below = tableau.c[half - 1 - i];
+        const Number& above = tableau.c[half + i];
+        const Number& below = tableau.c[half - 1 - i];
         CHECK((Number(2) * above - Number(1)).decimal(30) == rule.x[i]);
         CHECK((Number(1) - Number(2) * below).decimal(30) == rule.x[i]);
         CHECK((Number(2) * tableau.b[half + i]).decimal(30) == rule.w[i]);
@@ -61,7 +60,7 @@ TEST_CASE("a method known by enclosures is consistent and symplectic to 60 digit
                                "radau-right:5", "chebyshev:7", "chebyshev:9", "fejer:11");
     CAPTURE(name);
     const Tableau tableau = derive(method(name));
-    const auto &[b, A, A_tilde] = std::tie(tableau.b, tableau.A, tableau.A_tilde);
+    const auto& [b, A, A_tilde] = std::tie(tableau.b, tableau.A, tableau.A_tilde);
     CHECK(text(tableau.c[1]) == "none");
     CHECK(sum(b).decimal(60) == one);
     for (std::size_t i = 0; i < b.size(); ++i) {

@@ -120,10 +120,10 @@ TEST_CASE("near misses are different") {
 }
 
 TEST_CASE("what is equal and has no common normal form is never claimed to differ") {
-    const auto claimed_to_differ = [](const std::string &left, const std::string &right) {
+    const auto claimed_to_differ = [](const std::string& left, const std::string& right) {
         try {
             return !same(left, right);
-        } catch (const MathError &error) {
+        } catch (const MathError& error) {
             CHECK_THAT(error.what(), Catch::StartsWith("cannot decide whether a number is zero"));
             return false;
         }

@@ -8,36 +8,36 @@ using namespace hvi::gen;
 
 namespace {
 
-ExactFunction function(const std::string &text, const Ground &ground) {
+ExactFunction function(const std::string& text, const Ground& ground) {
     const auto given = source(text);
     return evaluate_function(parse_expression(given), given, ground);
 }
 
 /// Whether the integral over [0, end] is what the text says.
-bool integrates(const std::string &text, const std::string &end, const std::string &expected) {
-    return with_ground([&](const Ground &ground) {
+bool integrates(const std::string& text, const std::string& end, const std::string& expected) {
+    return with_ground([&](const Ground& ground) {
         const Number integral = function(text, ground).integral(read(end, ground), ground);
         return (integral - read(expected, ground)).is_zero();
     });
 }
 
-bool has_value(const std::string &text, const std::string &point, const std::string &expected) {
-    return with_ground([&](const Ground &ground) {
+bool has_value(const std::string& text, const std::string& point, const std::string& expected) {
+    return with_ground([&](const Ground& ground) {
         const Number value = function(text, ground).at(read(point, ground), ground);
         return (value - read(expected, ground)).is_zero();
     });
 }
 
 /// The function as a constant, or `none`.
-std::string constant(const std::string &given) {
-    return with_ground([&](const Ground &ground) {
+std::string constant(const std::string& given) {
+    return with_ground([&](const Ground& ground) {
         const auto number = function(given, ground).constant();
         return number ? text(*number) : "none";
     });
 }
 
-std::size_t terms(const std::string &text) {
-    return with_ground([&](const Ground &ground) { return function(text, ground).terms().size(); });
+std::size_t terms(const std::string& text) {
+    return with_ground([&](const Ground& ground) { return function(text, ground).terms().size(); });
 }
 
 }  // namespace

@@ -9,18 +9,18 @@ using namespace hvi::gen;
 
 namespace {
 
-NumberVector nodes(const std::string &list) {
+NumberVector nodes(const std::string& list) {
     return with_ground(
-        [&](const Ground &ground) { return quadrature_nodes(parse_list(source(list)), ground).c; });
+        [&](const Ground& ground) { return quadrature_nodes(parse_list(source(list)), ground).c; });
 }
 
 /// |left - right| < 10^-60
-bool agree(const Number &left, const Number &right) {
+bool agree(const Number& left, const Number& right) {
     const Number bound = Number(1) / power(Number(10), 60);
     return (bound + left - right).sign() == 1 && (bound - left + right).sign() == 1;
 }
 
-bool ascending_in_unit_interval(const NumberVector &c) {
+bool ascending_in_unit_interval(const NumberVector& c) {
     if (c.front().sign() < 0 || (Number(1) - c.back()).sign() < 0) return false;
     for (std::size_t i = 1; i < c.size(); ++i) {
         if ((c[i] - c[i - 1]).sign() <= 0) return false;
@@ -29,7 +29,7 @@ bool ascending_in_unit_interval(const NumberVector &c) {
 }
 
 /// Whether c and the nodes d mirrored, 1 - d_s .. 1 - d_1, agree.
-bool mirrored(const NumberVector &c, const NumberVector &d) {
+bool mirrored(const NumberVector& c, const NumberVector& d) {
     if (c.size() != d.size()) return false;
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (!agree(c[i], Number(1) - d[c.size() - 1 - i])) return false;
@@ -94,8 +94,8 @@ TEST_CASE("families, roots and numbers in one list") {
 }
 
 TEST_CASE("the polynomial of the nodes is known when it has rational coefficients") {
-    const auto polynomial = [](const std::string &list) {
-        return with_ground([&](const Ground &ground) {
+    const auto polynomial = [](const std::string& list) {
+        return with_ground([&](const Ground& ground) {
             return quadrature_nodes(parse_list(source(list)), ground).polynomial;
         });
     };

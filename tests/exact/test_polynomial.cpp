@@ -12,28 +12,27 @@ namespace {
 using Coefficients = std::vector<std::string>;
 
 /// From the constant upwards.
-RationalPolynomial polynomial(const Coefficients &coefficients) {
+RationalPolynomial polynomial(const Coefficients& coefficients) {
     RationalPolynomial result;
     for (std::size_t k = 0; k < coefficients.size(); ++k)
         result.set_coefficient(static_cast<long>(k), coefficients[k]);
     return result;
 }
 
-Coefficients coefficients(const RationalPolynomial &polynomial) {
+Coefficients coefficients(const RationalPolynomial& polynomial) {
     Coefficients result;
-    for (long k = 0; k <= polynomial.degree(); ++k)
-        result.push_back(polynomial.coefficient(k));
+    for (long k = 0; k <= polynomial.degree(); ++k) result.push_back(polynomial.coefficient(k));
     return result;
 }
 
-std::vector<std::string> roots(const RationalPolynomial &polynomial) {
-    return with_ground([&](const Ground &ground) { return texts(real_roots(polynomial, ground)); });
+std::vector<std::string> roots(const RationalPolynomial& polynomial) {
+    return with_ground([&](const Ground& ground) { return texts(real_roots(polynomial, ground)); });
 }
 
-std::vector<std::string> decimal_roots(const RationalPolynomial &polynomial, int digits) {
-    return with_ground([&](const Ground &ground) {
+std::vector<std::string> decimal_roots(const RationalPolynomial& polynomial, int digits) {
+    return with_ground([&](const Ground& ground) {
         std::vector<std::string> result;
-        for (const Number &root : real_roots(polynomial, ground))
+        for (const Number& root : real_roots(polynomial, ground))
             result.push_back(root.decimal(digits));
         return result;
     });
@@ -54,8 +53,7 @@ TEST_CASE("the polynomials of Chebyshev's quadrature with equal weights") {
         {"0", "-149/6480", "0", "119/360", "0", "-7/6", "0", "1"},
         {"-43/42525", "0", "-148/2835", "0", "22/45", "0", "-4/3", "0", "1"},
         {"0", "53/22400", "0", "-57/560", "0", "27/40", "0", "-3/2", "0", "1"}};
-    for (unsigned s = 0; s < G.size(); ++s)
-        CHECK(coefficients(chebyshev_equal_weights(s)) == G[s]);
+    for (unsigned s = 0; s < G.size(); ++s) CHECK(coefficients(chebyshev_equal_weights(s)) == G[s]);
 }
 
 TEST_CASE("Legendre's polynomials") {

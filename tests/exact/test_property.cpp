@@ -45,13 +45,13 @@ const std::vector<Basis> bases{
     {"1, tau, exp(tau), exp(-tau)", 4, 3},
 };
 
-Nodes random_nodes(const Basis &basis, std::mt19937 &generator) {
+Nodes random_nodes(const Basis& basis, std::mt19937& generator) {
     Nodes nodes{{}, basis.denominator};
     while (nodes.numerators.size() < basis.size) {
         // NOTE: std::uniform_int_distribution differs between standard libraries.
         const long numerator =
             static_cast<long>(generator() % static_cast<unsigned long>(basis.denominator + 1));
-        const auto &known = nodes.numerators;
+        const auto& known = nodes.numerators;
         if (std::find(known.begin(), known.end(), numerator) == known.end())
             nodes.numerators.push_back(numerator);
     }
@@ -63,28 +63,26 @@ struct Drawn {
     Nodes nodes;
     Tableau tableau;
 };
-Drawn draw(const Basis &basis, std::mt19937 &generator) {
+Drawn draw(const Basis& basis, std::mt19937& generator) {
     for (;;) {
         auto nodes = random_nodes(basis, generator);
         try {
             return {nodes, derive(method(basis.text, nodes.list()))};
-        } catch (const MathError &) {
-        }
+        } catch (const MathError&) {}
     }
 }
 
-Number sum(const NumberVector &terms) {
+Number sum(const NumberVector& terms) {
     Number result;
-    for (const Number &term : terms)
-        result = result + term;
+    for (const Number& term : terms) result = result + term;
     return result;
 }
 
 /// The entries of one tableau as texts, with row and column k taken from order[k].
-std::vector<std::string> entries(const Tableau &tableau, const std::vector<std::size_t> &order) {
+std::vector<std::string> entries(const Tableau& tableau, const std::vector<std::size_t>& order) {
     std::vector<std::string> result;
     for (const std::size_t i : order) {
-        for (const Number &entry : {tableau.c[i], tableau.b[i], tableau.c_tilde[i]})
+        for (const Number& entry : {tableau.c[i], tableau.b[i], tableau.c_tilde[i]})
             result.push_back(text(entry));
         for (const std::size_t j : order) {
             result.push_back(text(tableau.A[i][j]));
@@ -96,8 +94,7 @@ std::vector<std::string> entries(const Tableau &tableau, const std::vector<std::
 
 std::vector<std::size_t> ascending(std::size_t count) {
     std::vector<std::size_t> order(count);
-    for (std::size_t i = 0; i < count; ++i)
-        order[i] = i;
+    for (std::size_t i = 0; i < count; ++i) order[i] = i;
     return order;
 }
 
@@ -106,10 +103,10 @@ std::vector<std::size_t> ascending(std::size_t count) {
 TEST_CASE("random methods are symplectic, and rows sum to nodes") {
     const unsigned seed = GENERATE(1U, 2U);
     std::mt19937 generator(seed);
-    for (const Basis &basis : bases) {
+    for (const Basis& basis : bases) {
         const auto [nodes, tableau] = draw(basis, generator);
         CAPTURE(seed, basis.text, nodes.list());
-        const auto &[b, A, A_tilde] = std::tie(tableau.b, tableau.A, tableau.A_tilde);
+        const auto& [b, A, A_tilde] = std::tie(tableau.b, tableau.A, tableau.A_tilde);
         CHECK(sum(b).is_one());
         for (std::size_t i = 0; i < basis.size; ++i) {
             CHECK((sum(A[i]) - tableau.c[i]).is_zero());
@@ -122,14 +119,13 @@ TEST_CASE("random methods are symplectic, and rows sum to nodes") {
 TEST_CASE("permuted nodes give the permuted tableau") {
     const unsigned seed = 11;
     std::mt19937 generator(seed);
-    for (const Basis &basis : bases) {
+    for (const Basis& basis : bases) {
         const auto [nodes, tableau] = draw(basis, generator);
         std::vector<std::size_t> order = ascending(basis.size);
         std::rotate(order.begin(), order.begin() + 1, order.end());
         std::swap(order.front(), order[1]);
         Nodes permuted{{}, nodes.denominator};
-        for (const std::size_t i : order)
-            permuted.numerators.push_back(nodes.numerators[i]);
+        for (const std::size_t i : order) permuted.numerators.push_back(nodes.numerators[i]);
         CAPTURE(seed, basis.text, nodes.list(), permuted.list());
         const Tableau other = derive(method(basis.text, permuted.list()));
         CHECK(same(entries(other, ascending(basis.size)), entries(tableau, order)));
@@ -140,7 +136,7 @@ TEST_CASE("reflected nodes give the adjoint method") {
     // a*_ij = b_j - a_ij with stages in reverse order, and likewise a~*
     const unsigned seed = 21;
     std::mt19937 generator(seed);
-    for (const Basis &basis : bases) {
+    for (const Basis& basis : bases) {
         const auto [nodes, tableau] = draw(basis, generator);
         const std::size_t s = basis.size;
         Nodes reflected{{}, nodes.denominator};
@@ -165,7 +161,7 @@ TEST_CASE("reflected nodes give the adjoint method") {
 
 TEST_CASE("the basis does not matter, its span does") {
     const std::string nodes = "0, 1/4, 1";
-    const auto equal = [&](const std::string &left, const std::string &right) {
+    const auto equal = [&](const std::string& left, const std::string& right) {
         return same(entries(derive(method(left, nodes)), ascending(3)),
                     entries(derive(method(right, nodes)), ascending(3)));
     };

@@ -20,7 +20,7 @@ struct Published {
     Row c_tilde;
 };
 
-bool same_rows(const NumberMatrix &matrix, const Rows &rows) {
+bool same_rows(const NumberMatrix& matrix, const Rows& rows) {
     if (matrix.size() != rows.size()) return false;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         CAPTURE(i, texts(matrix[i]), rows[i]);
@@ -29,7 +29,7 @@ bool same_rows(const NumberMatrix &matrix, const Rows &rows) {
     return true;
 }
 
-void check(const Tableau &tableau, const Published &published) {
+void check(const Tableau& tableau, const Published& published) {
     CHECK(same(tableau.c, published.c));
     CHECK(same(tableau.b, published.b));
     CHECK(same_rows(tableau.A, published.A));
@@ -38,7 +38,7 @@ void check(const Tableau &tableau, const Published &published) {
 }
 
 /// Whether every text is as short as the published one, or shorter.
-bool as_short(const NumberMatrix &matrix, const Rows &published) {
+bool as_short(const NumberMatrix& matrix, const Rows& published) {
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         for (std::size_t j = 0; j < matrix[i].size(); ++j) {
             UNSCOPED_INFO(text(matrix[i][j]) << " for the published " << published[i][j]);
@@ -48,7 +48,7 @@ bool as_short(const NumberMatrix &matrix, const Rows &published) {
     return true;
 }
 
-void check_length(const Tableau &tableau, const Published &published) {
+void check_length(const Tableau& tableau, const Published& published) {
     CHECK(as_short({tableau.c, tableau.b, tableau.c_tilde},
                    {published.c, published.b, published.c_tilde}));
     CHECK(as_short(tableau.A, published.A));
@@ -171,7 +171,7 @@ TEST_CASE("Radau nodes give the A of Radau IIA and I") {
 }
 
 TEST_CASE("weights of well-known quadratures") {
-    const auto weights = [](const std::string &name) { return derive(method(name)).b; };
+    const auto weights = [](const std::string& name) { return derive(method(name)).b; };
     CHECK(same(weights("newton-cotes:4"), {"1/8", "3/8", "3/8", "1/8"}));
     CHECK(same(weights("newton-cotes:5"), {"7/90", "16/45", "2/15", "16/45", "7/90"}));
     CHECK(same(weights("newton-cotes-open:3"), {"2/3", "-1/3", "2/3"}));

@@ -19,7 +19,7 @@ Json reference_methods() {
     return Json::parse(file).at("methods");
 }
 
-Method method_of(const Json &entry) {
+Method method_of(const Json& entry) {
     if (entry.contains("method")) return method(entry["method"].get<std::string>());
     return method(entry["basis"].get<std::string>(), entry["nodes"].get<std::string>());
 }
@@ -34,7 +34,7 @@ std::string last_unit(std::string decimal) {
 }
 
 /// Whether two decimals differ by one unit of the first one's last digit at most.
-bool close(const std::string &left, const std::string &right) {
+bool close(const std::string& left, const std::string& right) {
     const Ground ground(std::make_shared<Field>(Denominators{}));
     const Number a = read(left, ground);
     const Number b = read(right, ground);
@@ -43,12 +43,12 @@ bool close(const std::string &left, const std::string &right) {
     return (unit - (a - b)).sign() >= 0 && (unit + (a - b)).sign() >= 0;
 }
 
-bool agrees(const Number &entry, const std::string &expected) {
+bool agrees(const Number& entry, const std::string& expected) {
     if (entry.has_parameters()) return same(text(entry), expected);
     return close(entry.decimal(50), expected);
 }
 
-bool agrees(const Number &entry, const Json &expected) {
+bool agrees(const Number& entry, const Json& expected) {
     const auto value = expected.get<std::string>();
     if (agrees(entry, value)) return true;
     UNSCOPED_INFO(text(entry) << " is not " << value);
@@ -56,7 +56,7 @@ bool agrees(const Number &entry, const Json &expected) {
 }
 
 template <class Entries>
-bool agrees(const std::vector<Entries> &entries, const Json &expected) {
+bool agrees(const std::vector<Entries>& entries, const Json& expected) {
     if (entries.size() != expected.size()) return false;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (!agrees(entries[i], expected[i])) return false;
@@ -68,7 +68,7 @@ bool agrees(const std::vector<Entries> &entries, const Json &expected) {
 
 TEST_CASE("all coefficients agree with the reference") {
     int methods = 0;
-    for (const Json &entry : reference_methods()) {
+    for (const Json& entry : reference_methods()) {
         if (entry["status"] != "ok") continue;
         CAPTURE(entry["name"]);
         const Tableau tableau = derive(method_of(entry));
@@ -87,7 +87,7 @@ TEST_CASE("what the reference refuses is refused, for the same reason") {
                                                      {"zero_weight", "is zero, and step 5 divides"},
                                                      {"complex_nodes", "are not all real"}};
     int methods = 0;
-    for (const Json &entry : reference_methods()) {
+    for (const Json& entry : reference_methods()) {
         if (entry["status"] == "ok") continue;
         CAPTURE(entry["name"]);
         const Refusal refused = refusal([&] { return derive(method_of(entry)); });

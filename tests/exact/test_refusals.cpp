@@ -11,34 +11,32 @@ namespace {
 constexpr int mathematics = 1;
 constexpr int input = 2;
 
-Refusal refused(const std::string &basis, const std::string &nodes) {
+Refusal refused(const std::string& basis, const std::string& nodes) {
     return refusal([&] { return derive(method(basis, nodes)); });
 }
 
-Refusal refused(const std::string &expression) {
+Refusal refused(const std::string& expression) {
     return refusal([&] { return number(expression); });
 }
 
-std::string repeated(const std::string &text, int count) {
+std::string repeated(const std::string& text, int count) {
     std::string result;
-    for (int i = 0; i < count; ++i)
-        result += text;
+    for (int i = 0; i < count; ++i) result += text;
     return result;
 }
 
 /// sqrt(1)+sqrt(2)+...
 std::string sum_of_roots(int count) {
     std::string result = "sqrt(1)";
-    for (int i = 2; i <= count; ++i)
-        result += "+sqrt(" + std::to_string(i) + ")";
+    for (int i = 2; i <= count; ++i) result += "+sqrt(" + std::to_string(i) + ")";
     return result;
 }
 
 }  // namespace
 
 TEST_CASE("a singular M names the combination that vanishes at the nodes") {
-    const auto names = [](const std::string &basis, const std::string &nodes,
-                          const std::string &combination) {
+    const auto names = [](const std::string& basis, const std::string& nodes,
+                          const std::string& combination) {
         const Refusal answer = refused(basis, nodes);
         CAPTURE(answer.what);
         CHECK(answer.status == mathematics);
@@ -65,8 +63,8 @@ TEST_CASE("equal nodes are named") {
 }
 
 TEST_CASE("a zero weight names its node") {
-    const auto names = [](const std::string &basis, const std::string &nodes,
-                          const std::string &node) {
+    const auto names = [](const std::string& basis, const std::string& nodes,
+                          const std::string& node) {
         const Refusal answer = refused(basis, nodes);
         CAPTURE(answer.what);
         CHECK(answer.status == mathematics);
@@ -128,7 +126,7 @@ TEST_CASE("a node that is no number") {
 }
 
 TEST_CASE("functions that are not built yet") {
-    const auto marks = [](const std::string &basis, const std::string &marked) {
+    const auto marks = [](const std::string& basis, const std::string& marked) {
         const Refusal answer = refused(basis, "0, 1");
         CHECK(answer.status == input);
         CHECK(answer.says("not built yet"));
@@ -162,7 +160,7 @@ TEST_CASE("numbers beyond any method are refused at once") {
         "(1+pi+w)^100*(1+e+v)^100*(1+log(2))^100",
         repeated("7^1000*", 20) + "1",
     };
-    for (const std::string &huge : numbers) {
+    for (const std::string& huge : numbers) {
         CAPTURE(huge);
         CHECK(refused(huge).status == input);
     }

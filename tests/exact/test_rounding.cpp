@@ -8,13 +8,9 @@ using namespace hvi::gen;
 
 namespace {
 
-std::string decimal(const std::string &given, int digits) {
-    return number(given).decimal(digits);
-}
+std::string decimal(const std::string& given, int digits) { return number(given).decimal(digits); }
 
-double nearest(const std::string &given) {
-    return number(given).nearest_double();
-}
+double nearest(const std::string& given) { return number(given).nearest_double(); }
 
 }  // namespace
 
@@ -115,7 +111,7 @@ TEST_CASE("doubles below the normal range") {
 }
 
 TEST_CASE("the nearest multiple of a power of two") {
-    const auto multiple = [](const std::string &given, int exponent) {
+    const auto multiple = [](const std::string& given, int exponent) {
         return number(given).nearest_multiple(exponent);
     };
     CHECK(multiple("1/3", -10) == 341.0 / 1024);

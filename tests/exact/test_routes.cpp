@@ -10,7 +10,7 @@ using namespace hvi::gen;
 
 namespace {
 
-bool equal(const NumberVector &left, const NumberVector &right) {
+bool equal(const NumberVector& left, const NumberVector& right) {
     if (left.size() != right.size()) return false;
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (!(left[i] - right[i]).is_zero()) return false;
@@ -18,16 +18,15 @@ bool equal(const NumberVector &left, const NumberVector &right) {
     return true;
 }
 
-Number sum(const NumberVector &terms) {
+Number sum(const NumberVector& terms) {
     Number result;
-    for (const Number &term : terms)
-        result = result + term;
+    for (const Number& term : terms) result = result + term;
     return result;
 }
 
 /// b_i a~_ij + b_j a_ji - b_i b_j is zero for all i, j.
-bool is_symplectic(const Tableau &tableau) {
-    const auto &[b, A, A_tilde] = std::tie(tableau.b, tableau.A, tableau.A_tilde);
+bool is_symplectic(const Tableau& tableau) {
+    const auto& [b, A, A_tilde] = std::tie(tableau.b, tableau.A, tableau.A_tilde);
     for (std::size_t i = 0; i < b.size(); ++i) {
         for (std::size_t j = 0; j < b.size(); ++j) {
             if (!(b[i] * A_tilde[i][j] + b[j] * A[j][i] - b[i] * b[j]).is_zero()) return false;
@@ -37,12 +36,11 @@ bool is_symplectic(const Tableau &tableau) {
 }
 
 /// M M^-1 is the identity.
-bool is_inverse(const NumberMatrix &M, const NumberMatrix &inverse) {
+bool is_inverse(const NumberMatrix& M, const NumberMatrix& inverse) {
     for (std::size_t i = 0; i < M.size(); ++i) {
         for (std::size_t j = 0; j < M.size(); ++j) {
             Number entry;
-            for (std::size_t k = 0; k < M.size(); ++k)
-                entry = entry + M[i][k] * inverse[k][j];
+            for (std::size_t k = 0; k < M.size(); ++k) entry = entry + M[i][k] * inverse[k][j];
             if (!(entry - Number(i == j ? 1 : 0)).is_zero()) return false;
         }
     }

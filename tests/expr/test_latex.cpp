@@ -9,9 +9,7 @@ using namespace hvi::gen;
 
 namespace {
 
-std::string latex(const std::string& text) {
-    return to_latex(parse_expression(source(text)));
-}
+std::string latex(const std::string& text) { return to_latex(parse_expression(source(text))); }
 
 }  // namespace
 

@@ -9,9 +9,7 @@ using namespace hvi::gen;
 
 namespace {
 
-std::string reprinted(const std::string& text) {
-    return to_text(parse_expression(source(text)));
-}
+std::string reprinted(const std::string& text) { return to_text(parse_expression(source(text))); }
 
 }  // namespace
 

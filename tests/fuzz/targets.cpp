@@ -31,8 +31,7 @@ void check_ranges(const Expression& expression, const Source& text) {
     require(expression.range.begin <= expression.range.end &&
                 expression.range.end <= text.text.size(),
             "a range leaves the text");
-    for (const Expression& argument : expression.arguments)
-        check_ranges(argument, text);
+    for (const Expression& argument : expression.arguments) check_ranges(argument, text);
 }
 
 /// NOTE: a fraction such as 0.5 is printed as 1/2, with parentheses that make the text deeper and

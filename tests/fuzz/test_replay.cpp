@@ -29,28 +29,17 @@ void replay(const char* target, void (*run)(std::string_view)) {
 
 }  // namespace
 
-TEST_CASE("expressions") {
-    replay("expression", fuzz::expression);
-}
-TEST_CASE("lists") {
-    replay("list", fuzz::list);
-}
-TEST_CASE("names") {
-    replay("name", fuzz::name);
-}
-TEST_CASE("parameters") {
-    replay("parameter", fuzz::parameter);
-}
-TEST_CASE("method files") {
-    replay("method_file", fuzz::method_file);
-}
+TEST_CASE("expressions") { replay("expression", fuzz::expression); }
+TEST_CASE("lists") { replay("list", fuzz::list); }
+TEST_CASE("names") { replay("name", fuzz::name); }
+TEST_CASE("parameters") { replay("parameter", fuzz::parameter); }
+TEST_CASE("method files") { replay("method_file", fuzz::method_file); }
 
 TEST_CASE("inputs too large for the corpus") {
     for (const std::string piece :
          {"(", "-", "2^", "sin(", "1+", "1/", "x*", "1,", "gauss:", "((1", "9", "e"}) {
         std::string text;
-        while (text.size() < 100000)
-            text += piece;
+        while (text.size() < 100000) text += piece;
         for (const std::size_t size : {text.size(), std::size_t{65535}}) {
             CHECK_NOTHROW(fuzz::expression(text.substr(0, size)));
             CHECK_NOTHROW(fuzz::list(text.substr(0, size)));
@@ -63,8 +52,7 @@ TEST_CASE("inputs too large for the corpus") {
 TEST_CASE("method files with many lines, keys and elements") {
     const auto repeated = [](const std::string& piece, std::size_t times) {
         std::string text;
-        for (std::size_t k = 0; k < times; ++k)
-            text += piece;
+        for (std::size_t k = 0; k < times; ++k) text += piece;
         return text;
     };
     fuzz::method_file("basis = [" + repeated("1.5,", 200000) + "]\nnodes = 0\n");
@@ -72,7 +60,6 @@ TEST_CASE("method files with many lines, keys and elements") {
     fuzz::method_file(repeated("[a]\n", 100000));
     fuzz::method_file(repeated("\n", 500000) + "basis = 1\nnodes = [0.5, tau]");
     std::string parameters = "basis = \"tau\"\nnodes = 0\n[parameters]\n";
-    for (int k = 0; k < 50000; ++k)
-        parameters += "w" + std::to_string(k) + " = 0.5\n";
+    for (int k = 0; k < 50000; ++k) parameters += "w" + std::to_string(k) + " = 0.5\n";
     fuzz::method_file(parameters);
 }

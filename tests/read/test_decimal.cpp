@@ -8,9 +8,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Expression read(const std::string& text) {
-    return read_decimal({source(text), {0, text.size()}});
-}
+Expression read(const std::string& text) { return read_decimal({source(text), {0, text.size()}}); }
 
 }  // namespace
 

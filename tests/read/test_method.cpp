@@ -9,9 +9,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Method named(const std::string& name) {
-    return named_method(source(name, "--method"));
-}
+Method named(const std::string& name) { return named_method(source(name, "--method")); }
 
 Method given(const std::string& basis, const std::string& nodes) {
     return method_from_text(source(basis, "--basis"), source(nodes, "--nodes"));
@@ -158,8 +156,7 @@ TEST_CASE("there are limits to what a method has") {
     CHECK(refused("monomials:40, trig:25", "0").marked == "monomials:40, [trig:25]");
     CHECK(refused("1", "gauss:64, 0").says("more than 64 nodes"));
     std::string sum = "a0*tau";
-    for (int k = 1; k < 65; ++k)
-        sum += "+a" + std::to_string(k) + "*tau";
+    for (int k = 1; k < 65; ++k) sum += "+a" + std::to_string(k) + "*tau";
     CHECK(refused("1," + sum, "0, 1").says("more than 64 parameters"));
 }
 

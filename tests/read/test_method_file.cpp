@@ -12,9 +12,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Method read(const std::string& text) {
-    return method_from_toml({"m.toml", text});
-}
+Method read(const std::string& text) { return method_from_toml({"m.toml", text}); }
 
 Refusal refused(const std::string& text) {
     return refusal([&] { return read(text); });

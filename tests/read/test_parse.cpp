@@ -18,9 +18,7 @@ Refusal refused_list(const std::string& text) {
     return refusal([&] { return parse_list(source(text)); });
 }
 
-Expression number(long value) {
-    return Expression::integer(value);
-}
+Expression number(long value) { return Expression::integer(value); }
 
 }  // namespace
 
@@ -115,13 +113,11 @@ TEST_CASE("characters that mean nothing are shown sanely") {
 TEST_CASE("length and depth are limited, and long flat texts are not deep") {
     CHECK(refused(std::string(64 * 1024 + 1, '1')).says("64 KiB"));
     std::string flat = "1";
-    while (flat.size() < 60000)
-        flat += "+x*2-y/3";
+    while (flat.size() < 60000) flat += "+x*2-y/3";
     CHECK(refused(flat).status == 0);
     const auto nested = [](const char* open, std::size_t depth, const char* close) {
         std::string text = "x";
-        for (std::size_t k = 0; k < depth; ++k)
-            text = open + text + close;
+        for (std::size_t k = 0; k < depth; ++k) text = open + text + close;
         return text;
     };
     CHECK(refused(nested("(", 199, ")")).status == 0);

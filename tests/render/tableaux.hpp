@@ -14,9 +14,7 @@ inline std::shared_ptr<const Source> source(const std::string& text) {
     return std::make_shared<const Source>(Source{"text", text});
 }
 
-inline Tableau tableau(const std::string& name) {
-    return derive(named_method(source(name)));
-}
+inline Tableau tableau(const std::string& name) { return derive(named_method(source(name))); }
 
 inline Tableau tableau(const std::string& basis, const std::string& nodes) {
     return derive(method_from_text(source(basis), source(nodes)));

@@ -16,8 +16,7 @@ Json json(const Tableau& tableau, int digits = 50) {
 
 std::vector<std::string> keys(const Json& object) {
     std::vector<std::string> names;
-    for (const auto& [key, value] : object.items())
-        names.push_back(key);
+    for (const auto& [key, value] : object.items()) names.push_back(key);
     return names;
 }
 

@@ -17,8 +17,7 @@ bool contains(const std::string& text, const std::string& part) {
 std::size_t longest_line(const std::string& text) {
     std::istringstream lines(text);
     std::size_t longest = 0;
-    for (std::string line; std::getline(lines, line);)
-        longest = std::max(longest, line.size());
+    for (std::string line; std::getline(lines, line);) longest = std::max(longest, line.size());
     return longest;
 }
 

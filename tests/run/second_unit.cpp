@@ -1,7 +1,6 @@
 // See test_two_units.cpp.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <hvi/generated/gauss_2.hpp>
-
 #include <hvi/generated/stormer_verlet_separable.hpp>
 
 #include "systems.hpp"

@@ -10,7 +10,6 @@
 #include <limits>
 
 #include <Eigen/Dense>
-
 #include <hvi/state.hpp>
 
 namespace systems {

@@ -1,10 +1,9 @@
 // Generated steppers against the table-driven one, which shares no code with them.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <vector>
 
+#include <catch2/catch.hpp>
 #include <hvi/generated/adjoint_symplectic_euler.hpp>
 #include <hvi/generated/adjoint_symplectic_euler_separable.hpp>
 #include <hvi/generated/chebyshev_3.hpp>
@@ -32,22 +31,22 @@ const double pi = std::acos(-1.0);
 const hvi::Coefficients euler{{1}, {{0}}, {{1}}};
 const hvi::Coefficients adjoint_euler{{1}, {{1}}, {{0}}};
 const hvi::Coefficients verlet{{0.5, 0.5}, {{0, 0}, {0.5, 0.5}}, {{0.5, 0}, {0.5, 0}}};
-const hvi::Coefficients gauss{{0.5, 0.5},
-                              {{0.25, 0.25 - std::sqrt(3.0) / 6}, {0.25 + std::sqrt(3.0) / 6, 0.25}},
-                              {{0.25, 0.25 - std::sqrt(3.0) / 6}, {0.25 + std::sqrt(3.0) / 6, 0.25}}};
+const hvi::Coefficients gauss{
+    {0.5, 0.5},
+    {{0.25, 0.25 - std::sqrt(3.0) / 6}, {0.25 + std::sqrt(3.0) / 6, 0.25}},
+    {{0.25, 0.25 - std::sqrt(3.0) / 6}, {0.25 + std::sqrt(3.0) / 6, 0.25}}};
 const hvi::Coefficients lobatto{
     {1.0 / 6, 2.0 / 3, 1.0 / 6},
     {{0, 0, 0}, {5.0 / 24, 1.0 / 3, -1.0 / 24}, {1.0 / 6, 2.0 / 3, 1.0 / 6}},
     {{1.0 / 6, -1.0 / 6, 0}, {1.0 / 6, 1.0 / 3, 0}, {1.0 / 6, 5.0 / 6, 0}}};
 const double r2 = std::sqrt(2.0);
-const hvi::Coefficients cheby{
-    {1.0 / 3, 1.0 / 3, 1.0 / 3},
-    {{1.0 / 6 + r2 / 48, 1.0 / 6 - r2 / 6, 1.0 / 6 - 5 * r2 / 48},
-     {1.0 / 6 + r2 / 8, 1.0 / 6, 1.0 / 6 - r2 / 8},
-     {1.0 / 6 + 5 * r2 / 48, 1.0 / 6 + r2 / 6, 1.0 / 6 - r2 / 48}},
-    {{1.0 / 6 - r2 / 48, 1.0 / 6 - r2 / 8, 1.0 / 6 - 5 * r2 / 48},
-     {1.0 / 6 + r2 / 6, 1.0 / 6, 1.0 / 6 - r2 / 6},
-     {1.0 / 6 + 5 * r2 / 48, 1.0 / 6 + r2 / 8, 1.0 / 6 + r2 / 48}}};
+const hvi::Coefficients cheby{{1.0 / 3, 1.0 / 3, 1.0 / 3},
+                              {{1.0 / 6 + r2 / 48, 1.0 / 6 - r2 / 6, 1.0 / 6 - 5 * r2 / 48},
+                               {1.0 / 6 + r2 / 8, 1.0 / 6, 1.0 / 6 - r2 / 8},
+                               {1.0 / 6 + 5 * r2 / 48, 1.0 / 6 + r2 / 6, 1.0 / 6 - r2 / 48}},
+                              {{1.0 / 6 - r2 / 48, 1.0 / 6 - r2 / 8, 1.0 / 6 - 5 * r2 / 48},
+                               {1.0 / 6 + r2 / 6, 1.0 / 6, 1.0 / 6 - r2 / 6},
+                               {1.0 / 6 + 5 * r2 / 48, 1.0 / 6 + r2 / 8, 1.0 / 6 + r2 / 48}}};
 const double outer = (pi - 2) / (2 * pi);
 const hvi::Coefficients trig{
     {outer, 2 / pi, outer},
@@ -100,11 +99,15 @@ template <template <class, class> class Stepper>
 void compare_general(const hvi::Coefficients& method) {
     for (const double h : {0.1, -0.05}) {
         // One step to a few units in the last place, later ones to what the flow makes of them.
-        compare(Stepper<systems::Product, hvi::FixedPoint>{}, method, systems::Product{}, point, h, 1, 6);
-        compare(Stepper<systems::Product, hvi::Newton>{}, method, systems::Product{}, point, h, 1, 6);
+        compare(Stepper<systems::Product, hvi::FixedPoint>{}, method, systems::Product{}, point, h,
+                1, 6);
+        compare(Stepper<systems::Product, hvi::Newton>{}, method, systems::Product{}, point, h, 1,
+                6);
         compare(Stepper<Kepler, hvi::FixedPoint>{}, method, Kepler{}, orbit, h, 1, 6);
-        compare(Stepper<systems::Product, hvi::FixedPoint>{}, method, systems::Product{}, point, h, 50, 300);
-        compare(Stepper<systems::Product, hvi::Newton>{}, method, systems::Product{}, point, h, 50, 300);
+        compare(Stepper<systems::Product, hvi::FixedPoint>{}, method, systems::Product{}, point, h,
+                50, 300);
+        compare(Stepper<systems::Product, hvi::Newton>{}, method, systems::Product{}, point, h, 50,
+                300);
         compare(Stepper<Kepler, hvi::FixedPoint>{}, method, Kepler{}, orbit, h, 50, 300);
     }
 }

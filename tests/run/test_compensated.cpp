@@ -1,9 +1,8 @@
 // TwoSum and the condition that makes a method symplectic in doubles.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
+#include <catch2/catch.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/compensated.hpp>
 

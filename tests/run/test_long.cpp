@@ -1,14 +1,13 @@
 // Many steps: symmetry, drift.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
+#include <catch2/catch.hpp>
 #include <hvi/generated/gauss_1.hpp>
 #include <hvi/generated/gauss_2.hpp>
+#include <hvi/generated/gauss_2_separable.hpp>
 #include <hvi/generated/gauss_3.hpp>
 #include <hvi/generated/gauss_4.hpp>
-#include <hvi/generated/gauss_2_separable.hpp>
 #include <hvi/generated/lobatto_2.hpp>
 #include <hvi/generated/lobatto_3.hpp>
 #include <hvi/generated/lobatto_3_separable.hpp>

@@ -1,10 +1,9 @@
 // What a stepper remembers, and that it belongs to a state.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 
+#include <catch2/catch.hpp>
 #include <hvi/generated/gauss_2.hpp>
 #include <hvi/generated/gauss_2_separable.hpp>
 #include <hvi/generated/gauss_4.hpp>
@@ -139,7 +138,8 @@ TEST_CASE("a gradient that is not a number is a status") {
     hvi::State<systems::One> x{{2.0}, {0.5}};
     const auto before = x;
     CHECK(Gauss2Separable<systems::Fenced>{}.step(x, 0.1).code() == hvi::Status::Code::not_finite);
-    CHECK(Lobatto3Separable<systems::Fenced>{}.step(x, 0.1).code() == hvi::Status::Code::not_finite);
+    CHECK(Lobatto3Separable<systems::Fenced>{}.step(x, 0.1).code() ==
+          hvi::Status::Code::not_finite);
     CHECK(StormerVerletSeparable<systems::Fenced>{}.step(x, 0.1).code() ==
           hvi::Status::Code::not_finite);
     CHECK(systems::same_bits(x, before));
@@ -149,7 +149,8 @@ TEST_CASE("a force that is not a number at the end of a step is a status") {
     // q goes from 0.9 to 1.05; the stages between stay below 1.
     hvi::State<systems::One> x{{0.9}, {2.0}};
     const auto before = x;
-    CHECK(Lobatto3Separable<systems::Fenced>{}.step(x, 0.08).code() == hvi::Status::Code::not_finite);
+    CHECK(Lobatto3Separable<systems::Fenced>{}.step(x, 0.08).code() ==
+          hvi::Status::Code::not_finite);
     CHECK(StormerVerletSeparable<systems::Fenced>{}.step(x, 0.08).code() ==
           hvi::Status::Code::not_finite);
     CHECK(systems::same_bits(x, before));

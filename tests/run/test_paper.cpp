@@ -1,11 +1,10 @@
 // Section 6 of the paper, with the shipped headers.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include <catch2/catch.hpp>
 #include <hvi/generated/chebyshev_3.hpp>
 #include <hvi/generated/gauss_2.hpp>
 #include <hvi/generated/gauss_2_separable.hpp>
@@ -32,7 +31,8 @@ State run(Stepper stepper, State x, double h, int steps) {
 
 /// The slope of the least-squares line through (log h, log error) for h = 3/5, 3/10, ..., 3/160.
 template <class Stepper>
-double slope(const Stepper& stepper, const State& start, double exact, double (*value)(const State&)) {
+double slope(const Stepper& stepper, const State& start, double exact,
+             double (*value)(const State&)) {
     std::vector<double> u, v;
     for (int n = 5; n <= 160; n *= 2) {
         u.push_back(std::log(3.0 / n));
@@ -55,8 +55,7 @@ double p_of(const State& x) { return x.p[0]; }
 
 /// A sum of two terms that may cancel: to a few units in the last place of the larger one.
 void check_row(double value, double first, double second) {
-    CHECK(std::abs(value - (first + second)) <=
-          4 * 0x1p-52 * (std::abs(first) + std::abs(second)));
+    CHECK(std::abs(value - (first + second)) <= 4 * 0x1p-52 * (std::abs(first) + std::abs(second)));
 }
 
 const std::vector<double> step_sizes{0.5, 0.4, 0.3, 0.1, 0.01, -0.01, -0.25, -0.5};
@@ -89,8 +88,8 @@ TEMPLATE_TEST_CASE("Cheby4 on the oscillator is (6.5)", "", hvi::FixedPoint, hvi
         const double diagonal = (((-z2 + 228) * z2 - 4320) * z2 + 9216) / D;
         const double qp = h * ((36 * z2 - 1248) * z2 + 9216) / D;
         const double pq = h * w * w * ((-12 * z2 + 1248) * z2 - 9216) / D;
-        const State x =
-            one_step(Chebyshev3<systems::Oscillator, TestType>{systems::Oscillator{w}}, {{2.0}, {1.0}}, h);
+        const State x = one_step(Chebyshev3<systems::Oscillator, TestType>{systems::Oscillator{w}},
+                                 {{2.0}, {1.0}}, h);
         check_row(x.q[0], 2.0 * diagonal, qp);
         check_row(x.p[0], 2.0 * pq, diagonal);
     }
@@ -105,11 +104,14 @@ TEMPLATE_TEST_CASE("GauLe4 on the oscillator is (6.6)", "", hvi::FixedPoint, hvi
         const double qp = h * (-12 * z2 + 144) / D;
         const double pq = -w * w * qp;
         const State start{{2.0}, {1.0}};
-        const State x = one_step(Gauss2<systems::Oscillator, TestType>{systems::Oscillator{w}}, start, h);
+        const State x =
+            one_step(Gauss2<systems::Oscillator, TestType>{systems::Oscillator{w}}, start, h);
         check_row(x.q[0], 2.0 * diagonal, qp);
         check_row(x.p[0], 2.0 * pq, diagonal);
         const State y = one_step(
-            Gauss2Separable<systems::SeparableOscillator, TestType>{systems::SeparableOscillator{w}}, start, h);
+            Gauss2Separable<systems::SeparableOscillator, TestType>{
+                systems::SeparableOscillator{w}},
+            start, h);
         check_row(y.q[0], 2.0 * diagonal, qp);
         check_row(y.p[0], 2.0 * pq, diagonal);
     }

@@ -1,11 +1,10 @@
 // The stop at round-off.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <functional>
 #include <limits>
 
+#include <catch2/catch.hpp>
 #include <hvi/round_off.hpp>
 
 #include "systems.hpp"
@@ -36,7 +35,8 @@ int sweeps_until(Verdict wanted, const std::function<double(int)>& change, Sizes
 }  // namespace
 
 TEST_CASE("an iteration ends when nothing changes") {
-    CHECK(sweeps_until(Verdict::unchanged, [](int i) { return i < 5 ? std::exp2(-10 * i) : 0.0; }) == 5);
+    CHECK(sweeps_until(Verdict::unchanged,
+                       [](int i) { return i < 5 ? std::exp2(-10 * i) : 0.0; }) == 5);
 }
 
 TEST_CASE("an iteration ends one sweep after the noise has stopped falling") {
@@ -64,6 +64,8 @@ TEST_CASE("noise of a gradient with cancellation ends an iteration, later") {
 }
 
 TEST_CASE("what is not a number ends an iteration") {
-    const auto change = [](int i) { return i < 3 ? 1.0 : std::numeric_limits<double>::quiet_NaN(); };
+    const auto change = [](int i) {
+        return i < 3 ? 1.0 : std::numeric_limits<double>::quiet_NaN();
+    };
     CHECK(sweeps_until(Verdict::not_finite, change) == 3);
 }

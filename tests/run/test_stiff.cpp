@@ -1,10 +1,9 @@
 // Newton's method where fixed points do not contract.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 
+#include <catch2/catch.hpp>
 #include <hvi/generated/gauss_2.hpp>
 #include <hvi/generated/gauss_2_separable.hpp>
 #include <hvi/generated/gauss_4.hpp>
@@ -41,7 +40,8 @@ TEST_CASE("Gauss with Newton's method keeps the energy of a stiff oscillator") {
         keeps_energy(Gauss2<systems::Oscillator, hvi::Newton>{systems::Oscillator{w}}, w, h);
         keeps_energy(Gauss4<systems::Oscillator, hvi::Newton>{systems::Oscillator{w}}, w, h);
         keeps_energy(
-            Gauss2Separable<systems::SeparableOscillator, hvi::Newton>{systems::SeparableOscillator{w}},
+            Gauss2Separable<systems::SeparableOscillator, hvi::Newton>{
+                systems::SeparableOscillator{w}},
             w, h);
     }
 }

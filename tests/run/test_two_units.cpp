@@ -1,12 +1,10 @@
 // The same headers in two translation units; see second_unit.cpp. Here a header without a solver,
 // with its own copy of State and Status, comes before the runtime, there after it.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+#include <hvi/generated/gauss_2.hpp>
 #include <hvi/generated/stormer_verlet_separable.hpp>
 #include <hvi/generated/symplectic_euler_separable.hpp>
-
-#include <hvi/generated/gauss_2.hpp>
-
-#include <catch2/catch.hpp>
 
 #include "systems.hpp"
 

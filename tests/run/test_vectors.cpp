@@ -1,14 +1,12 @@
 // Vectors of all kinds, and no allocation in a step.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <memory>
 #include <type_traits>
 #include <vector>
 
 #include <Eigen/Dense>
-
+#include <catch2/catch.hpp>
 #include <hvi/generated/gauss_2.hpp>
 #include <hvi/generated/lobatto_3_separable.hpp>
 #include <hvi/generated/stormer_verlet_separable.hpp>
@@ -50,8 +48,14 @@ struct Chain {
     void d2Hdq2(const Vector& q, const Vector&, Eigen::MatrixXd& out) const {
         for (Eigen::Index i = 0; i < out.rows(); ++i) {
             out(i, i) = std::cos(q[static_cast<decltype(q.size())>(i)]);
-            if (i > 0) { out(i, i) += 1.0; out(i, i - 1) = -1.0; }
-            if (i + 1 < out.rows()) { out(i, i) += 1.0; out(i, i + 1) = -1.0; }
+            if (i > 0) {
+                out(i, i) += 1.0;
+                out(i, i - 1) = -1.0;
+            }
+            if (i + 1 < out.rows()) {
+                out(i, i) += 1.0;
+                out(i, i + 1) = -1.0;
+            }
         }
     }
     void d2Hdqdp(const Vector&, const Vector&, Eigen::MatrixXd&) const {}
@@ -59,7 +63,6 @@ struct Chain {
     void dHdq(const Vector& q, const Vector&, Vector& out) const { dHdq(q, out); }
     void dHdp(const Vector&, const Vector& p, Vector& out) const { dHdp(p, out); }
 };
-
 
 template <class Stepper>
 hvi::State<systems::Two> run(Stepper stepper) {

@@ -62,14 +62,13 @@ public:
     /// One line without a full stop, for people.
     [[nodiscard]] constexpr const char* message() const {
         switch (code_) {
-            case Code::ok: return "ok";
-            case Code::not_converged:
-                return "the stage equations did not converge: try a smaller step";
-            case Code::not_finite: return "the step met a value that is infinite or not a number";
-            case Code::singular: return "the stage equations are singular at this step size";
-            case Code::dimension_mismatch: return "q and p differ in dimension";
-            case Code::unsafe_arithmetic:
-                return "compiled with reordered floating-point sums (-ffast-math)";
+        case Code::ok: return "ok";
+        case Code::not_converged: return "the stage equations did not converge: try a smaller step";
+        case Code::not_finite: return "the step met a value that is infinite or not a number";
+        case Code::singular: return "the stage equations are singular at this step size";
+        case Code::dimension_mismatch: return "q and p differ in dimension";
+        case Code::unsafe_arithmetic:
+            return "compiled with reordered floating-point sums (-ffast-math)";
         }
         return "unknown status";
     }
@@ -134,13 +133,12 @@ struct HasGradients<System, Vector,
 template <class System, class Vector, class = void>
 struct HasSeparableGradients : std::false_type {};
 template <class System, class Vector>
-struct HasSeparableGradients<System, Vector,
-                             std::void_t<decltype(std::declval<const System&>().dHdq(
-                                             std::declval<const Vector&>(),
-                                             std::declval<Vector&>())),
-                                         decltype(std::declval<const System&>().dHdp(
-                                             std::declval<const Vector&>(),
-                                             std::declval<Vector&>()))>> : std::true_type {};
+struct HasSeparableGradients<
+    System, Vector,
+    std::void_t<decltype(std::declval<const System&>().dHdq(std::declval<const Vector&>(),
+                                                            std::declval<Vector&>())),
+                decltype(std::declval<const System&>().dHdp(
+                    std::declval<const Vector&>(), std::declval<Vector&>()))>> : std::true_type {};
 
 /// Says in words what a class lacks that is to be a Hamiltonian system.
 template <class System, bool separable>
