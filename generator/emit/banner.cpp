@@ -33,7 +33,7 @@ std::string tableau_text(const Tableau& tableau, const Scheme& scheme) {
     list(writer, "c", tableau.c);
     list(writer, "b", tableau.b);
     list(writer, "a", tableau.A);
-    if (scheme.one_tableau) {
+    if (scheme.one_tableau()) {
         writer.comment("a~_i,j = a_i,j", "//     ", 4);
     } else {
         list(writer, "a~", tableau.A_tilde);
@@ -51,6 +51,18 @@ std::string negative_weights(const Tableau& tableau) {
     return names;
 }
 
+std::string_view partner_text(Partner partner) {
+    switch (partner) {
+    case Partner::same:
+        return "A == A~: a Runge-Kutta method, which conserves all quadratic invariants.";
+    case Partner::different:
+        return "A != A~: a partitioned method, which conserves q^T C p for constant C.";
+    case Partner::undecided: break;
+    }
+    return "A and A~ agree as far as they were compared; that they are equal is not proved. The "
+           "method conserves q^T C p for constant C.";
+}
+
 std::string method_text(const Tableau& tableau, const Scheme& scheme) {
     Writer writer(0);
     std::string basis;
@@ -61,11 +73,7 @@ std::string method_text(const Tableau& tableau, const Scheme& scheme) {
         "{}: symplectic, {} stage{}, for {} Hamiltonians.", method_title(tableau), tableau.stages(),
         tableau.stages() == 1 ? "" : "s", scheme.separable ? "separable" : "general"));
     if (!basis.empty()) { writer.comment(fmt::format("Basis functions of tau: {}.", basis)); }
-    if (scheme.one_tableau) {
-        writer.comment("A == A~: a Runge-Kutta method, which conserves all quadratic invariants.");
-    } else {
-        writer.comment("A != A~: a partitioned method, which conserves q^T C p for constant C.");
-    }
+    writer.comment(partner_text(scheme.partner));
     if (const std::string names = negative_weights(tableau); !names.empty()) {
         writer.comment(fmt::format("Negative weights: {}.", names));
     }

@@ -99,7 +99,7 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
          {"unknown_q", index_list("unknown_q", Lq)},
          {"unknown_p", index_list("unknown_p", Lp)},
          {"m", "m"},
-         {"mt", scheme.one_tableau ? "m" : "mt"},
+         {"mt", scheme.one_tableau() ? "m" : "mt"},
          {"b_q", weights_q(scheme)},
          {"b_p", weights_p(scheme)},
          {"momenta", stage_values(P, "P", "p", measures_p,

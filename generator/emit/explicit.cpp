@@ -3,7 +3,7 @@
 #include "generator/emit/banner.hpp"
 #include "generator/emit/embedded.hpp"
 #include "generator/emit/header.hpp"
-#include "generator/plan/same.hpp"
+#include "generator/plan/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -53,7 +53,7 @@ void write(Writer& writer, const Scheme& scheme, const Move& move, bool first_of
     const bool other_keeps = move.kick ? scheme.keeps_velocity : scheme.keeps_force;
     const bool in_place = !first_of_kind || other_keeps;
     const std::string change =
-        same(value.weight, 1) ? fmt::format("h * {}[k]", slope)
+        equal(value.weight, 1) ? fmt::format("h * {}[k]", slope)
                               : fmt::format("h * {}[{}] * {}[k]", names.weights, move.index, slope);
     const auto add = [&] {
         writer.open("for (Index k = 0; k < n; ++k) {{");
@@ -118,7 +118,7 @@ std::string weights_text(const Scheme& scheme) {
     Writer writer(1);
     const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
         bool ones = true;
-        for (const StageValue& value : values) { ones = ones && same(value.weight, 1); }
+        for (const StageValue& value : values) { ones = ones && equal(value.weight, 1); }
         if (!ones) { table(writer, name, weights(values)); }
     };
     write("b_p", scheme.positions);

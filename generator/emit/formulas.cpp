@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/header.hpp"
-#include "generator/plan/same.hpp"
+#include "generator/plan/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -25,9 +25,9 @@ struct Term {
 std::string sum(const std::vector<Term>& terms) {
     std::string text;
     for (const Term& term : terms) {
-        if (same(term.coefficient, 0)) { continue; }
+        if (equal(term.coefficient, 0)) { continue; }
         if (!text.empty()) { text += " + "; }
-        text += same(term.coefficient, 1) ? term.slope : term.factor + " * " + term.slope;
+        text += equal(term.coefficient, 1) ? term.slope : term.factor + " * " + term.slope;
     }
     HVI_CHECK(!text.empty());
     return text;
@@ -42,7 +42,7 @@ std::string stage(std::string_view y, const std::string& terms) {
 
 std::string factor(const StageValue& value, const std::string& weights, std::size_t index,
                    std::string_view h) {
-    return same(value.weight, 1) ? std::string(h) : fmt::format("{} * {}[{}]", h, weights, index);
+    return equal(value.weight, 1) ? std::string(h) : fmt::format("{} * {}[{}]", h, weights, index);
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ std::string position_sum(const Scheme& scheme, std::size_t i, std::string_view s
 }
 
 std::string momentum_sum(const Scheme& scheme, std::size_t j, std::string_view s) {
-    const std::string_view name = scheme.one_tableau ? "m" : "mt";
+    const std::string_view name = scheme.one_tableau() ? "m" : "mt";
     std::vector<Term> terms;
     for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
         terms.push_back({Number(1) - scheme.m[i][j], fmt::format("{}[{}][{}]", name, j, i),

@@ -292,15 +292,15 @@ std::string constants_text(const Scheme& scheme) {
         table(writer, weights_q(scheme), weights(scheme.momenta));
     }
     writer.blank().comment(
-        scheme.one_tableau
+        scheme.one_tableau()
             ? "m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij."
             : "m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.");
     table(writer, "m", constants("m", scheme.m, coefficients.m));
-    if (!scheme.one_tableau) {
+    if (!scheme.one_tableau()) {
         table(writer, "mt", constants("mt", complement(scheme.m), coefficients.mt));
     }
     writer.line("static_assert(hvi::detail::complementary(m, {}), \"the method is symplectic\");",
-                scheme.one_tableau ? "m" : "mt");
+                scheme.one_tableau() ? "m" : "mt");
     if (scheme.extrapolation) {
         writer.blank().comment("Slopes of the next step are about N times those of this one.");
         table(writer, "N", constants("N", *scheme.extrapolation, nearest(*scheme.extrapolation)));

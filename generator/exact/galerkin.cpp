@@ -139,24 +139,29 @@ NumberVector integrals(const std::vector<BasisFunction>& functions, const Number
     return result;
 }
 
-/// Whether the interpolatory rule is exact for one degree more than interpolation gives; with a
-/// polynomial basis A~ then satisfies C(1), that is c~ = c. The rule vanishes on the polynomial of
-/// the nodes, so the question is whether the integral of that does.
-bool is_exact_beyond_interpolation(const Ingredients& given) {
-    if (!given.nodes.polynomial) return false;
-    for (const BasisFunction& function : given.psi) {
-        const bool fits = function.function.is_polynomial();
-        if (!fits) return false;
+/// Whether the basis spans the polynomials of degree less than s. Precondition: M is regular.
+bool spans_polynomials(const std::vector<BasisFunction>& psi) {
+    for (const BasisFunction& function : psi) {
+        if (!function.function.is_polynomial()) { return false; }
         for (const ExactTerm& term : function.function.terms()) {
-            if (term.power >= given.psi.size()) return false;
+            if (term.power >= psi.size()) { return false; }
         }
     }
-    Number integral;
-    const RationalPolynomial& polynomial = *given.nodes.polynomial;
-    for (long k = 0; k <= polynomial.degree(); ++k) {
-        integral = integral + given.ground.rational(polynomial.coefficient(k), "1") / Number(k + 1);
+    return true;
+}
+
+/// By how many degrees more than interpolation gives the rule is exact: it vanishes on the multiples
+/// of the nodes' polynomial P, so these are the k for which the integrals of P, P tau, ...,
+/// P tau^(k-1) vanish, at most s. 0 where that is not known.
+std::size_t degrees_beyond_interpolation(const Ingredients& given) {
+    if (!given.nodes.polynomial || !spans_polynomials(given.psi)) { return 0; }
+    RationalPolynomial multiple = *given.nodes.polynomial;
+    std::size_t degrees = 0;
+    while (multiple.integral_over_unit_interval() == "0") {
+        multiple = multiple * RationalPolynomial::variable();
+        ++degrees;
     }
-    return integral.is_zero();
+    return degrees;
 }
 
 void check_weights(const Tableau& tableau, const Method& method) {
@@ -172,12 +177,25 @@ void check_weights(const Tableau& tableau, const Method& method) {
     }
 }
 
-/// Step 5, and the row sums c~. The rows and columns that the nodes 0 and 1 make trivial are exact
-/// without computing: a~_ij = b_j (1 - a_ji/b_i) and, for c_j = 1, a_ji = b_i.
+/// Step 5, and the row sums c~. With interpolating polynomials two facts need no computing, which
+/// enclosures could not prove:
+///
+/// A rule exact for one degree more has sum_j b_j a_ji = b_i (1 - c_i), the integral of
+/// (1 - tau) phi_i, and so sum_j a~_ij = c_i.
+///
+/// A rule exact for s degrees more, Gauss', has for k = 1 .. s in the same way
+/// sum_j b_j c_j^(k-1) a_ji = b_i (1 - c_i^k)/k, the integral of (1 - tau^k)/k phi_i, and so
+/// sum_j a~_ij c_j^(k-1) = c_i^k/k. These s equations determine row i of A~, and row i of A
+/// satisfies them: A~ = A.
 void complete_partner(Tableau& tableau, const Ingredients& given) {
     const Progress::Stage stage("computing the partner tableau");
     const std::size_t s = tableau.stages();
-    const bool same_nodes = is_exact_beyond_interpolation(given);
+    const std::size_t degrees = degrees_beyond_interpolation(given);
+    if (degrees >= s) {
+        tableau.A_tilde = tableau.A;
+        tableau.c_tilde = tableau.c;
+        return;
+    }
     for (std::size_t i = 0; i < s; ++i) {
         NumberVector row;
         Number sum;
@@ -186,7 +204,7 @@ void complete_partner(Tableau& tableau, const Ingredients& given) {
             sum = sum + row.back();
         }
         tableau.A_tilde.push_back(std::move(row));
-        tableau.c_tilde.push_back(same_nodes ? tableau.c[i] : sum);
+        tableau.c_tilde.push_back(degrees >= 1 ? tableau.c[i] : sum);
     }
 }
 

@@ -107,6 +107,13 @@ bool Number::is_zero() const {
 
 bool Number::is_one() const { return (*this - Number(1)).is_zero(); }
 
+std::optional<bool> Number::known_zero() const {
+    constexpr Precision bits = 512;
+    if (value().element() != nullptr) { return is_zero(); }
+    if (enclosure(*this, bits).sign() != 0) { return false; }
+    return std::nullopt;
+}
+
 int Number::sign() const {
     const Element* const element = value().element();
     if (element != nullptr && element->is_zero()) return 0;

@@ -29,6 +29,10 @@ public:
     [[nodiscard]] bool is_zero() const;
     [[nodiscard]] bool is_one() const;
 
+    /// The same question for those who can do without an answer: empty where no normal form proves
+    /// a zero and an enclosure of some 150 digits does not tell it from one.
+    [[nodiscard]] std::optional<bool> known_zero() const;
+
     /// -1, 0 or 1. Precondition: no free parameter.
     [[nodiscard]] int sign() const;
 

@@ -43,6 +43,13 @@ RationalPolynomial RationalPolynomial::derivative() const {
     return result;
 }
 
+std::string RationalPolynomial::integral_over_unit_interval() const {
+    RationalPolynomial antiderivative;
+    fmpq_poly_integral(antiderivative.polynomial_, polynomial_);
+    const RationalPolynomial value = antiderivative.at_affine(0, 1);
+    return value.coefficient(0);
+}
+
 RationalPolynomial RationalPolynomial::at_affine(long slope, long offset) const {
     RationalPolynomial argument;
     fmpq_poly_set_coeff_si(argument.polynomial_, 1, slope);

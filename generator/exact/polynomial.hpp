@@ -42,6 +42,9 @@ public:
 
     [[nodiscard]] RationalPolynomial derivative() const;
 
+    /// The integral over [0, 1], as `-2/3`.
+    [[nodiscard]] std::string integral_over_unit_interval() const;
+
     /// The polynomial at an affine argument: P(slope x + offset).
     [[nodiscard]] RationalPolynomial at_affine(long slope, long offset) const;
 

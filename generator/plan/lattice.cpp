@@ -24,7 +24,7 @@ RoundedCoefficients rounded(const Scheme& scheme) {
     const std::size_t columns = scheme.momenta.size();
     RoundedCoefficients result{DoubleMatrix(rows, std::vector<double>(columns)),
                                DoubleMatrix(columns, std::vector<double>(rows))};
-    const bool mirrored = scheme.one_tableau && rows == columns;
+    const bool mirrored = scheme.one_tableau() && rows == columns;
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t j = 0; j < columns; ++j) {
             if (mirrored && i < j) { continue; }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "generator/plan/graph.hpp"
-#include "generator/plan/same.hpp"
+#include "generator/plan/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -16,18 +16,22 @@ namespace {
 using Kind = StageNode::Kind;
 using Place = StageValue::Place;
 
-bool same(const NumberVector& a, const NumberVector& b) {
+bool equal(const NumberVector& a, const NumberVector& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (!same(a[i], b[i])) { return false; }
+        if (!equal(a[i], b[i])) { return false; }
     }
     return true;
 }
 
-bool same(const NumberMatrix& a, const NumberMatrix& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (!same(a[i], b[i])) { return false; }
+Partner partner(const Tableau& tableau) {
+    bool all_equal = true;
+    for (std::size_t i = 0; i < tableau.stages(); ++i) {
+        for (std::size_t j = 0; j < tableau.stages(); ++j) {
+            if (differ(tableau.A[i][j], tableau.A_tilde[i][j])) { return Partner::different; }
+            all_equal = all_equal && equal(tableau.A[i][j], tableau.A_tilde[i][j]);
+        }
     }
-    return true;
+    return all_equal ? Partner::same : Partner::undecided;
 }
 
 NumberMatrix transposed(const NumberMatrix& a) {
@@ -53,7 +57,7 @@ std::vector<StageValue> distinct(const NumberMatrix& rows, const NumberVector& w
     for (std::size_t i = 0; i < rows.size(); ++i) {
         StageValue* found = nullptr;
         for (StageValue& value : values) {
-            if (same(rows[value.stages.front()], rows[i])) { found = &value; }
+            if (equal(rows[value.stages.front()], rows[i])) { found = &value; }
         }
         if (found == nullptr) { found = &values.emplace_back(); }
         found->stages.push_back(i);
@@ -103,8 +107,8 @@ Place place_of(const NumberVector& row, bool ones_are_end) {
     bool zeros = true;
     bool ones = true;
     for (const Number& entry : row) {
-        zeros = zeros && same(entry, 0);
-        ones = ones && same(entry, 1);
+        zeros = zeros && equal(entry, 0);
+        ones = ones && equal(entry, 1);
     }
     if (zeros) { return ones_are_end ? Place::start : Place::end; }
     if (ones) { return ones_are_end ? Place::end : Place::start; }
@@ -170,10 +174,10 @@ DependencyGraph dependencies(const Scheme& scheme, const Numbering& number) {
     DependencyGraph needs(number.size());
     for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
         for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-            if (!same(scheme.m[i][j], 0)) {
+            if (!equal(scheme.m[i][j], 0)) {
                 needs[number.of(Kind::Q, i)].push_back(number.of(Kind::Lq, j));
             }
-            if (!same(scheme.m[i][j], 1)) {
+            if (!equal(scheme.m[i][j], 1)) {
                 needs[number.of(Kind::P, j)].push_back(number.of(Kind::Lp, i));
             }
         }
@@ -236,7 +240,7 @@ void set_kept(Scheme& scheme) {
 bool are_distinct(const NumberVector& c) {
     for (std::size_t i = 0; i < c.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            if (same(c[i], c[j])) { return false; }
+            if (!differ(c[i], c[j])) { return false; }
         }
     }
     return true;
@@ -317,10 +321,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     }
     Scheme scheme;
     scheme.separable = options.separable;
-    scheme.one_tableau = same(tableau.A, tableau.A_tilde);
-    if (scheme.one_tableau && !tableau.A[0][0].closed_form()) {
-        scheme.decisions.push_back({"A~ is taken to be A", "they agree to 40 digits"});
-    }
+    scheme.partner = partner(tableau);
     set_stages(scheme, tableau);
     set_places(scheme);
     set_blocks(scheme);

@@ -42,6 +42,13 @@ struct Block {
     [[nodiscard]] std::vector<std::size_t> of(StageNode::Kind kind) const;
 };
 
+/// What is proved of A and A~.
+enum class Partner {
+    same,       ///< A == A~: then mt == m
+    different,  ///< A != A~
+    undecided,  ///< neither: enclosures do not tell them apart
+};
+
 /// A choice, and why.
 struct Decision {
     std::string what;
@@ -54,8 +61,8 @@ struct Decision {
 ///
 /// with i over `positions`, j over `momenta`, and the order in which they are computed.
 struct Scheme {
-    bool separable = false;    ///< H = T(p) + U(q): Lq_j needs P_j alone, Lp_i needs Q_i
-    bool one_tableau = false;  ///< A == A~: then mt == m
+    bool separable = false;  ///< H = T(p) + U(q): Lq_j needs P_j alone, Lp_i needs Q_i
+    Partner partner = Partner::undecided;
     std::vector<StageValue> positions;
     std::vector<StageValue> momenta;
     NumberMatrix m;               ///< positions x momenta
@@ -66,6 +73,8 @@ struct Scheme {
     std::optional<NumberMatrix> extrapolation;
     std::vector<Decision> decisions;
 
+    /// One table of coefficients serves for Q and for P.
+    [[nodiscard]] bool one_tableau() const { return partner == Partner::same; }
     /// No equations to solve: kicks and drifts in turn.
     [[nodiscard]] bool is_explicit() const;
     [[nodiscard]] std::size_t coupled_blocks() const;

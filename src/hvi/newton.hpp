@@ -84,10 +84,11 @@ struct Newton {
                 case detail::Verdict::not_finite: return failed(iteration);
                 }
                 const double change = relative_change(coupled);
-                if (change <= nothing) { return Status(Status::Code::ok, iteration); }
-                const bool slow = iteration > 1 && change > well && change > 0.25 * last_change;
+                const bool falls = iteration == 1 || change < last_change;
+                const bool contracts = iteration == 1 || change <= 0.25 * last_change;
                 last_change = change;
-                if (!slow) { continue; }
+                if (!falls && change <= rounding) { return Status(Status::Code::ok, iteration); }
+                if (contracts || change <= well) { continue; }
                 if (reused) {
                     begin(coupled);
                     reused = false;
@@ -100,7 +101,12 @@ struct Newton {
 
     private:
         using Index = Eigen::Index;
-        static constexpr double nothing = 4 * DBL_EPSILON;  // a correction that only rounds
+        // NOTE: the part of a value that a correction may be and pass for rounding: it is rounding
+        // times the inverse of J, which may magnify it somewhat. A correction below it ends the
+        // iteration only when corrections no longer fall (Hairer, McLachlan & Razakarivony 2008).
+        // To end at the first one below 4 DBL_EPSILON, or where the rate of contraction promised a
+        // next one below 2^-58, made the energy of Kepler's problem drift.
+        static constexpr double rounding = 128 * DBL_EPSILON;
         static constexpr double well = 0x1p-30;  // so near to the solution any contraction does
 
         template <class Coupled>
@@ -299,8 +305,7 @@ struct Newton {
             return v[static_cast<detail::IndexOf<std::decay_t<AnyVector>>>(k)];
         }
 
-        // NOTE: a correction is rounding times the inverse of J, which may magnify it somewhat.
-        detail::RoundOff<Vector> round_off_{128 * DBL_EPSILON};
+        detail::RoundOff<Vector> round_off_{rounding};
         Eigen::MatrixXd jacobian_, Hqq_, Hqp_, Hpp_;
         Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
         Eigen::VectorXd slopes_, residual_, correction_;

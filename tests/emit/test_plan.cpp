@@ -9,6 +9,7 @@
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 #include "tests/emit/tableaux.hpp"
+#include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;
 using Kind = StageNode::Kind;
@@ -23,6 +24,8 @@ const Block& only_coupled(const Scheme& scheme) {
 }
 
 using Indices = std::vector<std::size_t>;
+
+Tableau named(const char* name) { return derive(named_method(source(name))); }
 
 }  // namespace
 
@@ -80,16 +83,36 @@ TEST_CASE("lobatto:3 solves for one force when H is separable") {
     CHECK(scheme.positions[0].place == Where::start);
     CHECK(scheme.positions[2].place == Where::end);
     CHECK(scheme.keeps_force);
-    CHECK_FALSE(scheme.one_tableau);
+    CHECK(scheme.partner == Partner::different);
 }
 
 TEST_CASE("stages that decouple are solved one after the other") {
     for (const bool separable : {false, true}) {
         const Scheme scheme = plan(tableaux::two_midpoints(), {.separable = separable});
         CHECK(scheme.coupled_blocks() == 2);
-        CHECK(scheme.one_tableau);
+        CHECK(scheme.partner == Partner::same);
         CHECK(scheme.blocks.front().of(Kind::Q) == Indices{0});
     }
+}
+
+TEST_CASE("A == A~ is said where it is proved, and the contrary too") {
+    const auto partner = [](const char* name) { return plan(named(name), {}).partner; };
+    CHECK(partner("gauss:4") == Partner::same);
+    CHECK(partner("gauss:7") == Partner::same);  // nodes without a closed form
+    CHECK(partner("radau-left:7") == Partner::different);
+    CHECK(partner("chebyshev:7") == Partner::different);
+    CHECK(partner("trig3") == Partner::different);
+
+    // The midpoint rule by a node that is 1/2, which no enclosure can prove.
+    const Number half =
+        number("cos(pi/11)+cos(3*pi/11)+cos(5*pi/11)+cos(7*pi/11)+cos(9*pi/11)");
+    REQUIRE_FALSE(half.closed_form());
+    Tableau midpoint = tableaux::midpoint();
+    midpoint.c = {half};
+    midpoint.A = {{half}};
+    midpoint.A_tilde = {{Number(1) - half}};
+    CHECK(plan(midpoint, {}).partner == Partner::undecided);
+    CHECK_FALSE(plan(midpoint, {}).one_tableau());
 }
 
 TEST_CASE("the dump of a scheme is stable") {

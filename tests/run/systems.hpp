@@ -79,6 +79,14 @@ struct Kepler {
         if (velocities != nullptr) { ++*velocities; }
         out = p;
     }
+    void d2Hdq2(const Vector& q, Eigen::MatrixXd& out) const {
+        const double r2 = q[0] * q[0] + q[1] * q[1];
+        const double r5 = r2 * r2 * std::sqrt(r2);
+        out(0, 0) = (r2 - 3 * q[0] * q[0]) / r5;
+        out(1, 1) = (r2 - 3 * q[1] * q[1]) / r5;
+        out(0, 1) = out(1, 0) = -3 * q[0] * q[1] / r5;
+    }
+    void d2Hdp2(const Vector&, Eigen::MatrixXd& out) const { out.setIdentity(); }
     static double energy(const hvi::State<Vector>& x) {
         return (x.p[0] * x.p[0] + x.p[1] * x.p[1]) / 2 - 1.0 / std::hypot(x.q[0], x.q[1]);
     }
@@ -91,6 +99,13 @@ struct AsGeneral {
     Separable system{};
     void dHdq(const Vector& q, const Vector&, Vector& out) const { system.dHdq(q, out); }
     void dHdp(const Vector&, const Vector& p, Vector& out) const { system.dHdp(p, out); }
+    void d2Hdq2(const Vector& q, const Vector&, Eigen::MatrixXd& out) const {
+        system.d2Hdq2(q, out);
+    }
+    void d2Hdqdp(const Vector&, const Vector&, Eigen::MatrixXd&) const {}
+    void d2Hdp2(const Vector&, const Vector& p, Eigen::MatrixXd& out) const {
+        system.d2Hdp2(p, out);
+    }
 };
 
 /// The gradient is not a number beyond |q| = limit.

@@ -1,6 +1,5 @@
 // Newton's method where fixed points do not contract.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -21,15 +20,15 @@ template <class Stepper>
 void keeps_energy(Stepper stepper, double w, double h) {
     hvi::State<systems::One> x{{1.0}, {0.5 * w}};
     const double energy = (x.p[0] * x.p[0] + w * w * x.q[0] * x.q[0]) / 2;
-    int most = 0;
+    int iterations = 0;
     for (int i = 0; i < 1000; ++i) {
         const hvi::Status status = stepper.step(x, h);
         REQUIRE(status.ok());
-        most = std::max(most, status.iterations);
+        iterations += status.iterations;
     }
     const double now = (x.p[0] * x.p[0] + w * w * x.q[0] * x.q[0]) / 2;
     CHECK(std::abs(now / energy - 1.0) < 2e-13);
-    CHECK(most <= 5);
+    CHECK(iterations <= 5 * 1000);
 }
 
 }  // namespace
