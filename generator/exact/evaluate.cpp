@@ -5,6 +5,7 @@
 
 #include "generator/exact/integers.hpp"
 #include "generator/exact/number_value.hpp"
+#include "generator/exact/zero.hpp"
 
 namespace hvi::gen {
 
@@ -138,6 +139,21 @@ private:
                          "are integrated exactly");
     }
 
+    /// A function with a zero in [0, 1] is no divisor.
+    void refuse_zero(const ExactFunction& divisor, const Expression& expression) const {
+        for (const ExactTerm& term : divisor.terms()) {
+            if (term.coefficient.has_parameters() || term.rate.has_parameters() ||
+                term.frequency.has_parameters()) {
+                return;
+            }
+        }
+        const auto zero = zero_in_unit_interval(divisor, ground_);
+        if (!zero) { return; }
+        throw MathError("the function is not defined on all of [0, 1]: this divisor is 0 at tau = " +
+                            *zero,
+                        place(expression), "a basis function must be integrable on [0, 1]");
+    }
+
     ExactFunction reciprocal(const Expression& argument) const {
         const ExactFunction divisor = evaluate(argument);
         if (const auto number = divisor.constant()) {
@@ -147,7 +163,10 @@ private:
         const auto& terms = divisor.terms();
         const bool is_exponential = terms.size() == 1 && terms.front().power == 0 &&
                                     terms.front().wave == ExactTerm::Wave::none;
-        if (!is_exponential) refuse_class(argument);
+        if (!is_exponential) {
+            refuse_zero(divisor, argument);
+            refuse_class(argument);
+        }
         return ExactFunction(Number(1) / terms.front().coefficient) *
                ExactFunction::exponential(-terms.front().rate);
     }

@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::array<FamilyEntry, 2> basis_table{{
     {"monomials", 1, "1..64", "the polynomials 1, tau, ..., tau^(S-1)", "Section 4.5"},
-    {"trig", 1, "1..64", "the first S of 1, cos(pi*tau), sin(pi*tau), cos(2*pi*tau), ...",
-     "Example 4.6"},
+    {"trig", 1, "1..64", "1, cos(pi*tau), sin(pi*tau), ...", "Example 4.6"},
 }};
 
 constexpr std::array<FormEntry, 1> basis_form_table{{
@@ -20,15 +19,15 @@ constexpr std::array<FormEntry, 1> basis_form_table{{
 }};
 
 constexpr std::array<FamilyEntry, 9> node_table{{
-    {"gauss", 1, "1..64", "zeros of the Legendre polynomial, order 2*S", "Section 6"},
+    {"gauss", 1, "1..64", "Legendre zeros, order 2*S", "Section 6"},
     {"lobatto", 2, "2..64", "Gauss-Lobatto: both ends are nodes", ""},
     {"radau-left", 1, "1..64", "Gauss-Radau with node 0", ""},
     {"radau-right", 1, "1..64", "Gauss-Radau with node 1", ""},
     {"newton-cotes", 2, "2..64", "equally spaced, with both ends", ""},
     {"newton-cotes-open", 1, "1..64", "equally spaced, without the ends", ""},
-    {"chebyshev", 1, "1..7, 9", "Chebyshev's quadrature with equal weights", "Example 4.7"},
-    {"clenshaw-curtis", 2, "2..64", "extrema of the Chebyshev polynomial, with both ends", ""},
-    {"fejer", 1, "1..64", "zeros of the Chebyshev polynomial, Fejer's first rule", ""},
+    {"chebyshev", 1, "1..7, 9", "Chebyshev's, equal weights", "Example 4.7"},
+    {"clenshaw-curtis", 2, "2..64", "Chebyshev extrema, both ends", ""},
+    {"fejer", 1, "1..64", "Chebyshev zeros, Fejer's first rule", ""},
 }};
 
 constexpr std::array<FormEntry, 1> node_form_table{{
@@ -38,8 +37,7 @@ constexpr std::array<FormEntry, 1> node_form_table{{
 constexpr std::array<MethodEntry, 5> method_table{{
     {"symplectic-euler", "1", "0", "symplectic Euler, order 1", "Example 4.4 (i)"},
     {"midpoint", "1", "1/2", "midpoint rule, order 2", "Example 4.4 (ii)"},
-    {"adjoint-symplectic-euler", "1", "1", "adjoint of symplectic Euler, order 1",
-     "Example 4.4 (iii)"},
+    {"adjoint-symplectic-euler", "1", "1", "its adjoint, order 1", "Example 4.4 (iii)"},
     {"stormer-verlet", "1, cos(pi*tau)", "0, 1", "Stormer-Verlet, order 2", "Example 4.5"},
     {"trig3", "1, cos(pi*tau), sin(pi*tau)", "0, 1/2, 1", "three stages, order 2", "Example 4.6"},
 }};

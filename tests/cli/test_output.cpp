@@ -3,6 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <sstream>
+
 #include <catch2/catch.hpp>
 
 #include "tests/cli/program.hpp"
@@ -49,6 +51,14 @@ TEST_CASE("help and version go to standard output") {
     }
     CHECK(hvi_gen({"--version"}).out == "hvi-gen 0.1.0\n");
     CHECK(hvi_gen({"tableau", "--help"}).out.find("--digits") != std::string::npos);
+}
+
+TEST_CASE("lists fit a terminal of 80 columns") {
+    std::istringstream lines(hvi_gen({"list"}).out);
+    for (std::string line; std::getline(lines, line);) {
+        INFO(line);
+        CHECK(line.size() <= 80);
+    }
 }
 
 TEST_CASE("the same input gives the same bytes") {

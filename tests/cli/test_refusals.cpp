@@ -92,6 +92,9 @@ TEST_CASE("mathematics forbids it: status 1") {
         {1, "log(0)", {"--basis", "1, tau", "--nodes", "log(0), 1"}},
         // fewer nodes than functions
         {1, "", {"--basis", "1, tau", "--nodes", "1/2"}},
+        // a function not integrable on [0,1]
+        {1, "tau", {"--basis", "1, 1/tau", "--nodes", "0, 1"}},
+        {1, "(tau - 1/2)", {"--basis", "1, (tau - 1/2)^(-1)", "--nodes", "0, 1"}},
         // constants not in the span
         {1, "", {"--basis", "tau", "--nodes", "1/2"}},
         {1, "", {"--basis", "tau, tau^2", "--nodes", "1/2, 1"}},
