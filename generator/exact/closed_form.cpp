@@ -12,7 +12,6 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::ex;
 using GiNaC::numeric;
 
 /// coefficient * product of powers of the transcendental generators * algebraic monomial.
@@ -23,8 +22,8 @@ struct Term {
 };
 
 /// (sum of numerator)/(sum of denominator): integer coefficients without a common divisor, the
-/// first of the denominator positive, no algebraic generator in the denominator. GiNaC's order of
-/// terms, which changes from run to run, ends here: the terms are sorted by their exponents.
+/// first of the denominator positive, no algebraic generator in the denominator. The terms are
+/// sorted by their exponents.
 struct Fraction {
     std::vector<Term> numerator;
     std::vector<Term> denominator;
@@ -41,36 +40,12 @@ bool before(const Term& left, const Term& right) {
     return left.monomial < right.monomial;
 }
 
-/// One product of numbers, symbols and their powers.
-Term read_product(const ex& product, const Field* field) {
+/// Precondition: the denominator is 1.
+void append_polynomial(std::vector<Term>& terms, const RationalFunction& polynomial,
+                       const Monomial& monomial, const Field* field) {
     const std::size_t count = field == nullptr ? 0 : field->transcendentals().size();
-    Term term{1, std::vector<int>(count), {}};
-    const bool is_product = GiNaC::is_a<GiNaC::mul>(product);
-    for (std::size_t i = 0; i < (is_product ? product.nops() : 1); ++i) {
-        const ex factor = is_product ? product.op(i) : product;
-        if (GiNaC::is_a<numeric>(factor)) {
-            term.coefficient *= GiNaC::ex_to<numeric>(factor);
-            continue;
-        }
-        const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
-        const ex symbol = is_power ? factor.op(0) : factor;
-        const auto& generators = field->transcendentals();
-        const auto found = std::find_if(generators.begin(), generators.end(),
-                                        [&](const auto& g) { return symbol.is_equal(g.symbol); });
-        HVI_CHECK(found != generators.end());
-        term.powers[static_cast<std::size_t>(found - generators.begin())] +=
-            is_power ? GiNaC::ex_to<numeric>(factor.op(1)).to_int() : 1;
-    }
-    return term;
-}
-
-void append_polynomial(std::vector<Term>& terms, const ex& polynomial, const Monomial& monomial,
-                       const Field* field) {
-    const ex expanded = polynomial.expand();
-    const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
-    for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
-        terms.push_back(read_product(is_sum ? expanded.op(i) : expanded, field));
-        terms.back().monomial = monomial;
+    for (const RationalFunction::Term& term : polynomial.numerator()) {
+        terms.push_back({term.coefficient, {term.powers.begin(), term.powers.begin() + count}, monomial});
     }
 }
 
@@ -100,14 +75,14 @@ std::vector<Term> with_multiple_angles(const std::vector<Term>& terms, std::size
 
 Fraction fraction(const Element& argument) {
     HVI_CHECK(!argument.is_zero());
-    ex denominator = 1;
+    RationalFunction denominator(1);
     for (const auto& [monomial, coefficient] : argument.terms()) {
-        denominator = GiNaC::lcm(denominator, coefficient.numer_denom().op(1).expand());
+        denominator = common_denominator(denominator.inverse(), coefficient);
     }
     Fraction result;
     append_polynomial(result.denominator, denominator, {}, argument.field());
     for (const auto& [monomial, coefficient] : argument.terms()) {
-        append_polynomial(result.numerator, (coefficient * denominator).normal(), monomial,
+        append_polynomial(result.numerator, coefficient * denominator, monomial,
                           argument.field());
     }
     for (std::size_t i = 0; i < argument.level(); ++i) {

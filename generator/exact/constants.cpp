@@ -13,7 +13,6 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::ex;
 using GiNaC::numeric;
 
 /// Powers of a generator beyond this one make expressions that nobody wants to read, and slow ones:
@@ -75,13 +74,15 @@ Field::CosSin times(Field::CosSin angle, long n) {
 
 }  // namespace
 
-Element Field::transcendental(const std::string& key, Transcendental generator) {
+std::optional<Element> Field::transcendental(const std::string& key, Transcendental generator) {
+    const bool is_full = transcendentals_.size() + 1 >= IntegerMultivariate::most_variables;
+    if (is_full && key != "pi" && by_key_.find(key) == by_key_.end()) return std::nullopt;
     const auto [position, is_new] = by_key_.try_emplace(key, transcendentals_.size());
     if (is_new) {
         generator.value = remembered(std::move(generator.value));
         transcendentals_.push_back(std::move(generator));
     }
-    return Element(transcendentals_[position->second].symbol, this);
+    return Element(RationalFunction::variable(position->second), this);
 }
 
 Element Field::adjoin(Algebraic generator) {
@@ -100,14 +101,16 @@ Element Field::pi() {
         arb_const_pi(result.get(), bits);
         return result;
     };
-    return transcendental("pi", std::move(generator));
+    return transcendental("pi", std::move(generator)).value();
 }
 
 Element Field::parameter(const std::string& name) {
     Transcendental generator;
     generator.form = Expression::symbol(name);
     generator.is_parameter = true;
-    return transcendental("parameter " + name, std::move(generator));
+    const auto symbol = transcendental("parameter " + name, std::move(generator));
+    if (!symbol) throw InputError("too many different symbols and constants in one method");
+    return *symbol;
 }
 
 std::vector<std::string> Field::parameters() const {
@@ -131,14 +134,12 @@ std::optional<std::vector<Field::Part>> Field::split(const Element& argument) {
         HVI_CHECK(is_new);
     };
     for (const auto& [monomial, coefficient] : argument.terms()) {
-        if (GiNaC::is_a<GiNaC::add>(coefficient.numer_denom().op(1).expand())) return std::nullopt;
-        const ex expanded = coefficient.expand();
-        const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
-        for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
-            const ex part = is_sum ? expanded.op(i) : expanded;
-            const ex size = part.numer_denom();
-            add(Element::term(monomial, part, this),
-                size.op(0).integer_content() / size.op(1).integer_content());
+        const auto denominator = coefficient.denominator();
+        if (denominator.size() > 1) return std::nullopt;
+        const RationalFunction divisor = RationalFunction::of(denominator.front()).inverse();
+        for (const RationalFunction::Term& term : coefficient.numerator()) {
+            const RationalFunction part = RationalFunction::of(term) * divisor;
+            add(Element::term(monomial, part, this), part.content());
         }
     }
     std::vector<Part> result;
@@ -159,9 +160,10 @@ std::optional<Field::Multiple> Field::multiple(const std::string& key, const num
 
 /// p, when the unit is log(p).
 std::optional<long> Field::prime_of_logarithm(const Element& unit) const {
-    for (const Transcendental& generator : transcendentals_) {
-        if (generator.prime != 0 && (unit - Element(generator.symbol)).is_zero()) {
-            return generator.prime;
+    for (std::size_t i = 0; i < transcendentals_.size(); ++i) {
+        if (transcendentals_[i].prime != 0 &&
+            (unit - Element(RationalFunction::variable(i))).is_zero()) {
+            return transcendentals_[i].prime;
         }
     }
     return std::nullopt;
@@ -197,8 +199,9 @@ std::optional<Element> Field::exp(const Element& given) {
         generator.exponent = unit;
         generator.is_parameter = hvi::gen::has_parameters(unit);
         generator.value = applied(arb_exp, unit);
-        const Element base = transcendental("exp " + part.key, std::move(generator));
-        const Element raised = power(base, static_cast<unsigned>(std::abs(exponent->times)));
+        const auto base = transcendental("exp " + part.key, std::move(generator));
+        if (!base) return std::nullopt;
+        const Element raised = power(*base, static_cast<unsigned>(std::abs(exponent->times)));
         result = result * (exponent->times < 0 ? inverse(raised) : raised);
     }
     return result;
@@ -219,8 +222,9 @@ std::optional<Element> Field::log(const Element& argument) {
                 generator.form = Expression::call("log", {Expression::integer(prime)});
                 generator.value = applied(arb_log, Element(prime));
                 generator.prime = prime;
-                result = result + transcendental("log " + std::to_string(prime), generator) *
-                                      Element(weight);
+                const auto log_prime = transcendental("log " + std::to_string(prime), generator);
+                if (!log_prime) return std::nullopt;
+                result = result + *log_prime * Element(weight);
             }
         }
     }
@@ -252,7 +256,9 @@ std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
     cosine.form = Expression::call("cos", {form});
     cosine.is_parameter = hvi::gen::has_parameters(unit);
     cosine.value = applied(arb_cos, unit);
-    const Element c = transcendental("cos " + part.key, std::move(cosine));
+    const auto found = transcendental("cos " + part.key, std::move(cosine));
+    if (!found) return std::nullopt;
+    const Element& c = *found;
     Algebraic sine;
     sine.kind = Algebraic::Kind::sine;
     sine.reduced = Element(1) - c * c;

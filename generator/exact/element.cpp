@@ -9,11 +9,6 @@ namespace hvi::gen {
 
 namespace {
 
-/// A rational function in lowest terms; for these GiNaC's `normal` decides equality with zero.
-GiNaC::ex lowest_terms(const GiNaC::ex& coefficient) {
-    return GiNaC::is_a<GiNaC::numeric>(coefficient) ? coefficient : coefficient.normal();
-}
-
 Field* common_field(const Element& left, const Element& right) {
     HVI_CHECK(left.field() == nullptr || right.field() == nullptr || left.field() == right.field());
     return left.field() != nullptr ? left.field() : right.field();
@@ -48,11 +43,11 @@ std::optional<std::size_t> reducible(const Monomial& monomial, const Field* fiel
 
 }  // namespace
 
-Element::Element(const GiNaC::ex& coefficient, Field* field) : field_(field) {
+Element::Element(const RationalFunction& coefficient, Field* field) : field_(field) {
     add_term({}, coefficient);
 }
 
-Element Element::term(const Monomial& monomial, const GiNaC::ex& coefficient, Field* field) {
+Element Element::term(const Monomial& monomial, const RationalFunction& coefficient, Field* field) {
     Element result;
     result.field_ = field;
     if (const auto index = reducible(monomial, field)) {
@@ -65,20 +60,20 @@ Element Element::term(const Monomial& monomial, const GiNaC::ex& coefficient, Fi
     return result;
 }
 
-void Element::add_term(const Monomial& monomial, const GiNaC::ex& coefficient) {
+void Element::add_term(const Monomial& monomial, const RationalFunction& coefficient) {
     const auto [position, is_new] = terms_.try_emplace(monomial, coefficient);
-    if (!is_new) position->second = lowest_terms(position->second + coefficient);
+    if (!is_new) position->second = position->second + coefficient;
     if (position->second.is_zero()) terms_.erase(position);
 }
 
 bool Element::is_rational() const {
     return is_zero() || (terms_.size() == 1 && terms_.begin()->first.empty() &&
-                         GiNaC::is_a<GiNaC::numeric>(terms_.begin()->second));
+                         terms_.begin()->second.is_rational());
 }
 
 GiNaC::numeric Element::rational() const {
     HVI_CHECK(is_rational());
-    return is_zero() ? GiNaC::numeric(0) : GiNaC::ex_to<GiNaC::numeric>(terms_.begin()->second);
+    return is_zero() ? GiNaC::numeric(0) : terms_.begin()->second.rational();
 }
 
 Element operator+(const Element& left, const Element& right) {
@@ -90,7 +85,7 @@ Element operator+(const Element& left, const Element& right) {
 
 Element operator-(const Element& argument) {
     Element result = argument;
-    for (auto& [monomial, coefficient] : result.terms_) coefficient = lowest_terms(-coefficient);
+    for (auto& [monomial, coefficient] : result.terms_) coefficient = -coefficient;
     return result;
 }
 
@@ -103,7 +98,7 @@ Element operator*(const Element& left, const Element& right) {
         for (const auto& [right_monomial, right_coefficient] : right.terms_) {
             const Element part =
                 Element::term(product(left_monomial, right_monomial),
-                              lowest_terms(left_coefficient * right_coefficient), result.field_);
+                              left_coefficient * right_coefficient, result.field_);
             for (const auto& [monomial, coefficient] : part.terms_) {
                 result.add_term(monomial, coefficient);
             }
@@ -173,7 +168,7 @@ Element inverse(const Element& argument) {
     HVI_CHECK(!argument.is_zero());
     const std::size_t level = argument.level();
     if (level == 0) {
-        return Element(lowest_terms(1 / argument.terms().begin()->second), argument.field());
+        return Element(argument.terms().begin()->second.inverse(), argument.field());
     }
     // Euclid's algorithm on the argument and the relation of its last generator g, which keeps
     // remainder = cofactor * argument modulo the relation.
@@ -211,8 +206,9 @@ bool has_parameters(const Element& argument) {
         for (std::size_t i = 0; i < monomial.size(); ++i) {
             if (monomial[i] != 0 && argument.field()->algebraic(i).is_parameter) return true;
         }
-        for (const Transcendental& generator : argument.field()->transcendentals()) {
-            if (generator.is_parameter && coefficient.has(generator.symbol)) return true;
+        const auto& generators = argument.field()->transcendentals();
+        for (std::size_t i = 0; i < generators.size(); ++i) {
+            if (generators[i].is_parameter && coefficient.contains(i)) return true;
         }
     }
     return false;

@@ -8,44 +8,30 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::ex;
-
-/// A rational function of the transcendental generators, by recursion over GiNaC's tree. The order
-/// of its terms may change the radius, never the truth of the bound.
-Ball evaluate(const ex& function, const Field* field, Precision bits) {
-    Ball result;
-    if (GiNaC::is_a<GiNaC::numeric>(function)) {
-        return ball_of_rational(digits(GiNaC::ex_to<GiNaC::numeric>(function)), bits);
-    }
-    if (GiNaC::is_a<GiNaC::add>(function)) {
-        for (std::size_t i = 0; i < function.nops(); ++i) {
-            const Ball term = evaluate(function.op(i), field, bits);
-            arb_add(result.get(), result.get(), term.get(), bits);
-        }
-        return result;
-    }
-    if (GiNaC::is_a<GiNaC::mul>(function)) {
-        arb_one(result.get());
-        for (std::size_t i = 0; i < function.nops(); ++i) {
-            const Ball factor = evaluate(function.op(i), field, bits);
-            arb_mul(result.get(), result.get(), factor.get(), bits);
-        }
-        return result;
-    }
-    if (GiNaC::is_a<GiNaC::power>(function)) {
-        result = evaluate(function.op(0), field, bits);
-        const int exponent = GiNaC::ex_to<GiNaC::numeric>(function.op(1)).to_int();
-        if (exponent < 0) arb_inv(result.get(), result.get(), bits);
-        arb_pow_ui(result.get(), result.get(), static_cast<ulong>(std::abs(exponent)), bits);
-        return result;
-    }
-    for (const Transcendental& generator : field->transcendentals()) {
-        if (generator.symbol.is_equal(GiNaC::ex_to<GiNaC::basic>(function))) {
+/// A polynomial in the transcendental generators.
+Ball evaluate(const std::vector<RationalFunction::Term>& terms, const Field* field,
+              Precision bits) {
+    Ball sum;
+    for (const RationalFunction::Term& term : terms) {
+        Ball product = ball_of_rational(digits(term.coefficient), bits);
+        for (std::size_t i = 0; i < term.powers.size(); ++i) {
+            if (term.powers[i] == 0) continue;
+            const Transcendental& generator = field->transcendentals().at(i);
             HVI_CHECK(!generator.is_parameter);
-            return generator.value(bits);
+            Ball power = generator.value(bits);
+            arb_pow_ui(power.get(), power.get(), term.powers[i], bits);
+            arb_mul(product.get(), product.get(), power.get(), bits);
         }
+        arb_add(sum.get(), sum.get(), product.get(), bits);
     }
-    HVI_CHECK(false && "a coefficient is a rational function of the generators");
+    return sum;
+}
+
+Ball evaluate(const RationalFunction& function, const Field* field, Precision bits) {
+    Ball result = evaluate(function.numerator(), field, bits);
+    const Ball denominator = evaluate(function.denominator(), field, bits);
+    arb_div(result.get(), result.get(), denominator.get(), bits);
+    return result;
 }
 
 }  // namespace

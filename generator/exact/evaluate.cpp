@@ -18,35 +18,13 @@ constexpr long most_exponent = 1000;
 constexpr double most_digits = 10000;
 constexpr double most_terms = 10000;
 
-/// At most how many terms a polynomial has when it is multiplied out.
-double most_expanded_terms(const GiNaC::ex& polynomial) {
-    if (GiNaC::is_a<GiNaC::add>(polynomial)) {
-        double sum = 0;
-        for (std::size_t i = 0; i < polynomial.nops(); ++i) {
-            sum += most_expanded_terms(polynomial.op(i));
-        }
-        return sum;
-    }
-    double product = 1;
-    if (GiNaC::is_a<GiNaC::mul>(polynomial)) {
-        for (std::size_t i = 0; i < polynomial.nops(); ++i) {
-            product *= most_expanded_terms(polynomial.op(i));
-        }
-    }
-    if (GiNaC::is_a<GiNaC::power>(polynomial)) {
-        const double exponent = GiNaC::ex_to<GiNaC::numeric>(polynomial.op(1)).to_double();
-        product = std::pow(most_expanded_terms(polynomial.op(0)), std::abs(exponent));
-    }
-    return product;
-}
-
-/// The same of a number; one that is known by its enclosures counts as one term.
+/// How many terms it takes to write a number; one that is known by its enclosures counts as one.
 double written_terms(const Number& number) {
     const Element* const element = number.value().element();
     if (element == nullptr) return 1;
     double sum = 0;
     for (const auto& [monomial, coefficient] : element->terms()) {
-        sum += most_expanded_terms(coefficient);
+        sum += static_cast<double>(coefficient.term_count());
     }
     return sum;
 }

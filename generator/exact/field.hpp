@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <ginac/ginac.h>
-
 #include <functional>
 #include <map>
 #include <memory>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "generator/exact/ball.hpp"
+#include "generator/exact/rational_function.hpp"
 #include "generator/expr/expression.hpp"
 
 namespace hvi::gen {
@@ -27,9 +26,9 @@ using Monomial = std::vector<unsigned>;
 class Element {
 public:
     Element() = default;  ///< zero
-    explicit Element(const GiNaC::ex& coefficient, Field* field = nullptr);
+    explicit Element(const RationalFunction& coefficient, Field* field = nullptr);
     /// coefficient times a product of powers of algebraic generators, reduced.
-    [[nodiscard]] static Element term(const Monomial& monomial, const GiNaC::ex& coefficient,
+    [[nodiscard]] static Element term(const Monomial& monomial, const RationalFunction& coefficient,
                                       Field* field);
 
     [[nodiscard]] bool is_zero() const { return terms_.empty(); }
@@ -37,7 +36,7 @@ public:
     [[nodiscard]] GiNaC::numeric rational() const;  ///< precondition: is_rational()
 
     [[nodiscard]] Field* field() const { return field_; }
-    [[nodiscard]] const std::map<Monomial, GiNaC::ex>& terms() const { return terms_; }
+    [[nodiscard]] const std::map<Monomial, RationalFunction>& terms() const { return terms_; }
 
     friend Element operator+(const Element& left, const Element& right);
     friend Element operator-(const Element& left, const Element& right);
@@ -52,10 +51,10 @@ public:
     [[nodiscard]] std::vector<Element> coefficients(std::size_t index) const;
 
 private:
-    void add_term(const Monomial& monomial, const GiNaC::ex& coefficient);
+    void add_term(const Monomial& monomial, const RationalFunction& coefficient);
 
     Field* field_ = nullptr;  ///< null for a rational that has met no field yet
-    std::map<Monomial, GiNaC::ex> terms_;
+    std::map<Monomial, RationalFunction> terms_;
 };
 
 /// 1/argument, by Euclid's algorithm in the tower. Precondition: not zero.
@@ -63,9 +62,9 @@ private:
 
 [[nodiscard]] Element power(const Element& base, unsigned exponent);
 
-/// A generator over Q that satisfies no algebraic relation: pi, exp(1), cos(w), a parameter.
+/// A generator over Q that satisfies no algebraic relation: pi, exp(1), cos(w), a parameter. The
+/// i-th of a field is the variable x_i of its rational functions.
 struct Transcendental {
-    GiNaC::symbol symbol;
     Expression form;                       ///< how it is written
     bool is_parameter = false;             ///< it, or what it is made of, has no value
     std::function<Ball(Precision)> value;  ///< empty with is_parameter
@@ -155,7 +154,9 @@ private:
     [[nodiscard]] std::optional<CosSin> cyclotomic(const GiNaC::numeric& half_turns);
     [[nodiscard]] std::optional<CosSin> cos_sin_of_part(const Part& part);
 
-    [[nodiscard]] Element transcendental(const std::string& key, Transcendental generator);
+    /// Empty when there are as many generators as there are variables, less one for pi.
+    [[nodiscard]] std::optional<Element> transcendental(const std::string& key,
+                                                        Transcendental generator);
     [[nodiscard]] Element adjoin(Algebraic generator);
     [[nodiscard]] std::optional<Element> adjoin_root(const Element& argument);
 

@@ -9,7 +9,6 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::ex;
 using GiNaC::numeric;
 
 /// The rational root of a rational square.
@@ -19,33 +18,6 @@ std::optional<numeric> rational_root(const numeric& square) {
     const numeric denominator = GiNaC::isqrt(square.denom());
     const numeric root = numerator / denominator;
     return root * root == square ? std::optional(root) : std::nullopt;
-}
-
-/// The root of a square in Q(transcendental generators): numerator times denominator is then a
-/// square of a polynomial, which its square-free factorisation shows.
-std::optional<ex> rational_function_root(const ex& square) {
-    if (GiNaC::is_a<numeric>(square)) {
-        const auto root = rational_root(GiNaC::ex_to<numeric>(square));
-        return root ? std::optional<ex>(*root) : std::nullopt;
-    }
-    const ex fraction = square.numer_denom();
-    const ex factors = GiNaC::sqrfree((fraction.op(0) * fraction.op(1)).expand());
-    const bool is_product = GiNaC::is_a<GiNaC::mul>(factors);
-    ex root = 1;
-    for (std::size_t i = 0; i < (is_product ? factors.nops() : 1); ++i) {
-        const ex factor = is_product ? factors.op(i) : factors;
-        if (GiNaC::is_a<numeric>(factor)) {
-            const auto constant = rational_root(GiNaC::ex_to<numeric>(factor));
-            if (!constant) return std::nullopt;
-            root *= *constant;
-        } else if (GiNaC::is_a<GiNaC::power>(factor) &&
-                   factor.op(1).info(GiNaC::info_flags::even)) {
-            root *= GiNaC::pow(factor.op(0), factor.op(1) / 2);
-        } else {
-            return std::nullopt;
-        }
-    }
-    return (root / fraction.op(1)).normal();
 }
 
 /// An integer as square * rest, as far as trial division by small primes finds squares in it.
@@ -67,9 +39,9 @@ numeric content(const Element& argument) {
     numeric numerators = 0;
     numeric denominators = 1;
     for (const auto& [monomial, coefficient] : argument.terms()) {
-        const ex fraction = coefficient.numer_denom();
-        numerators = GiNaC::gcd(numerators, fraction.op(0).expand().integer_content());
-        denominators = GiNaC::lcm(denominators, fraction.op(1).expand().integer_content());
+        const numeric part = coefficient.content();
+        numerators = GiNaC::gcd(numerators, part.numer());
+        denominators = GiNaC::lcm(denominators, part.denom());
     }
     return numerators / denominators;
 }
@@ -98,7 +70,7 @@ std::optional<Element> root_in_field(const Element& argument, std::size_t level)
     if (argument.is_zero()) return argument;
     if (level == 0) {
         if (argument.level() != 0) return std::nullopt;
-        const auto root = rational_function_root(argument.terms().begin()->second);
+        const auto root = argument.terms().begin()->second.square_root();
         return root ? std::optional(Element(*root, argument.field())) : std::nullopt;
     }
     Field& field = *argument.field();
