@@ -132,6 +132,7 @@ void append_root(Radicals& radicals, const Element& radicand) {
 /// by itself, or all under one root; the shorter serves. sqrt(2)*sqrt(3) is sqrt(6), and the two
 /// conjugate radicals of gauss:4 multiply to 35*sqrt(105).
 Radicals radicals(const Monomial& monomial, const Field* field) {
+    if (monomial.empty()) return {};
     Radicals separate;
     Element rational(1);
     Element all(1);

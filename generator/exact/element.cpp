@@ -162,6 +162,23 @@ void divide_out(Polynomial& dividend, Polynomial& cofactor, const Polynomial& di
     }
 }
 
+MathError divides_zero() {
+    return MathError("cannot decide whether a number is zero", {},
+                     "it is a divisor of zero in the algebraic normal form");
+}
+
+/// 1/(a + b g) = (a - b g)/(a^2 - b^2 g^2), where the relation of the last generator g is that of a
+/// square root or a sine.
+Element inverse_by_conjugate(const Element& argument, std::size_t level) {
+    const Algebraic& top = argument.field()->algebraic(level - 1);
+    const std::vector<Element> parts = argument.coefficients(level - 1);
+    const Element norm = parts[0] * parts[0] - parts[1] * parts[1] * top.reduced;
+    if (norm.is_zero()) throw divides_zero();
+    const Element generator =
+        Element::term(with_exponent({}, level - 1, 1), 1, argument.field());
+    return (parts[0] - parts[1] * generator) * inverse(norm);
+}
+
 }  // namespace
 
 Element inverse(const Element& argument) {
@@ -170,10 +187,11 @@ Element inverse(const Element& argument) {
     if (level == 0) {
         return Element(argument.terms().begin()->second.inverse(), argument.field());
     }
-    // Euclid's algorithm on the argument and the relation of its last generator g, which keeps
-    // remainder = cofactor * argument modulo the relation.
     Field* const field = argument.field();
     const Algebraic& top = field->algebraic(level - 1);
+    if (top.degree == 2) return inverse_by_conjugate(argument, level);
+    // Euclid's algorithm on the argument and the relation of its last generator g, which keeps
+    // remainder = cofactor * argument modulo the relation.
     Polynomial remainder = argument.coefficients(level - 1);
     Polynomial cofactor{Element(1, field)};
     Polynomial next_remainder = (-top.reduced).coefficients(level - 1);
@@ -186,8 +204,7 @@ Element inverse(const Element& argument) {
         std::swap(remainder, next_remainder);
         std::swap(cofactor, next_cofactor);
         if (remainder.empty()) {
-            throw MathError("cannot decide whether a number is zero", {},
-                            "it is a divisor of zero in the algebraic normal form");
+            throw divides_zero();
         }
     }
     const Element scale = inverse(remainder.front());

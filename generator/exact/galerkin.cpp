@@ -112,7 +112,7 @@ void check_constants(const Method& method, const std::vector<BasisFunction>& psi
                     whole(method.basis), "add the function 1");
 }
 
-NumberMatrix invert(const NumberMatrix& M, const Method& method, const Ingredients& given) {
+ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredients& given) {
     const Progress::Stage stage("inverting M");
     if (auto result = inverse(M)) return *std::move(result);
     for (std::size_t i = 0; i < given.nodes.c.size(); ++i) {
@@ -128,6 +128,12 @@ NumberMatrix invert(const NumberMatrix& M, const Method& method, const Ingredien
     throw MathError("M is singular: " + combination_text(*combination, given.psi) +
                         " vanishes at all nodes",
                     whole(method.nodes), "choose other nodes, or other functions");
+}
+
+NumberVector scaled(const NumberVector& vector, const Number& factor) {
+    NumberVector result;
+    for (const Number& entry : vector) { result.push_back(entry * factor); }
+    return result;
 }
 
 NumberVector integrals(const std::vector<BasisFunction>& functions, const Number& end,
@@ -222,16 +228,21 @@ Tableau derive(const Method& method, const Ingredients& given) {
         for (const Number& node : nodes.c) row.push_back(function.function.at(node, ground));
         tableau.M.push_back(std::move(row));
     }
-    tableau.M_inverse = invert(tableau.M, method, given);
+    const ScaledInverse inverse = invert(tableau.M, method, given);
+    const Number scale = Number(1) / inverse.determinant;
+    for (const NumberVector& row : inverse.adjugate) {
+        tableau.M_inverse.push_back(scaled(row, scale));
+    }
     check_constants(method, psi);
     tableau.B = integrals(psi, Number(1), ground);
-    tableau.b = tableau.M_inverse * tableau.B;
+    tableau.b = scaled(inverse.adjugate * tableau.B, scale);
     check_weights(tableau, method);
     for (const Number& node : nodes.c) {
         const Progress::Stage stage("integrating the basis");
         tableau.A_psi.push_back(integrals(psi, node, ground));
         const bool is_end = (node - Number(1)).is_zero();
-        tableau.A.push_back(is_end ? tableau.b : tableau.M_inverse * tableau.A_psi.back());
+        tableau.A.push_back(
+            is_end ? tableau.b : scaled(inverse.adjugate * tableau.A_psi.back(), scale));
     }
     complete_partner(tableau, given);
     return tableau;

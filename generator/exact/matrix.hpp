@@ -12,8 +12,15 @@ namespace hvi::gen {
 [[nodiscard]] NumberMatrix operator*(const NumberMatrix& left, const NumberMatrix& right);
 [[nodiscard]] NumberMatrix transpose(const NumberMatrix& matrix);
 
-/// The inverse of a square matrix, by Gauss-Jordan elimination; empty when it is singular.
-[[nodiscard]] std::optional<NumberMatrix> inverse(const NumberMatrix& matrix);
+/// A matrix and a number by which it is to be divided: sums of products are taken before the
+/// division, which in a field with generators is what costs.
+struct ScaledInverse {
+    NumberMatrix adjugate;
+    Number determinant;
+};
+
+/// The inverse of a square matrix; empty when it is singular.
+[[nodiscard]] std::optional<ScaledInverse> inverse(const NumberMatrix& matrix);
 
 /// A vector v != 0 with v^T matrix = 0, or empty when the rows are independent. The last component
 /// that is not zero is 1.

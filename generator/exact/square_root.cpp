@@ -25,6 +25,7 @@ std::pair<numeric, numeric> split_square(numeric integer) {
     numeric root = 1;
     for (long prime = 2; prime < 1000; ++prime) {
         const numeric square = prime * prime;
+        if (integer < square) break;
         while (GiNaC::irem(integer, square).is_zero()) {
             integer = GiNaC::iquo(integer, square);
             root *= prime;
