@@ -45,7 +45,8 @@ void append_polynomial(std::vector<Term>& terms, const RationalFunction& polynom
                        const Monomial& monomial, const Field* field) {
     const std::size_t count = field == nullptr ? 0 : field->transcendentals().size();
     for (const RationalFunction::Term& term : polynomial.numerator()) {
-        terms.push_back({term.coefficient, {term.powers.begin(), term.powers.begin() + count}, monomial});
+        terms.push_back(
+            {term.coefficient, {term.powers.begin(), term.powers.begin() + count}, monomial});
     }
 }
 
@@ -82,8 +83,7 @@ Fraction fraction(const Element& argument) {
     Fraction result;
     append_polynomial(result.denominator, denominator, {}, argument.field());
     for (const auto& [monomial, coefficient] : argument.terms()) {
-        append_polynomial(result.numerator, coefficient * denominator, monomial,
-                          argument.field());
+        append_polynomial(result.numerator, coefficient * denominator, monomial, argument.field());
     }
     for (std::size_t i = 0; i < argument.level(); ++i) {
         if (argument.field()->algebraic(i).kind == Algebraic::Kind::cosine) {
@@ -200,11 +200,69 @@ Expression cosine_form(const numeric& half_turns) {
     return Expression::call("cos", {Expression::product(std::move(angle))});
 }
 
-/// One term with its sign; `divided_by` are powers of transcendental generators below the line.
-Expression term_form(const Term& term, const numeric& denominator,
-                     const std::vector<int>& divided_by, const Field* field) {
-    Radicals roots = radicals(term.monomial, field);
-    const numeric coefficient = term.coefficient * roots.factor / denominator;
+void negate(std::vector<Term>& terms) {
+    for (Term& term : terms) term.coefficient = -term.coefficient;
+}
+
+/// Orders the factors of a product: symbols and their powers, then functions, each by its text.
+void sort_factors(std::vector<Expression>& factors) {
+    using Key = std::tuple<bool, std::string, std::string>;
+    std::vector<std::pair<Key, Expression>> keyed;
+    for (Expression& factor : factors) {
+        const bool is_power = factor.kind == Expression::Kind::power;
+        const Expression& base = is_power ? factor.arguments[0] : factor;
+        Key key(base.kind == Expression::Kind::call, to_text(base), to_text(factor));
+        keyed.emplace_back(std::move(key), std::move(factor));
+    }
+    std::sort(keyed.begin(), keyed.end(),
+              [](const auto& left, const auto& right) { return left.first < right.first; });
+    factors.clear();
+    for (auto& [key, factor] : keyed) { factors.push_back(std::move(factor)); }
+}
+
+bool is_negative(const Term& term) { return term.coefficient.is_negative(); }
+
+/// Makes expressions of terms. What a product of generators looks like is asked for many times, and
+/// worked out once.
+class Writer {
+public:
+    explicit Writer(const Field* field) : field_(field) {}
+
+    /// One term with its sign; `divided_by` are powers of transcendental generators below the line.
+    [[nodiscard]] Expression term(const Term& term, const numeric& denominator,
+                                  const std::vector<int>& divided_by);
+    [[nodiscard]] Expression sum(const std::vector<Term>& terms, const numeric& denominator,
+                                 const std::vector<int>& divided_by);
+    /// The sum written out, or with what its terms have in common in front; the shorter.
+    [[nodiscard]] Expression factored(const std::vector<Term>& terms);
+    /// numerator/denominator under one line.
+    [[nodiscard]] Expression quotient(const Fraction& fraction);
+
+private:
+    [[nodiscard]] const Radicals& roots(const Monomial& monomial) {
+        const auto [position, is_new] = roots_.try_emplace(monomial);
+        if (is_new) { position->second = radicals(monomial, field_); }
+        return position->second;
+    }
+    [[nodiscard]] const std::vector<Expression>& transcendentals(const std::vector<int>& powers) {
+        const auto [position, is_new] = transcendentals_.try_emplace(powers);
+        if (is_new) { position->second = transcendental_factors(powers, field_); }
+        return position->second;
+    }
+    [[nodiscard]] Expression line(const Fraction& fraction) {
+        return Expression::product(
+            {factored(fraction.numerator), Expression::reciprocal(factored(fraction.denominator))});
+    }
+
+    const Field* field_;
+    std::map<Monomial, Radicals> roots_;
+    std::map<std::vector<int>, std::vector<Expression>> transcendentals_;
+};
+
+Expression Writer::term(const Term& term, const numeric& denominator,
+                        const std::vector<int>& divided_by) {
+    const Radicals& radicals = roots(term.monomial);
+    const numeric coefficient = term.coefficient * radicals.factor / denominator;
     std::vector<int> powers = term.powers;
     std::vector<int> below(powers.size());
     for (std::size_t i = 0; i < powers.size(); ++i) {
@@ -212,29 +270,22 @@ Expression term_form(const Term& term, const numeric& denominator,
         powers[i] = std::max(power, 0);
         below[i] = std::max(-power, 0);
     }
-    std::vector<Expression> factors = transcendental_factors(powers, field);
-    std::move(roots.factors.begin(), roots.factors.end(), std::back_inserter(factors));
+    std::vector<Expression> factors = transcendentals(powers);
+    factors.insert(factors.end(), radicals.factors.begin(), radicals.factors.end());
     for (std::size_t i = 0; i < term.monomial.size(); ++i) {
         if (term.monomial[i] == 0) continue;
-        const Algebraic& generator = field->algebraic(i);
+        const Algebraic& generator = field_->algebraic(i);
         if (generator.kind == Algebraic::Kind::sine) factors.push_back(generator.form);
         if (generator.kind == Algebraic::Kind::cosine) {
             factors.push_back(cosine_form(numeric(term.monomial[i], generator.denominator)));
         }
     }
-    std::sort(factors.begin(), factors.end(), [](const Expression& left, const Expression& right) {
-        const auto key = [](const Expression& factor) {
-            const bool is_power = factor.kind == Expression::Kind::power;
-            const Expression& base = is_power ? factor.arguments[0] : factor;
-            return std::tuple(base.kind == Expression::Kind::call, to_text(base), to_text(factor));
-        };
-        return key(left) < key(right);
-    });
+    sort_factors(factors);
     const numeric numerator = GiNaC::abs(coefficient.numer());
     if (!numerator.is_equal(1) || factors.empty()) {
         factors.insert(factors.begin(), integer_form(numerator));
     }
-    std::vector<Expression> divisors = transcendental_factors(below, field);
+    std::vector<Expression> divisors = transcendentals(below);
     if (!coefficient.denom().is_equal(1)) {
         divisors.insert(divisors.begin(), integer_form(coefficient.denom()));
     }
@@ -243,15 +294,15 @@ Expression term_form(const Term& term, const numeric& denominator,
     return coefficient.is_negative() ? Expression::negation(std::move(product)) : product;
 }
 
-Expression sum_form(const std::vector<Term>& terms, const numeric& denominator,
-                    const std::vector<int>& divided_by, const Field* field) {
+Expression Writer::sum(const std::vector<Term>& terms, const numeric& denominator,
+                       const std::vector<int>& divided_by) {
     std::vector<Expression> summands;
-    for (const Term& term : terms) {
-        summands.push_back(term_form(term, denominator, divided_by, field));
+    for (const Term& summand : terms) {
+        summands.push_back(term(summand, denominator, divided_by));
     }
     // A sum does not begin with a minus sign where it need not: 1-cos(w), not -cos(w)+1.
-    const auto positive = std::find_if(summands.begin(), summands.end(), [](const auto& term) {
-        return term.kind != Expression::Kind::negation;
+    const auto positive = std::find_if(summands.begin(), summands.end(), [](const auto& summand) {
+        return summand.kind != Expression::Kind::negation;
     });
     if (positive != summands.end()) std::rotate(summands.begin(), positive, positive + 1);
     return Expression::sum(std::move(summands));
@@ -261,50 +312,43 @@ const Expression& shorter(const Expression& left, const Expression& right) {
     return to_text(right).size() < to_text(left).size() ? right : left;
 }
 
-/// The sum written out, or with what its terms have in common in front; the shorter.
-Expression factored_form(const std::vector<Term>& terms, const Field* field) {
-    const Expression expanded = sum_form(terms, 1, {}, field);
+Expression Writer::factored(const std::vector<Term>& terms) {
+    Expression expanded = sum(terms, 1, {});
     if (terms.size() < 2) return expanded;
     Term common{0, terms.front().powers, {}};
-    for (const Term& term : terms) {
-        common.coefficient = GiNaC::gcd(common.coefficient, term.coefficient);
+    for (const Term& summand : terms) {
+        common.coefficient = GiNaC::gcd(common.coefficient, summand.coefficient);
         for (std::size_t i = 0; i < common.powers.size(); ++i) {
-            common.powers[i] = std::min(common.powers[i], term.powers[i]);
+            common.powers[i] = std::min(common.powers[i], summand.powers[i]);
         }
     }
+    const bool has_powers = std::any_of(common.powers.begin(), common.powers.end(),
+                                        [](int power) { return power != 0; });
+    if (!has_powers && common.coefficient.is_equal(1)) return expanded;
     std::vector<Term> rest = terms;
-    for (Term& term : rest) {
-        term.coefficient /= common.coefficient;
-        for (std::size_t i = 0; i < common.powers.size(); ++i) term.powers[i] -= common.powers[i];
+    for (Term& summand : rest) {
+        summand.coefficient /= common.coefficient;
+        for (std::size_t i = 0; i < common.powers.size(); ++i) {
+            summand.powers[i] -= common.powers[i];
+        }
     }
-    const Expression factor = term_form(common, 1, {}, field);
-    return shorter(expanded, Expression::product({factor, sum_form(rest, 1, {}, field)}));
+    return shorter(expanded, Expression::product({term(common, 1, {}), sum(rest, 1, {})}));
 }
 
-void negate(std::vector<Term>& terms) {
-    for (Term& term : terms) term.coefficient = -term.coefficient;
-}
-
-/// numerator/denominator under one line. Of the two ways to write the signs the shorter serves, and
-/// of equal ones that with a positive first term above; what is negative throughout has its sign in
-/// front.
-Expression quotient_form(const Fraction& fraction, const Field* field) {
-    const auto quotient = [field](const Fraction& parts) {
-        return Expression::product(
-            {factored_form(parts.numerator, field),
-             Expression::reciprocal(factored_form(parts.denominator, field))});
-    };
+/// NOTE: what is negative throughout has its sign in front. Else the signs above and below are
+/// chosen so that the first term above is positive, unless that made a sum below begin with a minus
+/// sign.
+Expression Writer::quotient(const Fraction& fraction) {
     Fraction flipped = fraction;
     negate(flipped.numerator);
-    const bool negative =
-        std::all_of(fraction.numerator.begin(), fraction.numerator.end(),
-                    [](const Term& term) { return term.coefficient.is_negative(); });
-    if (negative) return Expression::negation(quotient(flipped));
-    if (fraction.denominator.size() < 2) return quotient(fraction);
+    const auto& [above, below] = fraction;
+    if (std::all_of(above.begin(), above.end(), is_negative)) {
+        return Expression::negation(line(flipped));
+    }
     negate(flipped.denominator);
-    return fraction.numerator.front().coefficient.is_negative()
-               ? shorter(quotient(flipped), quotient(fraction))
-               : shorter(quotient(fraction), quotient(flipped));
+    const bool flips =
+        is_negative(above.front()) && std::any_of(below.begin(), below.end(), is_negative);
+    return line(flips ? flipped : fraction);
 }
 
 }  // namespace
@@ -317,14 +361,14 @@ Expression closed_form(const Element& argument) {
     if (argument.is_zero()) return Expression::integer(0);
     const Field* const field = argument.field();
     const Fraction form = fraction(argument);
-    if (form.denominator.size() > 1) return quotient_form(form, field);
+    Writer write(field);
+    if (form.denominator.size() > 1) return write.quotient(form);
     const Term& divisor = form.denominator.front();
-    const Expression termwise =
-        sum_form(form.numerator, divisor.coefficient, divisor.powers, field);
+    const Expression termwise = write.sum(form.numerator, divisor.coefficient, divisor.powers);
     const bool divides = std::any_of(divisor.powers.begin(), divisor.powers.end(),
                                      [](int power) { return power != 0; });
     if (!divides) return termwise;
-    return shorter(quotient_form(form, field), termwise);
+    return shorter(write.quotient(form), termwise);
 }
 
 }  // namespace hvi::gen

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/exact/field.hpp"
+#include "generator/exact/minors.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -96,9 +97,8 @@ Element operator*(const Element& left, const Element& right) {
     result.field_ = common_field(left, right);
     for (const auto& [left_monomial, left_coefficient] : left.terms_) {
         for (const auto& [right_monomial, right_coefficient] : right.terms_) {
-            const Element part =
-                Element::term(product(left_monomial, right_monomial),
-                              left_coefficient * right_coefficient, result.field_);
+            const Element part = Element::term(product(left_monomial, right_monomial),
+                                               left_coefficient * right_coefficient, result.field_);
             for (const auto& [monomial, coefficient] : part.terms_) {
                 result.add_term(monomial, coefficient);
             }
@@ -135,48 +135,9 @@ std::vector<Element> Element::coefficients(std::size_t index) const {
 
 namespace {
 
-/// Polynomials in one generator over the field below it, lowest coefficient first, no zero on top.
-using Polynomial = std::vector<Element>;
-
-void trim(Polynomial& polynomial) {
-    while (!polynomial.empty() && polynomial.back().is_zero()) polynomial.pop_back();
-}
-
-/// dividend - quotient * divisor, and the same combination of their cofactors.
-void divide_out(Polynomial& dividend, Polynomial& cofactor, const Polynomial& divisor,
-                const Polynomial& divisor_cofactor) {
-    const Element lead = inverse(divisor.back());
-    while (dividend.size() >= divisor.size()) {
-        const std::size_t shift = dividend.size() - divisor.size();
-        const Element factor = dividend.back() * lead;
-        for (std::size_t i = 0; i < divisor.size(); ++i) {
-            dividend[i + shift] = dividend[i + shift] - factor * divisor[i];
-        }
-        if (cofactor.size() < divisor_cofactor.size() + shift) {
-            cofactor.resize(divisor_cofactor.size() + shift);
-        }
-        for (std::size_t i = 0; i < divisor_cofactor.size(); ++i) {
-            cofactor[i + shift] = cofactor[i + shift] - factor * divisor_cofactor[i];
-        }
-        trim(dividend);
-    }
-}
-
-MathError divides_zero() {
-    return MathError("cannot decide whether a number is zero", {},
-                     "it is a divisor of zero in the algebraic normal form");
-}
-
-/// 1/(a + b g) = (a - b g)/(a^2 - b^2 g^2), where the relation of the last generator g is that of a
-/// square root or a sine.
-Element inverse_by_conjugate(const Element& argument, std::size_t level) {
-    const Algebraic& top = argument.field()->algebraic(level - 1);
-    const std::vector<Element> parts = argument.coefficients(level - 1);
-    const Element norm = parts[0] * parts[0] - parts[1] * parts[1] * top.reduced;
-    if (norm.is_zero()) throw divides_zero();
-    const Element generator =
-        Element::term(with_exponent({}, level - 1, 1), 1, argument.field());
-    return (parts[0] - parts[1] * generator) * inverse(norm);
+/// g^index, g the algebraic generator below `level`.
+Element generator_power(Field* field, std::size_t level, std::size_t index) {
+    return Element::term(with_exponent({}, level - 1, static_cast<unsigned>(index)), 1, field);
 }
 
 }  // namespace
@@ -184,37 +145,27 @@ Element inverse_by_conjugate(const Element& argument, std::size_t level) {
 Element inverse(const Element& argument) {
     HVI_CHECK(!argument.is_zero());
     const std::size_t level = argument.level();
-    if (level == 0) {
-        return Element(argument.terms().begin()->second.inverse(), argument.field());
-    }
     Field* const field = argument.field();
-    const Algebraic& top = field->algebraic(level - 1);
-    if (top.degree == 2) return inverse_by_conjugate(argument, level);
-    // Euclid's algorithm on the argument and the relation of its last generator g, which keeps
-    // remainder = cofactor * argument modulo the relation.
-    Polynomial remainder = argument.coefficients(level - 1);
-    Polynomial cofactor{Element(1, field)};
-    Polynomial next_remainder = (-top.reduced).coefficients(level - 1);
-    next_remainder.resize(top.degree);
-    next_remainder.push_back(Element(1, field));
-    Polynomial next_cofactor;
-    trim(remainder);
-    while (remainder.size() > 1) {
-        divide_out(next_remainder, next_cofactor, remainder, cofactor);
-        std::swap(remainder, next_remainder);
-        std::swap(cofactor, next_cofactor);
-        if (remainder.empty()) {
-            throw divides_zero();
-        }
+    if (level == 0) return Element(argument.terms().begin()->second.inverse(), field);
+    // Multiplication by the argument is a matrix over the field below its last generator g; the
+    // inverse solves that matrix times it = 1. NOTE: without a division but the last: Euclid's
+    // algorithm divides at each step, and its coefficients swell.
+    const unsigned degree = field->algebraic(level - 1).degree;
+    SquareMatrix<Element> multiplication(degree, std::vector<Element>(degree));
+    for (unsigned k = 0; k < degree; ++k) {
+        const auto column = (argument * generator_power(field, level, k)).coefficients(level - 1);
+        for (unsigned i = 0; i < degree; ++i) multiplication[i][k] = column[i];
     }
-    const Element scale = inverse(remainder.front());
+    const auto [adjugate, norm] = by_minors(multiplication);
+    if (norm.is_zero()) {
+        throw MathError("cannot decide whether a number is zero", {},
+                        "it is a divisor of zero in the algebraic normal form");
+    }
     Element result;
-    for (std::size_t i = 0; i < cofactor.size(); ++i) {
-        const Element generator_power =
-            Element::term(with_exponent({}, level - 1, static_cast<unsigned>(i)), 1, field);
-        result = result + cofactor[i] * scale * generator_power;
+    for (unsigned k = 0; k < degree; ++k) {
+        result = result + adjugate[k][0] * generator_power(field, level, k);
     }
-    return result;
+    return result * inverse(norm);
 }
 
 bool has_parameters(const Element& argument) {

@@ -127,9 +127,9 @@ private:
         }
         const auto zero = zero_in_unit_interval(divisor, ground_);
         if (!zero) { return; }
-        throw MathError("the function is not defined on all of [0, 1]: this divisor is 0 at tau = " +
-                            *zero,
-                        place(expression), "a basis function must be integrable on [0, 1]");
+        throw MathError(
+            "the function is not defined on all of [0, 1]: this divisor is 0 at tau = " + *zero,
+            place(expression), "a basis function must be integrable on [0, 1]");
     }
 
     ExactFunction reciprocal(const Expression& argument) const {

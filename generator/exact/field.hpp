@@ -57,7 +57,7 @@ private:
     std::map<Monomial, RationalFunction> terms_;
 };
 
-/// 1/argument, by Euclid's algorithm in the tower. Precondition: not zero.
+/// 1/argument, by norms down the tower. Precondition: not zero.
 [[nodiscard]] Element inverse(const Element& argument);
 
 [[nodiscard]] Element power(const Element& base, unsigned exponent);

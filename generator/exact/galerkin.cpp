@@ -156,9 +156,9 @@ bool spans_polynomials(const std::vector<BasisFunction>& psi) {
     return true;
 }
 
-/// By how many degrees more than interpolation gives the rule is exact: it vanishes on the multiples
-/// of the nodes' polynomial P, so these are the k for which the integrals of P, P tau, ...,
-/// P tau^(k-1) vanish, at most s. 0 where that is not known.
+/// By how many degrees more than interpolation gives the rule is exact: it vanishes on the
+/// multiples of the nodes' polynomial P, so these are the k for which the integrals of P, P tau,
+/// ..., P tau^(k-1) vanish, at most s. 0 where that is not known.
 std::size_t degrees_beyond_interpolation(const Ingredients& given) {
     if (!given.nodes.polynomial || !spans_polynomials(given.psi)) { return 0; }
     RationalPolynomial multiple = *given.nodes.polynomial;
@@ -241,8 +241,8 @@ Tableau derive(const Method& method, const Ingredients& given) {
         const Progress::Stage stage("integrating the basis");
         tableau.A_psi.push_back(integrals(psi, node, ground));
         const bool is_end = (node - Number(1)).is_zero();
-        tableau.A.push_back(
-            is_end ? tableau.b : scaled(inverse.adjugate * tableau.A_psi.back(), scale));
+        tableau.A.push_back(is_end ? tableau.b
+                                   : scaled(inverse.adjugate * tableau.A_psi.back(), scale));
     }
     complete_partner(tableau, given);
     return tableau;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/matrix.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <utility>
 
+#include "generator/exact/minors.hpp"
 #include "generator/exact/number_value.hpp"
 
 namespace hvi::gen {
@@ -43,62 +42,6 @@ NumberMatrix operator*(const NumberMatrix& left, const NumberMatrix& right) {
 }
 
 namespace {
-
-/// The determinants of the first k columns and the k rows in `rows`, a set of bits, for all sets:
-/// by their last columns.
-NumberVector minors(const NumberMatrix& matrix) {
-    const std::size_t s = matrix.size();
-    NumberVector result(std::size_t{1} << s);
-    result[0] = Number(1);
-    for (std::size_t rows = 1; rows < result.size(); ++rows) {
-        const auto k = static_cast<std::size_t>(std::popcount(rows));
-        for (std::size_t row = 0, position = 0; row < s; ++row) {
-            const std::size_t bit = std::size_t{1} << row;
-            if ((rows & bit) == 0) { continue; }
-            const Number term = matrix[row][k - 1] * result[rows ^ bit];
-            result[rows] = (position + k) % 2 == 1 ? result[rows] + term : result[rows] - term;
-            ++position;
-        }
-    }
-    return result;
-}
-
-/// How many pairs of one element of each set stand in descending order.
-std::size_t inversions(std::size_t left, std::size_t right) {
-    std::size_t count = 0;
-    for (; left != 0; left &= left - 1) {
-        const std::size_t lowest = left & (~left + 1);
-        count += static_cast<std::size_t>(std::popcount(right & (lowest - 1)));
-    }
-    return count;
-}
-
-/// The adjugate without a division: minors of the columns before and after one, by Laplace.
-ScaledInverse by_minors(const NumberMatrix& matrix) {
-    const std::size_t s = matrix.size();
-    NumberMatrix reversed = matrix;
-    for (NumberVector& row : reversed) { std::reverse(row.begin(), row.end()); }
-    const NumberVector before = minors(matrix);
-    const NumberVector after = minors(reversed);
-    const std::size_t all = before.size() - 1;
-    ScaledInverse result{NumberMatrix(s, NumberVector(s)), before[all]};
-    for (std::size_t row = 0; row < s; ++row) {
-        const std::size_t others = all ^ (std::size_t{1} << row);
-        for (std::size_t left = 0; left <= all; ++left) {
-            if ((left & ~others) != 0) { continue; }
-            const auto column = static_cast<std::size_t>(std::popcount(left));
-            if (column >= s) { continue; }
-            const std::size_t right = others ^ left;
-            const std::size_t count = s - 1 - column;  // of columns after it, which are reversed
-            const std::size_t sign =
-                row + column + inversions(left, right) + count * (count - 1) / 2;
-            const Number term = before[left] * after[right];
-            Number& entry = result.adjugate[column][row];
-            entry = sign % 2 == 0 ? entry + term : entry - term;
-        }
-    }
-    return result;
-}
 
 /// Whether elimination would divide by sums of generators, again and again.
 bool has_generators(const NumberMatrix& matrix) {
@@ -140,9 +83,9 @@ std::optional<NumberMatrix> by_elimination(const NumberMatrix& matrix) {
 std::optional<ScaledInverse> inverse(const NumberMatrix& matrix) {
     constexpr std::size_t most_rows = 8;  // the minors are 2^s
     if (matrix.size() <= most_rows && has_generators(matrix)) {
-        ScaledInverse result = by_minors(matrix);
-        if (result.determinant.is_zero()) { return std::nullopt; }
-        return result;
+        auto [adjugate, determinant] = by_minors(matrix);
+        if (determinant.is_zero()) { return std::nullopt; }
+        return ScaledInverse{std::move(adjugate), std::move(determinant)};
     }
     auto result = by_elimination(matrix);
     if (!result) { return std::nullopt; }

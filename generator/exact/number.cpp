@@ -38,7 +38,7 @@ Number number(Element element, std::shared_ptr<Field> field) {
 }
 
 Number number(Real real) {
-    return Number(std::make_shared<const Number::Value>(Number::Value{std::move(real), nullptr}));
+    return Number(std::make_shared<const Number::Value>(std::move(real), nullptr));
 }
 
 Ball enclosure(const Number& number, Precision bits) {
@@ -86,7 +86,8 @@ Number operator/(const Number& left, const Number& right) {
     if (&left.value() == &right.value()) return Number(1);
     const Element* const a = left.value().element();
     const Element* const b = right.value().element();
-    if (a != nullptr && b != nullptr) return number(*a * inverse(*b), common_field(left, right));
+    if (a != nullptr && b != nullptr)
+        return number(*a * right.value().inverse(), common_field(left, right));
     if (is_exactly(left, 0)) return Number(0);
     if (is_exactly(right, 1)) return left;
     return combine(left, right, arb_div);

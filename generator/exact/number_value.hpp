@@ -35,10 +35,22 @@ private:
 };
 
 struct Number::Value {
+    Value(std::variant<Element, Real> value, std::shared_ptr<Field> ground)
+        : what(std::move(value)), field(std::move(ground)) {}
+
     std::variant<Element, Real> what;
     std::shared_ptr<Field> field;  ///< keeps the element's generators alive; null for rationals
 
     [[nodiscard]] const Element* element() const { return std::get_if<Element>(&what); }
+
+    /// Computed once: a divisor often divides many numbers. Precondition: an element, not zero.
+    [[nodiscard]] const Element& inverse() const {
+        if (!inverse_) { inverse_ = hvi::gen::inverse(*element()); }
+        return *inverse_;
+    }
+
+private:
+    mutable std::optional<Element> inverse_;
 };
 
 [[nodiscard]] Number number(Element element, std::shared_ptr<Field> field);

@@ -62,9 +62,8 @@ IntegerMultivariate product(const IntegerMultivariate& a, const IntegerMultivari
 void cancel(IntegerMultivariate& a, IntegerMultivariate& b) {
     if (is_one(a) || is_one(b)) { return; }
     IntegerMultivariate divisor, rest_of_a, rest_of_b;
-    const bool found =
-        fmpz_mpoly_gcd_cofactors(divisor.get(), rest_of_a.get(), rest_of_b.get(), a.get(), b.get(),
-                                 context()) != 0;
+    const bool found = fmpz_mpoly_gcd_cofactors(divisor.get(), rest_of_a.get(), rest_of_b.get(),
+                                                a.get(), b.get(), context()) != 0;
     HVI_CHECK(found);
     a = std::move(rest_of_a);
     b = std::move(rest_of_b);
@@ -114,8 +113,7 @@ RationalFunction::RationalFunction(long value) {
 }
 
 RationalFunction::RationalFunction(const numeric& rational)
-    : numerator_(constant(rational.numer())),
-      denominator_(constant(rational.denom())) {}
+    : numerator_(constant(rational.numer())), denominator_(constant(rational.denom())) {}
 
 RationalFunction RationalFunction::variable(std::size_t index) {
     HVI_CHECK(index < IntegerMultivariate::most_variables);

@@ -43,7 +43,7 @@ private:
 class RationalFunction {
 public:
     RationalFunction() : RationalFunction(0) {}
-    RationalFunction(long value);                     // NOLINT(google-explicit-constructor)
+    RationalFunction(long value);                      // NOLINT(google-explicit-constructor)
     RationalFunction(const GiNaC::numeric& rational);  // NOLINT(google-explicit-constructor)
     /// x_index. Precondition: index < IntegerMultivariate::most_variables.
     [[nodiscard]] static RationalFunction variable(std::size_t index);
@@ -62,8 +62,8 @@ public:
     [[nodiscard]] RationalFunction inverse() const;
 
     [[nodiscard]] bool is_zero() const;
-    [[nodiscard]] bool is_rational() const;               ///< no variable occurs
-    [[nodiscard]] GiNaC::numeric rational() const;        ///< precondition: is_rational()
+    [[nodiscard]] bool is_rational() const;                ///< no variable occurs
+    [[nodiscard]] GiNaC::numeric rational() const;         ///< precondition: is_rational()
     [[nodiscard]] bool contains(std::size_t index) const;  ///< whether x_index occurs
 
     /// In an order that depends on the polynomial alone; integer coefficients.
@@ -79,7 +79,7 @@ public:
 
     /// The least common multiple of the denominators, as a polynomial over Z.
     friend RationalFunction common_denominator(const RationalFunction& a,
-                                                             const RationalFunction& b);
+                                               const RationalFunction& b);
 
 private:
     IntegerMultivariate numerator_;

@@ -10,7 +10,8 @@
 
 namespace hvi::gen {
 
-/// The proven bounds of a function's values on a ball of arguments. Precondition: no free parameter.
+/// The proven bounds of a function's values on a ball of arguments. Precondition: no free
+/// parameter.
 [[nodiscard]] Ball enclosure(const ExactFunction& function, const Ball& argument, Precision bits);
 
 /// The place of a zero in [0, 1], as `0`, `1/3` or `near 0.3090`: proved, by an exact value or a
