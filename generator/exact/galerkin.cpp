@@ -3,6 +3,7 @@
 
 #include "generator/exact/basis.hpp"
 #include "generator/exact/evaluate.hpp"
+#include "generator/exact/interpolation.hpp"
 #include "generator/exact/matrix.hpp"
 #include "generator/exact/nodes.hpp"
 #include "generator/support/progress.hpp"
@@ -110,6 +111,19 @@ void check_constants(const Method& method, const std::vector<BasisFunction>& psi
     if (combination && !combination->back().is_zero()) return;
     throw MathError("constants are not in the span of the basis, so the method is not consistent",
                     whole(method.basis), "add the function 1");
+}
+
+/// M^-1 and b by interpolation, for polynomials over Q at all the roots of one.
+std::optional<Interpolation> interpolation(const Ingredients& given) {
+    if (!given.nodes.polynomial) { return std::nullopt; }
+    std::vector<RationalPolynomial> psi;
+    for (const BasisFunction& function : given.psi) {
+        auto polynomial = as_polynomial(function.function);
+        const auto s = static_cast<long>(given.psi.size());
+        if (!polynomial || polynomial->degree() >= s) { return std::nullopt; }
+        psi.push_back(*std::move(polynomial));
+    }
+    return interpolate(psi, *given.nodes.polynomial, given.nodes.c, given.ground);
 }
 
 ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredients& given) {
@@ -228,14 +242,16 @@ Tableau derive(const Method& method, const Ingredients& given) {
         for (const Number& node : nodes.c) row.push_back(function.function.at(node, ground));
         tableau.M.push_back(std::move(row));
     }
-    const ScaledInverse inverse = invert(tableau.M, method, given);
+    const auto known = interpolation(given);
+    const ScaledInverse inverse =
+        known ? ScaledInverse{known->M_inverse, Number(1)} : invert(tableau.M, method, given);
     const Number scale = Number(1) / inverse.determinant;
     for (const NumberVector& row : inverse.adjugate) {
         tableau.M_inverse.push_back(scaled(row, scale));
     }
     check_constants(method, psi);
     tableau.B = integrals(psi, Number(1), ground);
-    tableau.b = scaled(inverse.adjugate * tableau.B, scale);
+    tableau.b = known ? known->b : scaled(inverse.adjugate * tableau.B, scale);
     check_weights(tableau, method);
     for (const Number& node : nodes.c) {
         const Progress::Stage stage("integrating the basis");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/matrix.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "generator/exact/minors.hpp"
@@ -17,13 +18,39 @@ void subtract_multiple(NumberVector& row, const Number& factor, const NumberVect
 
 }  // namespace
 
+namespace {
+
+/// sum_j left_j right_j. NOTE: where enclosures are involved it is one node of their graph, not a
+/// product and a sum for each j; factors 0 and 1 keep their exact meaning.
+Number dot(const NumberVector& left, const NumberVector& right) {
+    NumberVector a, b;
+    for (std::size_t j = 0; j < left.size(); ++j) {
+        const bool is_zero = is_exactly(left[j], 0) || is_exactly(right[j], 0);
+        if (is_zero) { continue; }
+        a.push_back(left[j]);
+        b.push_back(right[j]);
+    }
+    const auto is_element = [](const Number& entry) { return entry.value().element() != nullptr; };
+    if (a.size() < 2 || (std::all_of(a.begin(), a.end(), is_element) &&
+                         std::all_of(b.begin(), b.end(), is_element))) {
+        Number sum;
+        for (std::size_t j = 0; j < a.size(); ++j) { sum = sum + a[j] * b[j]; }
+        return sum;
+    }
+    return number(Real([a = std::move(a), b = std::move(b)](Precision bits) {
+        Ball sum;
+        for (std::size_t j = 0; j < a.size(); ++j) {
+            arb_addmul(sum.get(), enclosure(a[j], bits).get(), enclosure(b[j], bits).get(), bits);
+        }
+        return sum;
+    }));
+}
+
+}  // namespace
+
 NumberVector operator*(const NumberMatrix& matrix, const NumberVector& vector) {
     NumberVector result;
-    for (const NumberVector& row : matrix) {
-        Number sum;
-        for (std::size_t j = 0; j < vector.size(); ++j) sum = sum + row[j] * vector[j];
-        result.push_back(sum);
-    }
+    for (const NumberVector& row : matrix) { result.push_back(dot(row, vector)); }
     return result;
 }
 

@@ -12,11 +12,6 @@ std::shared_ptr<Field> common_field(const Number& left, const Number& right) {
     return left.value().field ? left.value().field : right.value().field;
 }
 
-bool is_exactly(const Number& number, long integer) {
-    const Element* const element = number.value().element();
-    return element != nullptr && element->is_rational() && element->rational().is_equal(integer);
-}
-
 using BallOperation = void (*)(arb_t, const arb_t, const arb_t, slong);
 
 Number combine(const Number& left, const Number& right, BallOperation operation) {
@@ -29,6 +24,11 @@ Number combine(const Number& left, const Number& right, BallOperation operation)
 }
 
 }  // namespace
+
+bool is_exactly(const Number& number, long integer) {
+    const Element* const element = number.value().element();
+    return element != nullptr && element->is_rational() && element->rational().is_equal(integer);
+}
 
 Number::Number(long value) : Number(number(Element(GiNaC::numeric(value)), nullptr)) {}
 

@@ -56,6 +56,9 @@ private:
 [[nodiscard]] Number number(Element element, std::shared_ptr<Field> field);
 [[nodiscard]] Number number(Real real);
 
+/// Whether it is known to be this integer without any computation.
+[[nodiscard]] bool is_exactly(const Number& number, long integer);
+
 /// Precondition: no free parameter.
 [[nodiscard]] Ball enclosure(const Number& number, Precision bits);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "generator/exact/integers.hpp"
 #include "generator/exact/number_value.hpp"
 
 namespace hvi::gen {
@@ -199,20 +200,50 @@ bool append_exact_roots(NumberVector& roots, IntegerPolynomial& factor, const Gr
 
 }  // namespace
 
-NumberVector real_roots(const RationalPolynomial& polynomial, const Ground& ground) {
-    HVI_CHECK(polynomial.degree() >= 0);
+std::vector<RationalPolynomial> irreducible_factors(const RationalPolynomial& polynomial) {
+    HVI_CHECK(polynomial.degree() > 0);
     IntegerPolynomial integral;
     fmpq_poly_get_numerator(integral.get(), polynomial.get());
     fmpz_poly_factor_t factors;
     fmpz_poly_factor_init(factors);
     fmpz_poly_factor(factors, integral.get());
-    NumberVector roots;
+    std::vector<RationalPolynomial> result(static_cast<std::size_t>(factors->num));
     for (slong i = 0; i < factors->num; ++i) {
-        auto factor = std::make_shared<IntegerPolynomial>();
-        fmpz_poly_set(factor->get(), factors->p + i);
-        if (!append_exact_roots(roots, *factor, ground)) append_enclosed_roots(roots, factor);
+        fmpq_poly_set_fmpz_poly(result[static_cast<std::size_t>(i)].get(), factors->p + i);
     }
     fmpz_poly_factor_clear(factors);
+    return result;
+}
+
+Ball enclosure(const RationalPolynomial& polynomial, const Ball& argument, Precision bits) {
+    IntegerPolynomial numerator;
+    fmpq_poly_get_numerator(numerator.get(), polynomial.get());
+    Ball result;
+    arb_fmpz_poly_evaluate_arb(result.get(), numerator.get(), argument.get(), bits);
+    arb_div_fmpz(result.get(), result.get(), fmpq_poly_denref(polynomial.get()), bits);
+    return result;
+}
+
+std::optional<RationalPolynomial> as_polynomial(const ExactFunction& function) {
+    if (!function.is_polynomial()) { return std::nullopt; }
+    RationalPolynomial result;
+    for (const ExactTerm& term : function.terms()) {
+        const Element* const element = term.coefficient.value().element();
+        if (element == nullptr || !element->is_rational()) { return std::nullopt; }
+        result.set_coefficient(term.power, digits(element->rational()));
+    }
+    return result;
+}
+
+NumberVector real_roots(const RationalPolynomial& polynomial, const Ground& ground) {
+    HVI_CHECK(polynomial.degree() >= 0);
+    if (polynomial.degree() == 0) { return {}; }
+    NumberVector roots;
+    for (const RationalPolynomial& irreducible : irreducible_factors(polynomial)) {
+        auto factor = std::make_shared<IntegerPolynomial>();
+        fmpq_poly_get_numerator(factor->get(), irreducible.get());
+        if (!append_exact_roots(roots, *factor, ground)) append_enclosed_roots(roots, factor);
+    }
     std::sort(roots.begin(), roots.end(),
               [](const Number& left, const Number& right) { return (left - right).sign() < 0; });
     return roots;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/exact/ball.hpp"
+#include "generator/exact/function.hpp"
 #include "generator/exact/ground.hpp"
 #include "generator/exact/tableau.hpp"
 
@@ -62,6 +64,17 @@ private:
 /// The monic polynomial on [-1, 1] whose roots are the nodes of Chebyshev's quadrature with equal
 /// weights: G_s of (4.20), the polynomial part of x^s exp(-s (1/(2*3 x^2) + 1/(4*5 x^4) + ...)).
 [[nodiscard]] RationalPolynomial chebyshev_equal_weights(unsigned degree);
+
+/// The irreducible factors over Q, each once. Precondition: not constant.
+[[nodiscard]] std::vector<RationalPolynomial>
+irreducible_factors(const RationalPolynomial& polynomial);
+
+/// Proven bounds of the values on a ball.
+[[nodiscard]] Ball enclosure(const RationalPolynomial& polynomial, const Ball& argument,
+                             Precision bits);
+
+/// A function that is a polynomial over Q, as one.
+[[nodiscard]] std::optional<RationalPolynomial> as_polynomial(const ExactFunction& function);
 
 /// All real roots, each once, ascending. Exact for factors of degree 1, 2, and 4 where shifting the
 /// variable makes them polynomials in its square; otherwise enclosed by isolating balls.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/rational_function.hpp"
 
+#include <flint/fmpq.h>
 #include <flint/fmpz_vec.h>
 
 #include <algorithm>
@@ -75,6 +76,25 @@ numeric content_of(const IntegerMultivariate& a) {
     return result.value();
 }
 
+/// A rational of FLINT that is freed when it goes.
+class Rational {
+public:
+    Rational() { fmpq_init(value_); }
+    /// Precondition: both constant.
+    Rational(const IntegerMultivariate& numerator, const IntegerMultivariate& denominator)
+        : Rational() {
+        fmpz_mpoly_get_fmpz(fmpq_numref(value_), numerator.get(), context());
+        fmpz_mpoly_get_fmpz(fmpq_denref(value_), denominator.get(), context());
+    }
+    Rational(const Rational&) = delete;
+    Rational& operator=(const Rational&) = delete;
+    ~Rational() { fmpq_clear(value_); }
+    [[nodiscard]] fmpq* get() { return value_; }
+
+private:
+    fmpq_t value_;
+};
+
 std::vector<RationalFunction::Term> terms_of(const IntegerMultivariate& a) {
     std::vector<RationalFunction::Term> result;
     for (slong i = 0; i < fmpz_mpoly_length(a.get(), context()); ++i) {
@@ -132,7 +152,22 @@ RationalFunction RationalFunction::of(const Term& term) {
     return result;
 }
 
+RationalFunction RationalFunction::of_rationals(const RationalFunction& a,
+                                                const RationalFunction& b,
+                                                RationalOperation operation) {
+    Rational left(a.numerator_, a.denominator_);
+    Rational right(b.numerator_, b.denominator_);
+    operation(left.get(), left.get(), right.get());
+    RationalFunction result;
+    fmpz_mpoly_set_fmpz(result.numerator_.get(), fmpq_numref(left.get()), context());
+    fmpz_mpoly_set_fmpz(result.denominator_.get(), fmpq_denref(left.get()), context());
+    return result;
+}
+
 RationalFunction operator+(const RationalFunction& a, const RationalFunction& b) {
+    if (a.is_rational() && b.is_rational()) {
+        return RationalFunction::of_rationals(a, b, fmpq_add);
+    }
     // a/(g r) + b/(g s) = (a s + b r)/(g r s), and only g has divisors in common with the sum.
     IntegerMultivariate r = a.denominator_;
     IntegerMultivariate s = b.denominator_;
@@ -148,6 +183,9 @@ RationalFunction operator+(const RationalFunction& a, const RationalFunction& b)
 }
 
 RationalFunction operator*(const RationalFunction& a, const RationalFunction& b) {
+    if (a.is_rational() && b.is_rational()) {
+        return RationalFunction::of_rationals(a, b, fmpq_mul);
+    }
     if (a.is_zero() || b.is_zero()) { return 0; }
     RationalFunction left = a;
     RationalFunction right = b;
