@@ -101,10 +101,10 @@ void gauss_generated_separable(benchmark::State& state) {
 BENCHMARK(gauss_generated_separable);
 
 void gauss_from_table(benchmark::State& state) {
-    using Vector = hvi::GenericStepper::Vector;
+    using Vector = hvi::GenericStepper<double>::Vector;
     const double root = std::sqrt(3.0) / 6;
     const std::vector<std::vector<double>> A{{0.25, 0.25 - root}, {0.25 + root, 0.25}};
-    const hvi::GenericStepper stepper(
+    const hvi::GenericStepper<double> stepper(
         {{0.5, 0.5}, A, A},
         [](const Vector& q, const Vector&, Vector& out) {
             const double r2 = q[0] * q[0] + q[1] * q[1];
@@ -113,7 +113,7 @@ void gauss_from_table(benchmark::State& state) {
             out[1] = scale * q[1];
         },
         [](const Vector&, const Vector& p, Vector& out) { out = p; });
-    run(state, stepper, hvi::GenericStepper::State{{0.4, 0.0}, {0.0, 2.0}});
+    run(state, stepper, hvi::GenericStepper<double>::State{{0.4, 0.0}, {0.0, 2.0}});
 }
 BENCHMARK(gauss_from_table);
 

@@ -137,7 +137,7 @@ private:
                    rounding * (std::abs(a.y) + std::abs(b.y) + std::abs(c.y) + std::abs(d.y));
     }
     static void add(double& value, double& cut_off, double increment) {
-        const hvi::Sum sum = hvi::two_sum(value, cut_off + increment);
+        const hvi::Sum<double> sum = hvi::two_sum(value, cut_off + increment);
         value = sum.value;
         cut_off = sum.remainder;
     }

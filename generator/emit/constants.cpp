@@ -2,22 +2,83 @@
 #include <algorithm>
 
 #include "generator/emit/header.hpp"
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 namespace {
 
+constexpr std::string_view call = "rounded(";
+
+/// A format other than float always has the number: see check_range().
+const Dyadic& of(const Rounded& value, int bits) {
+    for (std::size_t f = 0; f < formats.size(); ++f) {
+        if (formats[f].bits == bits) {
+            HVI_CHECK(value[f]);
+            return *value[f];
+        }
+    }
+    HVI_CHECK(false);
+    return *value.front();
+}
+
+const std::optional<Dyadic>& of_float(const Rounded& value) {
+    static_assert(formats.front().bits == 24);
+    return value.front();
+}
+
+bool is_the_same_in_all(const Rounded& value) {
+    return std::all_of(value.begin(), value.end(),
+                       [&](const auto& in_format) { return in_format == value.front(); });
+}
+
+/// Of few bits, or bits that tell a reader nothing.
+std::string hexadecimal(double value) { return value == 0.0 ? "0.0" : fmt::format("{:a}", value); }
+
+/// See src/hvi/rounded.hpp.
+std::string initializer(const Rounded& value) {
+    const Dyadic& hi = of(value, 53);
+    if (is_the_same_in_all(value)) { return fmt::format("Scalar({})", literal(hi.to_double())); }
+    const Dyadic rest = of(value, 113) - hi;
+    const Dyadic to_113 = rest.cut(53);
+    const auto single = of_float(value) ? static_cast<float>(of_float(value)->to_double()) : 0.0F;
+    return fmt::format("{}{}, {}, {}, {}, {})", call, literal(single), literal(hi.to_double()),
+                       hexadecimal((of(value, 64) - hi).to_double()),
+                       hexadecimal(to_113.to_double()), hexadecimal((rest - to_113).to_double()));
+}
+
+/// NOTE: the parts of a number of 113 bits are doubles, so it is to be well above the smallest one.
+void check_range(const Constant& constant) {
+    constexpr int least = -900;
+    for (std::size_t f = 0; f < formats.size(); ++f) {
+        const auto& value = constant.value[f];
+        const bool missing = !value && formats[f].bits != 24;
+        if (missing || (value && !value->is_zero() && value->leading() < least)) {
+            throw MathError(fmt::format("{} = {} is beyond the range of coefficients",
+                                        constant.name, constant.exact));
+        }
+    }
+}
+
 void entries(Writer& writer, const std::vector<Constant>& row) {
     std::size_t width = 0;
-    for (const Constant& entry : row) { width = std::max(width, literal(entry.value).size()); }
+    // NOTE: at most four braces are open around a table.
+    constexpr std::size_t room = page_width - 16;
+    const auto line = [&](const Constant& entry) {
+        return fmt::format("{:<{}}  // {} = {}", initializer(entry.value) + ",", width, entry.name,
+                           entry.exact);
+    };
     for (const Constant& entry : row) {
-        const std::string number = literal(entry.value) + ",";
-        const std::string meaning = entry.name + " = " + entry.exact;
-        const std::string line = fmt::format("{:<{}}  // {}", number, width + 1, meaning);
-        // NOTE: at most four braces are open around a table.
-        if (line.size() <= page_width - 16) {
-            writer.line("{}", line);
+        check_range(entry);
+        if (line(entry).size() <= room) {
+            width = std::max(width, initializer(entry.value).size() + 1);
+        }
+    }
+    for (const Constant& entry : row) {
+        if (line(entry).size() <= room) {
+            writer.line("{}", line(entry));
         } else {
-            writer.comment(meaning).line("{}", number);
+            writer.comment(entry.name + " = " + entry.exact);
+            writer.line("{},", initializer(entry.value));
         }
     }
 }
@@ -25,19 +86,38 @@ void entries(Writer& writer, const std::vector<Constant>& row) {
 }  // namespace
 
 void table(Writer& writer, std::string_view name, const std::vector<Constant>& row) {
-    writer.open("static constexpr double {}[{}] = {{", name, row.size());
+    writer.open("static constexpr Scalar {}[{}] = {{", name, row.size());
     entries(writer, row);
     writer.close("};");
 }
 
 void table(Writer& writer, std::string_view name, const std::vector<std::vector<Constant>>& rows) {
-    writer.open("static constexpr double {}[{}][{}] = {{", name, rows.size(), rows.front().size());
+    writer.open("static constexpr Scalar {}[{}][{}] = {{", name, rows.size(), rows.front().size());
     for (const auto& row : rows) {
         writer.open("{{");
         entries(writer, row);
         writer.close("},");
     }
     writer.close("};");
+}
+
+bool are_rounded(std::string_view tables) { return tables.find(call) != std::string_view::npos; }
+
+std::string with_rounding(const std::string& tables) {
+    if (!are_rounded(tables)) { return tables; }
+    Writer writer(1);
+    writer.comment("rounded(...) is the number of its comment as float, double, long double or "
+                   "__float128: the one that Scalar is.");
+    writer.line("static constexpr auto& rounded = hvi::detail::rounded<Scalar>;").blank();
+    return writer.str() + '\n' + tables;
+}
+
+void refuse_float(Writer& writer, const std::vector<Constant>& constants) {
+    for (const Constant& constant : constants) {
+        if (of_float(constant.value)) { continue; }
+        writer.line("static_assert(hvi::detail::bits<Scalar> != 24,");
+        writer.line("              \"hvi: {} is beyond the range of float\");", constant.name);
+    }
 }
 
 std::vector<Constant> weights(const std::vector<StageValue>& values) {
@@ -47,7 +127,7 @@ std::vector<Constant> weights(const std::vector<StageValue>& values) {
         for (const std::size_t stage : value.stages) {
             name += fmt::format("{}b_{}", name.empty() ? "" : "+", stage + 1);
         }
-        result.push_back({name, value.weight.nearest_double(), exact_text(value.weight)});
+        result.push_back({name, nearest(value.weight), exact_text(value.weight)});
     }
     return result;
 }

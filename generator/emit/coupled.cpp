@@ -38,13 +38,13 @@ std::string stage_values(const std::vector<std::size_t>& indices, std::string_vi
     if (indices.empty()) { return {}; }
     Writer writer(3);
     writer.open(loop);
-    writer.line("const double {0} = s.at.{0}[k];", y);
-    writer.line("const double e_{0} = s.remainder.{0}[k];", y);
+    writer.line("const Scalar {0} = s.at.{0}[k];", y);
+    writer.line("const Scalar e_{0} = s.remainder.{0}[k];", y);
     std::string change;
     for (const std::size_t i : indices) {
-        writer.line("const double {}_{} = {};", letter, i + 1, sum(i));
-        change += fmt::format("{0}std::abs({1}_{2} - s.{1}[{3}][k])", change.empty() ? "" : " + ",
-                              letter, i + 1, i);
+        writer.line("const Scalar {}_{} = {};", letter, i + 1, sum(i));
+        change += fmt::format("{0}hvi::detail::abs({1}_{2} - s.{1}[{3}][k])",
+                              change.empty() ? "" : " + ", letter, i + 1, i);
     }
     if (measured) { writer.line("s.change.{}[k] = {};", y, change); }
     for (const std::size_t i : indices) {
@@ -67,12 +67,13 @@ std::string slopes(const std::vector<std::size_t>& indices, std::string_view let
 
 std::string size(const std::vector<std::size_t>& values, std::string_view letter,
                  const std::vector<std::size_t>& slopes, std::string_view slope_letter) {
-    if (values.empty()) { return "return 0.0;"; }
+    if (values.empty()) { return "return 0;"; }
     std::string sum;
     for (const auto& [indices, name] :
          {std::pair{values, letter}, std::pair{slopes, slope_letter}}) {
         for (const std::size_t i : indices) {
-            sum += fmt::format("{}std::abs(s.{}[{}][k])", sum.empty() ? "" : " + ", name, i);
+            sum +=
+                fmt::format("{}hvi::detail::abs(s.{}[{}][k])", sum.empty() ? "" : " + ", name, i);
         }
     }
     return Writer(3).line("return {};", sum).str();
@@ -107,12 +108,12 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
          {"velocities",
           slopes(
               Lq, "Lq", [&](std::size_t j) { return evaluate_velocity(scheme, j, "s"); },
-              [&](std::size_t j) { return velocity_factor(scheme, j, "s.h"); })},
+              [&](std::size_t j) { return velocity_factor(scheme, j, "s"); })},
          {"positions", stage_values(Q, "Q", "q", true,
                                     [&](std::size_t i) { return position_sum(scheme, i, "s"); })},
          {"forces", slopes(
                         Lp, "Lp", [&](std::size_t i) { return evaluate_force(scheme, i, "s"); },
-                        [&](std::size_t i) { return force_factor(scheme, i, "s.h"); })},
+                        [&](std::size_t i) { return force_factor(scheme, i, "s"); })},
          {"size_q", size(Q, "Q", Lq, "Lq")},
          {"size_p", size(P, "P", Lp, "Lp")}});
     struct_text.pop_back();

@@ -1,5 +1,7 @@
 // Headers of methods that solve nothing.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <sstream>
+
 #include "generator/emit/banner.hpp"
 #include "generator/emit/embedded.hpp"
 #include "generator/emit/header.hpp"
@@ -53,8 +55,9 @@ void write(Writer& writer, const Scheme& scheme, const Move& move, bool first_of
     const bool other_keeps = move.kick ? scheme.keeps_velocity : scheme.keeps_force;
     const bool in_place = !first_of_kind || other_keeps;
     const std::string change =
-        equal(value.weight, 1) ? fmt::format("h * {}[k]", slope)
-                              : fmt::format("h * {}[{}] * {}[k]", names.weights, move.index, slope);
+        equal(value.weight, 1)
+            ? fmt::format("h * {}[k]", slope)
+            : fmt::format("h * {}[{}] * {}[k]", names.weights, move.index, slope);
     const auto add = [&] {
         writer.open("for (Index k = 0; k < n; ++k) {{");
         if (in_place) {
@@ -119,7 +122,9 @@ std::string weights_text(const Scheme& scheme) {
     const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
         bool ones = true;
         for (const StageValue& value : values) { ones = ones && equal(value.weight, 1); }
-        if (!ones) { table(writer, name, weights(values)); }
+        if (ones) { return; }
+        table(writer, name, weights(values));
+        refuse_float(writer, weights(values));
     };
     write("b_p", scheme.positions);
     write("b_q", scheme.momenta);
@@ -138,6 +143,25 @@ std::string fits_text(const Scheme& scheme) {
     if (scheme.keeps_velocity) { fit("velocity_"); }
     fit("slope_");
     return writer.str();
+}
+
+/// A file of the runtime as part of the header, which then has what that file includes of hvi.
+std::string copy_of(std::string_view name) {
+    std::string text;
+    std::istringstream file{std::string(embedded_template(name))};
+    for (std::string line; std::getline(file, line);) {
+        if (line.rfind("#include <hvi/", 0) != 0) { text += line + '\n'; }
+    }
+    return text;
+}
+
+std::string support(bool with_rounded) {
+    std::string text;
+    for (const std::string_view name : {"state.hpp", "scalar.hpp", "rounded.hpp", "system.hpp"}) {
+        if (name == "rounded.hpp" && !with_rounded) { continue; }
+        text += (text.empty() ? "" : "\n") + copy_of(name);
+    }
+    return text;
 }
 
 std::string members_text(const Scheme& scheme) {
@@ -159,12 +183,11 @@ std::string members_text(const Scheme& scheme) {
 std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
     HVI_CHECK(scheme.separable);
-    const std::string support = std::string(embedded_template("state.hpp")) + '\n' +
-                                std::string(embedded_template("system.hpp"));
+    const std::string weights = weights_text(scheme);
     return fill("explicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"support", support},
+                                    {"support", support(are_rounded(weights))},
                                     {"name", options.class_name},
-                                    {"weights", weights_text(scheme)},
+                                    {"weights", with_rounding(weights)},
                                     {"fits", fits_text(scheme)},
                                     {"moves", moves_text(scheme)},
                                     {"ends", ends_text(scheme)},

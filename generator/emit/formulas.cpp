@@ -40,15 +40,26 @@ std::string stage(std::string_view y, const std::string& terms) {
                     : fmt::format("{0} + (e_{0} + ({1}))", y, terms);
 }
 
-std::string factor(const StageValue& value, const std::string& weights, std::size_t index,
-                   std::string_view h) {
-    return equal(value.weight, 1) ? std::string(h) : fmt::format("{} * {}[{}]", h, weights, index);
+std::string factor(const Scheme& scheme, const StageValue& value, std::string_view letter,
+                   const std::string& weights, std::size_t index, std::string_view s) {
+    if (rounds_weights(scheme)) { return fmt::format("{}.hb_{}[{}]", s, letter, index); }
+    if (equal(value.weight, 1)) { return fmt::format("{}.h", s); }
+    return fmt::format("{}.h * {}[{}]", s, weights, index);
 }
 
 }  // namespace
 
 std::string weights_q(const Scheme& scheme) { return is_merged(scheme) ? "b_q" : "b"; }
 std::string weights_p(const Scheme& scheme) { return is_merged(scheme) ? "b_p" : "b"; }
+
+bool rounds_weights(const Scheme& scheme) {
+    for (const auto* values : {&scheme.positions, &scheme.momenta}) {
+        for (const StageValue& value : *values) {
+            if (!is_power_of_two(value.weight)) { return true; }
+        }
+    }
+    return false;
+}
 
 std::string position_sum(const Scheme& scheme, std::size_t i, std::string_view s) {
     std::vector<Term> terms;
@@ -85,12 +96,12 @@ std::string evaluate_force(const Scheme& scheme, std::size_t i, std::string_view
     return fmt::format("dHdq({}.at.q, slope);", s);
 }
 
-std::string velocity_factor(const Scheme& scheme, std::size_t j, std::string_view h) {
-    return factor(scheme.momenta[j], weights_q(scheme), j, h);
+std::string velocity_factor(const Scheme& scheme, std::size_t j, std::string_view s) {
+    return factor(scheme, scheme.momenta[j], "q", weights_q(scheme), j, s);
 }
 
-std::string force_factor(const Scheme& scheme, std::size_t i, std::string_view h) {
-    return factor(scheme.positions[i], weights_p(scheme), i, fmt::format("-{}", h));
+std::string force_factor(const Scheme& scheme, std::size_t i, std::string_view s) {
+    return "-" + factor(scheme, scheme.positions[i], "p", weights_p(scheme), i, s);
 }
 
 }  // namespace hvi::gen

@@ -7,6 +7,7 @@
 
 #include "generator/emit/emit.hpp"
 #include "generator/emit/text.hpp"
+#include "generator/plan/lattice.hpp"
 
 namespace hvi::gen {
 
@@ -15,16 +16,25 @@ namespace hvi::gen {
 [[nodiscard]] std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                                         const EmitOptions& options);
 
-/// A coefficient in a header: its double and what it is exactly.
+/// A coefficient in a header: what it is in each format, and exactly.
 struct Constant {
     std::string name;  ///< `m_12`, in the comment
-    double value;
+    Rounded value;
     std::string exact;
 };
 
-/// `static constexpr double NAME[n] = {...};` with the exact value beside each literal.
+/// `static constexpr Scalar NAME[n] = {...};` with the exact value beside or above each entry: one
+/// literal where it is the same in all formats, else a call of rounded(). Throws MathError where
+/// double, or a longer format, has no such number.
 void table(Writer& writer, std::string_view name, const std::vector<Constant>& row);
 void table(Writer& writer, std::string_view name, const std::vector<std::vector<Constant>>& rows);
+
+/// The text of tables, after the declaration of rounded() where they call it.
+[[nodiscard]] std::string with_rounding(const std::string& tables);
+[[nodiscard]] bool are_rounded(std::string_view tables);
+
+/// A static_assert against float for each of the constants that float cannot hold.
+void refuse_float(Writer& writer, const std::vector<Constant>& constants);
 
 /// The weights of slopes, named after the stages of the tableau: b_1, or b_1+b_2 of merged ones.
 [[nodiscard]] std::vector<Constant> weights(const std::vector<StageValue>& values);
@@ -46,7 +56,10 @@ void table(Writer& writer, std::string_view name, const std::vector<std::vector<
 [[nodiscard]] std::string evaluate_force(const Scheme& scheme, std::size_t i, std::string_view s);
 
 /// h b_j of Lq_j, -h b_i of Lp_i; without the factor where the weight is 1.
-[[nodiscard]] std::string velocity_factor(const Scheme& scheme, std::size_t j, std::string_view h);
-[[nodiscard]] std::string force_factor(const Scheme& scheme, std::size_t i, std::string_view h);
+[[nodiscard]] std::string velocity_factor(const Scheme& scheme, std::size_t j, std::string_view s);
+[[nodiscard]] std::string force_factor(const Scheme& scheme, std::size_t i, std::string_view s);
+
+/// Whether the products of h and the weights are rounded, together; see src/hvi/weights.hpp.
+[[nodiscard]] bool rounds_weights(const Scheme& scheme);
 
 }  // namespace hvi::gen

@@ -12,7 +12,7 @@ using Kind = StageNode::Kind;
 using Place = StageValue::Place;
 
 /// Of the calls into the runtime; see src/hvi/version.hpp.
-constexpr int format = 1;
+constexpr int format = 2;
 
 constexpr auto& loop = "for (Index k = 0; k < s_.at.q.size(); ++k) {{";
 
@@ -83,8 +83,8 @@ void evaluate_stage(Writer& writer, const Scheme& scheme, const StageNode& node,
         return;
     case Place::inner:
         writer.open(loop);
-        writer.line("const double {0} = s_.at.{0}[k];", y);
-        writer.line("const double e_{0} = s_.remainder.{0}[k];", y);
+        writer.line("const Scalar {0} = s_.at.{0}[k];", y);
+        writer.line("const Scalar e_{0} = s_.remainder.{0}[k];", y);
         writer.line("s_.{}[{}][k] = {};", letter, node.index,
                     is_q ? position_sum(scheme, node.index, "s_")
                          : momentum_sum(scheme, node.index, "s_"));
@@ -103,8 +103,8 @@ void evaluate_slope(Writer& writer, const Scheme& scheme, const StageNode& node)
     const bool is_force = node.kind == Kind::Lp;
     const StageValue& value = (is_force ? scheme.positions : scheme.momenta)[node.index];
     const std::string_view letter = is_force ? "Lp" : "Lq";
-    const std::string factor = is_force ? force_factor(scheme, node.index, "s_.h")
-                                        : velocity_factor(scheme, node.index, "s_.h");
+    const std::string factor = is_force ? force_factor(scheme, node.index, "s_")
+                                        : velocity_factor(scheme, node.index, "s_");
     if (!is_kept(scheme, node)) {
         writer.line("system_.{}", is_force ? evaluate_force(scheme, node.index, "s_")
                                            : evaluate_velocity(scheme, node.index, "s_"));
@@ -141,6 +141,9 @@ bool evaluates_slopes(const Scheme& scheme) {
 std::string steps_text(const Scheme& scheme) {
     Writer writer(2);
     Updates updates(writer, scheme);
+    if (rounds_weights(scheme)) {
+        writer.line("s_.weigh({}, {});", weights_q(scheme), weights_p(scheme));
+    }
     begin_kept(writer, scheme.keeps_force, "dHdq", "q", "force_");
     begin_kept(writer, scheme.keeps_velocity, "dHdp", "p", "velocity_");
     writer.line("if constexpr (Solver::takes_starting_values) {{ predict(); }}").blank();
@@ -198,7 +201,7 @@ void extrapolate(Writer& writer, const Scheme& scheme, const std::vector<Slope>&
         for (const Slope& slope : slopes) { used = used || slope.letter == letter; }
         if (!used) { continue; }
         for (std::size_t j = 0; j < s; ++j) {
-            writer.line("const double {0}_{1} = s_.{0}[{2}][k];", letter, j + 1, j);
+            writer.line("const Scalar {0}_{1} = s_.{0}[{2}][k];", letter, j + 1, j);
         }
     }
     for (const Slope& slope : slopes) {
@@ -229,7 +232,7 @@ void constant(Writer& writer, const Scheme& scheme, const std::vector<Slope>& sl
     writer.open(loop);
     for (const std::size_t i : indices) {
         writer.line("s_.{}[{}][k] = {} * {}[k];", letter, i,
-                    is_force ? force_factor(scheme, i, "s_.h") : velocity_factor(scheme, i, "s_.h"),
+                    is_force ? force_factor(scheme, i, "s_") : velocity_factor(scheme, i, "s_"),
                     kept ? "force_" : "slope");
     }
     writer.close();
@@ -254,7 +257,7 @@ std::string predict_text(const Scheme& scheme) {
 // ---- constants, members ----
 
 std::vector<std::vector<Constant>> constants(std::string_view name, const NumberMatrix& exact,
-                                             const DoubleMatrix& values) {
+                                             const RoundedMatrix& values) {
     std::vector<std::vector<Constant>> rows(exact.size());
     for (std::size_t i = 0; i < exact.size(); ++i) {
         for (std::size_t j = 0; j < exact[i].size(); ++j) {
@@ -273,11 +276,12 @@ NumberMatrix complement(const NumberMatrix& m) {
     return mt;
 }
 
-DoubleMatrix nearest(const NumberMatrix& exact) {
-    DoubleMatrix values;
+/// NOTE: starting values need not be good to the last bit.
+RoundedMatrix nearest_or_small(const NumberMatrix& exact) {
+    RoundedMatrix values;
     for (const NumberVector& row : exact) {
-        std::vector<double>& rounded = values.emplace_back();
-        for (const Number& entry : row) { rounded.push_back(entry.nearest_double()); }
+        std::vector<Rounded>& rounded = values.emplace_back();
+        for (const Number& entry : row) { rounded.push_back(nearest_or_small(entry)); }
     }
     return values;
 }
@@ -285,17 +289,19 @@ DoubleMatrix nearest(const NumberMatrix& exact) {
 std::string constants_text(const Scheme& scheme) {
     const RoundedCoefficients coefficients = rounded(scheme);
     Writer writer(1);
-    if (weights_q(scheme) == weights_p(scheme)) {
-        table(writer, weights_q(scheme), weights(scheme.positions));
-    } else {
-        table(writer, weights_p(scheme), weights(scheme.positions));
+    table(writer, weights_p(scheme), weights(scheme.positions));
+    refuse_float(writer, weights(scheme.positions));
+    if (weights_q(scheme) != weights_p(scheme)) {
         table(writer, weights_q(scheme), weights(scheme.momenta));
+        refuse_float(writer, weights(scheme.momenta));
     }
     writer.blank().comment(
         scheme.one_tableau()
             ? "m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij."
             : "m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.");
-    table(writer, "m", constants("m", scheme.m, coefficients.m));
+    const auto m = constants("m", scheme.m, coefficients.m);
+    table(writer, "m", m);
+    for (const auto& row : m) { refuse_float(writer, row); }
     if (!scheme.one_tableau()) {
         table(writer, "mt", constants("mt", complement(scheme.m), coefficients.mt));
     }
@@ -303,7 +309,8 @@ std::string constants_text(const Scheme& scheme) {
                 scheme.one_tableau() ? "m" : "mt");
     if (scheme.extrapolation) {
         writer.blank().comment("Slopes of the next step are about N times those of this one.");
-        table(writer, "N", constants("N", *scheme.extrapolation, nearest(*scheme.extrapolation)));
+        table(writer, "N",
+              constants("N", *scheme.extrapolation, nearest_or_small(*scheme.extrapolation)));
     }
     return writer.str();
 }
@@ -342,14 +349,16 @@ std::string members_text(const Scheme& scheme) {
 std::string purpose_text(const Scheme& scheme) {
     Writer writer(0);
     if (scheme.separable) {
-        writer.comment("For H(q, p) = T(p) + U(q). `System` names its `Vector` (std::array<double, "
-                       "n> or one of Eigen) and has const members dHdq(q, out) = grad U and "
-                       "dHdp(p, out) = grad T.",
-                       "/// ");
+        writer.comment(
+            "For H(q, p) = T(p) + U(q). `System` names its `Vector`, std::array<double, "
+            "n> or one of Eigen, also of float, long double or __float128, and has const "
+            "members dHdq(q, out) = grad U and dHdp(p, out) = grad T.",
+            "/// ");
     } else {
         writer.comment(
-            "`System` names its `Vector` (std::array<double, n> or one of Eigen) and has "
-            "const members dHdq(q, p, out) and dHdp(q, p, out).",
+            "`System` names its `Vector`, std::array<double, n> or one of Eigen, also of "
+            "float, long double or __float128, and has const members dHdq(q, p, out) and "
+            "dHdp(q, p, out).",
             "/// ");
     }
     writer.comment("`Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that "
@@ -368,7 +377,7 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                                     {"purpose", purpose_text(scheme)},
                                     {"separable", scheme.separable ? "true" : "false"},
                                     {"steps", steps_text(scheme)},
-                                    {"constants", constants_text(scheme)},
+                                    {"constants", with_rounding(constants_text(scheme))},
                                     {"predict", predict_text(scheme)},
                                     {"coupled", coupled_text(scheme)},
                                     {"members", members_text(scheme)}});

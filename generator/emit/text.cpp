@@ -88,6 +88,12 @@ std::string fill_line(std::string_view line, const Holes& holes, std::set<std::s
     return result + '\n';
 }
 
+std::string shortest(auto value) {
+    std::string text = fmt::format("{}", value);
+    if (text.find_first_of(".en") == std::string::npos) { text += ".0"; }
+    return text;
+}
+
 /// NOTE: a hole that takes its line away may leave two empty lines, or one before a brace.
 std::string tidy(std::string_view text) {
     std::string result;
@@ -151,11 +157,8 @@ std::string exact_text(const Number& number) {
     return number.decimal(40) + "...";
 }
 
-std::string literal(double value) {
-    std::string text = fmt::format("{}", value);
-    if (text.find_first_of(".en") == std::string::npos) { text += ".0"; }
-    return text;
-}
+std::string literal(double value) { return shortest(value); }
+std::string literal(float value) { return shortest(value) + "f"; }
 
 std::string fill(std::string_view template_name, const Holes& holes) {
     const Template source = parse(embedded_template(template_name));

@@ -60,9 +60,10 @@ private:
 /// The exact value as text, or its first digits where it has no closed form.
 [[nodiscard]] std::string exact_text(const Number& number);
 
-/// The double as C++ writes it: the shortest decimal that reads back as the same double, which
-/// every compiler rounds correctly and which can be compared with the exact value by eye.
+/// The number as C++ writes it: the shortest decimal that reads back as the same double or float,
+/// which every compiler rounds correctly and which can be compared with the exact value by eye.
 [[nodiscard]] std::string literal(double value);
+[[nodiscard]] std::string literal(float value);
 
 using Holes = std::map<std::string_view, std::string>;
 

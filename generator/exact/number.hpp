@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "generator/exact/dyadic.hpp"
 #include "generator/expr/expression.hpp"
 
 namespace hvi::gen {
@@ -50,9 +51,13 @@ public:
     /// The correctly rounded double. Precondition: no free parameter.
     [[nodiscard]] double nearest_double() const;
 
-    /// The multiple of 2^exponent nearest to the value. Precondition: no free parameter, and the
-    /// result is representable.
-    [[nodiscard]] double nearest_multiple(int exponent) const;
+    /// The number of so many significant bits that is nearest to the value (half to even), whatever
+    /// its exponent. Preconditions: no free parameter; bits <= Dyadic::most_bits.
+    [[nodiscard]] Dyadic nearest_of(int bits) const;
+
+    /// The multiple of 2^exponent nearest to the value (half to even). Preconditions: no free
+    /// parameter, and the result is a Dyadic.
+    [[nodiscard]] Dyadic nearest_multiple(int exponent) const;
 
     struct Value;  ///< in number_value.hpp, known to generator/exact only
     explicit Number(std::shared_ptr<const Value> value) : value_(std::move(value)) {}

@@ -1,4 +1,4 @@
-// Correctly rounded decimals and doubles: enclosures are refined until only one answer is left.
+// Correctly rounded decimals and binary numbers: enclosures are refined until one answer is left.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
@@ -65,6 +65,20 @@ Number scaled(const Number& value, long power) {
 
 Integer nearest_integer(const Number& value) {
     return refine(value, "how to round a number", only_nearest_integer);
+}
+
+/// Precondition: as many bits as a Dyadic has.
+WideInteger wide(const Integer& value) {
+    HVI_CHECK(fmpz_bits(value.get()) <= Dyadic::most_bits);
+    Integer rest, digit;
+    fmpz_abs(rest.get(), value.get());
+    WideInteger result = 0;
+    for (int position = 0; fmpz_sgn(rest.get()) != 0; position += 32) {
+        fmpz_fdiv_r_2exp(digit.get(), rest.get(), 32);
+        fmpz_fdiv_q_2exp(rest.get(), rest.get(), 32);
+        result += WideInteger(fmpz_get_ui(digit.get())) << position;
+    }
+    return fmpz_sgn(value.get()) < 0 ? -result : result;
 }
 
 /// A number not greater than log10 |value|, and not more than two less.
@@ -143,12 +157,34 @@ double Number::nearest_double() const {
     });
 }
 
-double Number::nearest_multiple(int exponent) const {
+Dyadic Number::nearest_of(int bits) const {
+    HVI_CHECK(!has_parameters());
+    const Element* const element = value().element();
+    if (element != nullptr && element->is_zero()) return {};
+    return refine(*this, "how to round a number", [&](const Ball& ball) -> std::optional<Dyadic> {
+        arf_t lower, upper;
+        arf_init(lower);
+        arf_init(upper);
+        arb_get_interval_arf(lower, upper, ball.get(), ARF_PREC_EXACT);
+        arf_set_round(lower, lower, bits, ARF_RND_NEAR);
+        arf_set_round(upper, upper, bits, ARF_RND_NEAR);
+        std::optional<Dyadic> result;
+        if (arf_is_normal(lower) && arf_equal(lower, upper)) {
+            Integer mantissa, exponent;
+            arf_get_fmpz_2exp(mantissa.get(), exponent.get(), lower);
+            HVI_CHECK(fmpz_bits(exponent.get()) < 30);
+            result = Dyadic(wide(mantissa), static_cast<int>(fmpz_get_si(exponent.get())));
+        }
+        arf_clear(lower);
+        arf_clear(upper);
+        return result;
+    });
+}
+
+Dyadic Number::nearest_multiple(int exponent) const {
     HVI_CHECK(!has_parameters());
     const GiNaC::numeric scale = GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(-exponent));
-    const Integer multiple = nearest_integer(*this * number(Element(scale), nullptr));
-    HVI_CHECK(fmpz_bits(multiple.get()) <= 53);
-    return std::ldexp(static_cast<double>(fmpz_get_si(multiple.get())), exponent);
+    return {wide(nearest_integer(*this * number(Element(scale), nullptr))), exponent};
 }
 
 }  // namespace hvi::gen

@@ -2,40 +2,86 @@
 #include "generator/plan/lattice.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
 namespace {
 
-double on_lattice(const Number& m) {
-    const double larger =
-        std::max(std::abs(m.nearest_double()), std::abs((Number(1) - m).nearest_double()));
-    const int ulp = std::ilogb(larger) - (std::numeric_limits<double>::digits - 1);
+const Dyadic one(1, 0);
+
+/// The power of two of the leading bit, once rounded to the format: no number is smaller than zero.
+int magnitude(const Dyadic& value) {
+    constexpr int of_zero = -100'000;
+    return value.is_zero() ? of_zero : value.leading();
+}
+
+bool is_in_range(const Dyadic& value, const Format& format) {
+    return value.is_zero() || (value.leading() >= format.least && value.leading() <= format.most);
+}
+
+std::optional<Dyadic> on_lattice(const Number& m, const Format& format) {
+    const int larger = std::max(magnitude(m.nearest_of(format.bits)),
+                                magnitude((Number(1) - m).nearest_of(format.bits)));
+    const int ulp = larger - (format.bits - 1);
+    if (ulp > 0 || larger > format.most) { return std::nullopt; }
     return m.nearest_multiple(ulp);
+}
+
+std::optional<Dyadic> complement(const std::optional<Dyadic>& m, const Format& format) {
+    if (!m) { return std::nullopt; }
+    const Dyadic mt = one - *m;
+    HVI_CHECK(one - mt == *m && m->bits() <= format.bits && mt.bits() <= format.bits);
+    return mt;
 }
 
 }  // namespace
 
+Rounded nearest(const Number& value) {
+    Rounded result;
+    for (std::size_t f = 0; f < formats.size(); ++f) {
+        const Dyadic rounded = value.nearest_of(formats[f].bits);
+        if (is_in_range(rounded, formats[f])) { result[f] = rounded; }
+    }
+    return result;
+}
+
+Rounded nearest_or_small(const Number& value) {
+    Rounded result = nearest(value);
+    for (std::size_t f = 0; f < formats.size(); ++f) {
+        const bool small = magnitude(value.nearest_of(formats[f].bits)) < formats[f].least;
+        if (small) { result[f] = value.nearest_multiple(formats[f].least - formats[f].bits + 1); }
+    }
+    return result;
+}
+
+bool is_power_of_two(const Number& value) {
+    const Rounded in_formats = nearest(value);
+    return std::all_of(in_formats.begin(), in_formats.end(), [&](const auto& rounded) {
+        return rounded && rounded->bits() == 1 && rounded == in_formats.front();
+    });
+}
+
 RoundedCoefficients rounded(const Scheme& scheme) {
     const std::size_t rows = scheme.positions.size();
     const std::size_t columns = scheme.momenta.size();
-    RoundedCoefficients result{DoubleMatrix(rows, std::vector<double>(columns)),
-                               DoubleMatrix(columns, std::vector<double>(rows))};
+    RoundedCoefficients result{RoundedMatrix(rows, std::vector<Rounded>(columns)),
+                               RoundedMatrix(columns, std::vector<Rounded>(rows))};
     const bool mirrored = scheme.one_tableau() && rows == columns;
+    const auto round = [&](std::size_t i, std::size_t j, std::size_t f) {
+        const bool is_half = mirrored && i == j;
+        const auto m = is_half ? Dyadic(1, -1) : on_lattice(scheme.m[i][j], formats[f]);
+        const auto mt = complement(m, formats[f]);
+        result.m[i][j][f] = m;
+        result.mt[j][i][f] = mt;
+        if (mirrored) {
+            result.m[j][i][f] = mt;
+            result.mt[i][j][f] = m;
+        }
+    };
     for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t j = 0; j < columns; ++j) {
-            if (mirrored && i < j) { continue; }
-            const double m = mirrored && i == j ? 0.5 : on_lattice(scheme.m[i][j]);
-            result.m[i][j] = m;
-            result.mt[j][i] = 1.0 - m;
-            HVI_CHECK(1.0 - result.mt[j][i] == m);
-            if (mirrored) {
-                result.m[j][i] = 1.0 - m;
-                result.mt[i][j] = m;
-            }
+        for (std::size_t j = 0; j < (mirrored ? i + 1 : columns); ++j) {
+            for (std::size_t f = 0; f < formats.size(); ++f) { round(i, j, f); }
         }
     }
     return result;

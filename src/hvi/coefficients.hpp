@@ -1,4 +1,4 @@
-// What the coefficients of a symplectic method fulfil in doubles.
+// What the coefficients of a symplectic method fulfil in every format.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,12 +8,12 @@ namespace hvi::detail {
 
 /// m_ij + mt_ji == 1 for all entries and without rounding: b_i a~_ij + b_j a_ji = b_i b_j divided
 /// by b_i b_j, the condition for (4.18) to be symplectic.
-template <std::size_t r, std::size_t s>
-[[nodiscard]] constexpr bool complementary(const double (&m)[r][s], const double (&mt)[s][r]) {
+template <class Scalar, std::size_t r, std::size_t s>
+[[nodiscard]] constexpr bool complementary(const Scalar (&m)[r][s], const Scalar (&mt)[s][r]) {
     for (std::size_t i = 0; i < r; ++i) {
         for (std::size_t j = 0; j < s; ++j) {
             // NOTE: both differences are needed: a sum that is 1 only after rounding fails one.
-            if (1.0 - m[i][j] != mt[j][i] || 1.0 - mt[j][i] != m[i][j]) { return false; }
+            if (1 - m[i][j] != mt[j][i] || 1 - mt[j][i] != m[i][j]) { return false; }
         }
     }
     return true;

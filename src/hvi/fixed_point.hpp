@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cfloat>
-
+#include <hvi/arithmetic.hpp>
 #include <hvi/round_off.hpp>
 #include <hvi/state.hpp>
 
@@ -60,7 +59,7 @@ struct FixedPoint {
             return round_off_.template judge<Coupled::has_q, by_p>(coupled.s.change, coupled);
         }
 
-        detail::RoundOff<Vector> round_off_{8 * DBL_EPSILON};
+        detail::RoundOff<Vector> round_off_{8 * detail::epsilon<detail::ScalarOf<Vector>>};
     };
 };
 

@@ -2,75 +2,75 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cfloat>
-#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi {
 
 /// The coefficients of an s-stage symplectic partitioned Runge-Kutta method.
+template <class Scalar>
 struct Coefficients {
-    std::vector<double> b;
-    std::vector<std::vector<double>> A;
-    std::vector<std::vector<double>> A_tilde;
+    std::vector<Scalar> b;
+    std::vector<std::vector<Scalar>> A;
+    std::vector<std::vector<Scalar>> A_tilde;
 };
 
 /// Applies any tableau to any Hamiltonian, both known at run time only, by the formulas as the
 /// paper prints them and Jacobi's fixed-point iteration: no scaled form, no remembered values, no
 /// compensated sums. For tests; what hvi-gen writes is faster and loses less to rounding.
+template <class Scalar>
 class GenericStepper {
 public:
-    using Vector = std::vector<double>;
+    using Vector = std::vector<Scalar>;
     using State = hvi::State<Vector>;
     using Gradient = std::function<void(const Vector& q, const Vector& p, Vector& out)>;
 
     /// Precondition: A and A_tilde are square, of the size of b.
-    GenericStepper(Coefficients coefficients, Gradient dHdq, Gradient dHdp)
+    GenericStepper(Coefficients<Scalar> coefficients, Gradient dHdq, Gradient dHdp)
         : method_(std::move(coefficients)), dHdq_(std::move(dHdq)), dHdp_(std::move(dHdp)) {}
 
     /// Advances x by a step of size h. Unless the status is ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) const {
+    [[nodiscard]] Status step(State& x, Scalar h) const {
         const std::size_t s = method_.b.size();
         std::vector<Vector> Q(s, x.q), P(s, x.p), velocity(s, x.q), slope(s, x.p);
-        double smallest = std::numeric_limits<double>::infinity();
+        Scalar smallest = detail::infinity<Scalar>;
         for (int iteration = 1; iteration <= most_iterations; ++iteration) {
             for (std::size_t i = 0; i < s; ++i) {
                 dHdp_(Q[i], P[i], velocity[i]);
                 dHdq_(Q[i], P[i], slope[i]);
             }
-            double change = 0.0;
+            Scalar change = 0;
             for (std::size_t i = 0; i < s; ++i) {
                 change += replace(Q[i], sum(x.q, h, method_.A[i], velocity));      // (4.18c)
                 change += replace(P[i], sum(x.p, -h, method_.A_tilde[i], slope));  // (4.18d)
             }
-            if (!std::isfinite(change)) { return Status(Status::Code::not_finite, iteration); }
+            if (!detail::is_finite(change)) { return Status(Status::Code::not_finite, iteration); }
             const bool settled = change >= smallest && change <= tolerance * size(Q, P);
-            if (change == 0.0 || settled) {
+            if (change == 0 || settled) {
                 x.q = sum(x.q, h, method_.b, velocity);  // (4.18a)
                 x.p = sum(x.p, -h, method_.b, slope);    // (4.18b)
                 return Status(Status::Code::ok, iteration);
             }
-            smallest = std::fmin(smallest, change);
+            if (change < smallest) { smallest = change; }
         }
         return Status(Status::Code::not_converged, most_iterations);
     }
 
 private:
     static constexpr int most_iterations = 1000;
-    static constexpr double tolerance = 32 * DBL_EPSILON;
+    static constexpr Scalar tolerance = 32 * detail::epsilon<Scalar>;
 
     /// y + h sum_j a_j f_j.
-    [[nodiscard]] static Vector sum(const Vector& y, double h, const std::vector<double>& a,
+    [[nodiscard]] static Vector sum(const Vector& y, Scalar h, const Vector& a,
                                     const std::vector<Vector>& f) {
         Vector result = y;
         for (std::size_t k = 0; k < y.size(); ++k) {
-            double increment = 0.0;
+            Scalar increment = 0;
             for (std::size_t j = 0; j < a.size(); ++j) { increment += a[j] * f[j][k]; }
             result[k] = y[k] + h * increment;
         }
@@ -78,24 +78,24 @@ private:
     }
 
     /// Returns how much the value changes.
-    static double replace(Vector& value, const Vector& by) {
-        double change = 0.0;
-        for (std::size_t k = 0; k < value.size(); ++k) { change += std::abs(by[k] - value[k]); }
+    static Scalar replace(Vector& value, const Vector& by) {
+        Scalar change = 0;
+        for (std::size_t k = 0; k < value.size(); ++k) { change += detail::abs(by[k] - value[k]); }
         value = by;
         return change;
     }
 
-    [[nodiscard]] static double size(const std::vector<Vector>& Q, const std::vector<Vector>& P) {
-        double result = 0.0;
+    [[nodiscard]] static Scalar size(const std::vector<Vector>& Q, const std::vector<Vector>& P) {
+        Scalar result = 0;
         for (const auto* stages : {&Q, &P}) {
             for (const Vector& v : *stages) {
-                for (std::size_t k = 0; k < v.size(); ++k) { result += std::abs(v[k]); }
+                for (std::size_t k = 0; k < v.size(); ++k) { result += detail::abs(v[k]); }
             }
         }
         return result;
     }
 
-    Coefficients method_;
+    Coefficients<Scalar> method_;
     Gradient dHdq_, dHdp_;
 };
 

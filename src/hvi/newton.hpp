@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cfloat>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
 
 #include <Eigen/Dense>
+#include <hvi/arithmetic.hpp>
 #include <hvi/round_off.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -16,19 +15,22 @@
 namespace hvi {
 namespace detail {
 
+template <class Vector>
+using MatrixOf = Eigen::Matrix<ScalarOf<Vector>, Eigen::Dynamic, Eigen::Dynamic>;
+
 template <class System, class Vector, class = void>
 struct HasHessian : std::false_type {};
 template <class System, class Vector>
 struct HasHessian<System, Vector,
                   std::void_t<decltype(std::declval<const System&>().d2Hdq2(
                                   std::declval<const Vector&>(), std::declval<const Vector&>(),
-                                  std::declval<Eigen::MatrixXd&>())),
+                                  std::declval<MatrixOf<Vector>&>())),
                               decltype(std::declval<const System&>().d2Hdqdp(
                                   std::declval<const Vector&>(), std::declval<const Vector&>(),
-                                  std::declval<Eigen::MatrixXd&>())),
+                                  std::declval<MatrixOf<Vector>&>())),
                               decltype(std::declval<const System&>().d2Hdp2(
                                   std::declval<const Vector&>(), std::declval<const Vector&>(),
-                                  std::declval<Eigen::MatrixXd&>()))>> : std::true_type {};
+                                  std::declval<MatrixOf<Vector>&>()))>> : std::true_type {};
 
 template <class System, class Vector, class = void>
 struct HasSeparableHessian : std::false_type {};
@@ -36,9 +38,9 @@ template <class System, class Vector>
 struct HasSeparableHessian<
     System, Vector,
     std::void_t<decltype(std::declval<const System&>().d2Hdq2(std::declval<const Vector&>(),
-                                                              std::declval<Eigen::MatrixXd&>())),
+                                                              std::declval<MatrixOf<Vector>&>())),
                 decltype(std::declval<const System&>().d2Hdp2(std::declval<const Vector&>(),
-                                                              std::declval<Eigen::MatrixXd&>()))>>
+                                                              std::declval<MatrixOf<Vector>&>()))>>
     : std::true_type {};
 
 }  // namespace detail
@@ -46,12 +48,13 @@ struct HasSeparableHessian<
 /// Solver policy of generated steppers: Newton's method with the exact Hessian, which the system
 /// offers besides its gradient:
 ///
-///     void d2Hdq2(const Vector& q, const Vector& p, Eigen::MatrixXd& out) const;
-///     void d2Hdqdp(const Vector& q, const Vector& p, Eigen::MatrixXd& out) const;
-///     void d2Hdp2(const Vector& q, const Vector& p, Eigen::MatrixXd& out) const;
+///     void d2Hdq2(const Vector& q, const Vector& p, Matrix& out) const;
+///     void d2Hdqdp(const Vector& q, const Vector& p, Matrix& out) const;
+///     void d2Hdp2(const Vector& q, const Vector& p, Matrix& out) const;
 ///
-/// with out(i, j) the derivative by q_i and p_j in the second; for separable H d2Hdq2(q, out) and
-/// d2Hdp2(p, out). `out` comes as a zero matrix of the right size.
+/// with Matrix = Eigen::MatrixXd where the vectors hold doubles, else Eigen::MatrixX<float> or
+/// Eigen::MatrixX<long double>, and out(i, j) the derivative by q_i and p_j in the second; for
+/// separable H d2Hdq2(q, out) and d2Hdp2(p, out). `out` comes as a zero matrix of the right size.
 ///
 /// The factors of the Jacobian are kept over iterations and steps while the iteration contracts
 /// well. They are forgotten with the state that they belong to and when h changes.
@@ -73,7 +76,7 @@ struct Newton {
             bool reused = reusable;
             if (!reusable && !factorise(coupled)) { return Status(Status::Code::singular); }
 
-            double last_change = 0.0;
+            Scalar last_change = 0;
             for (int iteration = 1; iteration <= most_iterations; ++iteration) {
                 correct(coupled);
                 switch (round_off_.template judge<Coupled::has_q, Coupled::has_p>(coupled.s.change,
@@ -83,9 +86,9 @@ struct Newton {
                 case detail::Verdict::at_noise: return Status(Status::Code::ok, iteration);
                 case detail::Verdict::not_finite: return failed(iteration);
                 }
-                const double change = relative_change(coupled);
+                const Scalar change = relative_change(coupled);
                 const bool falls = iteration == 1 || change < last_change;
-                const bool contracts = iteration == 1 || change <= 0.25 * last_change;
+                const bool contracts = iteration == 1 || 4 * change <= last_change;
                 last_change = change;
                 if (!falls && change <= rounding) { return Status(Status::Code::ok, iteration); }
                 if (contracts || change <= well) { continue; }
@@ -101,13 +104,19 @@ struct Newton {
 
     private:
         using Index = Eigen::Index;
+        using Scalar = detail::ScalarOf<Vector>;
+        using Matrix = detail::MatrixOf<Vector>;
+        using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+        static_assert(detail::is_standard<Scalar>,
+                      "hvi::Newton: Eigen does not compute in these numbers: use hvi::FixedPoint");
         // NOTE: the part of a value that a correction may be and pass for rounding: it is rounding
         // times the inverse of J, which may magnify it somewhat. A correction below it ends the
         // iteration only when corrections no longer fall (Hairer, McLachlan & Razakarivony 2008).
-        // To end at the first one below 4 DBL_EPSILON, or where the rate of contraction promised a
+        // To end at the first one below 4 epsilon, or where the rate of contraction promised a
         // next one below 2^-58, made the energy of Kepler's problem drift.
-        static constexpr double rounding = 128 * DBL_EPSILON;
-        static constexpr double well = 0x1p-30;  // so near to the solution any contraction does
+        static constexpr Scalar rounding = 128 * detail::epsilon<Scalar>;
+        // So near to the solution any contraction does: with half of the digits and some more.
+        static constexpr Scalar well = detail::power_of_two<Scalar>(-4 * detail::bits<Scalar> / 7);
 
         template <class Coupled>
         static constexpr void check() {
@@ -115,11 +124,11 @@ struct Newton {
             if constexpr (Coupled::separable) {
                 static_assert(detail::HasSeparableHessian<System, Vector>::value,
                               "hvi::Newton: for H = T(p) + U(q) the system must offer const "
-                              "members d2Hdq2(q, out) and d2Hdp2(p, out), out an Eigen::MatrixXd&");
+                              "members d2Hdq2(q, out) and d2Hdp2(p, out), out a matrix of Eigen");
             } else {
                 static_assert(detail::HasHessian<System, Vector>::value,
                               "hvi::Newton: the system must offer const members d2Hdq2, d2Hdqdp "
-                              "and d2Hdp2, each (q, p, out), out an Eigen::MatrixXd&");
+                              "and d2Hdp2, each (q, p, out), out a matrix of Eigen");
             }
         }
 
@@ -134,9 +143,9 @@ struct Newton {
             if (jacobian_.rows() == size) { return; }
             n_ = static_cast<Index>(dimension);
             jacobian_.resize(size, size);
-            factors_ = Eigen::PartialPivLU<Eigen::MatrixXd>(size);
-            for (Eigen::VectorXd* v : {&slopes_, &residual_, &correction_}) { v->resize(size); }
-            for (Eigen::MatrixXd* block : {&Hqq_, &Hqp_, &Hpp_}) { block->resize(n_, n_); }
+            factors_ = Eigen::PartialPivLU<Matrix>(size);
+            for (Column* v : {&slopes_, &residual_, &correction_}) { v->resize(size); }
+            for (Matrix* block : {&Hqq_, &Hqp_, &Hpp_}) { block->resize(n_, n_); }
             factored_ = false;
         }
 
@@ -173,8 +182,8 @@ struct Newton {
             auto& change = coupled.s.change;
             constexpr std::size_t velocities = Coupled::unknown_q.size();
             for (Index k = 0; k < n_; ++k) {
-                at(change.q, k) = 0.0;
-                at(change.p, k) = 0.0;
+                at(change.q, k) = 0;
+                at(change.p, k) = 0;
                 for (Index i = 0; i < unknowns<Coupled>(); ++i) {
                     Vector& changes = i < static_cast<Index>(velocities) ? change.q : change.p;
                     at(changes, k) += std::abs(correction_[i * n_ + k]);
@@ -183,24 +192,24 @@ struct Newton {
         }
 
         template <class Coupled>
-        [[nodiscard]] double relative_change(const Coupled& coupled) const {
-            double change = 0.0;
+        [[nodiscard]] Scalar relative_change(const Coupled& coupled) const {
+            Scalar change = 0;
             for (Index k = 0; k < n_; ++k) {
                 const auto component = static_cast<detail::IndexOf<Vector>>(k);
                 if constexpr (Coupled::has_q) {
-                    change = std::fmax(
+                    change = detail::larger(
                         change, ratio(coupled.s.change.q[component], coupled.size_q(component)));
                 }
                 if constexpr (Coupled::has_p) {
-                    change = std::fmax(
+                    change = detail::larger(
                         change, ratio(coupled.s.change.p[component], coupled.size_p(component)));
                 }
             }
             return change;
         }
 
-        [[nodiscard]] static double ratio(double change, double size) {
-            return change == 0.0 ? 0.0 : change / size;
+        [[nodiscard]] static Scalar ratio(Scalar change, Scalar size) {
+            return change == 0 ? 0 : change / size;
         }
 
         /// J at the present stages; false when it is singular.
@@ -214,7 +223,7 @@ struct Newton {
             if (!factored_) { return false; }
             factors_.compute(jacobian_);
             const auto pivots = factors_.matrixLU().diagonal();
-            factored_ = pivots.allFinite() && pivots.cwiseAbs().minCoeff() > 0.0;
+            factored_ = pivots.allFinite() && pivots.cwiseAbs().minCoeff() > 0;
             return factored_;
         }
 
@@ -230,7 +239,7 @@ struct Newton {
                 coupled.system.d2Hdp2(s.Q[j], s.P[j], Hpp_);
                 coupled.system.d2Hdqdp(s.Q[j], s.P[j], Hqp_);
             }
-            const double hb = s.h * Coupled::weight_q(j);
+            const Scalar hb = s.h * Coupled::weight_q(j);
             Index column = 0;
             for (const std::size_t i : Coupled::unknown_q) {
                 if constexpr (!Coupled::separable) {
@@ -256,7 +265,7 @@ struct Newton {
                 coupled.system.d2Hdq2(s.Q[i], s.P[i], Hqq_);
                 coupled.system.d2Hdqdp(s.Q[i], s.P[i], Hqp_);
             }
-            const double hb = s.h * Coupled::weight_p(i);
+            const Scalar hb = s.h * Coupled::weight_p(i);
             Index column = 0;
             for (const std::size_t j : Coupled::unknown_q) {
                 block(row, column++) += (hb * Coupled::coefficient_q(i, j)) * Hqq_;
@@ -281,7 +290,7 @@ struct Newton {
         }
 
         template <class Coupled>
-        void gather(const Coupled& coupled, Eigen::VectorXd& slopes) const {
+        void gather(const Coupled& coupled, Column& slopes) const {
             Index offset = 0;
             const auto take = [&](const Vector& slope) {
                 for (Index k = 0; k < n_; ++k) { slopes[offset++] = at(slope, k); }
@@ -306,9 +315,9 @@ struct Newton {
         }
 
         detail::RoundOff<Vector> round_off_{rounding};
-        Eigen::MatrixXd jacobian_, Hqq_, Hqp_, Hpp_;
-        Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
-        Eigen::VectorXd slopes_, residual_, correction_;
+        Matrix jacobian_, Hqq_, Hqp_, Hpp_;
+        Eigen::PartialPivLU<Matrix> factors_;
+        Column slopes_, residual_, correction_;
         Index n_ = 0;
         bool factored_ = false;
     };

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cfloat>
-#include <cmath>
-#include <limits>
-
+#include <hvi/arithmetic.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
 
@@ -31,16 +28,17 @@ template <class Vector>
 class RoundOff {
 public:
     using Index = IndexOf<Vector>;
+    using Scalar = ScalarOf<Vector>;
 
     /// `rounding`: the part of a value that its change may be and pass for rounding.
-    explicit RoundOff(double rounding) : rounding_(rounding) {}
+    explicit RoundOff(Scalar rounding) : rounding_(rounding) {}
 
     void begin(Index n) {
         fit(smallest_.q, n);
         fit(smallest_.p, n);
         for (Index k = 0; k < n; ++k) {
-            smallest_.q[k] = std::numeric_limits<double>::infinity();
-            smallest_.p[k] = std::numeric_limits<double>::infinity();
+            smallest_.q[k] = infinity<Scalar>;
+            smallest_.p[k] = infinity<Scalar>;
         }
         stalls_ = 0;
     }
@@ -52,19 +50,19 @@ public:
         Seen seen;
         if constexpr (by_q) { look(change.q, smallest_.q, seen); }
         if constexpr (by_p) { look(change.p, smallest_.p, seen); }
-        if (!(seen.total <= DBL_MAX)) { return Verdict::not_finite; }
-        if (seen.total == 0.0) { return Verdict::unchanged; }
+        if (!(seen.total < infinity<Scalar>)) { return Verdict::not_finite; }
+        if (seen.total == 0) { return Verdict::unchanged; }
         stalls_ = seen.falls != 0 ? 0 : stalls_ + 1;
         if (stalls_ < 2) { return Verdict::go_on; }
         return is_noise<by_q, by_p>(change, coupled) ? Verdict::at_noise : Verdict::go_on;
     }
 
 private:
-    static constexpr double noise = 0x1p-40;
+    static constexpr Scalar noise = power_of_two<Scalar>(-(3 * bits<Scalar> + 3) / 4);
     static constexpr int patience = 10;
 
     struct Seen {
-        double total = 0.0;  // a sum, so that a NaN cannot hide
+        Scalar total = 0;  // a sum, so that a NaN cannot hide
         int falls = 0;
     };
 
@@ -73,7 +71,7 @@ private:
             // NOTE: no branch here: which components fall is noise, that no processor predicts.
             seen.total += change[k];
             seen.falls |=
-                static_cast<int>(change[k] > 0.0) & static_cast<int>(change[k] < smallest[k]);
+                static_cast<int>(change[k] > 0) & static_cast<int>(change[k] < smallest[k]);
             smallest[k] = change[k] < smallest[k] ? change[k] : smallest[k];
         }
     }
@@ -83,12 +81,12 @@ private:
         bool by_component = true;
         bool by_norm = true;
         const auto compare = [&](const Vector& changes, auto size) {
-            double largest_change = 0.0;
-            double largest_size = 0.0;
+            Scalar largest_change = 0;
+            Scalar largest_size = 0;
             for (Index k = 0; k < changes.size(); ++k) {
                 by_component &= changes[k] <= rounding_ * size(k);
-                largest_change = std::fmax(largest_change, changes[k]);
-                largest_size = std::fmax(largest_size, size(k));
+                largest_change = larger(largest_change, changes[k]);
+                largest_size = larger(largest_size, size(k));
             }
             by_norm &= largest_change <= noise * largest_size;
         };
@@ -101,7 +99,7 @@ private:
         return by_component || (by_norm && stalls_ >= patience);
     }
 
-    double rounding_;
+    Scalar rounding_;
     State<Vector> smallest_;  // change of each component so far
     int stalls_ = 0;          // sweeps in a row in which no component changed by less than ever
 };

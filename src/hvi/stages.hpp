@@ -3,12 +3,13 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include <hvi/compensated.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
+#include <hvi/weights.hpp>
 
 namespace hvi::detail {
 
@@ -19,13 +20,14 @@ namespace hvi::detail {
 ///
 /// with m_ij = a_ij/b_j, mt_ji = a~_ji/b_i and the remainder (e_q, e_p) of the sums so far, which
 /// enters the stages, not the update alone (Antonana, Makazaga & Murua). The method is symplectic
-/// when m_ij + mt_ji == 1, which holds exactly in doubles.
+/// when m_ij + mt_ji == 1, which holds exactly in every format.
 ///
 /// Remainder, slopes and whatever else one step leaves for the next are bound to the state in which
 /// that step ended: begin() forgets them unless it is given these very bits.
 template <class Vector, std::size_t positions, std::size_t momenta>
 struct Stages {
     using Index = IndexOf<Vector>;
+    using Scalar = ScalarOf<Vector>;
 
     State<Vector> at;         ///< where the step begins, afterwards where it ended
     State<Vector> remainder;  ///< what rounding cut off from `at`
@@ -34,26 +36,36 @@ struct Stages {
     Vector slope{};        ///< see scratch()
     State<Vector> change;  ///< of the stage values in one sweep: for each component, over stages
     Index n{};             ///< dimension of q and of p
-    double h = 0.0;
-    double h_before = 0.0;   ///< step size that the slopes belong to; 0 when there are none
+    Scalar h = 0;
+    std::array<Scalar, momenta> hb_q{};    ///< h b_j of Lq_j; see weigh()
+    std::array<Scalar, positions> hb_p{};  ///< h b_i of Lp_i
+    Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
     bool continues = false;  ///< the step begins, bit for bit, where the last one ended
 
     /// Prepares a step of size h from x. Precondition: h != 0.
-    [[nodiscard]] Status begin(const State<Vector>& x, double step_size) {
+    [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size) {
         if (!sums_are_exact_) { return Status(Status::Code::unsafe_arithmetic); }
-        if (!std::isfinite(step_size)) { return Status(Status::Code::not_finite); }
+        if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
         if (x.q.size() != x.p.size()) { return Status(Status::Code::dimension_mismatch); }
         continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
-        h_before = continues ? h : 0.0;
+        h_before = continues ? h : 0;
         h = step_size;
         ended_ = false;
         if (!continues) { start_at(x); }
         return {};
     }
 
+    /// Sets hb_q and hb_p, for steppers whose weights are no powers of two.
+    void weigh(const Scalar (&b_q)[momenta], const Scalar (&b_p)[positions]) {
+        if (h == weighed_) { return; }
+        hb_q = weights_of_step(h, b_q);
+        hb_p = weights_of_step(h, b_p);
+        weighed_ = h;
+    }
+
     /// Adds the increment to `at.q`, or `at.p`, keeping what rounding cuts off.
-    static void add(double& value, double& cut_off, double increment) {
-        const Sum sum = two_sum(value, cut_off + increment);
+    static void add(Scalar& value, Scalar& cut_off, Scalar increment) {
+        const Sum<Scalar> sum = two_sum(value, cut_off + increment);
         value = sum.value;
         cut_off = sum.remainder;
     }
@@ -80,13 +92,14 @@ private:
         for (Vector& v : Lq) { fit(v, n); }
         for (Vector& v : Lp) { fit(v, n); }
         for (Index k = 0; k < n; ++k) {
-            remainder.q[k] = 0.0;
-            remainder.p[k] = 0.0;
+            remainder.q[k] = 0;
+            remainder.p[k] = 0;
         }
     }
 
+    Scalar weighed_ = 0;  ///< the step size of hb_q and hb_p
     bool ended_ = false;  ///< `at` is where a step ended well
-    bool sums_are_exact_ = sums_are_exact();
+    bool sums_are_exact_ = sums_are_exact<Scalar>();
 };
 
 }  // namespace hvi::detail

@@ -5,11 +5,13 @@
 #ifndef HVI_SYSTEM_HPP
 #define HVI_SYSTEM_HPP
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
+
+#include <hvi/scalar.hpp>
 
 namespace hvi::detail {
 
@@ -23,10 +25,10 @@ template <class System>
 struct HasVector<System, std::void_t<typename System::Vector>> : std::true_type {};
 
 template <class Vector, class = void>
-struct IsVectorOfDouble : std::false_type {};
+struct IsVector : std::false_type {};
 template <class Vector>
-struct IsVectorOfDouble<Vector, std::void_t<decltype(std::declval<Vector&>()[0]), IndexOf<Vector>>>
-    : std::is_same<decltype(std::declval<Vector&>()[0]), double&> {};
+struct IsVector<Vector, std::void_t<decltype(std::declval<Vector&>()[0]), IndexOf<Vector>>>
+    : std::is_lvalue_reference<decltype(std::declval<Vector&>()[0])> {};
 
 template <class Vector, class = void>
 struct HasResize : std::false_type {};
@@ -61,9 +63,12 @@ constexpr bool check_system() {
     static_assert(HasVector<System>::value,
                   "hvi: the system must name its vectors: using Vector = std::array<double, n>;");
     using Vector = typename System::Vector;
-    static_assert(IsVectorOfDouble<Vector>::value,
-                  "hvi: Vector must hold doubles, with operator[] and size(): "
+    static_assert(IsVector<Vector>::value,
+                  "hvi: Vector must hold numbers, with operator[] and size(): "
                   "std::array<double, n> or a vector of Eigen");
+    static_assert(is_supported<ScalarOf<Vector>>(),
+                  "hvi: Vector must hold float, double, long double or __float128, with a mantissa "
+                  "of 24, 53, 64 or 113 bits: there are no coefficients for other numbers");
     if constexpr (separable) {
         static_assert(HasSeparableGradients<System, Vector>::value,
                       "hvi: for H = T(p) + U(q) the system must offer const members "
@@ -83,7 +88,7 @@ void fit(Vector& v, IndexOf<Vector> n) {
     if constexpr (HasResize<Vector>::value) {
         if (v.size() == n) { return; }
         v.resize(n);
-        for (IndexOf<Vector> k = 0; k < n; ++k) { v[k] = 0.0; }
+        for (IndexOf<Vector> k = 0; k < n; ++k) { v[k] = 0; }
     }
 }
 
@@ -102,13 +107,17 @@ template <class Vector>
 template <class Vector>
 [[nodiscard]] bool same_bits(const Vector& a, const Vector& b) {
     if (a.size() != b.size()) { return false; }
+    using Scalar = ScalarOf<Vector>;
+    // NOTE: of the 64-bit format ten bytes are the number, the others are padding.
+    constexpr std::size_t bytes = bits<Scalar> == 64 ? 10 : sizeof(Scalar);
+    constexpr std::size_t words = (bytes + 7) / 8;
     std::uint64_t difference = 0;
     for (IndexOf<Vector> k = 0; k < a.size(); ++k) {
-        std::uint64_t left = 0;
-        std::uint64_t right = 0;
-        std::memcpy(&left, &a[k], sizeof left);
-        std::memcpy(&right, &b[k], sizeof right);
-        difference |= left ^ right;
+        std::uint64_t left[words] = {};
+        std::uint64_t right[words] = {};
+        std::memcpy(left, &a[k], bytes);
+        std::memcpy(right, &b[k], bytes);
+        for (std::size_t i = 0; i < words; ++i) { difference |= left[i] ^ right[i]; }
     }
     return difference == 0;
 }
@@ -116,7 +125,7 @@ template <class Vector>
 template <class Vector>
 [[nodiscard]] bool finite(const Vector& v) {
     bool all = true;
-    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { all &= std::isfinite(v[k]); }
+    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { all &= is_finite(v[k]); }
     return all;
 }
 

@@ -9,8 +9,8 @@ inline constexpr int version_minor = 1;
 inline constexpr int version_patch = 0;
 
 /// Generated headers name the format of their calls into the runtime; these are understood.
-inline constexpr int oldest_format = 1;
-inline constexpr int newest_format = 1;
+inline constexpr int oldest_format = 2;
+inline constexpr int newest_format = 2;
 
 [[nodiscard]] constexpr bool supports_format(int format) {
     return oldest_format <= format && format <= newest_format;

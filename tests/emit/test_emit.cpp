@@ -97,10 +97,14 @@ TEST_CASE("a command cannot end its comment") {
     CHECK_THAT(text, !Contains("\\\n"));
 }
 
-TEST_CASE("literals read back as the same double") {
+TEST_CASE("literals read back as the same number") {
     for (const double value : {1.0, -0.5, 1.0 / 3, 1e22, 5e-324, 0.1, -123456789.125, 0.0}) {
         CHECK(std::strtod(literal(value).c_str(), nullptr) == value);
         CHECK(literal(value).find_first_of(".e") != std::string::npos);
+    }
+    for (const float value : {1.0F, 1.0F / 3, 1e30F, -0x1p-149F, 16777216.0F}) {
+        CHECK(std::strtof(literal(value).c_str(), nullptr) == value);
+        CHECK(literal(value).back() == 'f');
     }
     CHECK(literal(1.0) == "1.0");
     CHECK(literal(1.0 / 3) == "0.3333333333333333");

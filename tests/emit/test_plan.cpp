@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "generator/plan/graph.hpp"
-#include "generator/plan/lattice.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 #include "tests/emit/tableaux.hpp"
@@ -104,8 +103,7 @@ TEST_CASE("A == A~ is said where it is proved, and the contrary too") {
     CHECK(partner("trig3") == Partner::different);
 
     // The midpoint rule by a node that is 1/2, which no enclosure can prove.
-    const Number half =
-        number("cos(pi/11)+cos(3*pi/11)+cos(5*pi/11)+cos(7*pi/11)+cos(9*pi/11)");
+    const Number half = number("cos(pi/11)+cos(3*pi/11)+cos(5*pi/11)+cos(7*pi/11)+cos(9*pi/11)");
     REQUIRE_FALSE(half.closed_form());
     Tableau midpoint = tableaux::midpoint();
     midpoint.c = {half};
@@ -136,24 +134,6 @@ TEST_CASE("the dump of a scheme is stable") {
         "no solver: no stage depends on itself: the step is kicks and drifts in turn\n"
         "no compensated summation: the error of the step is far above round-off\n"
         "one force a step is not evaluated: the last one of a step is the first one of the next\n");
-}
-
-TEST_CASE("coefficients are complementary in doubles, for every entry") {
-    for (const auto& tableau :
-         {tableaux::lobatto_3(), tableaux::negative_weight(), tableaux::two_midpoints(),
-          tableaux::midpoint(), tableaux::verlet()}) {
-        const Scheme scheme = plan(tableau, {.separable = false});
-        const RoundedCoefficients rounded_ = rounded(scheme);
-        for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-            for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-                CHECK(1.0 - rounded_.m[i][j] == rounded_.mt[j][i]);
-                CHECK(1.0 - rounded_.mt[j][i] == rounded_.m[i][j]);
-                CHECK(std::abs(rounded_.m[i][j] - scheme.m[i][j].nearest_double()) <=
-                      0x1p-53 * std::max(std::abs(rounded_.m[i][j]), std::abs(rounded_.mt[j][i])) *
-                          2);
-            }
-        }
-    }
 }
 
 TEST_CASE("extrapolation is exact for polynomials through the nodes") {

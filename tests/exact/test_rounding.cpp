@@ -112,7 +112,7 @@ TEST_CASE("doubles below the normal range") {
 
 TEST_CASE("the nearest multiple of a power of two") {
     const auto multiple = [](const std::string& given, int exponent) {
-        return number(given).nearest_multiple(exponent);
+        return number(given).nearest_multiple(exponent).to_double();
     };
     CHECK(multiple("1/3", -10) == 341.0 / 1024);
     CHECK(multiple("-1/3", -10) == -341.0 / 1024);
@@ -128,4 +128,39 @@ TEST_CASE("the nearest multiple of a power of two") {
     CHECK(multiple("1001", 3) == 1000.0);
     CHECK(multiple("1/10^30", -53) == 0.0);
     CHECK(multiple("0", -53) == 0.0);
+}
+
+TEST_CASE("the nearest number of so many bits") {
+    const auto nearest_of = [](const std::string& given, int bits) {
+        return number(given).nearest_of(bits);
+    };
+    CHECK(nearest_of("1/3", 53).to_double() == 1.0 / 3);
+    CHECK(nearest_of("-1/3", 24).to_double() == -0x1.555556p-2);
+    CHECK(nearest_of("pi", 53).to_double() == 0x1.921fb54442d18p+1);
+    CHECK(nearest_of("0", 24).is_zero());
+    // Half to even, and up over a power of two.
+    CHECK(nearest_of("9", 3) == Dyadic(8, 0));
+    CHECK(nearest_of("11", 3) == Dyadic(12, 0));
+    CHECK(nearest_of("15.5", 4) == Dyadic(1, 4));
+    CHECK(nearest_of("1-1/10^50", 113) == Dyadic(1, 0));
+    // No format bounds the exponent.
+    CHECK(nearest_of("2^(-1000)*2^(-1000)/3", 1) == Dyadic(1, -2002));
+    // pi in binary128, as its hexadecimal digits have it: 3.243f6a8885a308d313198a2e0370|7344.
+    const WideInteger digits = (WideInteger(0x3243f6a8885a30) << 60) + 0x8d313198a2e0370;
+    CHECK(nearest_of("pi", 114) == Dyadic(digits, -112));
+    CHECK(nearest_of("pi", 113) == Dyadic(digits, -112));
+}
+
+TEST_CASE("differences and leading parts of binary numbers") {
+    const Dyadic a(5, -3);  // 0.625
+    CHECK(a.to_double() == 0.625);
+    CHECK(Dyadic(20, -5) == a);
+    CHECK((Dyadic(1, 0) - a).to_double() == 0.375);
+    CHECK((a - a).is_zero());
+    CHECK((a - Dyadic()) == a);
+    CHECK((Dyadic() - a).to_double() == -0.625);
+    CHECK((a.leading() == -1 && a.last() == -3 && a.bits() == 3));
+    CHECK(Dyadic(-0x1ff, 0).cut(8).to_double() == -0x1fe);
+    CHECK_THROWS_AS(Dyadic(1, 200) - a, InternalError);
+    CHECK_THROWS_AS(Dyadic(0x20000000000001, 0).to_double(), InternalError);
 }

@@ -28,34 +28,35 @@ namespace {
 const double pi = std::acos(-1.0);
 
 // The tableaux as the paper prints them, Example 4.5 as ERRATA corrects it.
-const hvi::Coefficients euler{{1}, {{0}}, {{1}}};
-const hvi::Coefficients adjoint_euler{{1}, {{1}}, {{0}}};
-const hvi::Coefficients verlet{{0.5, 0.5}, {{0, 0}, {0.5, 0.5}}, {{0.5, 0}, {0.5, 0}}};
-const hvi::Coefficients gauss{
+const hvi::Coefficients<double> euler{{1}, {{0}}, {{1}}};
+const hvi::Coefficients<double> adjoint_euler{{1}, {{1}}, {{0}}};
+const hvi::Coefficients<double> verlet{{0.5, 0.5}, {{0, 0}, {0.5, 0.5}}, {{0.5, 0}, {0.5, 0}}};
+const hvi::Coefficients<double> gauss{
     {0.5, 0.5},
     {{0.25, 0.25 - std::sqrt(3.0) / 6}, {0.25 + std::sqrt(3.0) / 6, 0.25}},
     {{0.25, 0.25 - std::sqrt(3.0) / 6}, {0.25 + std::sqrt(3.0) / 6, 0.25}}};
-const hvi::Coefficients lobatto{
+const hvi::Coefficients<double> lobatto{
     {1.0 / 6, 2.0 / 3, 1.0 / 6},
     {{0, 0, 0}, {5.0 / 24, 1.0 / 3, -1.0 / 24}, {1.0 / 6, 2.0 / 3, 1.0 / 6}},
     {{1.0 / 6, -1.0 / 6, 0}, {1.0 / 6, 1.0 / 3, 0}, {1.0 / 6, 5.0 / 6, 0}}};
 const double r2 = std::sqrt(2.0);
-const hvi::Coefficients cheby{{1.0 / 3, 1.0 / 3, 1.0 / 3},
-                              {{1.0 / 6 + r2 / 48, 1.0 / 6 - r2 / 6, 1.0 / 6 - 5 * r2 / 48},
-                               {1.0 / 6 + r2 / 8, 1.0 / 6, 1.0 / 6 - r2 / 8},
-                               {1.0 / 6 + 5 * r2 / 48, 1.0 / 6 + r2 / 6, 1.0 / 6 - r2 / 48}},
-                              {{1.0 / 6 - r2 / 48, 1.0 / 6 - r2 / 8, 1.0 / 6 - 5 * r2 / 48},
-                               {1.0 / 6 + r2 / 6, 1.0 / 6, 1.0 / 6 - r2 / 6},
-                               {1.0 / 6 + 5 * r2 / 48, 1.0 / 6 + r2 / 8, 1.0 / 6 + r2 / 48}}};
+const hvi::Coefficients<double> cheby{
+    {1.0 / 3, 1.0 / 3, 1.0 / 3},
+    {{1.0 / 6 + r2 / 48, 1.0 / 6 - r2 / 6, 1.0 / 6 - 5 * r2 / 48},
+     {1.0 / 6 + r2 / 8, 1.0 / 6, 1.0 / 6 - r2 / 8},
+     {1.0 / 6 + 5 * r2 / 48, 1.0 / 6 + r2 / 6, 1.0 / 6 - r2 / 48}},
+    {{1.0 / 6 - r2 / 48, 1.0 / 6 - r2 / 8, 1.0 / 6 - 5 * r2 / 48},
+     {1.0 / 6 + r2 / 6, 1.0 / 6, 1.0 / 6 - r2 / 6},
+     {1.0 / 6 + 5 * r2 / 48, 1.0 / 6 + r2 / 8, 1.0 / 6 + r2 / 48}}};
 const double outer = (pi - 2) / (2 * pi);
-const hvi::Coefficients trig{
+const hvi::Coefficients<double> trig{
     {outer, 2 / pi, outer},
     {{0, 0, 0}, {0.25, 1 / pi, (pi - 4) / (4 * pi)}, {outer, 2 / pi, outer}},
     {{outer, (pi - 4) / (pi * pi - 2 * pi), 0}, {outer, 1 / pi, 0}, {outer, 1 / (pi - 2), 0}}};
 
 template <class System>
-hvi::GenericStepper generic(const hvi::Coefficients& method, const System& system) {
-    using Table = hvi::GenericStepper::Vector;
+hvi::GenericStepper<double> generic(const hvi::Coefficients<double>& method, const System& system) {
+    using Table = hvi::GenericStepper<double>::Vector;
     using Vector = typename System::Vector;
     const auto copy = [](const Table& from) {
         Vector to{};
@@ -77,10 +78,10 @@ hvi::GenericStepper generic(const hvi::Coefficients& method, const System& syste
 
 /// Both step `steps` times; the difference is to stay within `bound` of the largest component.
 template <class Stepper, class System>
-void compare(Stepper stepper, const hvi::Coefficients& method, const System& system,
+void compare(Stepper stepper, const hvi::Coefficients<double>& method, const System& system,
              hvi::State<typename System::Vector> x, double h, int steps, double bound) {
-    const hvi::GenericStepper oracle = generic(method, system);
-    hvi::GenericStepper::State y{{x.q.begin(), x.q.end()}, {x.p.begin(), x.p.end()}};
+    const hvi::GenericStepper<double> oracle = generic(method, system);
+    hvi::GenericStepper<double>::State y{{x.q.begin(), x.q.end()}, {x.p.begin(), x.p.end()}};
     for (int i = 0; i < steps; ++i) {
         REQUIRE(stepper.step(x, h).ok());
         REQUIRE(oracle.step(y, h).ok());
@@ -96,7 +97,7 @@ const hvi::State<systems::Two> orbit{{1.0, 0.2}, {0.1, 0.9}};
 const hvi::State<systems::One> point{{0.7}, {-0.4}};
 
 template <template <class, class> class Stepper>
-void compare_general(const hvi::Coefficients& method) {
+void compare_general(const hvi::Coefficients<double>& method) {
     for (const double h : {0.1, -0.05}) {
         // One step to a few units in the last place, later ones to what the flow makes of them.
         compare(Stepper<systems::Product, hvi::FixedPoint>{}, method, systems::Product{}, point, h,
@@ -113,7 +114,7 @@ void compare_general(const hvi::Coefficients& method) {
 }
 
 template <class Stepper>
-void compare_separable(const hvi::Coefficients& method) {
+void compare_separable(const hvi::Coefficients<double>& method) {
     for (const double h : {0.1, -0.05}) {
         compare(Stepper{}, method, Kepler{}, orbit, h, 1, 6);
         compare(Stepper{}, method, Kepler{}, orbit, h, 50, 300);

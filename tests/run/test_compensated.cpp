@@ -15,14 +15,14 @@ long double wide(double value) { return static_cast<long double>(value); }
 TEST_CASE("TwoSum is exact whatever the magnitudes") {
     for (const double a : {1.0, -0.1, 1e300, 3e-300, 0.0}) {
         for (const double b : {0x1p-60, 7.7, -1e17, 5e-324, -1.0}) {
-            const hvi::Sum sum = hvi::two_sum(a, b);
+            const hvi::Sum<double> sum = hvi::two_sum(a, b);
             CHECK(sum.value == a + b);
             CHECK(wide(sum.value) + wide(sum.remainder) == wide(a) + wide(b));
         }
     }
     CHECK(hvi::two_sum(1.0, 0x1p-60).remainder == 0x1p-60);
     CHECK(hvi::two_sum(0x1p-60, 1.0).remainder == 0x1p-60);
-    CHECK(hvi::detail::sums_are_exact());
+    CHECK(hvi::detail::sums_are_exact<double>());
 }
 
 TEST_CASE("complementary coefficients add to 1 without rounding") {

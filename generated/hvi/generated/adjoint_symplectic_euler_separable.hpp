@@ -21,7 +21,6 @@
 //     no compensated summation: the error of the step is far above round-off
 #pragma once
 
-#include <cmath>
 #include <utility>
 
 // The state that a stepper advances, and what a step says about itself.
@@ -83,6 +82,74 @@ private:
 
 #endif  // HVI_STATE_HPP
 
+// The numbers that a stepper computes in: float, double, long double, or __float128.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: needs the standard library alone; see state.hpp. Of __float128 the standard library knows
+// nothing under -std=c++17: what is needed stands here and in arithmetic.hpp, without libquadmath.
+#ifndef HVI_SCALAR_HPP
+#define HVI_SCALAR_HPP
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace hvi::detail {
+
+/// What a vector holds, std::array's or Eigen's or a user's own: what its operator[] refers to.
+template <class Vector>
+using ScalarOf = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>;
+
+/// Whether the standard library computes with it.
+template <class Scalar>
+inline constexpr bool is_standard =
+    std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double> ||
+    std::is_same_v<Scalar, long double>;
+
+/// The bits of the mantissa, the leading one included. They name the format, not the type does:
+/// long double is one of 53, 64, 113 bits or a pair of doubles, as the machine has it.
+template <class Scalar>
+[[nodiscard]] constexpr int count_bits() {
+    if constexpr (std::numeric_limits<Scalar>::is_specialized) {
+        return std::numeric_limits<Scalar>::digits;
+    } else {
+        int count = 0;
+        for (Scalar power = 1; (power + Scalar(1)) - power == Scalar(1); power += power) {
+            ++count;
+        }
+        return count;
+    }
+}
+
+/// Whether there are coefficients for it: a floating-point number of 24, 53, 64 or 113 bits.
+template <class Scalar>
+[[nodiscard]] constexpr bool is_supported() {
+    if constexpr (std::is_class_v<Scalar> || std::is_const_v<Scalar> ||
+                  std::numeric_limits<Scalar>::is_integer) {
+        return false;
+    } else {
+        constexpr int bits = count_bits<Scalar>();
+        return bits == 24 || bits == 53 || bits == 64 || bits == 113;
+    }
+}
+
+template <class Scalar>
+inline constexpr int bits = count_bits<Scalar>();
+
+template <class Scalar>
+[[nodiscard]] inline bool is_finite(Scalar x) {
+    if constexpr (is_standard<Scalar>) {
+        return std::isfinite(x);
+    } else {
+        return x - x == 0;
+    }
+}
+
+}  // namespace hvi::detail
+
+#endif  // HVI_SCALAR_HPP
+
 // What a stepper asks of a user's class and of its vectors.
 // SPDX-License-Identifier: MIT
 //
@@ -90,7 +157,7 @@ private:
 #ifndef HVI_SYSTEM_HPP
 #define HVI_SYSTEM_HPP
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -108,10 +175,10 @@ template <class System>
 struct HasVector<System, std::void_t<typename System::Vector>> : std::true_type {};
 
 template <class Vector, class = void>
-struct IsVectorOfDouble : std::false_type {};
+struct IsVector : std::false_type {};
 template <class Vector>
-struct IsVectorOfDouble<Vector, std::void_t<decltype(std::declval<Vector&>()[0]), IndexOf<Vector>>>
-    : std::is_same<decltype(std::declval<Vector&>()[0]), double&> {};
+struct IsVector<Vector, std::void_t<decltype(std::declval<Vector&>()[0]), IndexOf<Vector>>>
+    : std::is_lvalue_reference<decltype(std::declval<Vector&>()[0])> {};
 
 template <class Vector, class = void>
 struct HasResize : std::false_type {};
@@ -146,9 +213,12 @@ constexpr bool check_system() {
     static_assert(HasVector<System>::value,
                   "hvi: the system must name its vectors: using Vector = std::array<double, n>;");
     using Vector = typename System::Vector;
-    static_assert(IsVectorOfDouble<Vector>::value,
-                  "hvi: Vector must hold doubles, with operator[] and size(): "
+    static_assert(IsVector<Vector>::value,
+                  "hvi: Vector must hold numbers, with operator[] and size(): "
                   "std::array<double, n> or a vector of Eigen");
+    static_assert(is_supported<ScalarOf<Vector>>(),
+                  "hvi: Vector must hold float, double, long double or __float128, with a mantissa "
+                  "of 24, 53, 64 or 113 bits: there are no coefficients for other numbers");
     if constexpr (separable) {
         static_assert(HasSeparableGradients<System, Vector>::value,
                       "hvi: for H = T(p) + U(q) the system must offer const members "
@@ -168,7 +238,7 @@ void fit(Vector& v, IndexOf<Vector> n) {
     if constexpr (HasResize<Vector>::value) {
         if (v.size() == n) { return; }
         v.resize(n);
-        for (IndexOf<Vector> k = 0; k < n; ++k) { v[k] = 0.0; }
+        for (IndexOf<Vector> k = 0; k < n; ++k) { v[k] = 0; }
     }
 }
 
@@ -187,13 +257,17 @@ template <class Vector>
 template <class Vector>
 [[nodiscard]] bool same_bits(const Vector& a, const Vector& b) {
     if (a.size() != b.size()) { return false; }
+    using Scalar = ScalarOf<Vector>;
+    // NOTE: of the 64-bit format ten bytes are the number, the others are padding.
+    constexpr std::size_t bytes = bits<Scalar> == 64 ? 10 : sizeof(Scalar);
+    constexpr std::size_t words = (bytes + 7) / 8;
     std::uint64_t difference = 0;
     for (IndexOf<Vector> k = 0; k < a.size(); ++k) {
-        std::uint64_t left = 0;
-        std::uint64_t right = 0;
-        std::memcpy(&left, &a[k], sizeof left);
-        std::memcpy(&right, &b[k], sizeof right);
-        difference |= left ^ right;
+        std::uint64_t left[words] = {};
+        std::uint64_t right[words] = {};
+        std::memcpy(left, &a[k], bytes);
+        std::memcpy(right, &b[k], bytes);
+        for (std::size_t i = 0; i < words; ++i) { difference |= left[i] ^ right[i]; }
     }
     return difference == 0;
 }
@@ -201,7 +275,7 @@ template <class Vector>
 template <class Vector>
 [[nodiscard]] bool finite(const Vector& v) {
     bool all = true;
-    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { all &= std::isfinite(v[k]); }
+    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { all &= is_finite(v[k]); }
     return all;
 }
 
@@ -211,14 +285,16 @@ template <class Vector>
 
 namespace hvi::generated {
 
-/// For H(q, p) = T(p) + U(q). `System` names its `Vector` (std::array<double, n> or one of Eigen)
-/// and has const members dHdq(q, out) = grad U and dHdp(p, out) = grad T.
+/// For H(q, p) = T(p) + U(q). `System` names its `Vector`, std::array<double, n> or one of Eigen,
+/// also of float, long double or __float128, and has const members dHdq(q, out) = grad U and
+/// dHdp(p, out) = grad T.
 template <class System>
 class AdjointSymplecticEulerSeparable {
     static_assert(hvi::detail::check_system<System, true>());
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit AdjointSymplecticEulerSeparable(System system = System{})
@@ -226,9 +302,9 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
-        if (!std::isfinite(h)) { return Status(Status::Code::not_finite); }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
+        if (!hvi::detail::is_finite(h)) { return Status(Status::Code::not_finite); }
         const Index n = x.q.size();
         if (x.p.size() != n) { return Status(Status::Code::dimension_mismatch); }
         hvi::detail::fit(q_, n);

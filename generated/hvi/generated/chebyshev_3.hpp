@@ -40,12 +40,14 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/rounded.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/stages.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -53,11 +55,11 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(1),
+static_assert(hvi::supports_format(2),
               "this header is for another version of hvi: write it again with hvi-gen");
 
-/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
-/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `System` names its `Vector`, std::array<double, n> or one of Eigen, also of float, long double
+/// or __float128, and has const members dHdq(q, p, out) and dHdp(q, p, out).
 /// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
 /// against the fastest period.
 template <class System, class Solver = hvi::FixedPoint>
@@ -66,6 +68,7 @@ class Chebyshev3 {
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit Chebyshev3(System system = System{})
@@ -73,10 +76,11 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
         Status status = s_.begin(x, h);
         if (!status.ok()) { return status; }
+        s_.weigh(b, b);
         if constexpr (Solver::takes_starting_values) { predict(); }
 
         status = solver_.solve(Coupled{system_, s_});
@@ -95,65 +99,111 @@ public:
 private:
     using Index = hvi::detail::IndexOf<Vector>;
 
-    static constexpr double b[3] = {
-        0.3333333333333333,  // b_1 = 1/3
-        0.3333333333333333,  // b_2 = 1/3
-        0.3333333333333333,  // b_3 = 1/3
+    // rounded(...) is the number of its comment as float, double, long double or __float128: the
+    // one that Scalar is.
+    static constexpr auto& rounded = hvi::detail::rounded<Scalar>;
+
+    static constexpr Scalar b[3] = {
+        // b_1 = 1/3
+        rounded(0.33333334f, 0.3333333333333333, 0x1.558p-56, 0x1.5555555555555p-56, 0x1.5p-110),
+        // b_2 = 1/3
+        rounded(0.33333334f, 0.3333333333333333, 0x1.558p-56, 0x1.5555555555555p-56, 0x1.5p-110),
+        // b_3 = 1/3
+        rounded(0.33333334f, 0.3333333333333333, 0x1.558p-56, 0x1.5555555555555p-56, 0x1.5p-110),
     };
 
     // m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.
-    static constexpr double m[3][3] = {
+    static constexpr Scalar m[3][3] = {
         {
-            0.5883883476483185,    // m_1,1 = 1/2+sqrt(2)/16
-            -0.20710678118654746,  // m_1,2 = 1/2-sqrt(2)/2
-            0.05805826175840778,   // m_1,3 = 1/2-5*sqrt(2)/16
+            // m_1,1 = 1/2+sqrt(2)/16
+            rounded(0.5883883f, 0.5883883476483185, -0x1.b78p-55, -0x1.b7ba682764c8ap-55,
+                -0x1.68p-108),
+            // m_1,2 = 1/2-sqrt(2)/2
+            rounded(-0.20710683f, -0.20710678118654746, -0x1.21p-54, -0x1.21165f626cdd5p-54,
+                -0x1.6p-109),
+            // m_1,3 = 1/2-5*sqrt(2)/16
+            rounded(0.058058262f, 0.05805826175840778, 0x1.2dp-56, 0x1.2d481189efd6bp-56,
+                0x1.8p-112),
         },
         {
-            1.0303300858899107,     // m_2,1 = 1/2+3*sqrt(2)/8
-            0.5,                    // m_2,2 = 1/2
-            -0.030330085889910707,  // m_2,3 = 1/2-3*sqrt(2)/8
+            // m_2,1 = 1/2+3*sqrt(2)/8
+            rounded(1.0303301f, 1.0303300858899107, -0x1.27p-54, -0x1.272f38762e5ap-54, -0x1p-109),
+            Scalar(0.5),  // m_2,2 = 1/2
+            // m_2,3 = 1/2-3*sqrt(2)/8
+            rounded(-0.030330062f, -0.030330085889910707, 0x1.27p-54, 0x1.272f38762e5ap-54,
+                0x1p-109),
         },
         {
-            0.9419417382415922,  // m_3,1 = 1/2+5*sqrt(2)/16
-            1.2071067811865475,  // m_3,2 = 1/2+sqrt(2)/2
-            0.4116116523516815,  // m_3,3 = 1/2-sqrt(2)/16
+            // m_3,1 = 1/2+5*sqrt(2)/16
+            rounded(0.94194174f, 0.9419417382415922, -0x1.2dp-56, -0x1.2d481189efd6bp-56,
+                -0x1.8p-112),
+            // m_3,2 = 1/2+sqrt(2)/2
+            rounded(1.2071068f, 1.2071067811865475, 0x1.21p-54, 0x1.21165f626cdd5p-54, 0x1.6p-109),
+            // m_3,3 = 1/2-sqrt(2)/16
+            rounded(0.41161168f, 0.4116116523516815, 0x1.b78p-55, 0x1.b7ba682764c8ap-55,
+                0x1.68p-108),
         },
     };
-    static constexpr double mt[3][3] = {
+    static constexpr Scalar mt[3][3] = {
         {
-            0.4116116523516815,     // mt_1,1 = 1/2-sqrt(2)/16
-            -0.030330085889910707,  // mt_1,2 = 1/2-3*sqrt(2)/8
-            0.05805826175840778,    // mt_1,3 = 1/2-5*sqrt(2)/16
+            // mt_1,1 = 1/2-sqrt(2)/16
+            rounded(0.41161168f, 0.4116116523516815, 0x1.b78p-55, 0x1.b7ba682764c8ap-55,
+                0x1.68p-108),
+            // mt_1,2 = 1/2-3*sqrt(2)/8
+            rounded(-0.030330062f, -0.030330085889910707, 0x1.27p-54, 0x1.272f38762e5ap-54,
+                0x1p-109),
+            // mt_1,3 = 1/2-5*sqrt(2)/16
+            rounded(0.058058262f, 0.05805826175840778, 0x1.2dp-56, 0x1.2d481189efd6bp-56,
+                0x1.8p-112),
         },
         {
-            1.2071067811865475,    // mt_2,1 = 1/2+sqrt(2)/2
-            0.5,                   // mt_2,2 = 1/2
-            -0.20710678118654746,  // mt_2,3 = 1/2-sqrt(2)/2
+            // mt_2,1 = 1/2+sqrt(2)/2
+            rounded(1.2071068f, 1.2071067811865475, 0x1.21p-54, 0x1.21165f626cdd5p-54, 0x1.6p-109),
+            Scalar(0.5),  // mt_2,2 = 1/2
+            // mt_2,3 = 1/2-sqrt(2)/2
+            rounded(-0.20710683f, -0.20710678118654746, -0x1.21p-54, -0x1.21165f626cdd5p-54,
+                -0x1.6p-109),
         },
         {
-            0.9419417382415922,  // mt_3,1 = 1/2+5*sqrt(2)/16
-            1.0303300858899107,  // mt_3,2 = 1/2+3*sqrt(2)/8
-            0.5883883476483185,  // mt_3,3 = 1/2+sqrt(2)/16
+            // mt_3,1 = 1/2+5*sqrt(2)/16
+            rounded(0.94194174f, 0.9419417382415922, -0x1.2dp-56, -0x1.2d481189efd6bp-56,
+                -0x1.8p-112),
+            // mt_3,2 = 1/2+3*sqrt(2)/8
+            rounded(1.0303301f, 1.0303300858899107, -0x1.27p-54, -0x1.272f38762e5ap-54, -0x1p-109),
+            // mt_3,3 = 1/2+sqrt(2)/16
+            rounded(0.5883883f, 0.5883883476483185, -0x1.b78p-55, -0x1.b7ba682764c8ap-55,
+                -0x1.68p-108),
         },
     };
     static_assert(hvi::detail::complementary(m, mt), "the method is symplectic");
 
     // Slopes of the next step are about N times those of this one.
-    static constexpr double N[3][3] = {
+    static constexpr Scalar N[3][3] = {
         {
-            0.7573593128807149,  // N_1,1 = 5-3*sqrt(2)
-            -2.34314575050762,   // N_1,2 = 4*sqrt(2)-8
-            2.585786437626905,   // N_1,3 = 4-sqrt(2)
+            // N_1,1 = 5-3*sqrt(2)
+            rounded(0.7573593f, 0.7573593128807149, -0x1.8dp-55, -0x1.8d0c789d1a5fep-55, -0x1p-113),
+            // N_1,2 = 4*sqrt(2)-8
+            rounded(-2.3431458f, -2.34314575050762, 0x1.09p-54, 0x1.08b2fb1366ea9p-54, 0x1.6p-108),
+            // N_1,3 = 4-sqrt(2)
+            rounded(2.5857863f, 2.585786437626905, -0x1.21p-53, -0x1.21165f626cdd5p-53,
+                -0x1.6p-108),
         },
         {
-            2.585786437626905,  // N_2,1 = 4-sqrt(2)
-            -7.0,               // N_2,2 = -7
-            5.414213562373095,  // N_2,3 = 4+sqrt(2)
+            // N_2,1 = 4-sqrt(2)
+            rounded(2.5857863f, 2.585786437626905, -0x1.21p-53, -0x1.21165f626cdd5p-53,
+                -0x1.6p-108),
+            Scalar(-7.0),  // N_2,2 = -7
+            // N_2,3 = 4+sqrt(2)
+            rounded(5.4142137f, 5.414213562373095, 0x1.21p-53, 0x1.21165f626cdd5p-53, 0x1.4p-108),
         },
         {
-            5.414213562373095,   // N_3,1 = 4+sqrt(2)
-            -13.65685424949238,  // N_3,2 = -8-4*sqrt(2)
-            9.242640687119286,   // N_3,3 = 5+3*sqrt(2)
+            // N_3,1 = 4+sqrt(2)
+            rounded(5.4142137f, 5.414213562373095, 0x1.21p-53, 0x1.21165f626cdd5p-53, 0x1.4p-108),
+            // N_3,2 = -8-4*sqrt(2)
+            rounded(-13.656855f, -13.65685424949238, -0x1.21p-51, -0x1.21165f626cdd5p-51,
+                -0x1.6p-106),
+            // N_3,3 = 5+3*sqrt(2)
+            rounded(9.2426405f, 9.242640687119286, -0x1.27p-51, -0x1.272f38762e5ap-51, -0x1p-106),
         },
     };
 
@@ -162,12 +212,12 @@ private:
     void predict() {
         if (s_.h == s_.h_before) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
-                const double Lq_1 = s_.Lq[0][k];
-                const double Lq_2 = s_.Lq[1][k];
-                const double Lq_3 = s_.Lq[2][k];
-                const double Lp_1 = s_.Lp[0][k];
-                const double Lp_2 = s_.Lp[1][k];
-                const double Lp_3 = s_.Lp[2][k];
+                const Scalar Lq_1 = s_.Lq[0][k];
+                const Scalar Lq_2 = s_.Lq[1][k];
+                const Scalar Lq_3 = s_.Lq[2][k];
+                const Scalar Lp_1 = s_.Lp[0][k];
+                const Scalar Lp_2 = s_.Lp[1][k];
+                const Scalar Lp_3 = s_.Lp[2][k];
                 s_.Lq[0][k] = N[0][0] * Lq_1 + N[0][1] * Lq_2 + N[0][2] * Lq_3;
                 s_.Lq[1][k] = N[1][0] * Lq_1 + N[1][1] * Lq_2 + N[1][2] * Lq_3;
                 s_.Lq[2][k] = N[2][0] * Lq_1 + N[2][1] * Lq_2 + N[2][2] * Lq_3;
@@ -180,15 +230,15 @@ private:
         auto&& slope = hvi::detail::scratch(s_.slope);
         system_.dHdp(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lq[0][k] = s_.h * b[0] * slope[k];
-            s_.Lq[1][k] = s_.h * b[1] * slope[k];
-            s_.Lq[2][k] = s_.h * b[2] * slope[k];
+            s_.Lq[0][k] = s_.hb_q[0] * slope[k];
+            s_.Lq[1][k] = s_.hb_q[1] * slope[k];
+            s_.Lq[2][k] = s_.hb_q[2] * slope[k];
         }
         system_.dHdq(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lp[0][k] = -s_.h * b[0] * slope[k];
-            s_.Lp[1][k] = -s_.h * b[1] * slope[k];
-            s_.Lp[2][k] = -s_.h * b[2] * slope[k];
+            s_.Lp[0][k] = -s_.hb_p[0] * slope[k];
+            s_.Lp[1][k] = -s_.hb_p[1] * slope[k];
+            s_.Lp[2][k] = -s_.hb_p[2] * slope[k];
         }
     }
 
@@ -202,24 +252,24 @@ private:
         static constexpr bool has_p = true;
         static constexpr std::array<std::size_t, 3> unknown_q{0, 1, 2};
         static constexpr std::array<std::size_t, 3> unknown_p{0, 1, 2};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double p = s.at.p[k];
-                const double e_p = s.remainder.p[k];
-                const double P_1 = p + (e_p + (mt[0][0] * s.Lp[0][k] + mt[0][1] * s.Lp[1][k]
+                const Scalar p = s.at.p[k];
+                const Scalar e_p = s.remainder.p[k];
+                const Scalar P_1 = p + (e_p + (mt[0][0] * s.Lp[0][k] + mt[0][1] * s.Lp[1][k]
                     + mt[0][2] * s.Lp[2][k]));
-                const double P_2 = p + (e_p + (mt[1][0] * s.Lp[0][k] + mt[1][1] * s.Lp[1][k]
+                const Scalar P_2 = p + (e_p + (mt[1][0] * s.Lp[0][k] + mt[1][1] * s.Lp[1][k]
                     + mt[1][2] * s.Lp[2][k]));
-                const double P_3 = p + (e_p + (mt[2][0] * s.Lp[0][k] + mt[2][1] * s.Lp[1][k]
+                const Scalar P_3 = p + (e_p + (mt[2][0] * s.Lp[0][k] + mt[2][1] * s.Lp[1][k]
                     + mt[2][2] * s.Lp[2][k]));
-                s.change.p[k] = std::abs(P_1 - s.P[0][k]) + std::abs(P_2 - s.P[1][k]) + std::abs(P_3
-                    - s.P[2][k]);
+                s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]) + hvi::detail::abs(P_2
+                    - s.P[1][k]) + hvi::detail::abs(P_3 - s.P[2][k]);
                 s.P[0][k] = P_1;
                 s.P[1][k] = P_2;
                 s.P[2][k] = P_3;
@@ -231,31 +281,31 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdp(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.h * b[0] * slope[k];
+                s.Lq[0][k] = s.hb_q[0] * slope[k];
             }
             system.dHdp(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.h * b[1] * slope[k];
+                s.Lq[1][k] = s.hb_q[1] * slope[k];
             }
             system.dHdp(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[2][k] = s.h * b[2] * slope[k];
+                s.Lq[2][k] = s.hb_q[2] * slope[k];
             }
         }
 
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double q = s.at.q[k];
-                const double e_q = s.remainder.q[k];
-                const double Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]
                     + m[0][2] * s.Lq[2][k]));
-                const double Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
                     + m[1][2] * s.Lq[2][k]));
-                const double Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
+                const Scalar Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
                     + m[2][2] * s.Lq[2][k]));
-                s.change.q[k] = std::abs(Q_1 - s.Q[0][k]) + std::abs(Q_2 - s.Q[1][k]) + std::abs(Q_3
-                    - s.Q[2][k]);
+                s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]) + hvi::detail::abs(Q_2
+                    - s.Q[1][k]) + hvi::detail::abs(Q_3 - s.Q[2][k]);
                 s.Q[0][k] = Q_1;
                 s.Q[1][k] = Q_2;
                 s.Q[2][k] = Q_3;
@@ -267,28 +317,30 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdq(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[0][k] = -s.h * b[0] * slope[k];
+                s.Lp[0][k] = -s.hb_p[0] * slope[k];
             }
             system.dHdq(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[1][k] = -s.h * b[1] * slope[k];
+                s.Lp[1][k] = -s.hb_p[1] * slope[k];
             }
             system.dHdq(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[2][k] = -s.h * b[2] * slope[k];
+                s.Lp[2][k] = -s.hb_p[2] * slope[k];
             }
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return std::abs(s.Q[0][k]) + std::abs(s.Q[1][k]) + std::abs(s.Q[2][k])
-                + std::abs(s.Lq[0][k]) + std::abs(s.Lq[1][k]) + std::abs(s.Lq[2][k]);
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.Q[0][k]) + hvi::detail::abs(s.Q[1][k])
+                + hvi::detail::abs(s.Q[2][k]) + hvi::detail::abs(s.Lq[0][k])
+                + hvi::detail::abs(s.Lq[1][k]) + hvi::detail::abs(s.Lq[2][k]);
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return std::abs(s.P[0][k]) + std::abs(s.P[1][k]) + std::abs(s.P[2][k])
-                + std::abs(s.Lp[0][k]) + std::abs(s.Lp[1][k]) + std::abs(s.Lp[2][k]);
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.P[1][k])
+                + hvi::detail::abs(s.P[2][k]) + hvi::detail::abs(s.Lp[0][k])
+                + hvi::detail::abs(s.Lp[1][k]) + hvi::detail::abs(s.Lp[2][k]);
         }
     };
 

@@ -20,12 +20,14 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/rounded.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/stages.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -33,11 +35,11 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(1),
+static_assert(hvi::supports_format(2),
               "this header is for another version of hvi: write it again with hvi-gen");
 
-/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
-/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `System` names its `Vector`, std::array<double, n> or one of Eigen, also of float, long double
+/// or __float128, and has const members dHdq(q, p, out) and dHdp(q, p, out).
 /// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
 /// against the fastest period.
 template <class System, class Solver = hvi::FixedPoint>
@@ -46,6 +48,7 @@ class Gauss1 {
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit Gauss1(System system = System{})
@@ -53,8 +56,8 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
         Status status = s_.begin(x, h);
         if (!status.ok()) { return status; }
         if constexpr (Solver::takes_starting_values) { predict(); }
@@ -75,22 +78,22 @@ public:
 private:
     using Index = hvi::detail::IndexOf<Vector>;
 
-    static constexpr double b[1] = {
-        1.0,  // b_1 = 1
+    static constexpr Scalar b[1] = {
+        Scalar(1.0),  // b_1 = 1
     };
 
     // m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij.
-    static constexpr double m[1][1] = {
+    static constexpr Scalar m[1][1] = {
         {
-            0.5,  // m_1,1 = 1/2
+            Scalar(0.5),  // m_1,1 = 1/2
         },
     };
     static_assert(hvi::detail::complementary(m, m), "the method is symplectic");
 
     // Slopes of the next step are about N times those of this one.
-    static constexpr double N[1][1] = {
+    static constexpr Scalar N[1][1] = {
         {
-            1.0,  // N_1,1 = 1
+            Scalar(1.0),  // N_1,1 = 1
         },
     };
 
@@ -99,8 +102,8 @@ private:
     void predict() {
         if (s_.h == s_.h_before) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
-                const double Lq_1 = s_.Lq[0][k];
-                const double Lp_1 = s_.Lp[0][k];
+                const Scalar Lq_1 = s_.Lq[0][k];
+                const Scalar Lp_1 = s_.Lp[0][k];
                 s_.Lq[0][k] = N[0][0] * Lq_1;
                 s_.Lp[0][k] = N[0][0] * Lp_1;
             }
@@ -127,18 +130,18 @@ private:
         static constexpr bool has_p = true;
         static constexpr std::array<std::size_t, 1> unknown_q{0};
         static constexpr std::array<std::size_t, 1> unknown_p{0};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return m[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return m[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double p = s.at.p[k];
-                const double e_p = s.remainder.p[k];
-                const double P_1 = p + (e_p + m[0][0] * s.Lp[0][k]);
-                s.change.p[k] = std::abs(P_1 - s.P[0][k]);
+                const Scalar p = s.at.p[k];
+                const Scalar e_p = s.remainder.p[k];
+                const Scalar P_1 = p + (e_p + m[0][0] * s.Lp[0][k]);
+                s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]);
                 s.P[0][k] = P_1;
             }
         }
@@ -155,10 +158,10 @@ private:
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double q = s.at.q[k];
-                const double e_q = s.remainder.q[k];
-                const double Q_1 = q + (e_q + m[0][0] * s.Lq[0][k]);
-                s.change.q[k] = std::abs(Q_1 - s.Q[0][k]);
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_1 = q + (e_q + m[0][0] * s.Lq[0][k]);
+                s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]);
                 s.Q[0][k] = Q_1;
             }
         }
@@ -173,13 +176,13 @@ private:
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return std::abs(s.Q[0][k]) + std::abs(s.Lq[0][k]);
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.Q[0][k]) + hvi::detail::abs(s.Lq[0][k]);
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return std::abs(s.P[0][k]) + std::abs(s.Lp[0][k]);
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.Lp[0][k]);
         }
     };
 

@@ -25,12 +25,14 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/rounded.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/stages.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -38,11 +40,12 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(1),
+static_assert(hvi::supports_format(2),
               "this header is for another version of hvi: write it again with hvi-gen");
 
-/// For H(q, p) = T(p) + U(q). `System` names its `Vector` (std::array<double, n> or one of Eigen)
-/// and has const members dHdq(q, out) = grad U and dHdp(p, out) = grad T.
+/// For H(q, p) = T(p) + U(q). `System` names its `Vector`, std::array<double, n> or one of Eigen,
+/// also of float, long double or __float128, and has const members dHdq(q, out) = grad U and
+/// dHdp(p, out) = grad T.
 /// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
 /// against the fastest period.
 template <class System, class Solver = hvi::FixedPoint>
@@ -51,6 +54,7 @@ class Gauss2Separable {
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit Gauss2Separable(System system = System{})
@@ -58,8 +62,8 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
         Status status = s_.begin(x, h);
         if (!status.ok()) { return status; }
         if constexpr (Solver::takes_starting_values) { predict(); }
@@ -80,33 +84,45 @@ public:
 private:
     using Index = hvi::detail::IndexOf<Vector>;
 
-    static constexpr double b[2] = {
-        0.5,  // b_1 = 1/2
-        0.5,  // b_2 = 1/2
+    // rounded(...) is the number of its comment as float, double, long double or __float128: the
+    // one that Scalar is.
+    static constexpr auto& rounded = hvi::detail::rounded<Scalar>;
+
+    static constexpr Scalar b[2] = {
+        Scalar(0.5),  // b_1 = 1/2
+        Scalar(0.5),  // b_2 = 1/2
     };
 
     // m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij.
-    static constexpr double m[2][2] = {
+    static constexpr Scalar m[2][2] = {
         {
-            0.5,                   // m_1,1 = 1/2
-            -0.07735026918962573,  // m_1,2 = 1/2-sqrt(3)/3
+            Scalar(0.5),  // m_1,1 = 1/2
+            // m_1,2 = 1/2-sqrt(3)/3
+            rounded(-0.07735026f, -0.07735026918962573, -0x1.35p-55, -0x1.34863e0792becp-55,
+                -0x1.3p-108),
         },
         {
-            1.0773502691896257,  // m_2,1 = 1/2+sqrt(3)/3
-            0.5,                 // m_2,2 = 1/2
+            // m_2,1 = 1/2+sqrt(3)/3
+            rounded(1.0773503f, 1.0773502691896257, 0x1.35p-55, 0x1.34863e0792becp-55, 0x1.3p-108),
+            Scalar(0.5),  // m_2,2 = 1/2
         },
     };
     static_assert(hvi::detail::complementary(m, m), "the method is symplectic");
 
     // Slopes of the next step are about N times those of this one.
-    static constexpr double N[2][2] = {
+    static constexpr Scalar N[2][2] = {
         {
-            -0.7320508075688773,  // N_1,1 = 1-sqrt(3)
-            1.7320508075688772,   // N_1,2 = sqrt(3)
+            // N_1,1 = 1-sqrt(3)
+            rounded(-0.73205084f, -0.7320508075688773, 0x1.8ap-57, 0x1.89b517a51f0e9p-57, 0.0),
+            // N_1,2 = sqrt(3)
+            rounded(1.7320508f, 1.7320508075688772, 0x1.cfp-54, 0x1.cec95d0b5c1e2p-54, 0x1.cp-107),
         },
         {
-            -1.7320508075688772,  // N_2,1 = -sqrt(3)
-            2.732050807568877,    // N_2,2 = 1+sqrt(3)
+            // N_2,1 = -sqrt(3)
+            rounded(-1.7320508f, -1.7320508075688772, -0x1.cfp-54, -0x1.cec95d0b5c1e2p-54,
+                -0x1.cp-107),
+            // N_2,2 = 1+sqrt(3)
+            rounded(2.732051f, 2.732050807568877, 0x1.cfp-54, 0x1.cec95d0b5c1e2p-54, 0x1.cp-107),
         },
     };
 
@@ -115,8 +131,8 @@ private:
     void predict() {
         if (s_.h == s_.h_before) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
-                const double Lp_1 = s_.Lp[0][k];
-                const double Lp_2 = s_.Lp[1][k];
+                const Scalar Lp_1 = s_.Lp[0][k];
+                const Scalar Lp_2 = s_.Lp[1][k];
                 s_.Lp[0][k] = N[0][0] * Lp_1 + N[0][1] * Lp_2;
                 s_.Lp[1][k] = N[1][0] * Lp_1 + N[1][1] * Lp_2;
             }
@@ -140,18 +156,18 @@ private:
         static constexpr bool has_p = true;
         static constexpr std::array<std::size_t, 2> unknown_q{0, 1};
         static constexpr std::array<std::size_t, 2> unknown_p{0, 1};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return m[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return m[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double p = s.at.p[k];
-                const double e_p = s.remainder.p[k];
-                const double P_1 = p + (e_p + (m[0][0] * s.Lp[0][k] + m[0][1] * s.Lp[1][k]));
-                const double P_2 = p + (e_p + (m[1][0] * s.Lp[0][k] + m[1][1] * s.Lp[1][k]));
+                const Scalar p = s.at.p[k];
+                const Scalar e_p = s.remainder.p[k];
+                const Scalar P_1 = p + (e_p + (m[0][0] * s.Lp[0][k] + m[0][1] * s.Lp[1][k]));
+                const Scalar P_2 = p + (e_p + (m[1][0] * s.Lp[0][k] + m[1][1] * s.Lp[1][k]));
                 s.P[0][k] = P_1;
                 s.P[1][k] = P_2;
             }
@@ -173,11 +189,12 @@ private:
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double q = s.at.q[k];
-                const double e_q = s.remainder.q[k];
-                const double Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]));
-                const double Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]));
-                s.change.q[k] = std::abs(Q_1 - s.Q[0][k]) + std::abs(Q_2 - s.Q[1][k]);
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]));
+                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]));
+                s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]) + hvi::detail::abs(Q_2
+                    - s.Q[1][k]);
                 s.Q[0][k] = Q_1;
                 s.Q[1][k] = Q_2;
             }
@@ -197,15 +214,15 @@ private:
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return std::abs(s.Q[0][k]) + std::abs(s.Q[1][k]) + std::abs(s.Lq[0][k])
-                + std::abs(s.Lq[1][k]);
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.Q[0][k]) + hvi::detail::abs(s.Q[1][k])
+                + hvi::detail::abs(s.Lq[0][k]) + hvi::detail::abs(s.Lq[1][k]);
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return std::abs(s.P[0][k]) + std::abs(s.P[1][k]) + std::abs(s.Lp[0][k])
-                + std::abs(s.Lp[1][k]);
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.P[1][k])
+                + hvi::detail::abs(s.Lp[0][k]) + hvi::detail::abs(s.Lp[1][k]);
         }
     };
 

@@ -32,12 +32,14 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/rounded.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/stages.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -45,11 +47,11 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(1),
+static_assert(hvi::supports_format(2),
               "this header is for another version of hvi: write it again with hvi-gen");
 
-/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
-/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `System` names its `Vector`, std::array<double, n> or one of Eigen, also of float, long double
+/// or __float128, and has const members dHdq(q, p, out) and dHdp(q, p, out).
 /// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
 /// against the fastest period.
 template <class System, class Solver = hvi::FixedPoint>
@@ -58,6 +60,7 @@ class Gauss3 {
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit Gauss3(System system = System{})
@@ -65,10 +68,11 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
         Status status = s_.begin(x, h);
         if (!status.ok()) { return status; }
+        s_.weigh(b, b);
         if constexpr (Solver::takes_starting_values) { predict(); }
 
         status = solver_.solve(Coupled{system_, s_});
@@ -87,48 +91,77 @@ public:
 private:
     using Index = hvi::detail::IndexOf<Vector>;
 
-    static constexpr double b[3] = {
-        0.2777777777777778,  // b_1 = 5/18
-        0.4444444444444444,  // b_2 = 4/9
-        0.2777777777777778,  // b_3 = 5/18
+    // rounded(...) is the number of its comment as float, double, long double or __float128: the
+    // one that Scalar is.
+    static constexpr auto& rounded = hvi::detail::rounded<Scalar>;
+
+    static constexpr Scalar b[3] = {
+        // b_1 = 5/18
+        rounded(0.2777778f, 0.2777777777777778, -0x1.c7p-57, -0x1.c71c71c71c71cp-57, -0x1.cp-111),
+        // b_2 = 4/9
+        rounded(0.44444445f, 0.4444444444444444, 0x1.c7p-56, 0x1.c71c71c71c71cp-56, 0x1.cp-110),
+        // b_3 = 5/18
+        rounded(0.2777778f, 0.2777777777777778, -0x1.c7p-57, -0x1.c71c71c71c71cp-57, -0x1.cp-111),
     };
 
     // m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij.
-    static constexpr double m[3][3] = {
+    static constexpr Scalar m[3][3] = {
         {
-            0.5,                   // m_1,1 = 1/2
-            -0.08094750193111255,  // m_1,2 = 1/2-3*sqrt(15)/20
-            0.03524199845511,      // m_1,3 = 1/2-3*sqrt(15)/25
+            Scalar(0.5),  // m_1,1 = 1/2
+            // m_1,2 = 1/2-3*sqrt(15)/20
+            rounded(-0.08094752f, -0.08094750193111255, 0x1.78p-56, 0x1.78e53fdbb0d5dp-56,
+                0x1p-110),
+            // m_1,3 = 1/2-3*sqrt(15)/25
+            rounded(0.03524202f, 0.03524199845511, -0x1.03p-55, -0x1.02d7800e8610dp-55,
+                -0x1.dp-108),
         },
         {
-            1.0809475019311126,    // m_2,1 = 1/2+3*sqrt(15)/20
-            0.5,                   // m_2,2 = 1/2
-            -0.08094750193111255,  // m_2,3 = 1/2-3*sqrt(15)/20
+            // m_2,1 = 1/2+3*sqrt(15)/20
+            rounded(1.0809475f, 1.0809475019311126, -0x1.78p-56, -0x1.78e53fdbb0d5dp-56, -0x1p-110),
+            Scalar(0.5),  // m_2,2 = 1/2
+            // m_2,3 = 1/2-3*sqrt(15)/20
+            rounded(-0.08094752f, -0.08094750193111255, 0x1.78p-56, 0x1.78e53fdbb0d5dp-56,
+                0x1p-110),
         },
         {
-            0.96475800154489,    // m_3,1 = 1/2+3*sqrt(15)/25
-            1.0809475019311126,  // m_3,2 = 1/2+3*sqrt(15)/20
-            0.5,                 // m_3,3 = 1/2
+            // m_3,1 = 1/2+3*sqrt(15)/25
+            rounded(0.964758f, 0.96475800154489, 0x1.03p-55, 0x1.02d7800e8610dp-55, 0x1.dp-108),
+            // m_3,2 = 1/2+3*sqrt(15)/20
+            rounded(1.0809475f, 1.0809475019311126, -0x1.78p-56, -0x1.78e53fdbb0d5dp-56, -0x1p-110),
+            Scalar(0.5),  // m_3,3 = 1/2
         },
     };
     static_assert(hvi::detail::complementary(m, m), "the method is symplectic");
 
     // Slopes of the next step are about N times those of this one.
-    static constexpr double N[3][3] = {
+    static constexpr Scalar N[3][3] = {
         {
-            0.46034998712591646,  // N_1,1 = 13/3-sqrt(15)
-            -0.9391805448271526,  // N_1,2 = 5*sqrt(15)/6-25/6
-            2.0423388845975277,   // N_1,3 = 10/3-sqrt(15)/3
+            // N_1,1 = 13/3-sqrt(15)
+            rounded(0.46034998f, 0.46034998712591646, -0x1.b4p-57, -0x1.b40f573974dcfp-57,
+                -0x1.ep-111),
+            // N_1,2 = 5*sqrt(15)/6-25/6
+            rounded(-0.93918055f, -0.9391805448271526, 0x1.3e8p-55, 0x1.3e66c064dbe6ep-55,
+                0x1.9p-108),
+            // N_1,3 = 10/3-sqrt(15)/3
+            rounded(2.0423388f, 2.0423388845975277, 0x1.a2p-55, 0x1.a2c5d52cfd5f5p-55, 0x1.ap-108),
         },
         {
-            3.2677422153560443,  // N_2,1 = 16/3-8*sqrt(15)/15
-            -5.666666666666667,  // N_2,2 = -17/3
-            7.398924451310623,   // N_2,3 = 16/3+8*sqrt(15)/15
+            // N_2,1 = 16/3-8*sqrt(15)/15
+            rounded(3.2677422f, 3.2677422153560443, 0x1.4fp-54, 0x1.4f04aa8a644c4p-54, 0x1.5p-107),
+            // N_2,2 = -17/3
+            rounded(-5.6666665f, -5.666666666666667, 0x1.558p-52, 0x1.5555555555555p-52,
+                0x1.5p-106),
+            // N_2,3 = 16/3+8*sqrt(15)/15
+            rounded(7.3989244f, 7.398924451310623, -0x1.a9p-52, -0x1.a9167ff7ee686p-52, -0x1p-105),
         },
         {
-            4.624327782069139,  // N_3,1 = 10/3+sqrt(15)/3
-            -7.39415278850618,  // N_3,2 = -25/6-5*sqrt(15)/6
-            8.20631667954075,   // N_3,3 = 13/3+sqrt(15)
+            // N_3,1 = 10/3+sqrt(15)/3
+            rounded(4.6243277f, 4.624327782069139, -0x1.898p-52, -0x1.89ae0ffaf5014p-52, -0x1p-108),
+            // N_3,2 = -25/6-5*sqrt(15)/6
+            rounded(-7.3941526f, -7.39415278850618, -0x1.7dp-52, -0x1.7d222d61f0d23p-52,
+                -0x1.8p-107),
+            // N_3,3 = 13/3+sqrt(15)
+            rounded(8.206317f, 8.20631667954075, 0x1.7p-53, 0x1.70964ac8eca32p-53, 0x1.4p-107),
         },
     };
 
@@ -137,12 +170,12 @@ private:
     void predict() {
         if (s_.h == s_.h_before) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
-                const double Lq_1 = s_.Lq[0][k];
-                const double Lq_2 = s_.Lq[1][k];
-                const double Lq_3 = s_.Lq[2][k];
-                const double Lp_1 = s_.Lp[0][k];
-                const double Lp_2 = s_.Lp[1][k];
-                const double Lp_3 = s_.Lp[2][k];
+                const Scalar Lq_1 = s_.Lq[0][k];
+                const Scalar Lq_2 = s_.Lq[1][k];
+                const Scalar Lq_3 = s_.Lq[2][k];
+                const Scalar Lp_1 = s_.Lp[0][k];
+                const Scalar Lp_2 = s_.Lp[1][k];
+                const Scalar Lp_3 = s_.Lp[2][k];
                 s_.Lq[0][k] = N[0][0] * Lq_1 + N[0][1] * Lq_2 + N[0][2] * Lq_3;
                 s_.Lq[1][k] = N[1][0] * Lq_1 + N[1][1] * Lq_2 + N[1][2] * Lq_3;
                 s_.Lq[2][k] = N[2][0] * Lq_1 + N[2][1] * Lq_2 + N[2][2] * Lq_3;
@@ -155,15 +188,15 @@ private:
         auto&& slope = hvi::detail::scratch(s_.slope);
         system_.dHdp(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lq[0][k] = s_.h * b[0] * slope[k];
-            s_.Lq[1][k] = s_.h * b[1] * slope[k];
-            s_.Lq[2][k] = s_.h * b[2] * slope[k];
+            s_.Lq[0][k] = s_.hb_q[0] * slope[k];
+            s_.Lq[1][k] = s_.hb_q[1] * slope[k];
+            s_.Lq[2][k] = s_.hb_q[2] * slope[k];
         }
         system_.dHdq(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lp[0][k] = -s_.h * b[0] * slope[k];
-            s_.Lp[1][k] = -s_.h * b[1] * slope[k];
-            s_.Lp[2][k] = -s_.h * b[2] * slope[k];
+            s_.Lp[0][k] = -s_.hb_p[0] * slope[k];
+            s_.Lp[1][k] = -s_.hb_p[1] * slope[k];
+            s_.Lp[2][k] = -s_.hb_p[2] * slope[k];
         }
     }
 
@@ -177,24 +210,24 @@ private:
         static constexpr bool has_p = true;
         static constexpr std::array<std::size_t, 3> unknown_q{0, 1, 2};
         static constexpr std::array<std::size_t, 3> unknown_p{0, 1, 2};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return m[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return m[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double p = s.at.p[k];
-                const double e_p = s.remainder.p[k];
-                const double P_1 = p + (e_p + (m[0][0] * s.Lp[0][k] + m[0][1] * s.Lp[1][k]
+                const Scalar p = s.at.p[k];
+                const Scalar e_p = s.remainder.p[k];
+                const Scalar P_1 = p + (e_p + (m[0][0] * s.Lp[0][k] + m[0][1] * s.Lp[1][k]
                     + m[0][2] * s.Lp[2][k]));
-                const double P_2 = p + (e_p + (m[1][0] * s.Lp[0][k] + m[1][1] * s.Lp[1][k]
+                const Scalar P_2 = p + (e_p + (m[1][0] * s.Lp[0][k] + m[1][1] * s.Lp[1][k]
                     + m[1][2] * s.Lp[2][k]));
-                const double P_3 = p + (e_p + (m[2][0] * s.Lp[0][k] + m[2][1] * s.Lp[1][k]
+                const Scalar P_3 = p + (e_p + (m[2][0] * s.Lp[0][k] + m[2][1] * s.Lp[1][k]
                     + m[2][2] * s.Lp[2][k]));
-                s.change.p[k] = std::abs(P_1 - s.P[0][k]) + std::abs(P_2 - s.P[1][k]) + std::abs(P_3
-                    - s.P[2][k]);
+                s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]) + hvi::detail::abs(P_2
+                    - s.P[1][k]) + hvi::detail::abs(P_3 - s.P[2][k]);
                 s.P[0][k] = P_1;
                 s.P[1][k] = P_2;
                 s.P[2][k] = P_3;
@@ -206,31 +239,31 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdp(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.h * b[0] * slope[k];
+                s.Lq[0][k] = s.hb_q[0] * slope[k];
             }
             system.dHdp(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.h * b[1] * slope[k];
+                s.Lq[1][k] = s.hb_q[1] * slope[k];
             }
             system.dHdp(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[2][k] = s.h * b[2] * slope[k];
+                s.Lq[2][k] = s.hb_q[2] * slope[k];
             }
         }
 
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double q = s.at.q[k];
-                const double e_q = s.remainder.q[k];
-                const double Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]
                     + m[0][2] * s.Lq[2][k]));
-                const double Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
                     + m[1][2] * s.Lq[2][k]));
-                const double Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
+                const Scalar Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
                     + m[2][2] * s.Lq[2][k]));
-                s.change.q[k] = std::abs(Q_1 - s.Q[0][k]) + std::abs(Q_2 - s.Q[1][k]) + std::abs(Q_3
-                    - s.Q[2][k]);
+                s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]) + hvi::detail::abs(Q_2
+                    - s.Q[1][k]) + hvi::detail::abs(Q_3 - s.Q[2][k]);
                 s.Q[0][k] = Q_1;
                 s.Q[1][k] = Q_2;
                 s.Q[2][k] = Q_3;
@@ -242,28 +275,30 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdq(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[0][k] = -s.h * b[0] * slope[k];
+                s.Lp[0][k] = -s.hb_p[0] * slope[k];
             }
             system.dHdq(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[1][k] = -s.h * b[1] * slope[k];
+                s.Lp[1][k] = -s.hb_p[1] * slope[k];
             }
             system.dHdq(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[2][k] = -s.h * b[2] * slope[k];
+                s.Lp[2][k] = -s.hb_p[2] * slope[k];
             }
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return std::abs(s.Q[0][k]) + std::abs(s.Q[1][k]) + std::abs(s.Q[2][k])
-                + std::abs(s.Lq[0][k]) + std::abs(s.Lq[1][k]) + std::abs(s.Lq[2][k]);
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.Q[0][k]) + hvi::detail::abs(s.Q[1][k])
+                + hvi::detail::abs(s.Q[2][k]) + hvi::detail::abs(s.Lq[0][k])
+                + hvi::detail::abs(s.Lq[1][k]) + hvi::detail::abs(s.Lq[2][k]);
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return std::abs(s.P[0][k]) + std::abs(s.P[1][k]) + std::abs(s.P[2][k])
-                + std::abs(s.Lp[0][k]) + std::abs(s.Lp[1][k]) + std::abs(s.Lp[2][k]);
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.P[1][k])
+                + hvi::detail::abs(s.P[2][k]) + hvi::detail::abs(s.Lp[0][k])
+                + hvi::detail::abs(s.Lp[1][k]) + hvi::detail::abs(s.Lp[2][k]);
         }
     };
 

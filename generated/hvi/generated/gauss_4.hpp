@@ -57,12 +57,14 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/rounded.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/stages.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -70,11 +72,11 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(1),
+static_assert(hvi::supports_format(2),
               "this header is for another version of hvi: write it again with hvi-gen");
 
-/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
-/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `System` names its `Vector`, std::array<double, n> or one of Eigen, also of float, long double
+/// or __float128, and has const members dHdq(q, p, out) and dHdp(q, p, out).
 /// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
 /// against the fastest period.
 template <class System, class Solver = hvi::FixedPoint>
@@ -83,6 +85,7 @@ class Gauss4 {
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit Gauss4(System system = System{})
@@ -90,10 +93,11 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
         Status status = s_.begin(x, h);
         if (!status.ok()) { return status; }
+        s_.weigh(b, b);
         if constexpr (Solver::takes_starting_values) { predict(); }
 
         status = solver_.solve(Coupled{system_, s_});
@@ -114,127 +118,150 @@ public:
 private:
     using Index = hvi::detail::IndexOf<Vector>;
 
-    static constexpr double b[4] = {
-        0.17392742256872692,  // b_1 = 1/4-sqrt(30)/72
-        0.32607257743127305,  // b_2 = 1/4+sqrt(30)/72
-        0.32607257743127305,  // b_3 = 1/4+sqrt(30)/72
-        0.17392742256872692,  // b_4 = 1/4-sqrt(30)/72
+    // rounded(...) is the number of its comment as float, double, long double or __float128: the
+    // one that Scalar is.
+    static constexpr auto& rounded = hvi::detail::rounded<Scalar>;
+
+    static constexpr Scalar b[4] = {
+        // b_1 = 1/4-sqrt(30)/72
+        rounded(0.17392743f, 0.17392742256872692, 0x1.1bp-58, 0x1.1a9dd4e5038cp-58, 0x1.6p-111),
+        // b_2 = 1/4+sqrt(30)/72
+        rounded(0.32607257f, 0.32607257743127305, 0x1.b98p-56, 0x1.b9588ac6bf1cfp-56, 0x1.a8p-109),
+        // b_3 = 1/4+sqrt(30)/72
+        rounded(0.32607257f, 0.32607257743127305, 0x1.b98p-56, 0x1.b9588ac6bf1cfp-56, 0x1.a8p-109),
+        // b_4 = 1/4-sqrt(30)/72
+        rounded(0.17392743f, 0.17392742256872692, 0x1.1bp-58, 0x1.1a9dd4e5038cp-58, 0x1.6p-111),
     };
 
     // m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij.
-    static constexpr double m[4][4] = {
+    static constexpr Scalar m[4][4] = {
         {
-            0.5,                    // m_1,1 = 1/2
+            Scalar(0.5),  // m_1,1 = 1/2
             // m_1,2 =
             // 1/2-3*sqrt(525+70*sqrt(30))/490+3*sqrt(525-70*sqrt(30))/490-sqrt(630+84*sqrt(30))/98
             // -sqrt(630-84*sqrt(30))/98
-            -0.08158975003227997,
+            rounded(-0.0815897f, -0.08158975003227997, 0x1.cfp-54, 0x1.ced21c837e0a8p-54,
+                0x1.f8p-107),
             // m_1,3 =
             // 1/2-3*sqrt(525+70*sqrt(30))/490-3*sqrt(525-70*sqrt(30))/490-sqrt(630+84*sqrt(30))/98
             // +sqrt(630-84*sqrt(30))/98
-            0.03872592656788576,
+            rounded(0.038725913f, 0.03872592656788576, 0.0, 0x1.49c8292641e4p-66, 0.0),
             // m_1,4 = 1/2-57*sqrt(525+70*sqrt(30))/1715+5*sqrt(630+84*sqrt(30))/343
-            -0.020440420684040728,
+            rounded(-0.02044046f, -0.020440420684040728, 0x1.89p-54, 0x1.8908136d2553ep-54,
+                0x1.8p-108),
         },
         {
             // m_2,1 =
             // 1/2+3*sqrt(525+70*sqrt(30))/490-3*sqrt(525-70*sqrt(30))/490+sqrt(630+84*sqrt(30))/98
             // +sqrt(630-84*sqrt(30))/98
-            1.08158975003228,
-            0.5,                   // m_2,2 = 1/2
+            rounded(1.0815897f, 1.08158975003228, -0x1.cfp-54, -0x1.ced21c837e0a8p-54,
+                -0x1.f8p-107),
+            Scalar(0.5),  // m_2,2 = 1/2
             // m_2,3 = 1/2-57*sqrt(525-70*sqrt(30))/1715-5*sqrt(630-84*sqrt(30))/343
-            -0.08550375141051925,
+            rounded(-0.0855037f, -0.08550375141051925, -0x1.e3p-54, -0x1.e302b868feb85p-54,
+                -0x1.ep-108),
             // m_2,4 =
             // 1/2-3*sqrt(525+70*sqrt(30))/490-3*sqrt(525-70*sqrt(30))/490-sqrt(630+84*sqrt(30))/98
             // +sqrt(630-84*sqrt(30))/98
-            0.03872592656788576,
+            rounded(0.038725913f, 0.03872592656788576, 0.0, 0x1.49c8292641e4p-66, 0.0),
         },
         {
             // m_3,1 =
             // 1/2+3*sqrt(525+70*sqrt(30))/490+3*sqrt(525-70*sqrt(30))/490+sqrt(630+84*sqrt(30))/98
             // -sqrt(630-84*sqrt(30))/98
-            0.9612740734321142,
+            rounded(0.9612741f, 0.9612740734321142, 0.0, -0x1.49c8292641e4p-66, 0.0),
             // m_3,2 = 1/2+57*sqrt(525-70*sqrt(30))/1715+5*sqrt(630-84*sqrt(30))/343
-            1.0855037514105192,
-            0.5,                   // m_3,3 = 1/2
+            rounded(1.0855037f, 1.0855037514105192, 0x1.e3p-54, 0x1.e302b868feb85p-54, 0x1.ep-108),
+            Scalar(0.5),  // m_3,3 = 1/2
             // m_3,4 =
             // 1/2-3*sqrt(525+70*sqrt(30))/490+3*sqrt(525-70*sqrt(30))/490-sqrt(630+84*sqrt(30))/98
             // -sqrt(630-84*sqrt(30))/98
-            -0.08158975003227997,
+            rounded(-0.0815897f, -0.08158975003227997, 0x1.cfp-54, 0x1.ced21c837e0a8p-54,
+                0x1.f8p-107),
         },
         {
             // m_4,1 = 1/2+57*sqrt(525+70*sqrt(30))/1715-5*sqrt(630+84*sqrt(30))/343
-            1.0204404206840407,
+            rounded(1.0204405f, 1.0204404206840407, -0x1.89p-54, -0x1.8908136d2553ep-54,
+                -0x1.8p-108),
             // m_4,2 =
             // 1/2+3*sqrt(525+70*sqrt(30))/490+3*sqrt(525-70*sqrt(30))/490+sqrt(630+84*sqrt(30))/98
             // -sqrt(630-84*sqrt(30))/98
-            0.9612740734321142,
+            rounded(0.9612741f, 0.9612740734321142, 0.0, -0x1.49c8292641e4p-66, 0.0),
             // m_4,3 =
             // 1/2+3*sqrt(525+70*sqrt(30))/490-3*sqrt(525-70*sqrt(30))/490+sqrt(630+84*sqrt(30))/98
             // +sqrt(630-84*sqrt(30))/98
-            1.08158975003228,
-            0.5,                 // m_4,4 = 1/2
+            rounded(1.0815897f, 1.08158975003228, -0x1.cfp-54, -0x1.ced21c837e0a8p-54,
+                -0x1.f8p-107),
+            Scalar(0.5),  // m_4,4 = 1/2
         },
     };
     static_assert(hvi::detail::complementary(m, m), "the method is symplectic");
 
     // Slopes of the next step are about N times those of this one.
-    static constexpr double N[4][4] = {
+    static constexpr Scalar N[4][4] = {
         {
             // N_1,1 = 1+11*sqrt(525+70*sqrt(30))/21+7*sqrt(30)/3-19*sqrt(630+84*sqrt(30))/21
-            -0.3043475322896335,
+            rounded(-0.30434754f, -0.3043475322896335, -0x1.27p-56, -0x1.26d9880d0c41fp-56,
+                -0x1.3p-109),
             // N_1,2 =
             // 15/7-3*sqrt(525+70*sqrt(30))/49+sqrt(525-70*sqrt(30))/3-2*sqrt(105)/7-59*sqrt(30)/84
             // +59*sqrt(630+84*sqrt(30))/588+3*sqrt(630-84*sqrt(30))/4-75*sqrt(14)/28
-            0.5560939709183108,
+            rounded(0.556094f, 0.5560939709183108, -0x1.4ep-55, -0x1.4dfb7afa82287p-55,
+                -0x1.18p-108),
             // N_1,3 =
             // 15/7-3*sqrt(525+70*sqrt(30))/49-sqrt(525-70*sqrt(30))/3+2*sqrt(105)/7-59*sqrt(30)/84
             // +59*sqrt(630+84*sqrt(30))/588-3*sqrt(630-84*sqrt(30))/4+75*sqrt(14)/28
-            -1.0294085679737872,
+            rounded(-1.0294086f, -1.0294085679737872, 0x1.27p-54, 0x1.273b2ebd4ef37p-54,
+                0x1.7p-107),
             // N_1,4 = 31*sqrt(630+84*sqrt(30))/42-11*sqrt(525+70*sqrt(30))/21-7*sqrt(30)/6
-            2.191699902136537,
+            rounded(2.1917f, 2.191699902136537, 0x1.6ep-54, 0x1.6db1540d0e36cp-54, 0x1.2p-107),
         },
         {
             // N_2,1 =
             // 15/7+sqrt(525+70*sqrt(30))/3-3*sqrt(525-70*sqrt(30))/49-2*sqrt(105)/7+59*sqrt(30)/84
             // -3*sqrt(630+84*sqrt(30))/4-59*sqrt(630-84*sqrt(30))/588+75*sqrt(14)/28
-            -3.667677403095109,
+            rounded(-3.6676774f, -3.667677403095109, -0x1.3fp-53, -0x1.3ef4a97e69257p-53,
+                -0x1.ep-108),
             // N_2,2 = 1+11*sqrt(525-70*sqrt(30))/21-7*sqrt(30)/3+19*sqrt(630-84*sqrt(30))/21
-            6.246427614654768,
+            rounded(6.2464275f, 6.246427614654768, -0x1.82p-54, -0x1.8190c7e8fe1d7p-54,
+                -0x1.4p-108),
             // N_2,3 = 7*sqrt(30)/6-11*sqrt(525-70*sqrt(30))/21-31*sqrt(630-84*sqrt(30))/42
-            -9.46401244076669,
+            rounded(-9.464012f, -9.46401244076669, -0x1.fcp-54, -0x1.fcd3840cfcf77p-54, -0x1p-109),
             // N_2,4 =
             // 15/7-sqrt(525+70*sqrt(30))/3-3*sqrt(525-70*sqrt(30))/49+2*sqrt(105)/7+59*sqrt(30)/84
             // +3*sqrt(630+84*sqrt(30))/4-59*sqrt(630-84*sqrt(30))/588-75*sqrt(14)/28
-            11.574646496723345,
+            rounded(11.574647f, 11.574646496723345, 0x1.8p-51, 0x1.7fed911370827p-51, 0x1.28p-104),
         },
         {
             // N_3,1 =
             // 15/7+sqrt(525+70*sqrt(30))/3+3*sqrt(525-70*sqrt(30))/49+2*sqrt(105)/7+59*sqrt(30)/84
             // -3*sqrt(630+84*sqrt(30))/4+59*sqrt(630-84*sqrt(30))/588-75*sqrt(14)/28
-            -13.783927085129498,
+            rounded(-13.783927f, -13.783927085129498, -0x1.afp-52, -0x1.af57973f02705p-52,
+                -0x1.9p-105),
             // N_3,2 = 11*sqrt(525-70*sqrt(30))/21+7*sqrt(30)/6+31*sqrt(630-84*sqrt(30))/42
-            22.244205449220566,
+            rounded(22.244205f, 22.244205449220566, -0x1.66p-52, -0x1.66a96dd5ea11cp-52, 0.0),
             // N_3,3 = 1-11*sqrt(525-70*sqrt(30))/21-7*sqrt(30)/3-19*sqrt(630-84*sqrt(30))/21
-            -29.80681363156252,
+            rounded(-29.806814f, -29.80681363156252, 0x1.6p-55, 0x1.61067d649134bp-55, 0.0),
             // N_3,4 =
             // 15/7-sqrt(525+70*sqrt(30))/3+3*sqrt(525-70*sqrt(30))/49-2*sqrt(105)/7+59*sqrt(30)/84
             // +3*sqrt(630+84*sqrt(30))/4+59*sqrt(630-84*sqrt(30))/588+75*sqrt(14)/28
-            29.836782226170214,
+            rounded(29.836782f, 29.836782226170214, 0x1.1p-50, 0x1.0fda1ff32868ep-50, 0x1p-107),
         },
         {
             // N_4,1 = 11*sqrt(525+70*sqrt(30))/21-7*sqrt(30)/6-31*sqrt(630+84*sqrt(30))/42
-            -14.971892910590412,
+            rounded(-14.971893f, -14.971892910590412, -0x1.3bp-51, -0x1.3ac703150d1fp-51,
+                -0x1.6p-104),
             // N_4,2 =
             // 15/7+3*sqrt(525+70*sqrt(30))/49+sqrt(525-70*sqrt(30))/3+2*sqrt(105)/7-59*sqrt(30)/84
             // -59*sqrt(630+84*sqrt(30))/588+3*sqrt(630-84*sqrt(30))/4+75*sqrt(14)/28
-            23.52091860319091,
+            rounded(23.520918f, 23.52091860319091, -0x1.c8p-52, -0x1.c72a120488972p-52,
+                -0x1.cp-106),
             // N_4,3 =
             // 15/7+3*sqrt(525+70*sqrt(30))/49-sqrt(525-70*sqrt(30))/3-2*sqrt(105)/7-59*sqrt(30)/84
             // -59*sqrt(630+84*sqrt(30))/588-3*sqrt(630-84*sqrt(30))/4-75*sqrt(14)/28
-            -29.864571097947245,
+            rounded(-29.86457f, -29.864571097947245, 0x1.4p-50, 0x1.3ff3648217831p-50, 0x1p-107),
             // N_4,4 = 1-11*sqrt(525+70*sqrt(30))/21+7*sqrt(30)/3+19*sqrt(630+84*sqrt(30))/21
-            27.864733549197386,
+            rounded(27.864733f, 27.864733549197386, -0x1.dp-55, -0x1.ca78298c0ed8cp-55, -0x1p-108),
         },
     };
 
@@ -243,14 +270,14 @@ private:
     void predict() {
         if (s_.h == s_.h_before) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
-                const double Lq_1 = s_.Lq[0][k];
-                const double Lq_2 = s_.Lq[1][k];
-                const double Lq_3 = s_.Lq[2][k];
-                const double Lq_4 = s_.Lq[3][k];
-                const double Lp_1 = s_.Lp[0][k];
-                const double Lp_2 = s_.Lp[1][k];
-                const double Lp_3 = s_.Lp[2][k];
-                const double Lp_4 = s_.Lp[3][k];
+                const Scalar Lq_1 = s_.Lq[0][k];
+                const Scalar Lq_2 = s_.Lq[1][k];
+                const Scalar Lq_3 = s_.Lq[2][k];
+                const Scalar Lq_4 = s_.Lq[3][k];
+                const Scalar Lp_1 = s_.Lp[0][k];
+                const Scalar Lp_2 = s_.Lp[1][k];
+                const Scalar Lp_3 = s_.Lp[2][k];
+                const Scalar Lp_4 = s_.Lp[3][k];
                 s_.Lq[0][k] = N[0][0] * Lq_1 + N[0][1] * Lq_2 + N[0][2] * Lq_3 + N[0][3] * Lq_4;
                 s_.Lq[1][k] = N[1][0] * Lq_1 + N[1][1] * Lq_2 + N[1][2] * Lq_3 + N[1][3] * Lq_4;
                 s_.Lq[2][k] = N[2][0] * Lq_1 + N[2][1] * Lq_2 + N[2][2] * Lq_3 + N[2][3] * Lq_4;
@@ -265,17 +292,17 @@ private:
         auto&& slope = hvi::detail::scratch(s_.slope);
         system_.dHdp(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lq[0][k] = s_.h * b[0] * slope[k];
-            s_.Lq[1][k] = s_.h * b[1] * slope[k];
-            s_.Lq[2][k] = s_.h * b[2] * slope[k];
-            s_.Lq[3][k] = s_.h * b[3] * slope[k];
+            s_.Lq[0][k] = s_.hb_q[0] * slope[k];
+            s_.Lq[1][k] = s_.hb_q[1] * slope[k];
+            s_.Lq[2][k] = s_.hb_q[2] * slope[k];
+            s_.Lq[3][k] = s_.hb_q[3] * slope[k];
         }
         system_.dHdq(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lp[0][k] = -s_.h * b[0] * slope[k];
-            s_.Lp[1][k] = -s_.h * b[1] * slope[k];
-            s_.Lp[2][k] = -s_.h * b[2] * slope[k];
-            s_.Lp[3][k] = -s_.h * b[3] * slope[k];
+            s_.Lp[0][k] = -s_.hb_p[0] * slope[k];
+            s_.Lp[1][k] = -s_.hb_p[1] * slope[k];
+            s_.Lp[2][k] = -s_.hb_p[2] * slope[k];
+            s_.Lp[3][k] = -s_.hb_p[3] * slope[k];
         }
     }
 
@@ -289,26 +316,27 @@ private:
         static constexpr bool has_p = true;
         static constexpr std::array<std::size_t, 4> unknown_q{0, 1, 2, 3};
         static constexpr std::array<std::size_t, 4> unknown_p{0, 1, 2, 3};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return m[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return m[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double p = s.at.p[k];
-                const double e_p = s.remainder.p[k];
-                const double P_1 = p + (e_p + (m[0][0] * s.Lp[0][k] + m[0][1] * s.Lp[1][k]
+                const Scalar p = s.at.p[k];
+                const Scalar e_p = s.remainder.p[k];
+                const Scalar P_1 = p + (e_p + (m[0][0] * s.Lp[0][k] + m[0][1] * s.Lp[1][k]
                     + m[0][2] * s.Lp[2][k] + m[0][3] * s.Lp[3][k]));
-                const double P_2 = p + (e_p + (m[1][0] * s.Lp[0][k] + m[1][1] * s.Lp[1][k]
+                const Scalar P_2 = p + (e_p + (m[1][0] * s.Lp[0][k] + m[1][1] * s.Lp[1][k]
                     + m[1][2] * s.Lp[2][k] + m[1][3] * s.Lp[3][k]));
-                const double P_3 = p + (e_p + (m[2][0] * s.Lp[0][k] + m[2][1] * s.Lp[1][k]
+                const Scalar P_3 = p + (e_p + (m[2][0] * s.Lp[0][k] + m[2][1] * s.Lp[1][k]
                     + m[2][2] * s.Lp[2][k] + m[2][3] * s.Lp[3][k]));
-                const double P_4 = p + (e_p + (m[3][0] * s.Lp[0][k] + m[3][1] * s.Lp[1][k]
+                const Scalar P_4 = p + (e_p + (m[3][0] * s.Lp[0][k] + m[3][1] * s.Lp[1][k]
                     + m[3][2] * s.Lp[2][k] + m[3][3] * s.Lp[3][k]));
-                s.change.p[k] = std::abs(P_1 - s.P[0][k]) + std::abs(P_2 - s.P[1][k]) + std::abs(P_3
-                    - s.P[2][k]) + std::abs(P_4 - s.P[3][k]);
+                s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]) + hvi::detail::abs(P_2
+                    - s.P[1][k]) + hvi::detail::abs(P_3 - s.P[2][k]) + hvi::detail::abs(P_4
+                    - s.P[3][k]);
                 s.P[0][k] = P_1;
                 s.P[1][k] = P_2;
                 s.P[2][k] = P_3;
@@ -321,37 +349,38 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdp(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.h * b[0] * slope[k];
+                s.Lq[0][k] = s.hb_q[0] * slope[k];
             }
             system.dHdp(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.h * b[1] * slope[k];
+                s.Lq[1][k] = s.hb_q[1] * slope[k];
             }
             system.dHdp(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[2][k] = s.h * b[2] * slope[k];
+                s.Lq[2][k] = s.hb_q[2] * slope[k];
             }
             system.dHdp(s.Q[3], s.P[3], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[3][k] = s.h * b[3] * slope[k];
+                s.Lq[3][k] = s.hb_q[3] * slope[k];
             }
         }
 
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double q = s.at.q[k];
-                const double e_q = s.remainder.q[k];
-                const double Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]
                     + m[0][2] * s.Lq[2][k] + m[0][3] * s.Lq[3][k]));
-                const double Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
                     + m[1][2] * s.Lq[2][k] + m[1][3] * s.Lq[3][k]));
-                const double Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
+                const Scalar Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
                     + m[2][2] * s.Lq[2][k] + m[2][3] * s.Lq[3][k]));
-                const double Q_4 = q + (e_q + (m[3][0] * s.Lq[0][k] + m[3][1] * s.Lq[1][k]
+                const Scalar Q_4 = q + (e_q + (m[3][0] * s.Lq[0][k] + m[3][1] * s.Lq[1][k]
                     + m[3][2] * s.Lq[2][k] + m[3][3] * s.Lq[3][k]));
-                s.change.q[k] = std::abs(Q_1 - s.Q[0][k]) + std::abs(Q_2 - s.Q[1][k]) + std::abs(Q_3
-                    - s.Q[2][k]) + std::abs(Q_4 - s.Q[3][k]);
+                s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]) + hvi::detail::abs(Q_2
+                    - s.Q[1][k]) + hvi::detail::abs(Q_3 - s.Q[2][k]) + hvi::detail::abs(Q_4
+                    - s.Q[3][k]);
                 s.Q[0][k] = Q_1;
                 s.Q[1][k] = Q_2;
                 s.Q[2][k] = Q_3;
@@ -364,34 +393,36 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdq(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[0][k] = -s.h * b[0] * slope[k];
+                s.Lp[0][k] = -s.hb_p[0] * slope[k];
             }
             system.dHdq(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[1][k] = -s.h * b[1] * slope[k];
+                s.Lp[1][k] = -s.hb_p[1] * slope[k];
             }
             system.dHdq(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[2][k] = -s.h * b[2] * slope[k];
+                s.Lp[2][k] = -s.hb_p[2] * slope[k];
             }
             system.dHdq(s.Q[3], s.P[3], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[3][k] = -s.h * b[3] * slope[k];
+                s.Lp[3][k] = -s.hb_p[3] * slope[k];
             }
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return std::abs(s.Q[0][k]) + std::abs(s.Q[1][k]) + std::abs(s.Q[2][k])
-                + std::abs(s.Q[3][k]) + std::abs(s.Lq[0][k]) + std::abs(s.Lq[1][k])
-                + std::abs(s.Lq[2][k]) + std::abs(s.Lq[3][k]);
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.Q[0][k]) + hvi::detail::abs(s.Q[1][k])
+                + hvi::detail::abs(s.Q[2][k]) + hvi::detail::abs(s.Q[3][k])
+                + hvi::detail::abs(s.Lq[0][k]) + hvi::detail::abs(s.Lq[1][k])
+                + hvi::detail::abs(s.Lq[2][k]) + hvi::detail::abs(s.Lq[3][k]);
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return std::abs(s.P[0][k]) + std::abs(s.P[1][k]) + std::abs(s.P[2][k])
-                + std::abs(s.P[3][k]) + std::abs(s.Lp[0][k]) + std::abs(s.Lp[1][k])
-                + std::abs(s.Lp[2][k]) + std::abs(s.Lp[3][k]);
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.P[1][k])
+                + hvi::detail::abs(s.P[2][k]) + hvi::detail::abs(s.P[3][k])
+                + hvi::detail::abs(s.Lp[0][k]) + hvi::detail::abs(s.Lp[1][k])
+                + hvi::detail::abs(s.Lp[2][k]) + hvi::detail::abs(s.Lp[3][k]);
         }
     };
 

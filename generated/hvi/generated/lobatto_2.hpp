@@ -31,12 +31,14 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/rounded.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/stages.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -44,11 +46,11 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(1),
+static_assert(hvi::supports_format(2),
               "this header is for another version of hvi: write it again with hvi-gen");
 
-/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
-/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `System` names its `Vector`, std::array<double, n> or one of Eigen, also of float, long double
+/// or __float128, and has const members dHdq(q, p, out) and dHdp(q, p, out).
 /// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
 /// against the fastest period.
 template <class System, class Solver = hvi::FixedPoint>
@@ -57,6 +59,7 @@ class Lobatto2 {
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit Lobatto2(System system = System{})
@@ -64,8 +67,8 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
         Status status = s_.begin(x, h);
         if (!status.ok()) { return status; }
         if constexpr (Solver::takes_starting_values) { predict(); }
@@ -81,8 +84,8 @@ public:
             s_.Lq[0][k] = s_.h * b[0] * slope[k];
         }
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            const double p = s_.at.p[k];
-            const double e_p = s_.remainder.p[k];
+            const Scalar p = s_.at.p[k];
+            const Scalar e_p = s_.remainder.p[k];
             s_.P[1][k] = p + (e_p + s_.Lp[0][k]);
         }
         status = solver_[1].solve(Coupled2{system_, s_});
@@ -106,43 +109,43 @@ public:
 private:
     using Index = hvi::detail::IndexOf<Vector>;
 
-    static constexpr double b[2] = {
-        0.5,  // b_1 = 1/2
-        0.5,  // b_2 = 1/2
+    static constexpr Scalar b[2] = {
+        Scalar(0.5),  // b_1 = 1/2
+        Scalar(0.5),  // b_2 = 1/2
     };
 
     // m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.
-    static constexpr double m[2][2] = {
+    static constexpr Scalar m[2][2] = {
         {
-            0.0,  // m_1,1 = 0
-            0.0,  // m_1,2 = 0
+            Scalar(0.0),  // m_1,1 = 0
+            Scalar(0.0),  // m_1,2 = 0
         },
         {
-            1.0,  // m_2,1 = 1
-            1.0,  // m_2,2 = 1
+            Scalar(1.0),  // m_2,1 = 1
+            Scalar(1.0),  // m_2,2 = 1
         },
     };
-    static constexpr double mt[2][2] = {
+    static constexpr Scalar mt[2][2] = {
         {
-            1.0,  // mt_1,1 = 1
-            0.0,  // mt_1,2 = 0
+            Scalar(1.0),  // mt_1,1 = 1
+            Scalar(0.0),  // mt_1,2 = 0
         },
         {
-            1.0,  // mt_2,1 = 1
-            0.0,  // mt_2,2 = 0
+            Scalar(1.0),  // mt_2,1 = 1
+            Scalar(0.0),  // mt_2,2 = 0
         },
     };
     static_assert(hvi::detail::complementary(m, mt), "the method is symplectic");
 
     // Slopes of the next step are about N times those of this one.
-    static constexpr double N[2][2] = {
+    static constexpr Scalar N[2][2] = {
         {
-            0.0,  // N_1,1 = 0
-            1.0,  // N_1,2 = 1
+            Scalar(0.0),  // N_1,1 = 0
+            Scalar(1.0),  // N_1,2 = 1
         },
         {
-            -1.0,  // N_2,1 = -1
-            2.0,   // N_2,2 = 2
+            Scalar(-1.0),  // N_2,1 = -1
+            Scalar(2.0),   // N_2,2 = 2
         },
     };
 
@@ -151,10 +154,10 @@ private:
     void predict() {
         if (s_.h == s_.h_before) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
-                const double Lq_1 = s_.Lq[0][k];
-                const double Lq_2 = s_.Lq[1][k];
-                const double Lp_1 = s_.Lp[0][k];
-                const double Lp_2 = s_.Lp[1][k];
+                const Scalar Lq_1 = s_.Lq[0][k];
+                const Scalar Lq_2 = s_.Lq[1][k];
+                const Scalar Lp_1 = s_.Lp[0][k];
+                const Scalar Lp_2 = s_.Lp[1][k];
                 s_.Lp[0][k] = N[0][0] * Lp_1 + N[0][1] * Lp_2;
                 s_.Lq[1][k] = N[1][0] * Lq_1 + N[1][1] * Lq_2;
             }
@@ -181,18 +184,18 @@ private:
         static constexpr bool has_p = true;
         static constexpr std::array<std::size_t, 0> unknown_q{};
         static constexpr std::array<std::size_t, 1> unknown_p{0};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double p = s.at.p[k];
-                const double e_p = s.remainder.p[k];
-                const double P_1 = p + (e_p + s.Lp[0][k]);
-                s.change.p[k] = std::abs(P_1 - s.P[0][k]);
+                const Scalar p = s.at.p[k];
+                const Scalar e_p = s.remainder.p[k];
+                const Scalar P_1 = p + (e_p + s.Lp[0][k]);
+                s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]);
                 s.P[0][k] = P_1;
             }
         }
@@ -215,13 +218,13 @@ private:
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return 0.0;
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return 0;
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return std::abs(s.P[0][k]) + std::abs(s.Lp[0][k]);
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.Lp[0][k]);
         }
     };
 
@@ -235,10 +238,10 @@ private:
         static constexpr bool has_p = false;
         static constexpr std::array<std::size_t, 1> unknown_q{1};
         static constexpr std::array<std::size_t, 0> unknown_p{};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
@@ -256,10 +259,10 @@ private:
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double q = s.at.q[k];
-                const double e_q = s.remainder.q[k];
-                const double Q_2 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k]));
-                s.change.q[k] = std::abs(Q_2 - s.Q[1][k]);
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_2 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k]));
+                s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]);
                 s.Q[1][k] = Q_2;
             }
         }
@@ -269,13 +272,13 @@ private:
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return std::abs(s.Q[1][k]) + std::abs(s.Lq[1][k]);
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.Q[1][k]) + hvi::detail::abs(s.Lq[1][k]);
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return 0.0;
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return 0;
         }
     };
 

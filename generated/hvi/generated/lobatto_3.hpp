@@ -42,12 +42,14 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/rounded.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/stages.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -55,11 +57,11 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(1),
+static_assert(hvi::supports_format(2),
               "this header is for another version of hvi: write it again with hvi-gen");
 
-/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
-/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `System` names its `Vector`, std::array<double, n> or one of Eigen, also of float, long double
+/// or __float128, and has const members dHdq(q, p, out) and dHdp(q, p, out).
 /// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
 /// against the fastest period.
 template <class System, class Solver = hvi::FixedPoint>
@@ -68,6 +70,7 @@ class Lobatto3 {
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit Lobatto3(System system = System{})
@@ -75,10 +78,11 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
         Status status = s_.begin(x, h);
         if (!status.ok()) { return status; }
+        s_.weigh(b, b);
         if constexpr (Solver::takes_starting_values) { predict(); }
 
         auto&& slope = hvi::detail::scratch(s_.slope);
@@ -87,7 +91,7 @@ public:
         if (!status.ok()) { return status; }
         system_.dHdq(s_.Q[2], s_.P[2], slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lp[2][k] = -s_.h * b[2] * slope[k];
+            s_.Lp[2][k] = -s_.hb_p[2] * slope[k];
         }
 
         for (Index k = 0; k < s_.at.q.size(); ++k) {
@@ -103,65 +107,72 @@ public:
 private:
     using Index = hvi::detail::IndexOf<Vector>;
 
-    static constexpr double b[3] = {
-        0.16666666666666666,  // b_1 = 1/6
-        0.6666666666666666,   // b_2 = 2/3
-        0.16666666666666666,  // b_3 = 1/6
+    // rounded(...) is the number of its comment as float, double, long double or __float128: the
+    // one that Scalar is.
+    static constexpr auto& rounded = hvi::detail::rounded<Scalar>;
+
+    static constexpr Scalar b[3] = {
+        // b_1 = 1/6
+        rounded(0.16666667f, 0.16666666666666666, 0x1.558p-57, 0x1.5555555555555p-57, 0x1.5p-111),
+        // b_2 = 2/3
+        rounded(0.6666667f, 0.6666666666666666, 0x1.558p-55, 0x1.5555555555555p-55, 0x1.5p-109),
+        // b_3 = 1/6
+        rounded(0.16666667f, 0.16666666666666666, 0x1.558p-57, 0x1.5555555555555p-57, 0x1.5p-111),
     };
 
     // m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.
-    static constexpr double m[3][3] = {
+    static constexpr Scalar m[3][3] = {
         {
-            0.0,  // m_1,1 = 0
-            0.0,  // m_1,2 = 0
-            0.0,  // m_1,3 = 0
+            Scalar(0.0),  // m_1,1 = 0
+            Scalar(0.0),  // m_1,2 = 0
+            Scalar(0.0),  // m_1,3 = 0
         },
         {
-            1.25,   // m_2,1 = 5/4
-            0.5,    // m_2,2 = 1/2
-            -0.25,  // m_2,3 = -1/4
+            Scalar(1.25),   // m_2,1 = 5/4
+            Scalar(0.5),    // m_2,2 = 1/2
+            Scalar(-0.25),  // m_2,3 = -1/4
         },
         {
-            1.0,  // m_3,1 = 1
-            1.0,  // m_3,2 = 1
-            1.0,  // m_3,3 = 1
+            Scalar(1.0),  // m_3,1 = 1
+            Scalar(1.0),  // m_3,2 = 1
+            Scalar(1.0),  // m_3,3 = 1
         },
     };
-    static constexpr double mt[3][3] = {
+    static constexpr Scalar mt[3][3] = {
         {
-            1.0,    // mt_1,1 = 1
-            -0.25,  // mt_1,2 = -1/4
-            0.0,    // mt_1,3 = 0
+            Scalar(1.0),    // mt_1,1 = 1
+            Scalar(-0.25),  // mt_1,2 = -1/4
+            Scalar(0.0),    // mt_1,3 = 0
         },
         {
-            1.0,  // mt_2,1 = 1
-            0.5,  // mt_2,2 = 1/2
-            0.0,  // mt_2,3 = 0
+            Scalar(1.0),  // mt_2,1 = 1
+            Scalar(0.5),  // mt_2,2 = 1/2
+            Scalar(0.0),  // mt_2,3 = 0
         },
         {
-            1.0,   // mt_3,1 = 1
-            1.25,  // mt_3,2 = 5/4
-            0.0,   // mt_3,3 = 0
+            Scalar(1.0),   // mt_3,1 = 1
+            Scalar(1.25),  // mt_3,2 = 5/4
+            Scalar(0.0),   // mt_3,3 = 0
         },
     };
     static_assert(hvi::detail::complementary(m, mt), "the method is symplectic");
 
     // Slopes of the next step are about N times those of this one.
-    static constexpr double N[3][3] = {
+    static constexpr Scalar N[3][3] = {
         {
-            0.0,  // N_1,1 = 0
-            0.0,  // N_1,2 = 0
-            1.0,  // N_1,3 = 1
+            Scalar(0.0),  // N_1,1 = 0
+            Scalar(0.0),  // N_1,2 = 0
+            Scalar(1.0),  // N_1,3 = 1
         },
         {
-            4.0,   // N_2,1 = 4
-            -3.0,  // N_2,2 = -3
-            12.0,  // N_2,3 = 12
+            Scalar(4.0),   // N_2,1 = 4
+            Scalar(-3.0),  // N_2,2 = -3
+            Scalar(12.0),  // N_2,3 = 12
         },
         {
-            3.0,   // N_3,1 = 3
-            -2.0,  // N_3,2 = -2
-            6.0,   // N_3,3 = 6
+            Scalar(3.0),   // N_3,1 = 3
+            Scalar(-2.0),  // N_3,2 = -2
+            Scalar(6.0),   // N_3,3 = 6
         },
     };
 
@@ -170,12 +181,12 @@ private:
     void predict() {
         if (s_.h == s_.h_before) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
-                const double Lq_1 = s_.Lq[0][k];
-                const double Lq_2 = s_.Lq[1][k];
-                const double Lq_3 = s_.Lq[2][k];
-                const double Lp_1 = s_.Lp[0][k];
-                const double Lp_2 = s_.Lp[1][k];
-                const double Lp_3 = s_.Lp[2][k];
+                const Scalar Lq_1 = s_.Lq[0][k];
+                const Scalar Lq_2 = s_.Lq[1][k];
+                const Scalar Lq_3 = s_.Lq[2][k];
+                const Scalar Lp_1 = s_.Lp[0][k];
+                const Scalar Lp_2 = s_.Lp[1][k];
+                const Scalar Lp_3 = s_.Lp[2][k];
                 s_.Lq[0][k] = N[0][0] * Lq_1 + N[0][1] * Lq_2 + N[0][2] * Lq_3;
                 s_.Lq[1][k] = N[1][0] * Lq_1 + N[1][1] * Lq_2 + N[1][2] * Lq_3;
                 s_.Lq[2][k] = N[2][0] * Lq_1 + N[2][1] * Lq_2 + N[2][2] * Lq_3;
@@ -187,14 +198,14 @@ private:
         auto&& slope = hvi::detail::scratch(s_.slope);
         system_.dHdp(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lq[0][k] = s_.h * b[0] * slope[k];
-            s_.Lq[1][k] = s_.h * b[1] * slope[k];
-            s_.Lq[2][k] = s_.h * b[2] * slope[k];
+            s_.Lq[0][k] = s_.hb_q[0] * slope[k];
+            s_.Lq[1][k] = s_.hb_q[1] * slope[k];
+            s_.Lq[2][k] = s_.hb_q[2] * slope[k];
         }
         system_.dHdq(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lp[0][k] = -s_.h * b[0] * slope[k];
-            s_.Lp[1][k] = -s_.h * b[1] * slope[k];
+            s_.Lp[0][k] = -s_.hb_p[0] * slope[k];
+            s_.Lp[1][k] = -s_.hb_p[1] * slope[k];
         }
     }
 
@@ -208,21 +219,21 @@ private:
         static constexpr bool has_p = true;
         static constexpr std::array<std::size_t, 3> unknown_q{0, 1, 2};
         static constexpr std::array<std::size_t, 2> unknown_p{0, 1};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double p = s.at.p[k];
-                const double e_p = s.remainder.p[k];
-                const double P_1 = p + (e_p + (s.Lp[0][k] + mt[0][1] * s.Lp[1][k]));
-                const double P_2 = p + (e_p + (s.Lp[0][k] + mt[1][1] * s.Lp[1][k]));
-                const double P_3 = p + (e_p + (s.Lp[0][k] + mt[2][1] * s.Lp[1][k]));
-                s.change.p[k] = std::abs(P_1 - s.P[0][k]) + std::abs(P_2 - s.P[1][k]) + std::abs(P_3
-                    - s.P[2][k]);
+                const Scalar p = s.at.p[k];
+                const Scalar e_p = s.remainder.p[k];
+                const Scalar P_1 = p + (e_p + (s.Lp[0][k] + mt[0][1] * s.Lp[1][k]));
+                const Scalar P_2 = p + (e_p + (s.Lp[0][k] + mt[1][1] * s.Lp[1][k]));
+                const Scalar P_3 = p + (e_p + (s.Lp[0][k] + mt[2][1] * s.Lp[1][k]));
+                s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]) + hvi::detail::abs(P_2
+                    - s.P[1][k]) + hvi::detail::abs(P_3 - s.P[2][k]);
                 s.P[0][k] = P_1;
                 s.P[1][k] = P_2;
                 s.P[2][k] = P_3;
@@ -234,27 +245,28 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdp(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.h * b[0] * slope[k];
+                s.Lq[0][k] = s.hb_q[0] * slope[k];
             }
             system.dHdp(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.h * b[1] * slope[k];
+                s.Lq[1][k] = s.hb_q[1] * slope[k];
             }
             system.dHdp(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[2][k] = s.h * b[2] * slope[k];
+                s.Lq[2][k] = s.hb_q[2] * slope[k];
             }
         }
 
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double q = s.at.q[k];
-                const double e_q = s.remainder.q[k];
-                const double Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
                     + m[1][2] * s.Lq[2][k]));
-                const double Q_3 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k]));
-                s.change.q[k] = std::abs(Q_2 - s.Q[1][k]) + std::abs(Q_3 - s.Q[2][k]);
+                const Scalar Q_3 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k]));
+                s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]) + hvi::detail::abs(Q_3
+                    - s.Q[2][k]);
                 s.Q[1][k] = Q_2;
                 s.Q[2][k] = Q_3;
             }
@@ -265,24 +277,26 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdq(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[0][k] = -s.h * b[0] * slope[k];
+                s.Lp[0][k] = -s.hb_p[0] * slope[k];
             }
             system.dHdq(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[1][k] = -s.h * b[1] * slope[k];
+                s.Lp[1][k] = -s.hb_p[1] * slope[k];
             }
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return std::abs(s.Q[1][k]) + std::abs(s.Q[2][k]) + std::abs(s.Lq[0][k])
-                + std::abs(s.Lq[1][k]) + std::abs(s.Lq[2][k]);
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.Q[1][k]) + hvi::detail::abs(s.Q[2][k])
+                + hvi::detail::abs(s.Lq[0][k]) + hvi::detail::abs(s.Lq[1][k])
+                + hvi::detail::abs(s.Lq[2][k]);
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return std::abs(s.P[0][k]) + std::abs(s.P[1][k]) + std::abs(s.P[2][k])
-                + std::abs(s.Lp[0][k]) + std::abs(s.Lp[1][k]);
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.P[1][k])
+                + hvi::detail::abs(s.P[2][k]) + hvi::detail::abs(s.Lp[0][k])
+                + hvi::detail::abs(s.Lp[1][k]);
         }
     };
 

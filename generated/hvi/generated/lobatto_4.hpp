@@ -58,12 +58,14 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <hvi/arithmetic.hpp>
 #include <hvi/coefficients.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/rounded.hpp>
+#include <hvi/scalar.hpp>
 #include <hvi/stages.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
@@ -71,11 +73,11 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(1),
+static_assert(hvi::supports_format(2),
               "this header is for another version of hvi: write it again with hvi-gen");
 
-/// `System` names its `Vector` (std::array<double, n> or one of Eigen) and has const members
-/// dHdq(q, p, out) and dHdp(q, p, out).
+/// `System` names its `Vector`, std::array<double, n> or one of Eigen, also of float, long double
+/// or __float128, and has const members dHdq(q, p, out) and dHdp(q, p, out).
 /// `Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps that are not small
 /// against the fastest period.
 template <class System, class Solver = hvi::FixedPoint>
@@ -84,6 +86,7 @@ class Lobatto4 {
 
 public:
     using Vector = typename System::Vector;
+    using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
     explicit Lobatto4(System system = System{})
@@ -91,10 +94,11 @@ public:
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, double h) {
-        if (h == 0.0) { return {}; }
+    [[nodiscard]] Status step(State& x, Scalar h) {
+        if (h == 0) { return {}; }
         Status status = s_.begin(x, h);
         if (!status.ok()) { return status; }
+        s_.weigh(b, b);
         if constexpr (Solver::takes_starting_values) { predict(); }
 
         auto&& slope = hvi::detail::scratch(s_.slope);
@@ -103,7 +107,7 @@ public:
         if (!status.ok()) { return status; }
         system_.dHdq(s_.Q[3], s_.P[3], slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lp[3][k] = -s_.h * b[3] * slope[k];
+            s_.Lp[3][k] = -s_.hb_p[3] * slope[k];
         }
 
         for (Index k = 0; k < s_.at.q.size(); ++k) {
@@ -121,93 +125,137 @@ public:
 private:
     using Index = hvi::detail::IndexOf<Vector>;
 
-    static constexpr double b[4] = {
-        0.08333333333333333,  // b_1 = 1/12
-        0.4166666666666667,   // b_2 = 5/12
-        0.4166666666666667,   // b_3 = 5/12
-        0.08333333333333333,  // b_4 = 1/12
+    // rounded(...) is the number of its comment as float, double, long double or __float128: the
+    // one that Scalar is.
+    static constexpr auto& rounded = hvi::detail::rounded<Scalar>;
+
+    static constexpr Scalar b[4] = {
+        // b_1 = 1/12
+        rounded(0.083333336f, 0.08333333333333333, 0x1.558p-58, 0x1.5555555555555p-58, 0x1.5p-112),
+        // b_2 = 5/12
+        rounded(0.41666666f, 0.4166666666666667, -0x1.558p-56, -0x1.5555555555555p-56, -0x1.5p-110),
+        // b_3 = 5/12
+        rounded(0.41666666f, 0.4166666666666667, -0x1.558p-56, -0x1.5555555555555p-56, -0x1.5p-110),
+        // b_4 = 1/12
+        rounded(0.083333336f, 0.08333333333333333, 0x1.558p-58, 0x1.5555555555555p-58, 0x1.5p-112),
     };
 
     // m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.
-    static constexpr double m[4][4] = {
+    static constexpr Scalar m[4][4] = {
         {
-            0.0,  // m_1,1 = 0
-            0.0,  // m_1,2 = 0
-            0.0,  // m_1,3 = 0
-            0.0,  // m_1,4 = 0
+            Scalar(0.0),  // m_1,1 = 0
+            Scalar(0.0),  // m_1,2 = 0
+            Scalar(0.0),  // m_1,3 = 0
+            Scalar(0.0),  // m_1,4 = 0
         },
         {
-            1.323606797749979,     // m_2,1 = 11/10+sqrt(5)/10
-            0.4552786404500042,    // m_2,2 = 1/2-sqrt(5)/50
-            -0.08137767414994523,  // m_2,3 = 1/2-13*sqrt(5)/50
-            0.12360679774997896,   // m_2,4 = sqrt(5)/10-1/10
+            // m_2,1 = 11/10+sqrt(5)/10
+            rounded(1.3236068f, 1.323606797749979, -0x1.fep-55, -0x1.fdce09ecc329ep-55, -0x1p-108),
+            // m_2,2 = 1/2-sqrt(5)/50
+            rounded(0.45527864f, 0.4552786404500042, -0x1.fp-58, -0x1.ef08420a4cdbap-58,
+                -0x1.8p-111),
+            // m_2,3 = 1/2-13*sqrt(5)/50
+            rounded(-0.081377625f, -0.08137767414994523, -0x1.92p-54, -0x1.9236b5a85e727p-54,
+                -0x1.6p-107),
+            // m_2,4 = sqrt(5)/10-1/10
+            rounded(0.1236068f, 0.12360679774997896, 0x1.a2p-57, 0x1.a26171e68cf1fp-57, 0x1.2p-110),
         },
         {
-            0.876393202250021,   // m_3,1 = 11/10-sqrt(5)/10
-            1.0813776741499452,  // m_3,2 = 1/2+13*sqrt(5)/50
-            0.5447213595499958,  // m_3,3 = 1/2+sqrt(5)/50
-            -0.323606797749979,  // m_3,4 = -1/10-sqrt(5)/10
+            // m_3,1 = 11/10-sqrt(5)/10
+            rounded(0.8763932f, 0.876393202250021, -0x1.a2p-57, -0x1.a26171e68cf1fp-57,
+                -0x1.2p-110),
+            // m_3,2 = 1/2+13*sqrt(5)/50
+            rounded(1.0813776f, 1.0813776741499452, 0x1.92p-54, 0x1.9236b5a85e727p-54, 0x1.6p-107),
+            // m_3,3 = 1/2+sqrt(5)/50
+            rounded(0.54472136f, 0.5447213595499958, 0x1.fp-58, 0x1.ef08420a4cdbap-58, 0x1.8p-111),
+            // m_3,4 = -1/10-sqrt(5)/10
+            rounded(-0.32360685f, -0.323606797749979, 0x1.fep-55, 0x1.fdce09ecc329ep-55, 0x1p-108),
         },
         {
-            1.0,  // m_4,1 = 1
-            1.0,  // m_4,2 = 1
-            1.0,  // m_4,3 = 1
-            1.0,  // m_4,4 = 1
+            Scalar(1.0),  // m_4,1 = 1
+            Scalar(1.0),  // m_4,2 = 1
+            Scalar(1.0),  // m_4,3 = 1
+            Scalar(1.0),  // m_4,4 = 1
         },
     };
-    static constexpr double mt[4][4] = {
+    static constexpr Scalar mt[4][4] = {
         {
-            1.0,                  // mt_1,1 = 1
-            -0.323606797749979,   // mt_1,2 = -1/10-sqrt(5)/10
-            0.12360679774997896,  // mt_1,3 = sqrt(5)/10-1/10
-            0.0,                  // mt_1,4 = 0
+            Scalar(1.0),  // mt_1,1 = 1
+            // mt_1,2 = -1/10-sqrt(5)/10
+            rounded(-0.32360685f, -0.323606797749979, 0x1.fep-55, 0x1.fdce09ecc329ep-55, 0x1p-108),
+            // mt_1,3 = sqrt(5)/10-1/10
+            rounded(0.1236068f, 0.12360679774997896, 0x1.a2p-57, 0x1.a26171e68cf1fp-57, 0x1.2p-110),
+            Scalar(0.0),  // mt_1,4 = 0
         },
         {
-            1.0,                   // mt_2,1 = 1
-            0.5447213595499958,    // mt_2,2 = 1/2+sqrt(5)/50
-            -0.08137767414994523,  // mt_2,3 = 1/2-13*sqrt(5)/50
-            0.0,                   // mt_2,4 = 0
+            Scalar(1.0),  // mt_2,1 = 1
+            // mt_2,2 = 1/2+sqrt(5)/50
+            rounded(0.54472136f, 0.5447213595499958, 0x1.fp-58, 0x1.ef08420a4cdbap-58, 0x1.8p-111),
+            // mt_2,3 = 1/2-13*sqrt(5)/50
+            rounded(-0.081377625f, -0.08137767414994523, -0x1.92p-54, -0x1.9236b5a85e727p-54,
+                -0x1.6p-107),
+            Scalar(0.0),  // mt_2,4 = 0
         },
         {
-            1.0,                 // mt_3,1 = 1
-            1.0813776741499452,  // mt_3,2 = 1/2+13*sqrt(5)/50
-            0.4552786404500042,  // mt_3,3 = 1/2-sqrt(5)/50
-            0.0,                 // mt_3,4 = 0
+            Scalar(1.0),  // mt_3,1 = 1
+            // mt_3,2 = 1/2+13*sqrt(5)/50
+            rounded(1.0813776f, 1.0813776741499452, 0x1.92p-54, 0x1.9236b5a85e727p-54, 0x1.6p-107),
+            // mt_3,3 = 1/2-sqrt(5)/50
+            rounded(0.45527864f, 0.4552786404500042, -0x1.fp-58, -0x1.ef08420a4cdbap-58,
+                -0x1.8p-111),
+            Scalar(0.0),  // mt_3,4 = 0
         },
         {
-            1.0,                // mt_4,1 = 1
-            0.876393202250021,  // mt_4,2 = 11/10-sqrt(5)/10
-            1.323606797749979,  // mt_4,3 = 11/10+sqrt(5)/10
-            0.0,                // mt_4,4 = 0
+            Scalar(1.0),  // mt_4,1 = 1
+            // mt_4,2 = 11/10-sqrt(5)/10
+            rounded(0.8763932f, 0.876393202250021, -0x1.a2p-57, -0x1.a26171e68cf1fp-57,
+                -0x1.2p-110),
+            // mt_4,3 = 11/10+sqrt(5)/10
+            rounded(1.3236068f, 1.323606797749979, -0x1.fep-55, -0x1.fdce09ecc329ep-55, -0x1p-108),
+            Scalar(0.0),  // mt_4,4 = 0
         },
     };
     static_assert(hvi::detail::complementary(m, mt), "the method is symplectic");
 
     // Slopes of the next step are about N times those of this one.
-    static constexpr double N[4][4] = {
+    static constexpr Scalar N[4][4] = {
         {
-            0.0,  // N_1,1 = 0
-            0.0,  // N_1,2 = 0
-            0.0,  // N_1,3 = 0
-            1.0,  // N_1,4 = 1
+            Scalar(0.0),  // N_1,1 = 0
+            Scalar(0.0),  // N_1,2 = 0
+            Scalar(0.0),  // N_1,3 = 0
+            Scalar(1.0),  // N_1,4 = 1
         },
         {
-            -3.8196601125010514,  // N_2,1 = 5*sqrt(5)-15
-            2.1803398874989486,   // N_2,2 = 5*sqrt(5)-9
-            -3.9442719099991588,  // N_2,3 = 5-4*sqrt(5)
-            17.639320225002102,   // N_2,4 = 40-10*sqrt(5)
+            // N_2,1 = 5*sqrt(5)-15
+            rounded(-3.8196602f, -3.8196601125010514, -0x1.c9p-54, -0x1.c91ef81f0f17ap-54,
+                -0x1.bp-107),
+            // N_2,2 = 5*sqrt(5)-9
+            rounded(2.1803398f, 2.1803398874989486, -0x1.c9p-54, -0x1.c91ef81f0f17ap-54,
+                -0x1.bp-107),
+            // N_2,3 = 5-4*sqrt(5)
+            rounded(-3.9442718f, -3.9442719099991588, -0x1.6p-57, -0x1.5f39cc0605cedp-57,
+                -0x1.8p-110),
+            // N_2,4 = 40-10*sqrt(5)
+            rounded(17.63932f, 17.639320225002102, 0x1.39p-50, 0x1.3923df03e1e2fp-50, 0x1.7p-104),
         },
         {
-            -26.18033988749895,  // N_3,1 = -15-5*sqrt(5)
-            13.94427190999916,   // N_3,2 = 5+4*sqrt(5)
-            -20.18033988749895,  // N_3,3 = -9-5*sqrt(5)
-            62.3606797749979,    // N_3,4 = 40+10*sqrt(5)
+            // N_3,1 = -15-5*sqrt(5)
+            rounded(-26.18034f, -26.18033988749895, 0x1.39p-51, 0x1.3923df03e1e2fp-51, 0x1.6p-105),
+            // N_3,2 = 5+4*sqrt(5)
+            rounded(13.944272f, 13.94427190999916, -0x1.f5p-52, -0x1.f506319fcfd18p-52,
+                -0x1.2p-105),
+            // N_3,3 = -9-5*sqrt(5)
+            rounded(-20.18034f, -20.18033988749895, 0x1.39p-51, 0x1.3923df03e1e2fp-51, 0x1.6p-105),
+            // N_3,4 = 40+10*sqrt(5)
+            rounded(62.36068f, 62.3606797749979, -0x1.39p-50, -0x1.3923df03e1e2fp-50, -0x1.6p-104),
         },
         {
-            -11.0,               // N_4,1 = -11
-            5.708203932499369,   // N_4,2 = 3*sqrt(5)-1
-            -7.708203932499369,  // N_4,3 = -1-3*sqrt(5)
-            22.0,                // N_4,4 = 22
+            Scalar(-11.0),  // N_4,1 = -11
+            // N_4,2 = 3*sqrt(5)-1
+            rounded(5.708204f, 5.708203932499369, -0x1.78p-52, -0x1.77c4a537dbdd2p-52, -0x1.bp-106),
+            // N_4,3 = -1-3*sqrt(5)
+            rounded(-7.708204f, -7.708203932499369, 0x1.78p-52, 0x1.77c4a537dbdd2p-52, 0x1.bp-106),
+            Scalar(22.0),   // N_4,4 = 22
         },
     };
 
@@ -216,14 +264,14 @@ private:
     void predict() {
         if (s_.h == s_.h_before) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
-                const double Lq_1 = s_.Lq[0][k];
-                const double Lq_2 = s_.Lq[1][k];
-                const double Lq_3 = s_.Lq[2][k];
-                const double Lq_4 = s_.Lq[3][k];
-                const double Lp_1 = s_.Lp[0][k];
-                const double Lp_2 = s_.Lp[1][k];
-                const double Lp_3 = s_.Lp[2][k];
-                const double Lp_4 = s_.Lp[3][k];
+                const Scalar Lq_1 = s_.Lq[0][k];
+                const Scalar Lq_2 = s_.Lq[1][k];
+                const Scalar Lq_3 = s_.Lq[2][k];
+                const Scalar Lq_4 = s_.Lq[3][k];
+                const Scalar Lp_1 = s_.Lp[0][k];
+                const Scalar Lp_2 = s_.Lp[1][k];
+                const Scalar Lp_3 = s_.Lp[2][k];
+                const Scalar Lp_4 = s_.Lp[3][k];
                 s_.Lq[0][k] = N[0][0] * Lq_1 + N[0][1] * Lq_2 + N[0][2] * Lq_3 + N[0][3] * Lq_4;
                 s_.Lq[1][k] = N[1][0] * Lq_1 + N[1][1] * Lq_2 + N[1][2] * Lq_3 + N[1][3] * Lq_4;
                 s_.Lq[2][k] = N[2][0] * Lq_1 + N[2][1] * Lq_2 + N[2][2] * Lq_3 + N[2][3] * Lq_4;
@@ -237,16 +285,16 @@ private:
         auto&& slope = hvi::detail::scratch(s_.slope);
         system_.dHdp(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lq[0][k] = s_.h * b[0] * slope[k];
-            s_.Lq[1][k] = s_.h * b[1] * slope[k];
-            s_.Lq[2][k] = s_.h * b[2] * slope[k];
-            s_.Lq[3][k] = s_.h * b[3] * slope[k];
+            s_.Lq[0][k] = s_.hb_q[0] * slope[k];
+            s_.Lq[1][k] = s_.hb_q[1] * slope[k];
+            s_.Lq[2][k] = s_.hb_q[2] * slope[k];
+            s_.Lq[3][k] = s_.hb_q[3] * slope[k];
         }
         system_.dHdq(s_.at.q, s_.at.p, slope);
         for (Index k = 0; k < s_.at.q.size(); ++k) {
-            s_.Lp[0][k] = -s_.h * b[0] * slope[k];
-            s_.Lp[1][k] = -s_.h * b[1] * slope[k];
-            s_.Lp[2][k] = -s_.h * b[2] * slope[k];
+            s_.Lp[0][k] = -s_.hb_p[0] * slope[k];
+            s_.Lp[1][k] = -s_.hb_p[1] * slope[k];
+            s_.Lp[2][k] = -s_.hb_p[2] * slope[k];
         }
     }
 
@@ -260,26 +308,27 @@ private:
         static constexpr bool has_p = true;
         static constexpr std::array<std::size_t, 4> unknown_q{0, 1, 2, 3};
         static constexpr std::array<std::size_t, 3> unknown_p{0, 1, 2};
-        static constexpr double coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
-        static constexpr double coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
-        static constexpr double weight_q(std::size_t j) { return b[j]; }
-        static constexpr double weight_p(std::size_t i) { return b[i]; }
+        static constexpr Scalar coefficient_q(std::size_t i, std::size_t j) { return m[i][j]; }
+        static constexpr Scalar coefficient_p(std::size_t j, std::size_t i) { return mt[j][i]; }
+        static constexpr Scalar weight_q(std::size_t j) { return b[j]; }
+        static constexpr Scalar weight_p(std::size_t i) { return b[i]; }
 
         /// (4.18d): P_j = p + (e_p + sum_i mt_ji Lp_i).
         void momenta() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double p = s.at.p[k];
-                const double e_p = s.remainder.p[k];
-                const double P_1 = p + (e_p + (s.Lp[0][k] + mt[0][1] * s.Lp[1][k]
+                const Scalar p = s.at.p[k];
+                const Scalar e_p = s.remainder.p[k];
+                const Scalar P_1 = p + (e_p + (s.Lp[0][k] + mt[0][1] * s.Lp[1][k]
                     + mt[0][2] * s.Lp[2][k]));
-                const double P_2 = p + (e_p + (s.Lp[0][k] + mt[1][1] * s.Lp[1][k]
+                const Scalar P_2 = p + (e_p + (s.Lp[0][k] + mt[1][1] * s.Lp[1][k]
                     + mt[1][2] * s.Lp[2][k]));
-                const double P_3 = p + (e_p + (s.Lp[0][k] + mt[2][1] * s.Lp[1][k]
+                const Scalar P_3 = p + (e_p + (s.Lp[0][k] + mt[2][1] * s.Lp[1][k]
                     + mt[2][2] * s.Lp[2][k]));
-                const double P_4 = p + (e_p + (s.Lp[0][k] + mt[3][1] * s.Lp[1][k]
+                const Scalar P_4 = p + (e_p + (s.Lp[0][k] + mt[3][1] * s.Lp[1][k]
                     + mt[3][2] * s.Lp[2][k]));
-                s.change.p[k] = std::abs(P_1 - s.P[0][k]) + std::abs(P_2 - s.P[1][k]) + std::abs(P_3
-                    - s.P[2][k]) + std::abs(P_4 - s.P[3][k]);
+                s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]) + hvi::detail::abs(P_2
+                    - s.P[1][k]) + hvi::detail::abs(P_3 - s.P[2][k]) + hvi::detail::abs(P_4
+                    - s.P[3][k]);
                 s.P[0][k] = P_1;
                 s.P[1][k] = P_2;
                 s.P[2][k] = P_3;
@@ -292,34 +341,34 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdp(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.h * b[0] * slope[k];
+                s.Lq[0][k] = s.hb_q[0] * slope[k];
             }
             system.dHdp(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.h * b[1] * slope[k];
+                s.Lq[1][k] = s.hb_q[1] * slope[k];
             }
             system.dHdp(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[2][k] = s.h * b[2] * slope[k];
+                s.Lq[2][k] = s.hb_q[2] * slope[k];
             }
             system.dHdp(s.Q[3], s.P[3], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[3][k] = s.h * b[3] * slope[k];
+                s.Lq[3][k] = s.hb_q[3] * slope[k];
             }
         }
 
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                const double q = s.at.q[k];
-                const double e_q = s.remainder.q[k];
-                const double Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
                     + m[1][2] * s.Lq[2][k] + m[1][3] * s.Lq[3][k]));
-                const double Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
+                const Scalar Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
                     + m[2][2] * s.Lq[2][k] + m[2][3] * s.Lq[3][k]));
-                const double Q_4 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k] + s.Lq[3][k]));
-                s.change.q[k] = std::abs(Q_2 - s.Q[1][k]) + std::abs(Q_3 - s.Q[2][k]) + std::abs(Q_4
-                    - s.Q[3][k]);
+                const Scalar Q_4 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k] + s.Lq[3][k]));
+                s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]) + hvi::detail::abs(Q_3
+                    - s.Q[2][k]) + hvi::detail::abs(Q_4 - s.Q[3][k]);
                 s.Q[1][k] = Q_2;
                 s.Q[2][k] = Q_3;
                 s.Q[3][k] = Q_4;
@@ -331,30 +380,32 @@ private:
             auto&& slope = hvi::detail::scratch(s.slope);
             system.dHdq(s.Q[0], s.P[0], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[0][k] = -s.h * b[0] * slope[k];
+                s.Lp[0][k] = -s.hb_p[0] * slope[k];
             }
             system.dHdq(s.Q[1], s.P[1], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[1][k] = -s.h * b[1] * slope[k];
+                s.Lp[1][k] = -s.hb_p[1] * slope[k];
             }
             system.dHdq(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lp[2][k] = -s.h * b[2] * slope[k];
+                s.Lp[2][k] = -s.hb_p[2] * slope[k];
             }
         }
 
         /// What the rounding of component k of Q is to be compared with.
-        [[nodiscard]] double size_q([[maybe_unused]] Index k) const {
-            return std::abs(s.Q[1][k]) + std::abs(s.Q[2][k]) + std::abs(s.Q[3][k])
-                + std::abs(s.Lq[0][k]) + std::abs(s.Lq[1][k]) + std::abs(s.Lq[2][k])
-                + std::abs(s.Lq[3][k]);
+        [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.Q[1][k]) + hvi::detail::abs(s.Q[2][k])
+                + hvi::detail::abs(s.Q[3][k]) + hvi::detail::abs(s.Lq[0][k])
+                + hvi::detail::abs(s.Lq[1][k]) + hvi::detail::abs(s.Lq[2][k])
+                + hvi::detail::abs(s.Lq[3][k]);
         }
 
         /// The same of P.
-        [[nodiscard]] double size_p([[maybe_unused]] Index k) const {
-            return std::abs(s.P[0][k]) + std::abs(s.P[1][k]) + std::abs(s.P[2][k])
-                + std::abs(s.P[3][k]) + std::abs(s.Lp[0][k]) + std::abs(s.Lp[1][k])
-                + std::abs(s.Lp[2][k]);
+        [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
+            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.P[1][k])
+                + hvi::detail::abs(s.P[2][k]) + hvi::detail::abs(s.P[3][k])
+                + hvi::detail::abs(s.Lp[0][k]) + hvi::detail::abs(s.Lp[1][k])
+                + hvi::detail::abs(s.Lp[2][k]);
         }
     };
 

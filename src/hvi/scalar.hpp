@@ -1,0 +1,67 @@
+// The numbers that a stepper computes in: float, double, long double, or __float128.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: needs the standard library alone; see state.hpp. Of __float128 the standard library knows
+// nothing under -std=c++17: what is needed stands here and in arithmetic.hpp, without libquadmath.
+#ifndef HVI_SCALAR_HPP
+#define HVI_SCALAR_HPP
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace hvi::detail {
+
+/// What a vector holds, std::array's or Eigen's or a user's own: what its operator[] refers to.
+template <class Vector>
+using ScalarOf = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>;
+
+/// Whether the standard library computes with it.
+template <class Scalar>
+inline constexpr bool is_standard =
+    std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double> ||
+    std::is_same_v<Scalar, long double>;
+
+/// The bits of the mantissa, the leading one included. They name the format, not the type does:
+/// long double is one of 53, 64, 113 bits or a pair of doubles, as the machine has it.
+template <class Scalar>
+[[nodiscard]] constexpr int count_bits() {
+    if constexpr (std::numeric_limits<Scalar>::is_specialized) {
+        return std::numeric_limits<Scalar>::digits;
+    } else {
+        int count = 0;
+        for (Scalar power = 1; (power + Scalar(1)) - power == Scalar(1); power += power) {
+            ++count;
+        }
+        return count;
+    }
+}
+
+/// Whether there are coefficients for it: a floating-point number of 24, 53, 64 or 113 bits.
+template <class Scalar>
+[[nodiscard]] constexpr bool is_supported() {
+    if constexpr (std::is_class_v<Scalar> || std::is_const_v<Scalar> ||
+                  std::numeric_limits<Scalar>::is_integer) {
+        return false;
+    } else {
+        constexpr int bits = count_bits<Scalar>();
+        return bits == 24 || bits == 53 || bits == 64 || bits == 113;
+    }
+}
+
+template <class Scalar>
+inline constexpr int bits = count_bits<Scalar>();
+
+template <class Scalar>
+[[nodiscard]] inline bool is_finite(Scalar x) {
+    if constexpr (is_standard<Scalar>) {
+        return std::isfinite(x);
+    } else {
+        return x - x == 0;
+    }
+}
+
+}  // namespace hvi::detail
+
+#endif  // HVI_SCALAR_HPP
