@@ -199,6 +199,23 @@ bool append_exact_roots(NumberVector& roots, IntegerPolynomial& factor, const Gr
 
 }  // namespace
 
+std::vector<IrreducibleFactor> irreducible_factors(const RationalPolynomial& polynomial) {
+    HVI_CHECK(polynomial.degree() >= 0);
+    IntegerPolynomial integral;
+    fmpq_poly_get_numerator(integral.get(), polynomial.get());
+    fmpz_poly_factor_t factors;
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor(factors, integral.get());
+    std::vector<IrreducibleFactor> result(static_cast<std::size_t>(factors->num));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        fmpq_poly_set_fmpz_poly(result[i].polynomial.get(), factors->p + i);
+        fmpq_poly_make_monic(result[i].polynomial.get(), result[i].polynomial.get());
+        result[i].multiplicity = static_cast<unsigned>(factors->exp[i]);
+    }
+    fmpz_poly_factor_clear(factors);
+    return result;
+}
+
 NumberVector real_roots(const RationalPolynomial& polynomial, const Ground& ground) {
     HVI_CHECK(polynomial.degree() >= 0);
     IntegerPolynomial integral;

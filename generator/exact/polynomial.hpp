@@ -63,6 +63,17 @@ private:
 /// weights: G_s of (4.20), the polynomial part of x^s exp(-s (1/(2*3 x^2) + 1/(4*5 x^4) + ...)).
 [[nodiscard]] RationalPolynomial chebyshev_equal_weights(unsigned degree);
 
+/// A monic irreducible factor over Q, and how often it divides.
+struct IrreducibleFactor {
+    RationalPolynomial polynomial;
+    unsigned multiplicity = 1;
+};
+
+/// The monic irreducible factors, in FLINT's order, which does not change from run to run.
+/// Precondition: not zero.
+[[nodiscard]] std::vector<IrreducibleFactor>
+irreducible_factors(const RationalPolynomial& polynomial);
+
 /// All real roots, each once, ascending. Exact for factors of degree 1, 2, and 4 where shifting the
 /// variable makes them polynomials in its square; otherwise enclosed by isolating balls.
 /// Precondition: not zero.
