@@ -53,7 +53,9 @@ Rows item_rows(std::span<const FamilyEntry> families, std::span<const FormEntry>
 }
 
 std::string bases() {
-    return table("Basis functions: --basis", item_rows(basis_families(), basis_forms()));
+    return table("Basis functions: --basis", item_rows(basis_families(), basis_forms())) +
+           "The largest i of a degree k tells the knots: i+1 B-splines on i+1-k intervals\n"
+           "of [0, 1] of equal length; their sum is 1. Any other function of tau: as text.\n";
 }
 
 std::string nodes() { return table("Nodes: --nodes", item_rows(node_families(), node_forms())); }

@@ -2,6 +2,7 @@
 #include "generator/exact/basis.hpp"
 
 #include "generator/exact/evaluate.hpp"
+#include "generator/exact/spline.hpp"
 
 namespace hvi::gen {
 
@@ -26,18 +27,22 @@ Expression trigonometric(long index) {
 
 }  // namespace
 
-std::vector<BasisFunction> basis_functions(const List& list, const Ground& ground) {
+std::vector<BasisFunction> basis_functions(const List& list, const std::vector<Number>& nodes,
+                                           const Ground& ground) {
+    const Setting setting{domain_of(nodes), spline_counts(list)};
     std::vector<BasisFunction> result;
+    const auto append = [&](const Expression& form, const Item& item) {
+        result.push_back(
+            {form, evaluate_function(form, list.source, ground, setting), list.place(item.range)});
+    };
     for (const Item& item : list.items) {
         if (const Family* family = std::get_if<Family>(&item.what)) {
             HVI_CHECK(family->name == "monomials" || family->name == "trig");
             for (long i = 0; i < family->size; ++i) {
-                const Expression form = family->name == "trig" ? trigonometric(i) : monomial(i);
-                result.push_back({form, evaluate_function(form, list.source, ground)});
+                append(family->name == "trig" ? trigonometric(i) : monomial(i), item);
             }
         } else {
-            const Expression& form = std::get<Expression>(item.what);
-            result.push_back({form, evaluate_function(form, list.source, ground)});
+            append(std::get<Expression>(item.what), item);
         }
     }
     return result;

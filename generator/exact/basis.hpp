@@ -12,9 +12,11 @@ namespace hvi::gen {
 struct BasisFunction {
     Expression form;  ///< as the user wrote it
     ExactFunction function;
+    Place place;
 };
 
-/// Throws as evaluate_function does.
-[[nodiscard]] std::vector<BasisFunction> basis_functions(const List& list, const Ground& ground);
+/// The functions for a method with these nodes. Throws as evaluate_function does.
+[[nodiscard]] std::vector<BasisFunction>
+basis_functions(const List& list, const std::vector<Number>& nodes, const Ground& ground);
 
 }  // namespace hvi::gen

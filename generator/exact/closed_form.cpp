@@ -29,16 +29,61 @@ struct Fraction {
     std::vector<Term> denominator;
 };
 
-bool before(const Term& left, const Term& right) {
-    const auto degree = [](const Term& term) {
-        int sum = 0;
-        for (const int power : term.powers) sum += power;
-        return sum;
-    };
-    const auto key = [&](const Term& term) { return std::tuple(degree(term), term.powers); };
-    if (key(left) != key(right)) return key(left) > key(right);
-    return left.monomial < right.monomial;
-}
+/// Sorts terms: by degree, then by their powers of the generators, pi and parameters first, in the
+/// order of the generators' texts. NOTE: not in that in which a derivation met them, and
+/// exponentials do not count in the degree, since exp(1/2) may be the third power of exp(1/6): so
+/// that one number has one text.
+class TermOrder {
+public:
+    explicit TermOrder(const Field* field) : field_(field) {
+        if (field == nullptr) { return; }
+        std::map<std::tuple<bool, std::string>, std::size_t> transcendentals;
+        for (std::size_t i = 0; i < field->transcendentals().size(); ++i) {
+            const Expression& form = field->transcendentals()[i].form;
+            transcendentals.emplace(
+                std::tuple(form.kind != Expression::Kind::symbol, to_text(form)), i);
+        }
+        for (const auto& [key, index] : transcendentals) { transcendentals_.push_back(index); }
+        std::map<std::tuple<Algebraic::Kind, std::size_t, std::string>, std::size_t> algebraics;
+        for (std::size_t i = 0; i < field->algebraic_count(); ++i) {
+            const std::string text = to_text(field->algebraic(i).form);
+            algebraics.emplace(std::tuple(field->algebraic(i).kind, text.size(), text), i);
+        }
+        for (const auto& [key, index] : algebraics) { algebraics_.push_back(index); }
+    }
+
+    void sort(std::vector<Term>& terms) const {
+        std::vector<std::pair<Key, Term>> keyed;
+        for (Term& term : terms) {
+            Key key = key_of(term);
+            keyed.emplace_back(std::move(key), std::move(term));
+        }
+        std::sort(keyed.begin(), keyed.end(),
+                  [](const auto& left, const auto& right) { return left.first < right.first; });
+        terms.clear();
+        for (auto& [key, term] : keyed) { terms.push_back(std::move(term)); }
+    }
+
+private:
+    using Key = std::tuple<int, std::vector<int>, std::vector<unsigned>>;
+
+    [[nodiscard]] Key key_of(const Term& term) const {
+        int degree = 0;
+        std::vector<int> powers;
+        for (const std::size_t i : transcendentals_) {
+            if (!field_->transcendentals()[i].exponent) { degree -= term.powers[i]; }
+            powers.push_back(-term.powers[i]);
+        }
+        std::vector<unsigned> monomial;
+        for (const std::size_t i : algebraics_) {
+            monomial.push_back(i < term.monomial.size() ? term.monomial[i] : 0);
+        }
+        return {degree, powers, monomial};
+    }
+
+    const Field* field_;
+    std::vector<std::size_t> transcendentals_, algebraics_;
+};
 
 /// Precondition: the denominator is 1.
 void append_polynomial(std::vector<Term>& terms, const RationalFunction& polynomial,
@@ -90,8 +135,9 @@ Fraction fraction(const Element& argument) {
             result.numerator = with_multiple_angles(result.numerator, i);
         }
     }
-    std::sort(result.numerator.begin(), result.numerator.end(), before);
-    std::sort(result.denominator.begin(), result.denominator.end(), before);
+    const TermOrder order(argument.field());
+    order.sort(result.numerator);
+    order.sort(result.denominator);
 
     numeric divisor = 0;
     numeric multiple = 1;

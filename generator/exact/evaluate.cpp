@@ -3,9 +3,11 @@
 
 #include <cmath>
 
+#include "generator/exact/compose.hpp"
 #include "generator/exact/integers.hpp"
 #include "generator/exact/number_value.hpp"
-#include "generator/exact/zero.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/exact/spline.hpp"
 
 namespace hvi::gen {
 
@@ -17,6 +19,7 @@ using Kind = Expression::Kind;
 constexpr long most_exponent = 1000;
 constexpr double most_digits = 10000;
 constexpr double most_terms = 10000;
+constexpr double most_terms_of_number = 1e6;
 
 /// How many terms it takes to write a number; one that is known by its enclosures counts as one.
 double written_terms(const Number& number) {
@@ -45,12 +48,31 @@ double digits_in(const Number& number) {
 
 class Evaluator {
 public:
-    Evaluator(const std::shared_ptr<const Source>& source, const Ground& ground)
-        : source_(source), ground_(ground) {}
+    Evaluator(const std::shared_ptr<const Source>& source, const Ground& ground,
+              const Setting& setting)
+        : source_(source),
+          ground_(ground),
+          setting_(setting),
+          composition_(setting.domain, ground) {}
 
+    ExactFunction whole(const Expression& expression) const {
+        return placed(expression, [&] {
+            ExactFunction result = evaluate(expression);
+            composition_.check_integrable(result);
+            return result;
+        });
+    }
+
+private:
     ExactFunction evaluate(const Expression& expression) const {
+        return placed(expression, [&] { return value(expression); });
+    }
+
+    /// What `work` returns; its errors get the place of the expression when they have none.
+    template <class Work>
+    ExactFunction placed(const Expression& expression, Work work) const {
         try {
-            return value(expression);
+            return work();
         } catch (const MathError& error) {
             if (error.place()) throw;
             throw MathError(error.what(), place(expression), error.help());
@@ -60,7 +82,6 @@ public:
         }
     }
 
-private:
     [[nodiscard]] Place place(const Expression& expression) const {
         return {source_, expression.range};
     }
@@ -98,7 +119,9 @@ private:
         ExactFunction result{Number(1)};
         for (const Expression& factor : expression.arguments) {
             const ExactFunction next = evaluate(factor);
-            if (written_terms(result) * written_terms(next) > most_terms) refuse_size(expression);
+            const bool is_number = result.constant() && next.constant();
+            const double most = is_number ? most_terms_of_number : most_terms;
+            if (written_terms(result) * written_terms(next) > most) refuse_size(expression);
             result = result * next;
             if (const auto number = result.constant()) {
                 if (digits_in(*number) > most_digits) refuse_size(expression);
@@ -111,65 +134,40 @@ private:
         throw InputError("this is larger than any method needs", place(expression));
     }
 
-    [[noreturn]] void refuse_class(const Expression& expression) const {
-        throw InputError("functions of this kind are not built yet", place(expression),
-                         "sums and products of powers of tau, and of exp, sin, cos of a*tau + b, "
-                         "are integrated exactly");
-    }
-
-    /// A function with a zero in [0, 1] is no divisor.
-    void refuse_zero(const ExactFunction& divisor, const Expression& expression) const {
-        for (const ExactTerm& term : divisor.terms()) {
-            if (term.coefficient.has_parameters() || term.rate.has_parameters() ||
-                term.frequency.has_parameters()) {
-                return;
-            }
-        }
-        const auto zero = zero_in_unit_interval(divisor, ground_);
-        if (!zero) { return; }
-        throw MathError(
-            "the function is not defined on all of [0, 1]: this divisor is 0 at tau = " + *zero,
-            place(expression), "a basis function must be integrable on [0, 1]");
-    }
-
     ExactFunction reciprocal(const Expression& argument) const {
         const ExactFunction divisor = evaluate(argument);
         if (const auto number = divisor.constant()) {
             if (number->is_zero()) throw InputError("division by zero", place(argument));
             return ExactFunction(Number(1) / *number);
         }
-        const auto& terms = divisor.terms();
-        const bool is_exponential = terms.size() == 1 && terms.front().power == 0 &&
-                                    terms.front().wave == ExactTerm::Wave::none;
-        if (!is_exponential) {
-            refuse_zero(divisor, argument);
-            refuse_class(argument);
-        }
-        return ExactFunction(Number(1) / terms.front().coefficient) *
-               ExactFunction::exponential(-terms.front().rate);
+        return placed(argument, [&] { return composition_.reciprocal(divisor); });
     }
 
     ExactFunction raised(const Expression& expression) const {
         const Expression& base = expression.arguments[0];
         const auto exponent = evaluate(expression.arguments[1]);
-        if (base.kind == Kind::symbol && base.name == "e") return exponential(exponent, expression);
+        if (base.kind == Kind::symbol && base.name == "e")
+            return composition_.call("exp", exponent);
         const auto number = exponent.constant();
-        const Element* const element = number ? number->value().element() : nullptr;
-        if (element == nullptr || !element->is_rational()) {
+        if (!number || !rational_text(*number)) {
             throw InputError("this exponent is no rational number", place(expression.arguments[1]),
                              "write exp(x*log(a)) for a^x");
         }
-        const GiNaC::numeric rational = element->rational();
-        if (GiNaC::abs(rational) > most_exponent) refuse_size(expression);
-        if (rational.denom().is_equal(2)) {
-            return ExactFunction(ground_.sqrt(constant(base))) *
-                   integer_power(base, ((rational.numer() - 1) / 2).to_long(), expression);
+        const auto fraction = small_ratio(*number);
+        const bool fits = fraction &&
+                          std::abs(fraction->above) <= most_exponent * fraction->below &&
+                          fraction->below <= most_exponent;
+        if (!fits) refuse_size(expression);
+        if (fraction->is_integer()) return integer_power(base, fraction->above, expression);
+        // NOTE: the whole part of an exponent is multiplied out, as long as it is not large.
+        const long whole = fraction->floor();
+        const ExactFunction inner = evaluate(base);
+        if (whole > 0 && inner.constant()) {
+            return composition_.root(inner,
+                                     {fraction->above - whole * fraction->below, fraction->below}) *
+                   integer_power(base, whole, expression);
         }
-        if (!rational.is_integer()) {
-            throw InputError("roots other than square roots are not built yet",
-                             place(expression.arguments[1]));
-        }
-        return integer_power(base, rational.to_long(), expression);
+        return composition_.root(inner, *fraction);
     }
 
     ExactFunction integer_power(const Expression& base, long exponent,
@@ -195,85 +193,44 @@ private:
         return result;
     }
 
-    /// The value of an argument that must not depend on tau.
-    Number constant(const Expression& expression) const {
-        const auto number = evaluate(expression).constant();
-        if (!number) refuse_class(expression);
-        return *number;
-    }
-
-    /// slope*tau + offset.
-    struct Affine {
-        Number slope, offset;
-    };
-    Affine affine(const ExactFunction& function, const Expression& expression) const {
-        Affine result;
-        for (const ExactTerm& term : function.terms()) {
-            const bool fits =
-                term.power <= 1 && term.rate.is_zero() && term.wave == ExactTerm::Wave::none;
-            if (!fits) refuse_class(expression);
-            (term.power == 1 ? result.slope : result.offset) = term.coefficient;
-        }
-        return result;
-    }
-
-    ExactFunction exponential(const ExactFunction& argument, const Expression& expression) const {
-        const Affine line = affine(argument, expression);
-        return ExactFunction(ground_.exp(line.offset)) * ExactFunction::exponential(line.slope);
-    }
-
-    ExactFunction cosine(const Affine& line) const {
-        return ExactFunction(ground_.cos(line.offset)) * ExactFunction::cosine(line.slope) +
-               ExactFunction(-ground_.sin(line.offset)) * ExactFunction::sine(line.slope);
-    }
-
-    ExactFunction sine(const Affine& line) const {
-        return ExactFunction(ground_.sin(line.offset)) * ExactFunction::cosine(line.slope) +
-               ExactFunction(ground_.cos(line.offset)) * ExactFunction::sine(line.slope);
-    }
-
     ExactFunction call(const Expression& expression) const {
-        const std::string& name = expression.name;
-        const Expression& argument = expression.arguments.front();
-        if (expression.arguments.size() == 1) {
-            if (name == "exp") return exponential(evaluate(argument), argument);
-            if (name == "cos") return cosine(affine(evaluate(argument), argument));
-            if (name == "sin") return sine(affine(evaluate(argument), argument));
-            if (name == "cosh" || name == "sinh") return hyperbolic(name == "cosh", argument);
-            if (name == "sqrt") return ExactFunction(ground_.sqrt(constant(argument)));
-            if (name == "log") return ExactFunction(ground_.log(constant(argument)));
-            if (name == "tan" || name == "tanh")
-                return ExactFunction(tangent(name == "tan", argument));
+        if (expression.name == "bspline") return spline(expression);
+        if (expression.arguments.size() != 1 || expression.name == "roots") {
+            throw InputError("`" + expression.name + "` cannot stand here", place(expression));
         }
-        throw InputError("`" + name + "` is not built yet here", place(expression));
+        const ExactFunction argument = evaluate(expression.arguments.front());
+        if (expression.name == "sqrt") return composition_.root(argument, {1, 2});
+        return composition_.call(expression.name, argument);
     }
 
-    ExactFunction hyperbolic(bool even, const Expression& argument) const {
-        const ExactFunction exponent = evaluate(argument);
-        const ExactFunction grows = exponential(exponent, argument);
-        const ExactFunction decays = exponential(ExactFunction(Number(-1)) * exponent, argument);
-        const Number half = Number(1) / Number(2);
-        return ExactFunction(half) * grows + ExactFunction(even ? half : -half) * decays;
-    }
-
-    Number tangent(bool circular, const Expression& argument) const {
-        const Number x = constant(argument);
-        const Number grows = circular ? Number(0) : ground_.exp(Number(2) * x);
-        const Number above = circular ? ground_.sin(x) : grows - Number(1);
-        const Number below = circular ? ground_.cos(x) : grows + Number(1);
-        if (below.is_zero()) throw InputError("division by zero", place(argument));
-        return above / below;
+    ExactFunction spline(const Expression& expression) const {
+        const SplineIndex which = spline_index(expression);
+        const auto count = setting_.splines.find(which.degree);
+        HVI_CHECK(count != setting_.splines.end() && which.index < count->second);
+        if (count->second <= which.degree) {
+            throw InputError("B-splines of degree " + std::to_string(which.degree) + " come as " +
+                                 std::to_string(which.degree + 1) +
+                                 " or more, and the largest index here is " +
+                                 std::to_string(count->second - 1),
+                             place(expression),
+                             "the largest index i of a degree k tells the knots: i+1 functions on "
+                             "i+1-k intervals of equal length");
+        }
+        return b_spline(which, count->second, ground_);
     }
 
     const std::shared_ptr<const Source>& source_;
     const Ground& ground_;
+    const Setting& setting_;
+    Composition composition_;
 };
 
 }  // namespace
 
 ExactFunction evaluate_function(const Expression& expression,
-                                const std::shared_ptr<const Source>& source, const Ground& ground) {
-    return Evaluator(source, ground).evaluate(expression);
+                                const std::shared_ptr<const Source>& source, const Ground& ground,
+                                const Setting& setting) {
+    return Evaluator(source, ground, setting).whole(expression);
 }
 
 Number evaluate_number(const Expression& expression, const std::shared_ptr<const Source>& source,

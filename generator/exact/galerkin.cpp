@@ -3,9 +3,12 @@
 
 #include "generator/exact/basis.hpp"
 #include "generator/exact/evaluate.hpp"
+#include "generator/exact/factor.hpp"
+#include "generator/exact/independence.hpp"
 #include "generator/exact/interpolation.hpp"
 #include "generator/exact/matrix.hpp"
 #include "generator/exact/nodes.hpp"
+#include "generator/exact/rational.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {
@@ -26,7 +29,7 @@ Ingredients ingredients(const Method& method, const Denominators& denominators) 
                              evaluate_number(parameter.value, parameter.place.source, ground));
     }
     Nodes nodes = quadrature_nodes(method.nodes, ground);
-    auto psi = basis_functions(method.basis, ground);
+    auto psi = basis_functions(method.basis, nodes.c, ground);
     return {std::move(ground), std::move(psi), std::move(nodes)};
 }
 
@@ -100,6 +103,21 @@ NumberMatrix in_terms(const std::vector<BasisFunction>& psi, const ExactFunction
     return rows;
 }
 
+bool has_independent_terms(const std::vector<BasisFunction>& psi) {
+    for (const BasisFunction& function : psi) {
+        for (const ExactTerm& term : function.function.terms()) {
+            if (term.factor != nullptr && !is_independent(*term.factor)) return false;
+        }
+    }
+    return true;
+}
+
+bool proved_independent_of_one(const std::vector<BasisFunction>& psi) {
+    std::vector<ExactFunction> functions{ExactFunction(Number(1))};
+    for (const BasisFunction& function : psi) functions.push_back(function.function);
+    return proved_independent(functions);
+}
+
 /// Section 4.4.3: the method is consistent when 1 is in the span of the basis.
 void check_constants(const Method& method, const std::vector<BasisFunction>& psi) {
     for (const BasisFunction& function : psi) {
@@ -109,6 +127,10 @@ void check_constants(const Method& method, const std::vector<BasisFunction>& psi
     // 1 is in the span when a combination of psi_1 .. psi_s, 1 vanishes that has 1 in it.
     const auto combination = left_null_vector(in_terms(psi, ExactFunction(Number(1))));
     if (combination && !combination->back().is_zero()) return;
+    if (!has_independent_terms(psi) && !proved_independent_of_one(psi)) {
+        throw MathError("cannot decide whether constants are in the span of the basis",
+                        whole(method.basis), "write the basis with the function 1 in it");
+    }
     throw MathError("constants are not in the span of the basis, so the method is not consistent",
                     whole(method.basis), "add the function 1");
 }
@@ -144,17 +166,74 @@ ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredie
                     whole(method.nodes), "choose other nodes, or other functions");
 }
 
-NumberVector scaled(const NumberVector& vector, const Number& factor) {
-    NumberVector result;
-    for (const Number& entry : vector) { result.push_back(entry * factor); }
-    return result;
+/// Numbers with free parameters have no enclosures, and so no sum with those that have nothing
+/// else: refused for what the tableau has so far.
+void check_parameters(const Tableau& tableau, const Method& method) {
+    bool parameters = false;
+    bool enclosed = false;
+    const auto look = [&](const NumberVector& numbers) {
+        for (const Number& number : numbers) {
+            parameters = parameters || number.has_parameters();
+            enclosed = enclosed || !is_exact(number);
+        }
+    };
+    look(tableau.c);
+    look(tableau.B);
+    for (const NumberMatrix* matrix : {&tableau.M, &tableau.A_psi}) {
+        for (const NumberVector& row : *matrix) look(row);
+    }
+    if (parameters && enclosed) {
+        throw InputError("a method with a free parameter and with numbers that have no closed form "
+                         "is not built yet",
+                         whole(method.basis), "give the parameter a value with --param");
+    }
+}
+
+/// What `work` returns for a basis function; its errors get the function's place, and `where()`.
+template <class Work, class Where>
+Number of_function(const BasisFunction& function, Where where, Work work) {
+    try {
+        return work();
+    } catch (const MathError& error) {
+        if (error.place()) throw;
+        throw MathError(error.what() + where(), function.place, error.help());
+    } catch (const InputError& error) {
+        if (error.place()) throw;
+        throw InputError(error.what() + where(), function.place, error.help());
+    }
+}
+
+std::string node_text(const NumberVector& nodes, std::size_t i) {
+    const auto form = nodes[i].closed_form();
+    return "node " + std::to_string(i + 1) +
+           ", c = " + (form ? to_text(*form) : nodes[i].decimal(16));
 }
 
 NumberVector integrals(const std::vector<BasisFunction>& functions, const Number& end,
                        const Ground& ground) {
+    const Progress::Stage stage("integrating the basis");
     NumberVector result;
     for (const BasisFunction& function : functions) {
-        result.push_back(function.function.integral(end, ground));
+        const auto nowhere = [] { return std::string(); };
+        result.push_back(of_function(function, nowhere,
+                                     [&] { return function.function.integral(end, ground); }));
+    }
+    return result;
+}
+
+/// M, row by row: psi_i(c_j).
+NumberMatrix values(const std::vector<BasisFunction>& functions, const NumberVector& nodes,
+                    const Ground& ground) {
+    const Progress::Stage stage("evaluating the basis at the nodes");
+    NumberMatrix result;
+    for (const BasisFunction& function : functions) {
+        NumberVector row;
+        for (std::size_t j = 0; j < nodes.size(); ++j) {
+            const auto where = [&] { return " at " + node_text(nodes, j); };
+            row.push_back(of_function(function, where,
+                                      [&] { return function.function.at(nodes[j], ground); }));
+        }
+        result.push_back(std::move(row));
     }
     return result;
 }
@@ -187,9 +266,7 @@ std::size_t degrees_beyond_interpolation(const Ingredients& given) {
 void check_weights(const Tableau& tableau, const Method& method) {
     for (std::size_t i = 0; i < tableau.stages(); ++i) {
         if (!tableau.b[i].is_zero()) continue;
-        const auto node = tableau.c[i].closed_form();
-        const std::string text = node ? to_text(*node) : tableau.c[i].decimal(16);
-        throw MathError("the weight of node " + std::to_string(i + 1) + ", c = " + text +
+        throw MathError("the weight of " + node_text(tableau.c, i) +
                             ", is zero, and step 5 divides by it",
                         whole(method.nodes),
                         "the general Galerkin form with chosen --weights, which is to come, can "
@@ -235,30 +312,26 @@ Tableau derive(const Method& method, const Ingredients& given) {
     tableau.origin = method.origin;
     tableau.parameters = ground.free_parameters();
     tableau.c = nodes.c;
-    for (const BasisFunction& function : psi) {
-        const Progress::Stage stage("evaluating the basis at the nodes");
-        tableau.basis.push_back(function.form);
-        NumberVector row;
-        for (const Number& node : nodes.c) row.push_back(function.function.at(node, ground));
-        tableau.M.push_back(std::move(row));
-    }
+    for (const BasisFunction& function : psi) tableau.basis.push_back(function.form);
+    tableau.M = values(psi, nodes.c, ground);
+    check_parameters(tableau, method);
     const auto known = interpolation(given);
     const ScaledInverse inverse =
         known ? ScaledInverse{known->M_inverse, Number(1)} : invert(tableau.M, method, given);
     const Number scale = Number(1) / inverse.determinant;
-    for (const NumberVector& row : inverse.adjugate) {
-        tableau.M_inverse.push_back(scaled(row, scale));
-    }
+    for (const NumberVector& row : inverse.adjugate) { tableau.M_inverse.push_back(row * scale); }
     check_constants(method, psi);
     tableau.B = integrals(psi, Number(1), ground);
-    tableau.b = known ? known->b : scaled(inverse.adjugate * tableau.B, scale);
-    check_weights(tableau, method);
     for (const Number& node : nodes.c) {
-        const Progress::Stage stage("integrating the basis");
-        tableau.A_psi.push_back(integrals(psi, node, ground));
         const bool is_end = (node - Number(1)).is_zero();
-        tableau.A.push_back(is_end ? tableau.b
-                                   : scaled(inverse.adjugate * tableau.A_psi.back(), scale));
+        tableau.A_psi.push_back(is_end ? tableau.B : integrals(psi, node, ground));
+    }
+    check_parameters(tableau, method);
+    tableau.b = known ? known->b : inverse.adjugate * tableau.B * scale;
+    check_weights(tableau, method);
+    for (const NumberVector& row : tableau.A_psi) {
+        const bool is_end = (nodes.c[tableau.A.size()] - Number(1)).is_zero();
+        tableau.A.push_back(is_end ? tableau.b : inverse.adjugate * row * scale);
     }
     complete_partner(tableau, given);
     return tableau;
@@ -292,7 +365,7 @@ Routes both_routes(const Method& method) {
         Routes routes{{tableau.b, tableau.A}, {}};
         std::vector<BasisFunction> phi;
         for (const NumberVector& row : tableau.M_inverse) {
-            phi.push_back({Expression(), combine(row, given.psi)});
+            phi.push_back({Expression(), combine(row, given.psi), whole(method.basis)});
         }
         routes.by_integration.b = integrals(phi, Number(1), given.ground);
         for (const Number& node : tableau.c) {

@@ -5,6 +5,7 @@
 #include <flint/fmpq_mat.h>
 
 #include "generator/exact/number_value.hpp"
+#include "generator/exact/rational.hpp"
 
 namespace hvi::gen {
 
@@ -97,7 +98,7 @@ RationalPolynomial weight(const std::vector<RationalPolynomial>& u,
 /// A root of P and its minimal polynomial.
 class Root {
 public:
-    Root(const Number& value, const std::vector<RationalPolynomial>& factors)
+    Root(const Number& value, const std::vector<IrreducibleFactor>& factors)
         : value_(value), minimal_(minimal_polynomial(value, factors)) {}
 
     /// The value of a polynomial at the root.
@@ -113,12 +114,15 @@ public:
 private:
     /// The one factor that enclosures of its value do not keep from zero.
     static RationalPolynomial minimal_polynomial(const Number& root,
-                                                 const std::vector<RationalPolynomial>& factors) {
+                                                 const std::vector<IrreducibleFactor>& factors) {
         for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {
             const Ball ball = enclosure(root, bits);
             std::vector<const RationalPolynomial*> left;
-            for (const RationalPolynomial& factor : factors) {
-                if (hvi::gen::enclosure(factor, ball, bits).sign() == 0) left.push_back(&factor);
+            for (const IrreducibleFactor& factor : factors) {
+                const RationalPolynomial& polynomial = factor.polynomial;
+                if (hvi::gen::enclosure(polynomial, ball, bits).sign() == 0) {
+                    left.push_back(&polynomial);
+                }
             }
             if (left.size() == 1) { return *left.front(); }
         }
@@ -139,13 +143,24 @@ private:
 
 }  // namespace
 
+std::optional<RationalPolynomial> as_polynomial(const ExactFunction& function) {
+    if (!function.is_polynomial()) { return std::nullopt; }
+    RationalPolynomial result;
+    for (const ExactTerm& term : function.terms()) {
+        const auto coefficient = rational_text(term.coefficient);
+        if (!coefficient) { return std::nullopt; }
+        result.set_coefficient(term.power, *coefficient);
+    }
+    return result;
+}
+
 std::optional<Interpolation> interpolate(const std::vector<RationalPolynomial>& psi,
                                          const RationalPolynomial& P, const NumberVector& nodes,
                                          const Ground& ground) {
     const auto u = columns(psi, P);
     if (!u) { return std::nullopt; }
     const RationalPolynomial beta = weight(*u, psi);
-    const std::vector<RationalPolynomial> factors = irreducible_factors(P);
+    const std::vector<IrreducibleFactor> factors = irreducible_factors(P);
     Interpolation result;
     for (const Number& node : nodes) {
         const Root root(node, factors);

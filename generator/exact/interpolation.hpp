@@ -5,9 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "generator/exact/function.hpp"
 #include "generator/exact/polynomial.hpp"
 
 namespace hvi::gen {
+
+/// A function that is a polynomial over Q, as one.
+[[nodiscard]] std::optional<RationalPolynomial> as_polynomial(const ExactFunction& function);
 
 /// What Algorithm 4.3 needs of a basis of polynomials psi_1 .. psi_s of degree less than s at the
 /// nodes c_1 .. c_s.

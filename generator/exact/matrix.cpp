@@ -54,6 +54,12 @@ NumberVector operator*(const NumberMatrix& matrix, const NumberVector& vector) {
     return result;
 }
 
+NumberVector operator*(const NumberVector& vector, const Number& factor) {
+    NumberVector result;
+    for (const Number& entry : vector) { result.push_back(entry * factor); }
+    return result;
+}
+
 NumberMatrix transpose(const NumberMatrix& matrix) {
     NumberMatrix result(matrix.empty() ? 0 : matrix.front().size());
     for (const NumberVector& row : matrix) {

@@ -9,6 +9,7 @@
 namespace hvi::gen {
 
 [[nodiscard]] NumberVector operator*(const NumberMatrix& matrix, const NumberVector& vector);
+[[nodiscard]] NumberVector operator*(const NumberVector& vector, const Number& factor);
 [[nodiscard]] NumberMatrix operator*(const NumberMatrix& left, const NumberMatrix& right);
 [[nodiscard]] NumberMatrix transpose(const NumberMatrix& matrix);
 

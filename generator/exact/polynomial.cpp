@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "generator/exact/integers.hpp"
 #include "generator/exact/number_value.hpp"
 
 namespace hvi::gen {
@@ -200,16 +199,18 @@ bool append_exact_roots(NumberVector& roots, IntegerPolynomial& factor, const Gr
 
 }  // namespace
 
-std::vector<RationalPolynomial> irreducible_factors(const RationalPolynomial& polynomial) {
-    HVI_CHECK(polynomial.degree() > 0);
+std::vector<IrreducibleFactor> irreducible_factors(const RationalPolynomial& polynomial) {
+    HVI_CHECK(polynomial.degree() >= 0);
     IntegerPolynomial integral;
     fmpq_poly_get_numerator(integral.get(), polynomial.get());
     fmpz_poly_factor_t factors;
     fmpz_poly_factor_init(factors);
     fmpz_poly_factor(factors, integral.get());
-    std::vector<RationalPolynomial> result(static_cast<std::size_t>(factors->num));
-    for (slong i = 0; i < factors->num; ++i) {
-        fmpq_poly_set_fmpz_poly(result[static_cast<std::size_t>(i)].get(), factors->p + i);
+    std::vector<IrreducibleFactor> result(static_cast<std::size_t>(factors->num));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        fmpq_poly_set_fmpz_poly(result[i].polynomial.get(), factors->p + i);
+        fmpq_poly_make_monic(result[i].polynomial.get(), result[i].polynomial.get());
+        result[i].multiplicity = static_cast<unsigned>(factors->exp[i]);
     }
     fmpz_poly_factor_clear(factors);
     return result;
@@ -224,24 +225,12 @@ Ball enclosure(const RationalPolynomial& polynomial, const Ball& argument, Preci
     return result;
 }
 
-std::optional<RationalPolynomial> as_polynomial(const ExactFunction& function) {
-    if (!function.is_polynomial()) { return std::nullopt; }
-    RationalPolynomial result;
-    for (const ExactTerm& term : function.terms()) {
-        const Element* const element = term.coefficient.value().element();
-        if (element == nullptr || !element->is_rational()) { return std::nullopt; }
-        result.set_coefficient(term.power, digits(element->rational()));
-    }
-    return result;
-}
-
 NumberVector real_roots(const RationalPolynomial& polynomial, const Ground& ground) {
     HVI_CHECK(polynomial.degree() >= 0);
-    if (polynomial.degree() == 0) { return {}; }
     NumberVector roots;
-    for (const RationalPolynomial& irreducible : irreducible_factors(polynomial)) {
+    for (const IrreducibleFactor& irreducible : irreducible_factors(polynomial)) {
         auto factor = std::make_shared<IntegerPolynomial>();
-        fmpq_poly_get_numerator(factor->get(), irreducible.get());
+        fmpq_poly_get_numerator(factor->get(), irreducible.polynomial.get());
         if (!append_exact_roots(roots, *factor, ground)) append_enclosed_roots(roots, factor);
     }
     std::sort(roots.begin(), roots.end(),

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "generator/exact/ball.hpp"
-#include "generator/exact/function.hpp"
 #include "generator/exact/ground.hpp"
 #include "generator/exact/tableau.hpp"
 
@@ -65,16 +64,20 @@ private:
 /// weights: G_s of (4.20), the polynomial part of x^s exp(-s (1/(2*3 x^2) + 1/(4*5 x^4) + ...)).
 [[nodiscard]] RationalPolynomial chebyshev_equal_weights(unsigned degree);
 
-/// The irreducible factors over Q, each once. Precondition: not constant.
-[[nodiscard]] std::vector<RationalPolynomial>
+/// A monic irreducible factor over Q, and how often it divides.
+struct IrreducibleFactor {
+    RationalPolynomial polynomial;
+    unsigned multiplicity = 1;
+};
+
+/// The monic irreducible factors, in FLINT's order, which does not change from run to run.
+/// Precondition: not zero.
+[[nodiscard]] std::vector<IrreducibleFactor>
 irreducible_factors(const RationalPolynomial& polynomial);
 
 /// Proven bounds of the values on a ball.
 [[nodiscard]] Ball enclosure(const RationalPolynomial& polynomial, const Ball& argument,
                              Precision bits);
-
-/// A function that is a polynomial over Q, as one.
-[[nodiscard]] std::optional<RationalPolynomial> as_polynomial(const ExactFunction& function);
 
 /// All real roots, each once, ascending. Exact for factors of degree 1, 2, and 4 where shifting the
 /// variable makes them polynomials in its square; otherwise enclosed by isolating balls.

@@ -15,7 +15,7 @@ constexpr std::array<FamilyEntry, 2> basis_table{{
 }};
 
 constexpr std::array<FormEntry, 1> basis_form_table{{
-    {"bspline(k,i)", "the i-th B-spline of degree k (to come)"},
+    {"bspline(k,i)", "the i-th B-spline of degree k, i = 0, 1, ..."},
 }};
 
 constexpr std::array<FamilyEntry, 9> node_table{{

@@ -55,12 +55,28 @@ void check_call(const std::string& function, const Place& place, const Rules& ru
                          "it is a basis function");
 }
 
+/// The degree and the index of a B-spline are written out, and small.
+void check_spline(const Expression& call, const std::shared_ptr<const Source>& source) {
+    const auto check = [&](const Expression& argument, std::string_view meaning) {
+        const bool whole = argument.kind == Expression::Kind::number && argument.denominator == "1";
+        if (whole && argument.numerator.size() <= 2 && std::stol(argument.numerator) < largest_size)
+            return;
+        throw InputError(fmt::format("{} of a B-spline is a whole number from 0 to {}", meaning,
+                                     largest_size - 1),
+                         Place{source, argument.range}, "write for example `bspline(1,0)`");
+    };
+    check(call.arguments[0], "the degree k");
+    check(call.arguments[1], "the index i");
+}
+
 void check_expression(const Expression& expression, const std::shared_ptr<const Source>& source,
                       const Rules& rules) {
     walk(expression, [&](const Expression& part) {
         const Place place{source, part.range};
         if (part.kind == Expression::Kind::symbol) check_symbol(part.name, place, rules);
         if (part.kind == Expression::Kind::call) check_call(part.name, place, rules);
+        if (part.kind == Expression::Kind::call && part.name == "bspline")
+            check_spline(part, source);
         return true;
     });
 }

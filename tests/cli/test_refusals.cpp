@@ -95,6 +95,12 @@ TEST_CASE("mathematics forbids it: status 1") {
         // a function not integrable on [0,1]
         {1, "tau", {"--basis", "1, 1/tau", "--nodes", "0, 1"}},
         {1, "(tau - 1/2)", {"--basis", "1, (tau - 1/2)^(-1)", "--nodes", "0, 1"}},
+        {1, "tau^(-3/2)", {"--basis", "1, tau^(-3/2)", "--nodes", "1/2, 1"}},
+        // a function without a real value everywhere, or without one at a node
+        {1, "tau", {"--basis", "1, sin(tau)/tau", "--nodes", "0, 1"}},
+        {1, "sqrt(tau - 1/2)", {"--basis", "1, sqrt(tau - 1/2)", "--nodes", "1/2, 1"}},
+        {1, "log(tau)", {"--basis", "1, log(tau)", "--nodes", "0, 1"}},
+        {1, "(1+tau)", {"--basis", "1, 1/(1+tau)", "--nodes", "-1, 1"}},
         // constants not in the span
         {1, "", {"--basis", "tau", "--nodes", "1/2"}},
         {1, "", {"--basis", "tau, tau^2", "--nodes", "1/2, 1"}},
@@ -149,11 +155,16 @@ TEST_CASE("a method that cannot be read: status 2") {
          "",
          {"--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1", "--param", "w=2"}},
         {2, "", {"--basis", "1, cos(h*tau)", "--nodes", "0, 1"}},
+        {2, "(w+tau)", {"--basis", "1, 1/(w+tau)", "--nodes", "0, 1"}},
+        {2, "", {"--basis", "1, exp(tau^2), cos(w*tau)", "--nodes", "0, 1/2, 1"}},
+        // B-splines
+        {2, "bspline(2,1)", {"--basis", "1, bspline(2,1)", "--nodes", "0, 1"}},
+        {2, "64", {"--basis", "1, bspline(1,64)", "--nodes", "0, 1"}},
         // missing files
         {2, "", {"--method-file", "missing.toml"}},
         {2, "", {"--method-file", "."}},
         // to come
-        {2, "(1+tau)", {"--basis", "1, 1/(1+tau)", "--nodes", "0, 1"}},
+        {2, "log(tau)*exp(tau)", {"--basis", "1, log(tau)*exp(tau)", "--nodes", "1/2, 1"}},
         {2, "", {"--basis", "1, tau", "--nodes", "0, 1", "--weights", "1/2, 1/2"}},
         {2, "", {"--basis", "1, tau", "--nodes", "0, 1/2, 1"}},
     };

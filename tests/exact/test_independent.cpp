@@ -165,10 +165,14 @@ void check(const Tableau& tableau) {
     }
 }
 
+/// One number has one text. Only texts that do not take long to read.
 void check_reads_back(const Tableau& tableau) {
     for (const NumberMatrix* matrix : {&tableau.A, &tableau.A_tilde}) {
         for (const NumberVector& row : *matrix) {
-            for (const Number& entry : row) CHECK(normal(text(entry)) == text(entry));
+            for (const Number& entry : row) {
+                const std::string written = text(entry);
+                if (written.size() < 400) { CHECK(normal(written) == written); }
+            }
         }
     }
 }

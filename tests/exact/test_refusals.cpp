@@ -125,41 +125,6 @@ TEST_CASE("a node that is no number") {
     CHECK(refused("1, tau", "roots(tau^2+1), 1").status == mathematics);
 }
 
-TEST_CASE("a function that is not integrable on [0,1] names where it is not defined") {
-    const auto marks = [](const std::string& basis, const std::string& marked,
-                          const std::string& zero) {
-        const Refusal answer = refused(basis, "0, 1");
-        CAPTURE(basis, answer.what);
-        CHECK(answer.status == mathematics);
-        CHECK(answer.says("divisor is 0 at tau = " + zero));
-        CHECK(answer.name == "--basis");
-        CHECK(answer.marked == marked);
-    };
-    marks("1, 1/tau", "1, 1/[tau]", "0");
-    marks("1, tau^(-2)", "1, [tau]^(-2)", "0");
-    marks("1, 1/(tau-1)", "1, 1/[(tau-1)]", "1");
-    marks("1, 2/(1-3*tau)", "1, 2/[(1-3*tau)]", "near 0.3333");
-    marks("1, 1/cos(pi*tau)", "1, 1/[cos(pi*tau)]", "near 0.5000");
-    marks("1, 1/(exp(tau)-2)", "1, 1/[(exp(tau)-2)]", "near 0.6931");
-}
-
-TEST_CASE("functions that are not built yet") {
-    const auto marks = [](const std::string& basis, const std::string& marked) {
-        const Refusal answer = refused(basis, "0, 1");
-        CHECK(answer.status == input);
-        CHECK(answer.says("not built yet"));
-        CHECK(answer.name == "--basis");
-        CHECK(answer.marked == marked);
-    };
-    marks("1, exp(tau^2)", "1, exp([tau^2])");
-    marks("1, 1/(1+tau)", "1, 1/[(1+tau)]");
-    marks("1, 1/(w-tau)", "1, 1/[(w-tau)]");
-    marks("1, sqrt(1+tau)", "1, sqrt([1+tau])");
-    marks("1, log(1+tau)", "1, log([1+tau])");
-    marks("1, cos(exp(tau))", "1, cos([exp(tau)])");
-    marks("1, tau^(1/3)", "1, tau^[(1/3)]");
-}
-
 TEST_CASE("roots takes a polynomial over Q") {
     CHECK(refused("1", "roots(tau-pi)").marked == "roots([tau-pi])");
     CHECK(refused("1", "roots(cos(tau))").marked == "roots([cos(tau)])");
