@@ -13,8 +13,7 @@ namespace {
 
 RationalPolynomial x() { return RationalPolynomial::variable(); }
 
-/// The polynomial on [-1, 1] whose roots are the nodes of a family; empty for families whose nodes
-/// are given one by one.
+/// The polynomial on [-1, 1] whose roots are the nodes of a family; empty for rational nodes.
 std::optional<RationalPolynomial> node_polynomial(const std::string& family, unsigned s) {
     const RationalPolynomial one(1);
     if (family == "gauss") return legendre(s);
@@ -22,6 +21,8 @@ std::optional<RationalPolynomial> node_polynomial(const std::string& family, uns
     if (family == "radau-left") return legendre(s - 1) + legendre(s);
     if (family == "radau-right") return legendre(s - 1) - legendre(s);
     if (family == "chebyshev") return chebyshev_equal_weights(s);
+    if (family == "fejer") return chebyshev_t(s);
+    if (family == "clenshaw-curtis") return (x() * x() - one) * chebyshev_t(s - 1).derivative();
     return std::nullopt;
 }
 
@@ -34,13 +35,14 @@ Number projected(long p, long q, const Ground& ground) {
     return (Number(1) - ground.cos(ground.pi() * fraction(p, q))) / Number(2);
 }
 
-/// Node number i = 0 .. s-1 of the families that give them one by one.
-Number explicit_node(const std::string& family, long s, long i, const Ground& ground) {
+/// Node number i = 0 .. s-1 of the families that have a formula for them.
+std::optional<Number> explicit_node(const std::string& family, long s, long i,
+                                    const Ground& ground) {
     if (family == "newton-cotes") return fraction(i, s - 1);
     if (family == "newton-cotes-open") return fraction(i + 1, s + 1);
     if (family == "clenshaw-curtis") return projected(i, s - 1, ground);
-    HVI_CHECK(family == "fejer");
-    return projected(2 * i + 1, 2 * s, ground);
+    if (family == "fejer") return projected(2 * i + 1, 2 * s, ground);
+    return std::nullopt;
 }
 
 /// tau - node when the node is rational.
@@ -84,6 +86,26 @@ public:
         multiply(linear_factor(node));
     }
 
+    /// NOTE: nodes with a formula are exact where it is, and not roots of anything to be isolated.
+    void add_family(const Family& family, const Place& place) {
+        const auto s = static_cast<unsigned>(family.size);
+        auto polynomial = node_polynomial(family.name, s);
+        if (polynomial) { polynomial = polynomial->at_affine(2, -1); }
+        if (!explicit_node(family.name, family.size, 0, ground_)) {
+            add_roots(polynomial.value(), place);
+            return;
+        }
+        for (long i = 0; i < family.size; ++i) {
+            const Number node = explicit_node(family.name, family.size, i, ground_).value();
+            if (!polynomial) {
+                add(node);
+            } else {
+                nodes_.c.push_back(node);
+            }
+        }
+        if (polynomial) { multiply(polynomial); }
+    }
+
     void add_roots(const RationalPolynomial& polynomial, const Place& place) {
         const NumberVector roots = real_roots(polynomial, ground_);
         if (roots.empty()) throw MathError("this polynomial has no real root", place);
@@ -113,14 +135,7 @@ Nodes quadrature_nodes(const List& list, const Ground& ground) {
     Collector nodes(ground);
     for (const Item& item : list.items) {
         if (const Family* family = std::get_if<Family>(&item.what)) {
-            const auto s = static_cast<unsigned>(family->size);
-            if (const auto polynomial = node_polynomial(family->name, s)) {
-                nodes.add_roots(polynomial->at_affine(2, -1), list.place(family->range));
-                continue;
-            }
-            for (long i = 0; i < family->size; ++i) {
-                nodes.add(explicit_node(family->name, family->size, i, ground));
-            }
+            nodes.add_family(*family, list.place(family->range));
             continue;
         }
         const Expression& expression = std::get<Expression>(item.what);

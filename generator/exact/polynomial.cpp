@@ -199,6 +199,14 @@ bool append_exact_roots(NumberVector& roots, IntegerPolynomial& factor, const Gr
 
 }  // namespace
 
+RationalPolynomial chebyshev_t(unsigned degree) {
+    IntegerPolynomial integral;
+    fmpz_poly_chebyshev_t(integral.get(), degree);
+    RationalPolynomial result;
+    fmpq_poly_set_fmpz_poly(result.get(), integral.get());
+    return result;
+}
+
 std::vector<IrreducibleFactor> irreducible_factors(const RationalPolynomial& polynomial) {
     HVI_CHECK(polynomial.degree() >= 0);
     IntegerPolynomial integral;

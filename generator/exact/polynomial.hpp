@@ -60,6 +60,9 @@ private:
 /// Legendre's polynomial P_degree on [-1, 1].
 [[nodiscard]] RationalPolynomial legendre(unsigned degree);
 
+/// Chebyshev's polynomial T_degree on [-1, 1].
+[[nodiscard]] RationalPolynomial chebyshev_t(unsigned degree);
+
 /// The monic polynomial on [-1, 1] whose roots are the nodes of Chebyshev's quadrature with equal
 /// weights: G_s of (4.20), the polynomial part of x^s exp(-s (1/(2*3 x^2) + 1/(4*5 x^4) + ...)).
 [[nodiscard]] RationalPolynomial chebyshev_equal_weights(unsigned degree);
