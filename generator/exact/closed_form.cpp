@@ -89,9 +89,9 @@ private:
 void append_polynomial(std::vector<Term>& terms, const RationalFunction& polynomial,
                        const Monomial& monomial, const Field* field) {
     const std::size_t count = field == nullptr ? 0 : field->transcendentals().size();
-    for (const RationalFunction::Term& term : polynomial.numerator()) {
-        terms.push_back(
-            {term.coefficient, {term.powers.begin(), term.powers.begin() + count}, monomial});
+    for (RationalFunction::Term term : polynomial.numerator()) {
+        term.powers.resize(count);
+        terms.push_back({term.coefficient, {term.powers.begin(), term.powers.end()}, monomial});
     }
 }
 

@@ -19,16 +19,17 @@ struct Refused {
 };
 
 void check(int status, const std::vector<Refused>& table) {
-    for (const auto& [basis, nodes, where] : table) {
-        std::string text = basis;
+    for (const Refused& refused : table) {
+        const std::string nodes = refused.nodes;
+        std::string text = refused.basis;
         text.erase(text.find('['), 1);
         text.erase(text.find(']'), 1);
         const Refusal answer = refusal([&] { return derive(method("1, " + text, nodes)); });
         CAPTURE(text, nodes, answer.what);
         CHECK(answer.status == status);
         CHECK(answer.name == "--basis");
-        CHECK(answer.marked == "1, " + basis);
-        CHECK(answer.says(where));
+        CHECK(answer.marked == "1, " + refused.basis);
+        CHECK(answer.says(refused.where));
     }
 }
 
