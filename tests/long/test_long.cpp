@@ -18,7 +18,7 @@
 #include <hvi/generated/trig3.hpp>
 #include <hvi/newton.hpp>
 
-#include "systems.hpp"
+#include "tests/run/systems.hpp"
 
 using namespace hvi::generated;
 
