@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "generator/exact/field.hpp"
-#include "generator/exact/integers.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "generator/exact/compose.hpp"
-#include "generator/exact/integers.hpp"
 #include "generator/exact/number_value.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/spline.hpp"

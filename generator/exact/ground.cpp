@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/ground.hpp"
 
-#include "generator/exact/integers.hpp"
 #include "generator/exact/number_value.hpp"
 
 namespace hvi::gen {

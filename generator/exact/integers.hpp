@@ -1,11 +1,14 @@
-// Small help with GiNaC's exact integers and rationals.
+// Exact integers: GiNaC's as text, and FLINT's with value semantics.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <flint/fmpz.h>
 #include <ginac/ginac.h>
 
 #include <sstream>
 #include <string>
+
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
@@ -15,5 +18,37 @@ namespace hvi::gen {
     text << rational;
     return text.str();
 }
+
+/// FLINT's integer.
+class Integer {
+public:
+    Integer() { fmpz_init(value_); }
+    explicit Integer(const GiNaC::numeric& integer) : Integer() {
+        const bool read = fmpz_set_str(value_, digits(integer).c_str(), 10) == 0;
+        HVI_CHECK(read);
+    }
+    Integer(const Integer& other) { fmpz_init_set(value_, other.value_); }
+    Integer& operator=(const Integer& other) {
+        fmpz_set(value_, other.value_);
+        return *this;
+    }
+    ~Integer() { fmpz_clear(value_); }
+
+    [[nodiscard]] fmpz* get() { return value_; }
+    [[nodiscard]] const fmpz* get() const { return value_; }
+    [[nodiscard]] std::string text() const {
+        char* const digits = fmpz_get_str(nullptr, 10, value_);
+        std::string result(digits);
+        flint_free(digits);
+        return result;
+    }
+    [[nodiscard]] GiNaC::numeric value() const {
+        if (fmpz_fits_si(value_) != 0) { return fmpz_get_si(value_); }
+        return GiNaC::numeric(text().c_str());
+    }
+
+private:
+    fmpz_t value_;
+};
 
 }  // namespace hvi::gen

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "generator/exact/evaluate.hpp"
-#include "generator/exact/integers.hpp"
-#include "generator/exact/number_value.hpp"
+#include "generator/exact/interpolation.hpp"
+#include "generator/exact/rational.hpp"
 
 namespace hvi::gen {
 
@@ -47,10 +47,10 @@ std::optional<Number> explicit_node(const std::string& family, long s, long i,
 
 /// tau - node when the node is rational.
 std::optional<RationalPolynomial> linear_factor(const Number& node) {
-    const Element* const element = node.value().element();
-    if (element == nullptr || !element->is_rational()) return std::nullopt;
+    const auto negative = rational_text(-node);
+    if (!negative) return std::nullopt;
     RationalPolynomial factor = x();
-    factor.set_coefficient(0, digits(-element->rational()));
+    factor.set_coefficient(0, *negative);
     return factor;
 }
 
@@ -58,22 +58,17 @@ std::optional<RationalPolynomial> linear_factor(const Number& node) {
 RationalPolynomial root_polynomial(const Expression& argument, const List& list,
                                    const Ground& ground) {
     const Place place = list.place(argument.range);
-    const ExactFunction function = evaluate_function(argument, list.source, ground);
-    RationalPolynomial polynomial;
-    for (const ExactTerm& term : function.terms()) {
-        const Element* const element = term.coefficient.value().element();
-        if (!function.is_polynomial() || element == nullptr || !element->is_rational()) {
-            throw InputError("roots takes a polynomial in tau with rational coefficients", place);
-        }
-        polynomial.set_coefficient(term.power, digits(element->rational()));
+    const auto polynomial = as_polynomial(evaluate_function(argument, list.source, ground));
+    if (!polynomial) {
+        throw InputError("roots takes a polynomial in tau with rational coefficients", place);
     }
-    if (polynomial.degree() < 1) {
+    if (polynomial->degree() < 1) {
         throw InputError("roots takes a polynomial in tau that is not constant", place);
     }
-    if (polynomial.degree() > 64) {
+    if (polynomial->degree() > 64) {
         throw InputError("a polynomial of degree more than 64 is out of range", place);
     }
-    return polynomial;
+    return *polynomial;
 }
 
 /// Collects nodes, and their polynomial as long as it is known.
@@ -96,12 +91,8 @@ public:
             return;
         }
         for (long i = 0; i < family.size; ++i) {
-            const Number node = explicit_node(family.name, family.size, i, ground_).value();
-            if (!polynomial) {
-                add(node);
-            } else {
-                nodes_.c.push_back(node);
-            }
+            nodes_.c.push_back(explicit_node(family.name, family.size, i, ground_).value());
+            if (!polynomial) { multiply(linear_factor(nodes_.c.back())); }
         }
         if (polynomial) { multiply(polynomial); }
     }

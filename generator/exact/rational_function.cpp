@@ -17,30 +17,6 @@ namespace {
 using GiNaC::numeric;
 using Exponents = std::array<ulong, IntegerMultivariate::most_variables>;
 
-/// An integer of FLINT that is freed when it goes.
-class Integer {
-public:
-    Integer() { fmpz_init(value_); }
-    explicit Integer(const numeric& value) : Integer() {
-        const bool read = fmpz_set_str(value_, digits(value).c_str(), 10) == 0;
-        HVI_CHECK(read);
-    }
-    Integer(const Integer&) = delete;
-    Integer& operator=(const Integer&) = delete;
-    ~Integer() { fmpz_clear(value_); }
-    [[nodiscard]] fmpz* get() { return value_; }
-    [[nodiscard]] numeric value() const {
-        if (fmpz_fits_si(value_) != 0) { return fmpz_get_si(value_); }
-        char* const text = fmpz_get_str(nullptr, 10, value_);
-        const numeric result(text);
-        flint_free(text);
-        return result;
-    }
-
-private:
-    fmpz_t value_;
-};
-
 const fmpz_mpoly_ctx_struct* context() { return IntegerMultivariate::context(); }
 
 bool is_one(const IntegerMultivariate& a) { return fmpz_mpoly_is_one(a.get(), context()) != 0; }

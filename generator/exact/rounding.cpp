@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/exact/integers.hpp"
 #include "generator/exact/number_value.hpp"
 
 namespace hvi::gen {
@@ -11,29 +12,6 @@ namespace {
 
 /// Larger and smaller numbers are no coefficients, and their digits would take long.
 constexpr long most_decimal_exponent = 10000;
-
-/// An integer of FLINT with value semantics.
-class Integer {
-public:
-    Integer() { fmpz_init(value_); }
-    Integer(const Integer& other) { fmpz_init_set(value_, other.value_); }
-    Integer& operator=(const Integer& other) {
-        fmpz_set(value_, other.value_);
-        return *this;
-    }
-    ~Integer() { fmpz_clear(value_); }
-    [[nodiscard]] fmpz* get() { return value_; }
-    [[nodiscard]] const fmpz* get() const { return value_; }
-    [[nodiscard]] std::string text() const {
-        char* const digits = fmpz_get_str(nullptr, 10, value_);
-        std::string result(digits);
-        flint_free(digits);
-        return result;
-    }
-
-private:
-    fmpz_t value_;
-};
 
 void nearest_integer(Integer& result, const arf_t value) {
     arf_get_fmpz(result.get(), value, ARF_RND_NEAR);  // ties to even
