@@ -2,6 +2,7 @@
 #include "generator/exact/rational_function.hpp"
 
 #include <flint/fmpq.h>
+#include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_vec.h>
 
 #include <algorithm>
@@ -239,6 +240,34 @@ std::optional<RationalFunction> RationalFunction::square_root() const {
     result.numerator_ = *above;
     result.denominator_ = *below;
     return result;
+}
+
+std::vector<RationalFunction::Factor> RationalFunction::factors() const {
+    struct Factors {
+        Factors() { fmpz_mpoly_factor_init(value, context()); }
+        ~Factors() { fmpz_mpoly_factor_clear(value, context()); }
+        Factors(const Factors&) = delete;
+        Factors& operator=(const Factors&) = delete;
+        fmpz_mpoly_factor_t value;
+    } found;
+    const bool done = fmpz_mpoly_factor(found.value, numerator_.get(), context()) != 0;
+    HVI_CHECK(done);
+    fmpz_mpoly_factor_sort(found.value, context());
+    std::vector<Factor> result;
+    for (slong i = 0; i < fmpz_mpoly_factor_length(found.value, context()); ++i) {
+        Factor& factor = result.emplace_back();
+        fmpz_mpoly_factor_get_base(factor.base.numerator_.get(), found.value, i, context());
+        fmpz_mpoly_one(factor.base.denominator_.get(), context());
+        const slong exponent = fmpz_mpoly_factor_get_exp_si(found.value, i, context());
+        factor.exponent = static_cast<unsigned>(exponent);
+    }
+    return result;
+}
+
+unsigned RationalFunction::degree(std::size_t index) const {
+    const slong degree =
+        fmpz_mpoly_degree_si(numerator_.get(), static_cast<slong>(index), context());
+    return static_cast<unsigned>(std::max<slong>(degree, 0));
 }
 
 RationalFunction common_denominator(const RationalFunction& a, const RationalFunction& b) {

@@ -77,6 +77,14 @@ public:
     /// A square root in the same field, where there is one.
     [[nodiscard]] std::optional<RationalFunction> square_root() const;
 
+    struct Factor;
+    /// The numerator without its integer content as a product of irreducible polynomials, in an
+    /// order that depends on the polynomial alone. Precondition: not zero.
+    [[nodiscard]] std::vector<Factor> factors() const;
+
+    /// The degree of the numerator in x_index.
+    [[nodiscard]] unsigned degree(std::size_t index) const;
+
     /// The least common multiple of the denominators, as a polynomial over Z.
     friend RationalFunction common_denominator(const RationalFunction& a,
                                                const RationalFunction& b);
@@ -89,6 +97,12 @@ private:
 
     IntegerMultivariate numerator_;
     IntegerMultivariate denominator_;
+};
+
+/// base^exponent, the base a primitive polynomial.
+struct RationalFunction::Factor {
+    RationalFunction base;
+    unsigned exponent;
 };
 
 }  // namespace hvi::gen
