@@ -103,8 +103,16 @@ private:
     static constexpr std::size_t variables =
         1 + 2 * Functions::phases.size() + Functions::constants.size();
     static constexpr std::size_t function_count = Functions::functions.size();
-    /// NOTE: sin_cos() takes angles up to 2^22, so that rates may be 4.
-    static constexpr Work<Scalar> largest = 1 / power_of_two<Work<Scalar>>(-20);
+    /// 2^20, or less where angles would be larger than sin_cos() takes: 2^22.
+    [[nodiscard]] static constexpr Work<Scalar> largest_parameter() {
+        Work<Scalar> most = 4;
+        for (const Phase& phase : Functions::phases) {
+            const auto rate = static_cast<Work<Scalar>>(phase.rate[0]);
+            most = std::max(most, rate < 0 ? -rate : rate);
+        }
+        return 1 / (power_of_two<Work<Scalar>>(-22) * most);
+    }
+    static constexpr Work<Scalar> largest = largest_parameter();
     /// A zero nearer than this, relative to w where |w| > 1, counts as one at w.
     static constexpr Work<Scalar> nearest = power_of_two<Work<Scalar>>(-20);
 
