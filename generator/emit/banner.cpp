@@ -44,7 +44,7 @@ std::string tableau_text(const Tableau& tableau, const Scheme& scheme) {
 std::string negative_weights(const Tableau& tableau) {
     std::string names;
     for (std::size_t i = 0; i < tableau.b.size(); ++i) {
-        if (tableau.b[i].sign() < 0) {
+        if (!tableau.b[i].has_parameters() && tableau.b[i].sign() < 0) {
             names += fmt::format("{}b_{}", names.empty() ? "" : ", ", i + 1);
         }
     }

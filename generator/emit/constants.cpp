@@ -35,7 +35,7 @@ bool is_the_same_in_all(const Rounded& value) {
 std::string hexadecimal(double value) { return value == 0.0 ? "0.0" : fmt::format("{:a}", value); }
 
 /// See src/hvi/rounded.hpp.
-std::string initializer(const Rounded& value) {
+std::string text_of(const Rounded& value) {
     const Dyadic& hi = of(value, 53);
     if (is_the_same_in_all(value)) { return fmt::format("Scalar({})", literal(hi.to_double())); }
     const Dyadic rest = of(value, 113) - hi;
@@ -64,13 +64,13 @@ void entries(Writer& writer, const std::vector<Constant>& row) {
     // NOTE: at most four braces are open around a table.
     constexpr std::size_t room = page_width - 16;
     const auto line = [&](const Constant& entry) {
-        return fmt::format("{:<{}}  // {} = {}", initializer(entry.value) + ",", width, entry.name,
+        return fmt::format("{:<{}}  // {} = {}", text_of(entry.value) + ",", width, entry.name,
                            entry.exact);
     };
     for (const Constant& entry : row) {
         check_range(entry);
         if (line(entry).size() <= room) {
-            width = std::max(width, initializer(entry.value).size() + 1);
+            width = std::max(width, text_of(entry.value).size() + 1);
         }
     }
     for (const Constant& entry : row) {
@@ -78,7 +78,7 @@ void entries(Writer& writer, const std::vector<Constant>& row) {
             writer.line("{}", line(entry));
         } else {
             writer.comment(entry.name + " = " + entry.exact);
-            writer.line("{},", initializer(entry.value));
+            writer.line("{},", text_of(entry.value));
         }
     }
 }
@@ -101,15 +101,23 @@ void table(Writer& writer, std::string_view name, const std::vector<std::vector<
     writer.close("};");
 }
 
+std::string initializer(const Constant& constant) {
+    check_range(constant);
+    return text_of(constant.value);
+}
+
 bool are_rounded(std::string_view tables) { return tables.find(call) != std::string_view::npos; }
 
 std::string with_rounding(const std::string& tables) {
-    if (!are_rounded(tables)) { return tables; }
+    return are_rounded(tables) ? with_rounding_declared(tables) : tables;
+}
+
+std::string with_rounding_declared(const std::string& text) {
     Writer writer(1);
     writer.comment("rounded(...) is the number of its comment as float, double, long double or "
                    "__float128: the one that Scalar is.");
     writer.line("static constexpr auto& rounded = hvi::detail::rounded<Scalar>;").blank();
-    return writer.str() + '\n' + tables;
+    return writer.str() + '\n' + text;
 }
 
 void refuse_float(Writer& writer, const std::vector<Constant>& constants) {
@@ -120,15 +128,17 @@ void refuse_float(Writer& writer, const std::vector<Constant>& constants) {
     }
 }
 
+Constant weight(const StageValue& value) {
+    std::string name;
+    for (const std::size_t stage : value.stages) {
+        name += fmt::format("{}b_{}", name.empty() ? "" : "+", stage + 1);
+    }
+    return {name, nearest(value.weight), exact_text(value.weight)};
+}
+
 std::vector<Constant> weights(const std::vector<StageValue>& values) {
     std::vector<Constant> result;
-    for (const StageValue& value : values) {
-        std::string name;
-        for (const std::size_t stage : value.stages) {
-            name += fmt::format("{}b_{}", name.empty() ? "" : "+", stage + 1);
-        }
-        result.push_back({name, nearest(value.weight), exact_text(value.weight)});
-    }
+    for (const StageValue& value : values) { result.push_back(weight(value)); }
     return result;
 }
 

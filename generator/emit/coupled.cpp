@@ -88,6 +88,7 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
     const auto P = block.of(Kind::P);
     const auto Lq = block.of(Kind::Lq);
     const auto Lp = block.of(Kind::Lp);
+    const bool varies = scheme.from_parameter.has_value();
     const bool measures_p = !scheme.separable || Q.empty();
     std::string struct_text = fill(
         "coupled.hpp.in",
@@ -99,10 +100,13 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
          {"has_p", std::string(text(!P.empty()))},
          {"unknown_q", index_list("unknown_q", Lq)},
          {"unknown_p", index_list("unknown_p", Lp)},
-         {"m", "m"},
-         {"mt", scheme.one_tableau() ? "m" : "mt"},
-         {"b_q", weights_q(scheme)},
-         {"b_p", weights_p(scheme)},
+         {"member", varies ? "const Coefficients& c;" : ""},
+         {"static", varies ? "" : "static constexpr "},
+         {"const", varies ? " const" : ""},
+         {"m", fmt::format("{}m", owner(scheme, "s"))},
+         {"mt", fmt::format("{}{}", owner(scheme, "s"), table_mt(scheme))},
+         {"b_q", fmt::format("{}{}", owner(scheme, "s"), weights_q(scheme))},
+         {"b_p", fmt::format("{}{}", owner(scheme, "s"), weights_p(scheme))},
          {"momenta", stage_values(P, "P", "p", measures_p,
                                   [&](std::size_t j) { return momentum_sum(scheme, j, "s"); })},
          {"velocities",

@@ -54,10 +54,10 @@ void write(Writer& writer, const Scheme& scheme, const Move& move, bool first_of
     // NOTE: what a kept slope belongs to, is equal to x and at hand.
     const bool other_keeps = move.kick ? scheme.keeps_velocity : scheme.keeps_force;
     const bool in_place = !first_of_kind || other_keeps;
-    const std::string change =
-        equal(value.weight, 1)
-            ? fmt::format("h * {}[k]", slope)
-            : fmt::format("h * {}[{}] * {}[k]", names.weights, move.index, slope);
+    const std::string change = equal(value.weight, 1)
+                                   ? fmt::format("h * {}[k]", slope)
+                                   : fmt::format("h * {}{}[{}] * {}[k]", owner(scheme, "s_"),
+                                                 names.weights, move.index, slope);
     const auto add = [&] {
         writer.open("for (Index k = 0; k < n; ++k) {{");
         if (in_place) {
@@ -118,6 +118,7 @@ std::string ends_text(const Scheme& scheme) {
 }
 
 std::string weights_text(const Scheme& scheme) {
+    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
     Writer writer(1);
     const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
         bool ones = true;
@@ -128,7 +129,7 @@ std::string weights_text(const Scheme& scheme) {
     };
     write("b_p", scheme.positions);
     write("b_q", scheme.momenta);
-    return writer.str();
+    return with_rounding(writer.str());
 }
 
 /// NOTE: what a kept slope belongs to is not fitted but copied, dimension and all: see write().
@@ -155,10 +156,18 @@ std::string copy_of(std::string_view name) {
     return text;
 }
 
-std::string support(bool with_rounded) {
+std::string support(const Scheme& scheme, bool with_rounded) {
+    std::vector<std::string_view> names{"state.hpp", "scalar.hpp"};
+    if (with_rounded) { names.push_back("rounded.hpp"); }
+    names.push_back("system.hpp");
+    if (scheme.from_parameter) {
+        for (const std::string_view name :
+             {"arithmetic.hpp", "compensated.hpp", "pair.hpp", "series.hpp", "parameter.hpp"}) {
+            names.push_back(name);
+        }
+    }
     std::string text;
-    for (const std::string_view name : {"state.hpp", "scalar.hpp", "rounded.hpp", "system.hpp"}) {
-        if (name == "rounded.hpp" && !with_rounded) { continue; }
+    for (const std::string_view name : names) {
         text += (text.empty() ? "" : "\n") + copy_of(name);
     }
     return text;
@@ -167,6 +176,7 @@ std::string support(bool with_rounded) {
 std::string members_text(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
+    if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
     writer.line("Vector q_{{}}, p_{{}}, slope_{{}};");
     if (scheme.keeps_force) {
         writer.line("Vector force_{{}};  // dH/dq where the last step ended, at q_");
@@ -185,9 +195,12 @@ std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
     HVI_CHECK(scheme.separable);
     const std::string weights = weights_text(scheme);
     return fill("explicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"support", support(are_rounded(weights))},
+                                    {"support", support(scheme, are_rounded(weights))},
                                     {"name", options.class_name},
-                                    {"weights", with_rounding(weights)},
+                                    {"parameter", parameter_text(scheme)},
+                                    {"construct", constructor(scheme, options.class_name)},
+                                    {"begins", begins(scheme)},
+                                    {"weights", weights},
                                     {"fits", fits_text(scheme)},
                                     {"moves", moves_text(scheme)},
                                     {"ends", ends_text(scheme)},

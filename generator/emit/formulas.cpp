@@ -44,13 +44,19 @@ std::string factor(const Scheme& scheme, const StageValue& value, std::string_vi
                    const std::string& weights, std::size_t index, std::string_view s) {
     if (rounds_weights(scheme)) { return fmt::format("{}.hb_{}[{}]", s, letter, index); }
     if (equal(value.weight, 1)) { return fmt::format("{}.h", s); }
-    return fmt::format("{}.h * {}[{}]", s, weights, index);
+    return fmt::format("{}.h * {}{}[{}]", s, owner(scheme, s), weights, index);
 }
 
 }  // namespace
 
 std::string weights_q(const Scheme& scheme) { return is_merged(scheme) ? "b_q" : "b"; }
 std::string weights_p(const Scheme& scheme) { return is_merged(scheme) ? "b_p" : "b"; }
+std::string_view table_mt(const Scheme& scheme) { return scheme.one_tableau() ? "m" : "mt"; }
+
+std::string_view owner(const Scheme& scheme, std::string_view s) {
+    if (!scheme.from_parameter) { return ""; }
+    return s == "s_" ? "coefficients_." : "c.";
+}
 
 bool rounds_weights(const Scheme& scheme) {
     for (const auto* values : {&scheme.positions, &scheme.momenta}) {
@@ -64,17 +70,17 @@ bool rounds_weights(const Scheme& scheme) {
 std::string position_sum(const Scheme& scheme, std::size_t i, std::string_view s) {
     std::vector<Term> terms;
     for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-        terms.push_back(
-            {scheme.m[i][j], fmt::format("m[{}][{}]", i, j), fmt::format("{}.Lq[{}][k]", s, j)});
+        terms.push_back({scheme.m[i][j], fmt::format("{}m[{}][{}]", owner(scheme, s), i, j),
+                         fmt::format("{}.Lq[{}][k]", s, j)});
     }
     return stage("q", sum(terms));
 }
 
 std::string momentum_sum(const Scheme& scheme, std::size_t j, std::string_view s) {
-    const std::string_view name = scheme.one_tableau() ? "m" : "mt";
     std::vector<Term> terms;
     for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-        terms.push_back({Number(1) - scheme.m[i][j], fmt::format("{}[{}][{}]", name, j, i),
+        terms.push_back({Number(1) - scheme.m[i][j],
+                         fmt::format("{}{}[{}][{}]", owner(scheme, s), table_mt(scheme), j, i),
                          fmt::format("{}.Lp[{}][k]", s, i)});
     }
     return stage("p", sum(terms));

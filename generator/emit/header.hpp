@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/emit/emit.hpp"
@@ -29,14 +30,21 @@ struct Constant {
 void table(Writer& writer, std::string_view name, const std::vector<Constant>& row);
 void table(Writer& writer, std::string_view name, const std::vector<std::vector<Constant>>& rows);
 
-/// The text of tables, after the declaration of rounded() where they call it.
+/// The number as C++ initialises a Scalar with it: a literal, or a call of rounded(). Throws
+/// MathError as table() does.
+[[nodiscard]] std::string initializer(const Constant& constant);
+
+/// The text of tables, after the declaration of rounded() where they call it, or in any case.
 [[nodiscard]] std::string with_rounding(const std::string& tables);
+[[nodiscard]] std::string with_rounding_declared(const std::string& text);
 [[nodiscard]] bool are_rounded(std::string_view tables);
 
 /// A static_assert against float for each of the constants that float cannot hold.
 void refuse_float(Writer& writer, const std::vector<Constant>& constants);
 
 /// The weights of slopes, named after the stages of the tableau: b_1, or b_1+b_2 of merged ones.
+/// Precondition: no free parameter.
+[[nodiscard]] Constant weight(const StageValue& value);
 [[nodiscard]] std::vector<Constant> weights(const std::vector<StageValue>& values);
 
 /// One struct with the stage equations of a block; see templates/coupled.hpp.in.
@@ -45,6 +53,22 @@ void refuse_float(Writer& writer, const std::vector<Constant>& constants);
 /// Where the weights of the slopes Lq and Lp stand: one table `b` when no stages were merged.
 [[nodiscard]] std::string weights_q(const Scheme& scheme);
 [[nodiscard]] std::string weights_p(const Scheme& scheme);
+/// Where the coefficients of P stand: m serves for both where A == A~.
+[[nodiscard]] std::string_view table_mt(const Scheme& scheme);
+
+/// What stands before the name of a table: nothing, or the object that holds the coefficients of
+/// one value of a parameter, in the stepper (`s` is s_) and in its structs.
+[[nodiscard]] std::string_view owner(const Scheme& scheme, std::string_view s);
+
+/// The struct Coefficients of one value of a parameter, and how to look at one. These are empty
+/// where no parameter is free.
+[[nodiscard]] std::string parameter_text(const Scheme& scheme);
+/// The struct Functions, of which coefficients are quotients. Precondition: from_parameter.
+[[nodiscard]] std::string functions_of_parameter(const Scheme& scheme);
+/// The constructor, which takes the parameter if there is one.
+[[nodiscard]] std::string constructor(const Scheme& scheme, std::string_view class_name);
+/// What step() does first: there may be no method.
+[[nodiscard]] std::string begins(const Scheme& scheme);
 
 /// Q_i[k] = ... without the leading name: q + (e + (...)), of the slopes in `s`.
 [[nodiscard]] std::string position_sum(const Scheme& scheme, std::size_t i, std::string_view s);

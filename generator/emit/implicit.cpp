@@ -12,7 +12,7 @@ using Kind = StageNode::Kind;
 using Place = StageValue::Place;
 
 /// Of the calls into the runtime; see src/hvi/version.hpp.
-constexpr int format = 2;
+int format(const Scheme& scheme) { return scheme.from_parameter ? 3 : 2; }
 
 constexpr auto& loop = "for (Index k = 0; k < s_.at.q.size(); ++k) {{";
 
@@ -142,7 +142,8 @@ std::string steps_text(const Scheme& scheme) {
     Writer writer(2);
     Updates updates(writer, scheme);
     if (rounds_weights(scheme)) {
-        writer.line("s_.weigh({}, {});", weights_q(scheme), weights_p(scheme));
+        writer.line("s_.weigh({0}{1}, {0}{2});", owner(scheme, "s_"), weights_q(scheme),
+                    weights_p(scheme));
     }
     begin_kept(writer, scheme.keeps_force, "dHdq", "q", "force_");
     begin_kept(writer, scheme.keeps_velocity, "dHdp", "p", "velocity_");
@@ -154,8 +155,8 @@ std::string steps_text(const Scheme& scheme) {
     for (const Block& block : scheme.blocks) {
         if (block.coupled) {
             const std::string solver = several ? fmt::format("solver_[{}]", number) : "solver_";
-            writer.line("status = {}.solve({}{{system_, s_}});", solver,
-                        coupled_name(scheme, number++));
+            writer.line("status = {}.solve({}{{{}}});", solver, coupled_name(scheme, number++),
+                        scheme.from_parameter ? "system_, coefficients_, s_" : "system_, s_");
             writer.line("if (!status.ok()) {{ return status; }}");
             if (several) { writer.line("iterations += status.iterations;"); }
             continue;
@@ -287,6 +288,7 @@ RoundedMatrix nearest_or_small(const NumberMatrix& exact) {
 }
 
 std::string constants_text(const Scheme& scheme) {
+    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
     const RoundedCoefficients coefficients = rounded(scheme);
     Writer writer(1);
     table(writer, weights_p(scheme), weights(scheme.positions));
@@ -312,7 +314,7 @@ std::string constants_text(const Scheme& scheme) {
         table(writer, "N",
               constants("N", *scheme.extrapolation, nearest_or_small(*scheme.extrapolation)));
     }
-    return writer.str();
+    return with_rounding(writer.str());
 }
 
 std::string coupled_text(const Scheme& scheme) {
@@ -329,6 +331,7 @@ std::string coupled_text(const Scheme& scheme) {
 std::string members_text(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
+    if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
     writer.line("hvi::detail::Stages<Vector, {}, {}> s_;", scheme.positions.size(),
                 scheme.momenta.size());
     constexpr std::string_view solver = "typename Solver::template Iteration<Vector>";
@@ -371,16 +374,21 @@ std::string purpose_text(const Scheme& scheme) {
 
 std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
-    return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"format", std::to_string(format)},
-                                    {"name", options.class_name},
-                                    {"purpose", purpose_text(scheme)},
-                                    {"separable", scheme.separable ? "true" : "false"},
-                                    {"steps", steps_text(scheme)},
-                                    {"constants", with_rounding(constants_text(scheme))},
-                                    {"predict", predict_text(scheme)},
-                                    {"coupled", coupled_text(scheme)},
-                                    {"members", members_text(scheme)}});
+    return fill("implicit.hpp.in",
+                {{"banner", banner(tableau, scheme, options)},
+                 {"format", std::to_string(format(scheme))},
+                 {"name", options.class_name},
+                 {"purpose", purpose_text(scheme)},
+                 {"separable", scheme.separable ? "true" : "false"},
+                 {"include", scheme.from_parameter ? "#include <hvi/parameter.hpp>" : ""},
+                 {"parameter", parameter_text(scheme)},
+                 {"construct", constructor(scheme, options.class_name)},
+                 {"begins", begins(scheme)},
+                 {"steps", steps_text(scheme)},
+                 {"constants", constants_text(scheme)},
+                 {"predict", predict_text(scheme)},
+                 {"coupled", coupled_text(scheme)},
+                 {"members", members_text(scheme)}});
 }
 
 }  // namespace hvi::gen

@@ -60,6 +60,11 @@ constexpr std::array<std::string_view, 33> taken{
     "hvi",    "std",    "FixedPoint", "Newton",  "Scalar", "rounded",
 };
 
+/// The same where the constructor takes a parameter.
+constexpr std::array<std::string_view, 7> taken_by_coefficients{
+    "Coefficients", "Functions", "coefficients", "coefficients_", "status", "parameter", "at",
+};
+
 bool is_identifier(std::string_view name) {
     return !name.empty() && !is_digit(name.front()) &&
            std::all_of(name.begin(), name.end(), [](char c) { return is_word(c) || c == '_'; });
@@ -72,7 +77,10 @@ bool is_reserved(std::string_view name) {
 
 /// `Coupled1` and the like are structs of the class, `M_PI` and the like may be macros.
 bool is_taken(std::string_view name) {
-    if (std::find(taken.begin(), taken.end(), name) != taken.end()) { return true; }
+    const auto is_in = [&](const auto& names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (is_in(taken) || is_in(taken_by_coefficients)) { return true; }
     constexpr std::string_view coupled = "Coupled";
     if (name.substr(0, coupled.size()) == coupled) {
         return std::all_of(name.begin() + coupled.size(), name.end(), is_digit);

@@ -133,6 +133,11 @@ void Writer::write(std::string_view statement) {
     text_.append(indentation() + extra, ' ').append(statement) += '\n';
 }
 
+Writer& Writer::insert(std::string_view lines) {
+    text_ += std::string(indentation(), ' ') + indented(lines, indentation()) + '\n';
+    return *this;
+}
+
 Writer& Writer::comment(std::string_view text, std::string_view mark, std::size_t hang) {
     std::size_t extra = 0;
     while (true) {

@@ -41,6 +41,9 @@ public:
 
     Writer& blank();
 
+    /// Lines of another writer, which was told how deep they will stand.
+    Writer& insert(std::string_view lines);
+
     /// A comment, broken to the page; lines but the first go on `hang` columns further in.
     Writer& comment(std::string_view text, std::string_view mark = "// ", std::size_t hang = 0);
 

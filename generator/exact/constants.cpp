@@ -248,6 +248,7 @@ std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
     Transcendental cosine;
     cosine.form = Expression::call("cos", {form});
     cosine.is_parameter = hvi::gen::has_parameters(unit);
+    cosine.angle = unit;
     cosine.value = applied(arb_cos, unit);
     const auto found = transcendental("cos " + part.key, std::move(cosine));
     if (!found) return std::nullopt;
@@ -255,6 +256,7 @@ std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
     Algebraic sine;
     sine.kind = Algebraic::Kind::sine;
     sine.reduced = Element(1) - c * c;
+    sine.cosine = by_key_.at("cos " + part.key);
     sine.form = Expression::call("sin", {form});
     sine.is_parameter = hvi::gen::has_parameters(unit);
     sine.value = applied(arb_sin, unit);

@@ -83,6 +83,7 @@ struct Transcendental {
     bool is_parameter = false;             ///< it, or what it is made of, has no value
     std::function<Ball(Precision)> value;  ///< empty with is_parameter
     std::optional<Element> exponent;       ///< x, where the generator is exp(x)
+    std::optional<Element> angle;          ///< x, where the generator is cos(x)
     long prime = 0;                        ///< p, where the generator is log(p)
 };
 
@@ -93,9 +94,10 @@ struct Algebraic {
 
     Kind kind = Kind::root;
     unsigned degree = 2;
-    Element reduced;       ///< g^degree, of degree less than that in g
-    long denominator = 1;  ///< n of cos(pi/n)
-    Expression form;       ///< how a root or sine is written
+    Element reduced;         ///< g^degree, of degree less than that in g
+    long denominator = 1;    ///< n of cos(pi/n)
+    std::size_t cosine = 0;  ///< of a sine: the number of its transcendental generator cos(x)
+    Expression form;         ///< how a root or sine is written
     bool is_parameter = false;
     std::function<Ball(Precision)> value;  ///< empty with is_parameter
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/multivariate.hpp"
 
+#include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_vec.h>
 
 #include <algorithm>
@@ -111,6 +112,42 @@ numeric IntegerMultivariate::content() const {
     Integer result;
     _fmpz_vec_content(result.get(), get()->coeffs, get()->length);
     return result.value();
+}
+
+unsigned IntegerMultivariate::degree(std::size_t index) const {
+    const slong degree = fmpz_mpoly_degree_si(get(), static_cast<slong>(index), context());
+    return static_cast<unsigned>(std::max<slong>(degree, 0));
+}
+
+std::optional<IntegerMultivariate>
+IntegerMultivariate::divided_by(const IntegerMultivariate& divisor) const {
+    IntegerMultivariate quotient;
+    if (fmpz_mpoly_divides(quotient.get(), get(), divisor.get(), context()) == 0) {
+        return std::nullopt;
+    }
+    return quotient;
+}
+
+std::vector<IntegerMultivariate::Factor> IntegerMultivariate::factors() const {
+    struct Factors {
+        Factors() { fmpz_mpoly_factor_init(value, context()); }
+        ~Factors() { fmpz_mpoly_factor_clear(value, context()); }
+        Factors(const Factors&) = delete;
+        Factors& operator=(const Factors&) = delete;
+        fmpz_mpoly_factor_t value;
+    } found;
+    const bool done = fmpz_mpoly_factor(found.value, get(), context()) != 0;
+    HVI_CHECK(done);
+    fmpz_mpoly_factor_sort(found.value, context());
+    std::vector<Factor> result;
+    for (slong i = 0; i < fmpz_mpoly_factor_length(found.value, context()); ++i) {
+        Factor& factor = result.emplace_back();
+        fmpz_mpoly_factor_get_base(factor.base.get(), found.value, i, context());
+        if (factor.base.leading_sign() < 0) { factor.base.negate(); }
+        const slong exponent = fmpz_mpoly_factor_get_exp_si(found.value, i, context());
+        factor.exponent = static_cast<unsigned>(exponent);
+    }
+    return result;
 }
 
 std::optional<IntegerMultivariate> IntegerMultivariate::square_root() const {

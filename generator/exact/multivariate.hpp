@@ -63,6 +63,17 @@ public:
     [[nodiscard]] int leading_sign() const;
     [[nodiscard]] GiNaC::numeric content() const;  ///< of the coefficients; not negative
 
+    [[nodiscard]] unsigned degree(std::size_t index) const;  ///< in x_index; of zero it is 0
+
+    /// The quotient, where the divisor divides it.
+    [[nodiscard]] std::optional<IntegerMultivariate>
+    divided_by(const IntegerMultivariate& divisor) const;
+
+    struct Factor;
+    /// Without its content as a product of irreducible polynomials of leading sign 1, in an order
+    /// that depends on the polynomial alone. Precondition: not zero.
+    [[nodiscard]] std::vector<Factor> factors() const;
+
     /// A square root, where there is one.
     [[nodiscard]] std::optional<IntegerMultivariate> square_root() const;
 
@@ -72,6 +83,12 @@ public:
 
 private:
     fmpz_mpoly_t polynomial_;
+};
+
+/// base^exponent.
+struct IntegerMultivariate::Factor {
+    IntegerMultivariate base;
+    unsigned exponent;
 };
 
 /// The greatest common divisor, content included, of leading sign 1.

@@ -56,6 +56,7 @@ Rounded nearest_or_small(const Number& value) {
 }
 
 bool is_power_of_two(const Number& value) {
+    if (value.has_parameters()) { return false; }
     const Rounded in_formats = nearest(value);
     return std::all_of(in_formats.begin(), in_formats.end(), [&](const auto& rounded) {
         return rounded && rounded->bits() == 1 && rounded == in_formats.front();
@@ -69,6 +70,7 @@ RoundedCoefficients rounded(const Scheme& scheme) {
                                RoundedMatrix(columns, std::vector<Rounded>(rows))};
     const bool mirrored = scheme.one_tableau() && rows == columns;
     const auto round = [&](std::size_t i, std::size_t j, std::size_t f) {
+        if (scheme.m[i][j].has_parameters()) { return; }
         const bool is_half = mirrored && i == j;
         const auto m = is_half ? Dyadic(1, -1) : on_lattice(scheme.m[i][j], formats[f]);
         const auto mt = complement(m, formats[f]);

@@ -48,7 +48,8 @@ struct RoundedCoefficients {
 
 /// Rounds each m_ij, for each format by itself, to a multiple of ulp(max(|m_ij|, |1 - m_ij|)) and
 /// takes mt_ji = 1 - m_ij, which then is of that format. Where A == A~ only the entries with i > j
-/// are rounded, m_ji = 1 - m_ij, and the diagonal is 1/2. Empty where 1 is no multiple of that ulp.
+/// are rounded, m_ji = 1 - m_ij, and the diagonal is 1/2. Empty where 1 is no multiple of that ulp,
+/// and where m_ij depends on a parameter.
 [[nodiscard]] RoundedCoefficients rounded(const Scheme& scheme);
 
 }  // namespace hvi::gen

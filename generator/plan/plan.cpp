@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/plan/graph.hpp"
 #include "generator/plan/equal.hpp"
+#include "generator/plan/graph.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -291,6 +291,12 @@ double magnification(const Tableau& tableau) {
 void set_extrapolation(Scheme& scheme, const Tableau& tableau) {
     constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
     if (scheme.is_explicit()) { return; }
+    if (scheme.from_parameter) {
+        scheme.decisions.push_back(
+            {"slopes at the start of the step are the starting values of the iteration",
+             "extrapolation would need coefficients for each value of the parameter"});
+        return;
+    }
     const bool merged =
         scheme.positions.size() != tableau.stages() || scheme.momenta.size() != tableau.stages();
     if (merged || !are_distinct(tableau.c)) {
@@ -311,14 +317,82 @@ void set_extrapolation(Scheme& scheme, const Tableau& tableau) {
     scheme.extrapolation = extrapolation(tableau);
 }
 
+std::string text(const ZeroPlaces& zeros, const std::string& parameter) {
+    if (!zeros.family.empty()) { return zeros.family; }
+    std::string list;
+    const auto mirrored = [&](double place) {
+        return std::any_of(zeros.places.begin(), zeros.places.end(), [&](double other) {
+            return std::abs(place + other) < 1e-6 * std::abs(place);
+        });
+    };
+    for (const double place : zeros.places) {
+        if (place < 0 && mirrored(place)) { continue; }
+        list +=
+            fmt::format("{}{}{:.6g}", list.empty() ? "" : ", ", mirrored(place) ? "+-" : "", place);
+    }
+    return fmt::format("{} = {} (all of size below {:.0f})", parameter, list,
+                       ParametricNumbers::most_printed);
+}
+
+/// Where there is no method.
+void note_zeros(Scheme& scheme) {
+    const ParametricNumbers& numbers = scheme.from_parameter->numbers;
+    const auto what = [](Zero zero) {
+        return zero == Zero::pole ? "coefficients are infinite there" : "a weight is zero there";
+    };
+    if (numbers.at_zero != Zero::harmless) {
+        scheme.decisions.push_back(
+            {fmt::format("no method at {} = 0", numbers.parameter), what(numbers.at_zero)});
+    }
+    for (const ZeroPlaces& zeros : numbers.zeros) {
+        scheme.decisions.push_back(
+            {"no method at " + text(zeros, numbers.parameter), what(zeros.zero)});
+    }
+}
+
+void set_from_parameter(Scheme& scheme, const Tableau& tableau) {
+    const auto depends = [](const NumberVector& numbers) {
+        return std::any_of(numbers.begin(), numbers.end(),
+                           [](const Number& number) { return number.has_parameters(); });
+    };
+    if (!depends(tableau.b) && std::none_of(scheme.m.begin(), scheme.m.end(), depends)) {
+        for (const std::string& name : tableau.parameters) {
+            scheme.decisions.push_back({"no argument for " + name, "it cancels"});
+        }
+        return;
+    }
+    NumberVector others;
+    const auto other = [&](const Number& number) {
+        others.push_back(number);
+        return others.size() - 1;
+    };
+    FromParameter from;
+    const auto weights = [&](const std::vector<StageValue>& values, auto& places) {
+        for (const StageValue& value : values) {
+            auto& place = places.emplace_back();
+            const bool merged = value.stages.size() > 1;
+            if (merged && value.weight.has_parameters()) { place = other(value.weight); }
+        }
+    };
+    weights(scheme.positions, from.positions);
+    weights(scheme.momenta, from.momenta);
+    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
+        auto& row = from.m.emplace_back(scheme.momenta.size());
+        for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
+            if (!scheme.m[i][j].has_parameters()) { continue; }
+            const std::size_t column = scheme.momenta[j].stages.front();
+            const Number& a = tableau.A[scheme.positions[i].stages.front()][column];
+            row[j] = FromParameter::Ratio{other(a), column};
+        }
+    }
+    from.numbers = parametric(tableau.b, others);
+    scheme.from_parameter = std::move(from);
+    note_zeros(scheme);
+}
+
 }  // namespace
 
 Scheme plan(const Tableau& tableau, const PlanOptions& options) {
-    if (!tableau.parameters.empty()) {
-        const std::string& name = tableau.parameters.front();
-        throw InputError(fmt::format("a stepper with the free parameter {} is not built yet", name),
-                         {}, fmt::format("give it a value: --param {}=1", name));
-    }
     Scheme scheme;
     scheme.separable = options.separable;
     scheme.partner = partner(tableau);
@@ -326,6 +400,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_places(scheme);
     set_blocks(scheme);
     set_kept(scheme);
+    set_from_parameter(scheme, tableau);
     set_extrapolation(scheme, tableau);
     return scheme;
 }

@@ -11,7 +11,7 @@ struct PlanOptions {
     bool separable = false;  ///< for H = T(p) + U(q) only
 };
 
-/// Throws InputError when the tableau has free parameters left, which is not built yet.
+/// Throws InputError when the tableau has free parameters in places that parametric() refuses.
 [[nodiscard]] Scheme plan(const Tableau& tableau, const PlanOptions& options);
 
 }  // namespace hvi::gen

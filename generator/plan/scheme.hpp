@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/exact/number.hpp"
+#include "generator/exact/parametric.hpp"
 #include "generator/exact/tableau.hpp"
 
 namespace hvi::gen {
@@ -49,6 +50,20 @@ enum class Partner {
     undecided,  ///< neither: enclosures do not tell them apart
 };
 
+/// How the constructor of a stepper computes the coefficients that depend on a parameter. Places
+/// are those in `numbers`; they are empty where there is a constant.
+struct FromParameter {
+    ParametricNumbers numbers;                          ///< the weights are those of the tableau
+    std::vector<std::optional<std::size_t>> positions;  ///< weights of equal stages, in `others`
+    std::vector<std::optional<std::size_t>> momenta;
+    /// m_ij = others[a] / weights[b].
+    struct Ratio {
+        std::size_t a;
+        std::size_t b;
+    };
+    std::vector<std::vector<std::optional<Ratio>>> m;
+};
+
 /// A choice, and why.
 struct Decision {
     std::string what;
@@ -71,6 +86,7 @@ struct Scheme {
     bool keeps_velocity = false;  ///< the same of dH/dp
     /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.
     std::optional<NumberMatrix> extrapolation;
+    std::optional<FromParameter> from_parameter;  ///< where a parameter is free
     std::vector<Decision> decisions;
 
     /// One table of coefficients serves for Q and for P.

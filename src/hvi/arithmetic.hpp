@@ -1,6 +1,9 @@
 // What solvers compute of the numbers of scalar.hpp.
 // SPDX-License-Identifier: MIT
-#pragma once
+//
+// NOTE: needs the standard library alone; see state.hpp.
+#ifndef HVI_ARITHMETIC_HPP
+#define HVI_ARITHMETIC_HPP
 
 #include <cmath>
 #include <limits>
@@ -46,3 +49,5 @@ template <class Scalar>
 }
 
 }  // namespace hvi::detail
+
+#endif  // HVI_ARITHMETIC_HPP

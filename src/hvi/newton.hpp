@@ -239,17 +239,17 @@ struct Newton {
                 coupled.system.d2Hdp2(s.Q[j], s.P[j], Hpp_);
                 coupled.system.d2Hdqdp(s.Q[j], s.P[j], Hqp_);
             }
-            const Scalar hb = s.h * Coupled::weight_q(j);
+            const Scalar hb = s.h * coupled.weight_q(j);
             Index column = 0;
             for (const std::size_t i : Coupled::unknown_q) {
                 if constexpr (!Coupled::separable) {
-                    block(row, column) -= (hb * Coupled::coefficient_q(j, i)) * Hqp_.transpose();
+                    block(row, column) -= (hb * coupled.coefficient_q(j, i)) * Hqp_.transpose();
                 }
                 static_cast<void>(i);
                 ++column;
             }
             for (const std::size_t i : Coupled::unknown_p) {
-                block(row, column++) -= (hb * Coupled::coefficient_p(j, i)) * Hpp_;
+                block(row, column++) -= (hb * coupled.coefficient_p(j, i)) * Hpp_;
             }
         }
 
@@ -265,14 +265,14 @@ struct Newton {
                 coupled.system.d2Hdq2(s.Q[i], s.P[i], Hqq_);
                 coupled.system.d2Hdqdp(s.Q[i], s.P[i], Hqp_);
             }
-            const Scalar hb = s.h * Coupled::weight_p(i);
+            const Scalar hb = s.h * coupled.weight_p(i);
             Index column = 0;
             for (const std::size_t j : Coupled::unknown_q) {
-                block(row, column++) += (hb * Coupled::coefficient_q(i, j)) * Hqq_;
+                block(row, column++) += (hb * coupled.coefficient_q(i, j)) * Hqq_;
             }
             for (const std::size_t j : Coupled::unknown_p) {
                 if constexpr (!Coupled::separable) {
-                    block(row, column) += (hb * Coupled::coefficient_p(i, j)) * Hqp_;
+                    block(row, column) += (hb * coupled.coefficient_p(i, j)) * Hqp_;
                 }
                 static_cast<void>(j);
                 ++column;

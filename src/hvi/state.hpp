@@ -20,11 +20,14 @@ class [[nodiscard]] Status {
 public:
     enum class Code {
         ok,
-        not_converged,       ///< the stage equations have no solution nearby: try a smaller h
-        not_finite,          ///< h, the state or a derivative of H is infinite or not a number
-        singular,            ///< the linear system of Newton's method is singular at this h
-        dimension_mismatch,  ///< q and p differ in dimension
-        unsafe_arithmetic,   ///< compiled with -ffast-math or the like
+        not_converged,        ///< the stage equations have no solution nearby: try a smaller h
+        not_finite,           ///< h, the state or a derivative of H is infinite or not a number
+        singular,             ///< the linear system of Newton's method is singular at this h
+        dimension_mismatch,   ///< q and p differ in dimension
+        unsafe_arithmetic,    ///< compiled with -ffast-math or the like
+        pole,                 ///< the method does not exist at this parameter, or very near it
+        zero_weight,          ///< a weight is zero at this parameter, or very near it
+        parameter_too_large,  ///< the coefficients are not computed so far out
     };
 
     constexpr Status() = default;
@@ -43,6 +46,10 @@ public:
         case Code::dimension_mismatch: return "q and p differ in dimension";
         case Code::unsafe_arithmetic:
             return "compiled with reordered floating-point sums (-ffast-math)";
+        case Code::pole: return "there is no method at, or very near, this value of the parameter";
+        case Code::zero_weight:
+            return "a weight of the method is zero at, or very near, this value of the parameter";
+        case Code::parameter_too_large: return "the parameter of the method is above 2^20";
         }
         return "unknown status";
     }

@@ -8,9 +8,10 @@ inline constexpr int version_major = 0;
 inline constexpr int version_minor = 1;
 inline constexpr int version_patch = 0;
 
-/// Generated headers name the format of their calls into the runtime; these are understood.
+/// Generated headers name the format of their calls into the runtime; these are understood. In 3
+/// there came methods with a parameter.
 inline constexpr int oldest_format = 2;
-inline constexpr int newest_format = 2;
+inline constexpr int newest_format = 3;
 
 [[nodiscard]] constexpr bool supports_format(int format) {
     return oldest_format <= format && format <= newest_format;

@@ -254,8 +254,12 @@ TEST_CASE("a command line that cannot be read: status 2") {
     for (const Refusal& refusal : refusals) check_refused(refusal, refusal.words);
 }
 
-TEST_CASE("a stepper needs a value for every parameter: status 2") {
-    check_refused({2, "", {}}, {"stepper", "--basis", "1, cos(w*tau)", "--nodes", "0, 1"});
+TEST_CASE("a stepper takes one free parameter, in its place: status 2") {
+    check_refused({2, "", {}},
+                  {"stepper", "--basis", "1, cos(w*tau), sin(v*tau)", "--nodes", "0, 1/2, 1"});
+    check_refused({2, "", {}}, {"stepper", "--basis", "1, cos(w^2*tau)", "--nodes", "0, 1"});
+    check_refused({2, "", {}},
+                  {"stepper", "--basis", "1, cos(w*tau + v)", "--nodes", "0, 1"});
 }
 
 TEST_CASE("help points to what was meant") {

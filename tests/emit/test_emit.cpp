@@ -11,6 +11,7 @@
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 #include "tests/emit/tableaux.hpp"
+#include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;
 using Catch::Matchers::Contains;
@@ -75,7 +76,8 @@ TEST_CASE("a header says what made it and from what") {
 TEST_CASE("the text of a header is well laid out") {
     for (const auto& tableau :
          {tableaux::lobatto_3(), tableaux::verlet(), tableaux::two_midpoints(),
-          tableaux::negative_weight(), tableaux::position_verlet()}) {
+          tableaux::negative_weight(), tableaux::position_verlet(),
+          derive(method("1, cos(pi*w*tau), exp(w*tau)", "0, 1/2, 1"))}) {
         for (const bool separable : {false, true}) {
             std::istringstream text(header(tableau, separable));
             std::string line, last;

@@ -157,8 +157,46 @@ TEST_CASE("extrapolation is exact for polynomials through the nodes") {
     }
 }
 
-TEST_CASE("a free parameter is refused") {
-    Tableau tableau = tableaux::midpoint();
-    tableau.parameters = {"w"};
-    CHECK_THROWS_AS(plan(tableau, {}), InputError);
+TEST_CASE("coefficients that depend on a parameter are quotients, constants are left out") {
+    // Row 1 of m is 0 and row 3 is 1, m_2,2 is 1/2.
+    const Scheme scheme = plan(derive(method("1, cos(w*tau), sin(w*tau)", "0, 1/2, 1")), {});
+    REQUIRE(scheme.from_parameter);
+    const FromParameter& from = *scheme.from_parameter;
+    CHECK(from.numbers.parameter == "w");
+    CHECK(from.numbers.weights.size() == 3);
+    CHECK(from.numbers.others.size() == 2);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            CHECK(from.m[i][j].has_value() == (i == 1 && j != 1));
+        }
+    }
+    CHECK(from.m[1][2]->b == 2);
+    CHECK_FALSE(scheme.extrapolation);
+}
+
+TEST_CASE("the places without a method are among the choices") {
+    const auto choices = [](const char* basis, const char* nodes) {
+        std::string text;
+        for (const Decision& decision : plan(derive(method(basis, nodes)), {}).decisions) {
+            text += decision.what + ": " + decision.why + '\n';
+        }
+        return text;
+    };
+    using Catch::Matchers::Contains;
+    const std::string four = choices("1, tau, cos(w*tau), sin(w*tau)", "0, 1/3, 2/3, 1");
+    CHECK_THAT(four, Contains("w = 3*pi*k, k = +-1, +-2, ...: coefficients are infinite there"));
+    // tan(w/2) = w/2.
+    CHECK_THAT(four, Contains("+-8.98682, "));
+    CHECK_THAT(four, Contains("(all of size below 32): a weight is zero there"));
+    // b = (1 - 1/(6 w), 1/(6 w (1 - w)), ...) of the nodes 0, w, 1.
+    const std::string node = choices("1, tau, tau^2", "0, w, 1");
+    CHECK_THAT(node, Contains("no method at w = 0: coefficients are infinite there"));
+    CHECK_THAT(node, Contains("w = 1 (all of size below 32): coefficients are infinite there"));
+    CHECK_THAT(node, Contains("w = 0.333333, 0.666667 (all"));
+}
+
+TEST_CASE("a parameter that cancels is no argument") {
+    const Scheme scheme = plan(derive(method("w, w*tau", "gauss:2")), {});
+    CHECK_FALSE(scheme.from_parameter);
+    CHECK(scheme.extrapolation);
 }
