@@ -38,6 +38,24 @@ using Precision = slong;
 inline constexpr Precision first_precision = 128;
 inline constexpr Precision last_precision = 1 << 15;
 
+/// The tightest enclosure of a number that was asked for.
+class TightestBall {
+public:
+    /// Asks `enclose` when what it remembers was made with less precision.
+    template <class Enclose>
+    [[nodiscard]] const Ball& at(Precision bits, Enclose enclose) {
+        if (bits_ < bits) {
+            ball_ = enclose(bits);
+            bits_ = bits;
+        }
+        return ball_;
+    }
+
+private:
+    Precision bits_ = 0;
+    Ball ball_;
+};
+
 /// The rational given by its decimal digits, rounded outwards.
 [[nodiscard]] Ball ball_of_rational(const std::string& fraction, Precision bits);
 

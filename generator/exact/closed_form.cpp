@@ -85,13 +85,13 @@ private:
     std::vector<std::size_t> transcendentals_, algebraics_;
 };
 
-/// Precondition: the denominator is 1.
-void append_polynomial(std::vector<Term>& terms, const RationalFunction& polynomial,
+void append_polynomial(std::vector<Term>& terms, const IntegerMultivariate& polynomial,
                        const Monomial& monomial, const Field* field) {
     const std::size_t count = field == nullptr ? 0 : field->transcendentals().size();
-    for (RationalFunction::Term term : polynomial.numerator()) {
+    for (IntegerMultivariate::Term term : polynomial.terms()) {
         term.powers.resize(count);
-        terms.push_back({term.coefficient, {term.powers.begin(), term.powers.end()}, monomial});
+        terms.push_back(
+            {term.coefficient.value(), {term.powers.begin(), term.powers.end()}, monomial});
     }
 }
 
@@ -121,14 +121,10 @@ std::vector<Term> with_multiple_angles(const std::vector<Term>& terms, std::size
 
 Fraction fraction(const Element& argument) {
     HVI_CHECK(!argument.is_zero());
-    RationalFunction denominator(1);
-    for (const auto& [monomial, coefficient] : argument.terms()) {
-        denominator = common_denominator(denominator.inverse(), coefficient);
-    }
     Fraction result;
-    append_polynomial(result.denominator, denominator, {}, argument.field());
-    for (const auto& [monomial, coefficient] : argument.terms()) {
-        append_polynomial(result.numerator, coefficient * denominator, monomial, argument.field());
+    append_polynomial(result.denominator, argument.denominator(), {}, argument.field());
+    for (const auto& [monomial, coefficient] : argument.numerator()) {
+        append_polynomial(result.numerator, coefficient, monomial, argument.field());
     }
     for (std::size_t i = 0; i < argument.level(); ++i) {
         if (argument.field()->algebraic(i).kind == Algebraic::Kind::cosine) {

@@ -37,16 +37,8 @@ std::function<Ball(Precision)> applied(void (*function)(arb_t, const arb_t, slon
 /// A value of which the tightest enclosure asked for is kept.
 std::function<Ball(Precision)> remembered(std::function<Ball(Precision)> value) {
     if (!value) return value;
-    struct Memory {
-        Precision bits = 0;
-        Ball ball;
-    };
-    return [value = std::move(value), memory = std::make_shared<Memory>()](Precision bits) {
-        if (memory->bits < bits) {
-            memory->ball = value(bits);
-            memory->bits = bits;
-        }
-        return memory->ball;
+    return [value = std::move(value), memory = std::make_shared<TightestBall>()](Precision bits) {
+        return memory->at(bits, value);
     };
 }
 
@@ -81,7 +73,7 @@ std::optional<Element> Field::transcendental(const std::string& key, Transcenden
         generator.value = remembered(std::move(generator.value));
         transcendentals_.push_back(std::move(generator));
     }
-    return Element(RationalFunction::variable(position->second), this);
+    return Element::variable(position->second, this);
 }
 
 Element Field::adjoin(Algebraic generator) {
@@ -89,7 +81,7 @@ Element Field::adjoin(Algebraic generator) {
     algebraics_.push_back(std::move(generator));
     Monomial monomial(algebraics_.size());
     monomial.back() = 1;
-    return Element::term(monomial, 1, this);
+    return Element::product(monomial, this);
 }
 
 Element Field::pi() {
@@ -132,13 +124,15 @@ std::optional<std::vector<Field::Part>> Field::split(const Element& argument) {
         const auto [position, is_new] = parts.try_emplace(key, Part{factor, unit, key});
         HVI_CHECK(is_new);
     };
-    for (const auto& [monomial, coefficient] : argument.terms()) {
-        const auto denominator = coefficient.denominator();
-        if (denominator.size() > 1) return std::nullopt;
-        const RationalFunction divisor = RationalFunction::of(denominator.front()).inverse();
-        for (const RationalFunction::Term& term : coefficient.numerator()) {
-            const RationalFunction part = RationalFunction::of(term) * divisor;
-            add(Element::term(monomial, part, this), part.content());
+    const auto denominator = argument.denominator().terms();
+    if (denominator.size() > 1) return std::nullopt;
+    for (const auto& [monomial, coefficient] : argument.numerator()) {
+        for (const IntegerMultivariate::Term& term : coefficient.terms()) {
+            const numeric size =
+                GiNaC::abs(term.coefficient.value()) / denominator.front().coefficient.value();
+            add(Element::quotient({{monomial, IntegerMultivariate::of(term)}},
+                                  argument.denominator(), this),
+                size);
         }
     }
     std::vector<Part> result;
@@ -161,7 +155,7 @@ std::optional<Field::Multiple> Field::multiple(const std::string& key, const num
 std::optional<long> Field::prime_of_logarithm(const Element& unit) const {
     for (std::size_t i = 0; i < transcendentals_.size(); ++i) {
         if (transcendentals_[i].prime != 0 &&
-            (unit - Element(RationalFunction::variable(i))).is_zero()) {
+            (unit - Element::variable(i, unit.field())).is_zero()) {
             return transcendentals_[i].prime;
         }
     }
@@ -365,7 +359,7 @@ std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
             const numeric scale =
                 is_of_double ? GiNaC::pow(numeric(2), numeric(static_cast<long>(degree - k)))
                              : coefficients[degree];
-            reduced = reduced - Element::term(monomial, coefficients[k] / scale, this);
+            reduced = reduced - Element::product(monomial, this) * Element(coefficients[k] / scale);
         }
         algebraics_[index].reduced = reduced;
         angles_.emplace("pi", CosSin{generator, Element(0, this)});

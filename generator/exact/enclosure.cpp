@@ -1,53 +1,76 @@
 // Proven bounds for field elements.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <map>
+#include <utility>
+
 #include "generator/exact/field.hpp"
-#include "generator/exact/integers.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
+/// The generators' values to some precision, and powers of them: each is computed once.
+class Powers {
+public:
+    Powers(const Field* field, Precision bits) : field_(field), bits_(bits) {}
+
+    void multiply_by_transcendental(Ball& product, std::size_t index, unsigned exponent) {
+        const Transcendental& generator = field_->transcendentals().at(index);
+        HVI_CHECK(!generator.is_parameter);
+        multiply(product, transcendentals_[{index, exponent}], generator.value, exponent);
+    }
+    void multiply_by_algebraic(Ball& product, std::size_t index, unsigned exponent) {
+        multiply(product, algebraics_[{index, exponent}], field_->algebraic(index).value, exponent);
+    }
+
+private:
+    using Table = std::map<std::pair<std::size_t, unsigned>, std::optional<Ball>>;
+
+    void multiply(Ball& product, std::optional<Ball>& power,
+                  const std::function<Ball(Precision)>& value, unsigned exponent) const {
+        if (!power) {
+            power = value(bits_);
+            arb_pow_ui(power->get(), power->get(), exponent, bits_);
+        }
+        arb_mul(product.get(), product.get(), power->get(), bits_);
+    }
+
+    const Field* field_;
+    Precision bits_;
+    Table transcendentals_, algebraics_;
+};
+
 /// A polynomial in the transcendental generators.
-Ball evaluate(const std::vector<RationalFunction::Term>& terms, const Field* field,
-              Precision bits) {
+Ball evaluate(const IntegerMultivariate& polynomial, Powers& powers, Precision bits) {
     Ball sum;
-    for (const RationalFunction::Term& term : terms) {
-        Ball product = ball_of_rational(digits(term.coefficient), bits);
+    for (const IntegerMultivariate::Term& term : polynomial.terms()) {
+        Ball product;
+        arb_set_round_fmpz(product.get(), term.coefficient.get(), bits);
         for (std::size_t i = 0; i < term.powers.size(); ++i) {
             if (term.powers[i] == 0) continue;
-            const Transcendental& generator = field->transcendentals().at(i);
-            HVI_CHECK(!generator.is_parameter);
-            Ball power = generator.value(bits);
-            arb_pow_ui(power.get(), power.get(), term.powers[i], bits);
-            arb_mul(product.get(), product.get(), power.get(), bits);
+            powers.multiply_by_transcendental(product, i, term.powers[i]);
         }
         arb_add(sum.get(), sum.get(), product.get(), bits);
     }
     return sum;
 }
 
-Ball evaluate(const RationalFunction& function, const Field* field, Precision bits) {
-    Ball result = evaluate(function.numerator(), field, bits);
-    const Ball denominator = evaluate(function.denominator(), field, bits);
-    arb_div(result.get(), result.get(), denominator.get(), bits);
-    return result;
-}
-
 }  // namespace
 
 Ball enclosure(const Element& argument, Precision bits) {
+    Powers powers(argument.field(), bits);
     Ball sum;
-    for (const auto& [monomial, coefficient] : argument.terms()) {
-        Ball term = evaluate(coefficient, argument.field(), bits);
+    for (const auto& [monomial, coefficient] : argument.numerator()) {
+        Ball term = evaluate(coefficient, powers, bits);
         for (std::size_t i = 0; i < monomial.size(); ++i) {
             if (monomial[i] == 0) continue;
-            Ball generator = argument.field()->algebraic(i).value(bits);
-            arb_pow_ui(generator.get(), generator.get(), monomial[i], bits);
-            arb_mul(term.get(), term.get(), generator.get(), bits);
+            powers.multiply_by_algebraic(term, i, monomial[i]);
         }
         arb_add(sum.get(), sum.get(), term.get(), bits);
     }
+    const Ball denominator = evaluate(argument.denominator(), powers, bits);
+    arb_div(sum.get(), sum.get(), denominator.get(), bits);
     return sum;
 }
 

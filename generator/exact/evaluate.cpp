@@ -24,11 +24,11 @@ constexpr double most_terms_of_number = 1e6;
 double written_terms(const Number& number) {
     const Element* const element = number.value().element();
     if (element == nullptr) return 1;
-    double sum = 0;
-    for (const auto& [monomial, coefficient] : element->terms()) {
-        sum += static_cast<double>(coefficient.term_count());
+    std::size_t sum = 0;
+    for (const auto& [monomial, coefficient] : element->numerator()) {
+        sum += coefficient.term_count() + element->denominator().term_count();
     }
-    return sum;
+    return static_cast<double>(sum);
 }
 
 double written_terms(const ExactFunction& function) {
@@ -109,9 +109,17 @@ private:
     }
 
     ExactFunction sum(const Expression& expression) const {
-        ExactFunction result;
-        for (const Expression& term : expression.arguments) result = result + evaluate(term);
-        return result;
+        // NOTE: in pairs, pairs of pairs and so on: added to one sum, each term would be brought
+        // over the common denominator of all that came before.
+        std::vector<ExactFunction> parts;
+        for (const Expression& term : expression.arguments) parts.push_back(evaluate(term));
+        for (; parts.size() > 1; parts.resize((parts.size() + 1) / 2)) {
+            for (std::size_t i = 0; 2 * i + 1 < parts.size(); ++i) {
+                parts[i] = parts[2 * i] + parts[2 * i + 1];
+            }
+            if (parts.size() % 2 == 1) parts[parts.size() / 2] = parts.back();
+        }
+        return parts.front();
     }
 
     ExactFunction product(const Expression& expression) const {

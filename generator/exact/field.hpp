@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <flint/fmpq.h>
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,7 +12,7 @@
 #include <vector>
 
 #include "generator/exact/ball.hpp"
-#include "generator/exact/rational_function.hpp"
+#include "generator/exact/multivariate.hpp"
 #include "generator/expr/expression.hpp"
 
 namespace hvi::gen {
@@ -21,22 +23,35 @@ class Field;
 using Monomial = std::vector<unsigned>;
 
 /// An element of a Field in normal form: a polynomial in the algebraic generators, each of degree
-/// less than that of its relation, with coefficients that are rational functions over Q of the
-/// transcendental generators. Zero has no terms, and nothing else is zero.
+/// less than that of its relation, over one denominator. Its coefficients and the denominator are
+/// polynomials over Z in the transcendental generators, without a divisor that they all share, and
+/// the denominator has leading sign 1. Zero has no terms, and nothing else is zero.
 class Element {
 public:
-    Element() = default;  ///< zero
-    explicit Element(const RationalFunction& coefficient, Field* field = nullptr);
-    /// coefficient times a product of powers of algebraic generators, reduced.
-    [[nodiscard]] static Element term(const Monomial& monomial, const RationalFunction& coefficient,
-                                      Field* field);
+    using Terms = std::map<Monomial, IntegerMultivariate>;  ///< none is zero
 
-    [[nodiscard]] bool is_zero() const { return terms_.empty(); }
+    Element() = default;  ///< zero
+    explicit Element(const GiNaC::numeric& rational, Field* field = nullptr);
+    /// NOTE: no constructor, to which 0 would be a pointer.
+    [[nodiscard]] static Element copy_of(const fmpq* rational, Field* field = nullptr);
+    /// The transcendental generator x_index.
+    [[nodiscard]] static Element variable(std::size_t index, Field* field);
+    /// A product of powers of algebraic generators, reduced.
+    [[nodiscard]] static Element product(const Monomial& monomial, Field* field);
+    /// The sum of the numerator's terms over the denominator. Precondition: the terms are reduced,
+    /// and the denominator is not zero.
+    [[nodiscard]] static Element quotient(Terms numerator, IntegerMultivariate denominator,
+                                          Field* field);
+
+    [[nodiscard]] bool is_zero() const { return numerator_.empty(); }
     [[nodiscard]] bool is_rational() const;
-    [[nodiscard]] GiNaC::numeric rational() const;  ///< precondition: is_rational()
+    [[nodiscard]] bool is_integer(long value) const;  ///< whether it is this one
+    [[nodiscard]] GiNaC::numeric rational() const;    ///< precondition: is_rational()
+    void copy_to(fmpq* rational) const;               ///< precondition: is_rational()
 
     [[nodiscard]] Field* field() const { return field_; }
-    [[nodiscard]] const std::map<Monomial, RationalFunction>& terms() const { return terms_; }
+    [[nodiscard]] const Terms& numerator() const { return numerator_; }
+    [[nodiscard]] const IntegerMultivariate& denominator() const { return denominator_; }
 
     friend Element operator+(const Element& left, const Element& right);
     friend Element operator-(const Element& left, const Element& right);
@@ -51,10 +66,9 @@ public:
     [[nodiscard]] std::vector<Element> coefficients(std::size_t index) const;
 
 private:
-    void add_term(const Monomial& monomial, const RationalFunction& coefficient);
-
     Field* field_ = nullptr;  ///< null for a rational that has met no field yet
-    std::map<Monomial, RationalFunction> terms_;
+    Terms numerator_;
+    IntegerMultivariate denominator_{1};
 };
 
 /// 1/argument, by norms down the tower. Precondition: not zero.
@@ -63,7 +77,7 @@ private:
 [[nodiscard]] Element power(const Element& base, unsigned exponent);
 
 /// A generator over Q that satisfies no algebraic relation: pi, exp(1), cos(w), a parameter. The
-/// i-th of a field is the variable x_i of its rational functions.
+/// i-th of a field is the variable x_i of its polynomials.
 struct Transcendental {
     Expression form;                       ///< how it is written
     bool is_parameter = false;             ///< it, or what it is made of, has no value

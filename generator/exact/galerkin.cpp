@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/galerkin.hpp"
 
+#include <algorithm>
+
 #include "generator/exact/basis.hpp"
 #include "generator/exact/evaluate.hpp"
 #include "generator/exact/factor.hpp"
@@ -274,6 +276,30 @@ void check_weights(const Tableau& tableau, const Method& method) {
     }
 }
 
+struct PartnerRow {
+    NumberVector entries;
+    Number sum;
+};
+
+/// a~_ij = b_j (1 - a_ji/b_i) = b_j (b_i - a_ji)/b_i for all j. NOTE: exact numbers are divided
+/// last, and their sum once: in a field with generators the quotient is by far the longest of them.
+/// Where enclosures are involved a_ji/b_i comes first: it is exactly 0 or 1 where a_ji is 0 or b_i.
+PartnerRow partner_row(const Tableau& tableau, std::size_t i) {
+    const NumberVector& b = tableau.b;
+    const bool exact = std::all_of(b.begin(), b.end(), is_exact) &&
+                       std::all_of(tableau.A.begin(), tableau.A.end(),
+                                   [&](const NumberVector& row) { return is_exact(row[i]); });
+    PartnerRow result;
+    for (std::size_t j = 0; j < tableau.stages(); ++j) {
+        const Number& a = tableau.A[j][i];
+        const Number numerator = exact ? b[j] * (b[i] - a) : b[j] * (Number(1) - a / b[i]);
+        result.entries.push_back(exact ? numerator / b[i] : numerator);
+        result.sum = result.sum + numerator;
+    }
+    if (exact) { result.sum = result.sum / b[i]; }
+    return result;
+}
+
 /// Step 5, and the row sums c~. With interpolating polynomials two facts need no computing, which
 /// enclosures could not prove:
 ///
@@ -294,14 +320,9 @@ void complete_partner(Tableau& tableau, const Ingredients& given) {
         return;
     }
     for (std::size_t i = 0; i < s; ++i) {
-        NumberVector row;
-        Number sum;
-        for (std::size_t j = 0; j < s; ++j) {
-            row.push_back(tableau.b[j] * (Number(1) - tableau.A[j][i] / tableau.b[i]));
-            sum = sum + row.back();
-        }
+        auto [row, sum] = partner_row(tableau, i);
         tableau.A_tilde.push_back(std::move(row));
-        tableau.c_tilde.push_back(degrees >= 1 ? tableau.c[i] : sum);
+        tableau.c_tilde.push_back(degrees >= 1 ? tableau.c[i] : std::move(sum));
     }
 }
 

@@ -24,12 +24,17 @@ class Integer {
 public:
     Integer() { fmpz_init(value_); }
     explicit Integer(const GiNaC::numeric& integer) : Integer() {
+        if (integer.int_length() < 63) {
+            fmpz_set_si(value_, integer.to_long());
+            return;
+        }
         const bool read = fmpz_set_str(value_, digits(integer).c_str(), 10) == 0;
         HVI_CHECK(read);
     }
     Integer(const Integer& other) { fmpz_init_set(value_, other.value_); }
-    Integer& operator=(const Integer& other) {
-        fmpz_set(value_, other.value_);
+    Integer(Integer&& other) noexcept : Integer() { fmpz_swap(value_, other.value_); }
+    Integer& operator=(Integer other) noexcept {
+        fmpz_swap(value_, other.value_);
         return *this;
     }
     ~Integer() { fmpz_clear(value_); }

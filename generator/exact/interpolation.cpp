@@ -2,32 +2,14 @@
 #include "generator/exact/interpolation.hpp"
 
 #include <arb_fmpz_poly.h>
-#include <flint/fmpq_mat.h>
 
 #include "generator/exact/number_value.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/exact/rational_matrix.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-/// A matrix of rationals that is freed when it goes.
-class RationalMatrix {
-public:
-    explicit RationalMatrix(std::size_t size) {
-        fmpq_mat_init(matrix_, static_cast<slong>(size), static_cast<slong>(size));
-    }
-    RationalMatrix(const RationalMatrix&) = delete;
-    RationalMatrix& operator=(const RationalMatrix&) = delete;
-    ~RationalMatrix() { fmpq_mat_clear(matrix_); }
-    [[nodiscard]] fmpq_mat_struct* get() { return matrix_; }
-    [[nodiscard]] fmpq* entry(std::size_t row, std::size_t column) {
-        return fmpq_mat_entry(matrix_, static_cast<slong>(row), static_cast<slong>(column));
-    }
-
-private:
-    fmpq_mat_t matrix_;
-};
 
 RationalPolynomial remainder(const RationalPolynomial& a, const RationalPolynomial& P) {
     RationalPolynomial result;
@@ -64,7 +46,7 @@ std::optional<std::vector<RationalPolynomial>> columns(const std::vector<Rationa
                                                        const RationalPolynomial& P) {
     const auto v = lagrange(P);
     const std::size_t s = psi.size();
-    RationalMatrix C(s);
+    RationalMatrix C(s, s);
     for (std::size_t i = 0; i < s; ++i) {
         for (std::size_t m = 0; m < s; ++m) {
             fmpq_poly_get_coeff_fmpq(C.entry(i, m), psi[i].get(), static_cast<slong>(m));

@@ -6,6 +6,7 @@
 
 #include "generator/exact/minors.hpp"
 #include "generator/exact/number_value.hpp"
+#include "generator/exact/rational_matrix.hpp"
 
 namespace hvi::gen {
 
@@ -46,9 +47,38 @@ Number dot(const NumberVector& left, const NumberVector& right) {
     }));
 }
 
+bool is_rational(const NumberVector& vector) {
+    return std::all_of(vector.begin(), vector.end(), [](const Number& entry) {
+        const Element* const element = entry.value().element();
+        return element != nullptr && element->is_rational();
+    });
+}
+
+/// By FLINT, which sums without a division for each term. Precondition: all entries are rational.
+NumberVector rational_product(const NumberMatrix& matrix, const NumberVector& vector) {
+    RationalMatrix left(matrix.size(), vector.size());
+    RationalMatrix right(vector.size(), 1);
+    RationalMatrix product(matrix.size(), 1);
+    for (std::size_t j = 0; j < vector.size(); ++j) {
+        for (std::size_t i = 0; i < matrix.size(); ++i) {
+            matrix[i][j].value().element()->copy_to(left.entry(i, j));
+        }
+        vector[j].value().element()->copy_to(right.entry(j, 0));
+    }
+    fmpq_mat_mul(product.get(), left.get(), right.get());
+    NumberVector result;
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        result.push_back(number(Element::copy_of(product.entry(i, 0)), nullptr));
+    }
+    return result;
+}
+
 }  // namespace
 
 NumberVector operator*(const NumberMatrix& matrix, const NumberVector& vector) {
+    if (is_rational(vector) && std::all_of(matrix.begin(), matrix.end(), is_rational)) {
+        return rational_product(matrix, vector);
+    }
     NumberVector result;
     for (const NumberVector& row : matrix) { result.push_back(dot(row, vector)); }
     return result;

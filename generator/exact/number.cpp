@@ -27,24 +27,20 @@ Number combine(const Number& left, const Number& right, BallOperation operation)
 
 bool is_exactly(const Number& number, long integer) {
     const Element* const element = number.value().element();
-    return element != nullptr && element->is_rational() && element->rational().is_equal(integer);
+    return element != nullptr && element->is_integer(integer);
 }
 
 Number::Number(long value) : Number(number(Element(GiNaC::numeric(value)), nullptr)) {}
 
 Number number(Element element, std::shared_ptr<Field> field) {
-    return Number(
-        std::make_shared<const Number::Value>(Number::Value{std::move(element), std::move(field)}));
+    return Number(std::make_shared<const Number::Value>(std::move(element), std::move(field)));
 }
 
 Number number(Real real) {
     return Number(std::make_shared<const Number::Value>(std::move(real), nullptr));
 }
 
-Ball enclosure(const Number& number, Precision bits) {
-    if (const Element* element = number.value().element()) return enclosure(*element, bits);
-    return std::get<Real>(number.value().what).enclosure(bits);
-}
+Ball enclosure(const Number& number, Precision bits) { return number.value().enclosure(bits); }
 
 Number operator+(const Number& left, const Number& right) {
     const Element* const a = left.value().element();

@@ -14,24 +14,15 @@
 namespace hvi::gen {
 
 /// A real number without an exact place in the field: it can be enclosed to any precision. Sums and
-/// products of such numbers are nodes of a graph, each of which remembers the tightest enclosure
-/// that it was asked for.
+/// products of such numbers are nodes of a graph.
 class Real {
 public:
     explicit Real(std::function<Ball(Precision)> enclose) : enclose_(std::move(enclose)) {}
 
-    [[nodiscard]] Ball enclosure(Precision bits) const {
-        if (bits_ < bits) {
-            ball_ = enclose_(bits);
-            bits_ = bits;
-        }
-        return ball_;
-    }
+    [[nodiscard]] Ball enclosure(Precision bits) const { return enclose_(bits); }
 
 private:
     std::function<Ball(Precision)> enclose_;
-    mutable Precision bits_ = 0;
-    mutable Ball ball_;
 };
 
 struct Number::Value {
@@ -49,8 +40,18 @@ struct Number::Value {
         return *inverse_;
     }
 
+    /// Remembered: numbers share what they are made of, and are asked for a sign, for digits and
+    /// for a double. Precondition: no free parameter.
+    [[nodiscard]] Ball enclosure(Precision bits) const {
+        return ball_.at(bits, [this](Precision wanted) {
+            return element() != nullptr ? hvi::gen::enclosure(*element(), wanted)
+                                        : std::get<Real>(what).enclosure(wanted);
+        });
+    }
+
 private:
     mutable std::optional<Element> inverse_;
+    mutable TightestBall ball_;
 };
 
 [[nodiscard]] Number number(Element element, std::shared_ptr<Field> field);

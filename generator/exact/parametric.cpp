@@ -15,7 +15,7 @@
 namespace hvi::gen {
 namespace {
 
-using Polynomial = RationalFunction;  ///< with the denominator 1
+using Polynomial = IntegerMultivariate;
 
 /// The generators of a field that occur in some numbers, and which of EntireGenerators they are.
 class Translation {
@@ -44,6 +44,13 @@ public:
     [[nodiscard]] std::size_t algebraic_constant(std::size_t index) const {
         return algebraic_constants_.at(index);
     }
+    [[nodiscard]] std::vector<std::size_t> angles() const {
+        std::vector<std::size_t> result;
+        for (const std::size_t t : phases_) {
+            if (is_angle(t)) { result.push_back(t); }
+        }
+        return result;
+    }
     [[nodiscard]] bool is_angle(std::size_t variable) const {
         return field_->transcendentals()[variable].angle.has_value();
     }
@@ -58,7 +65,9 @@ private:
         const Element* const element = number.value().element();
         HVI_CHECK(element != nullptr);
         if (number.value().field != nullptr) { field_ = number.value().field; }
-        for (const auto& [monomial, coefficient] : element->terms()) {
+        note_transcendentals(element->denominator());
+        for (const auto& [monomial, coefficient] : element->numerator()) {
+            note_transcendentals(coefficient);
             for (std::size_t i = 0; i < monomial.size(); ++i) {
                 if (monomial[i] == 0) { continue; }
                 const Algebraic& generator = field_->algebraic(i);
@@ -70,10 +79,13 @@ private:
                     refuse();
                 }
             }
-            for (std::size_t i = 0;
-                 element->field() != nullptr && i < field_->transcendentals().size(); ++i) {
-                if (coefficient.contains(i)) { insert(transcendentals_, i); }
-            }
+        }
+    }
+
+    void note_transcendentals(const Polynomial& polynomial) {
+        if (polynomial.is_constant()) { return; }
+        for (std::size_t i = 0; i < field_->transcendentals().size(); ++i) {
+            if (polynomial.contains(i)) { insert(transcendentals_, i); }
         }
     }
 
@@ -103,7 +115,7 @@ private:
 
     /// argument / w, which is to be a constant.
     [[nodiscard]] Number rate(const Element& argument) const {
-        const Number w = exact(Element(RationalFunction::variable(parameter_), field_.get()));
+        const Number w = exact(Element::variable(parameter_, field_.get()));
         Number result = exact(argument) / w;
         if (result.has_parameters()) { refuse(); }
         return result;
@@ -114,8 +126,7 @@ private:
         if (index == parameter_) { return; }
         if (!generator.is_parameter) {
             constants_[index] = generators_.constants.size();
-            generators_.constants.push_back(
-                exact(Element(RationalFunction::variable(index), field_.get())));
+            generators_.constants.push_back(exact(Element::variable(index, field_.get())));
         } else if (generator.angle) {
             // NOTE: t = tan(angle/2) makes rational functions of cos and sin.
             phases_.push_back(index);
@@ -134,7 +145,7 @@ private:
         Monomial monomial(index + 1);
         monomial[index] = 1;
         algebraic_constants_[index] = generators_.constants.size();
-        generators_.constants.push_back(exact(Element::term(monomial, 1, field_.get())));
+        generators_.constants.push_back(exact(Element::product(monomial, field_.get())));
     }
 
     std::shared_ptr<Field> field_;
@@ -154,94 +165,104 @@ Polynomial power(const Polynomial& base, unsigned exponent) {
     return result;
 }
 
-Polynomial cosine_numerator(std::size_t t) {
-    return Polynomial(1) + -power(Polynomial::variable(t), 2);
-}
-
-/// 1 + t^2, the denominator of cos and sin.
-Polynomial secant_squared(std::size_t t) {
-    return Polynomial(1) + power(Polynomial::variable(t), 2);
-}
-
-/// A polynomial in which the variable of each angle is cos = (1 - t^2)/(1 + t^2).
-RationalFunction in_tangents(const std::vector<RationalFunction::Term>& polynomial,
-                             const Translation& translation) {
-    std::map<std::size_t, unsigned> degrees;
-    for (const std::size_t t : translation.phase_variables()) {
-        if (!translation.is_angle(t)) { continue; }
-        for (const auto& term : polynomial) { degrees[t] = std::max(degrees[t], term.powers[t]); }
-    }
-    RationalFunction sum(0);
-    for (RationalFunction::Term term : polynomial) {
-        Polynomial angles(1);
-        for (const auto& [t, degree] : degrees) {
-            const unsigned cosines = std::exchange(term.powers[t], 0);
-            angles = angles * power(cosine_numerator(t), cosines) *
-                     power(secant_squared(t), degree - cosines);
-        }
-        sum = sum + RationalFunction::of(term) * angles;
-    }
-    for (const auto& [t, degree] : degrees) {
-        sum = sum * power(secant_squared(t), degree).inverse();
-    }
-    return sum;
-}
-
-/// An element as a sum over products of algebraic constants.
-using Groups = std::map<Monomial, RationalFunction>;
-
-Groups in_tangents(const Element& element, const Translation& translation) {
-    Groups groups;
-    for (const auto& [monomial, coefficient] : element.terms()) {
-        RationalFunction value = in_tangents(coefficient.numerator(), translation) *
-                                 in_tangents(coefficient.denominator(), translation).inverse();
-        Monomial constants = monomial;
-        for (std::size_t i = 0; i < monomial.size(); ++i) {
-            const Algebraic& generator = translation.field().algebraic(i);
-            if (monomial[i] == 0 || !generator.is_parameter) { continue; }
-            const Polynomial t = Polynomial::variable(generator.cosine);
-            value = value * RationalFunction(2) * t * secant_squared(generator.cosine).inverse();
-            constants[i] = 0;
-        }
-        RationalFunction& sum = groups[constants];
-        sum = sum + value;
-    }
-    return groups;
-}
-
-bool is_polynomial(const RationalFunction& function) {
-    const auto denominator = function.denominator();
-    return denominator.size() == 1 &&
-           std::all_of(denominator.front().powers.begin(), denominator.front().powers.end(),
-                       [](unsigned power) { return power == 0; });
-}
-
-/// Polynomials, one for each product of algebraic constants, over a common one.
-struct Fraction {
-    std::map<Monomial, Polynomial> above;
-    Polynomial below;
-};
-
-Fraction fraction(const Groups& groups) {
-    Fraction result{{}, 1};
-    for (const auto& [constants, value] : groups) {
-        result.below = common_denominator(result.below.inverse(), value);
-    }
-    for (const auto& [constants, value] : groups) {
-        if (!value.is_zero()) { result.above[constants] = value * result.below; }
-    }
+/// 1 + sign t^2: the numerator of cos = (1 - t^2)/(1 + t^2), and its denominator.
+Polynomial one_and_square(long sign, std::size_t t) {
+    Polynomial result = Polynomial(sign) * power(Polynomial::variable(t), 2);
+    result += Polynomial(1);
     return result;
 }
 
+Polynomial secant_squared(std::size_t t) { return one_and_square(1, t); }
+
+/// A polynomial in cosines, of which each is a variable, and in sines, which stand in monomials.
+class InTangents {
+public:
+    explicit InTangents(const Translation& translation) : translation_(translation) {}
+
+    void add(const Monomial& monomial, const Polynomial& coefficient) {
+        Monomial constants = monomial;
+        std::map<std::size_t, unsigned> sines;  // by the variable of the angle
+        for (std::size_t i = 0; i < monomial.size(); ++i) {
+            const Algebraic& generator = translation_.field().algebraic(i);
+            if (!generator.is_parameter) { continue; }
+            sines[generator.cosine] = std::exchange(constants[i], 0);
+        }
+        while (!constants.empty() && constants.back() == 0) { constants.pop_back(); }
+        for (Polynomial::Term& term : coefficient.terms()) {
+            terms_.push_back({constants, std::move(term), sines});
+        }
+    }
+
+    /// How often 1 + t^2 stands below.
+    [[nodiscard]] unsigned degree(std::size_t t) const {
+        unsigned degree = 0;
+        for (const Summand& summand : terms_) { degree = std::max(degree, summand.degree(t)); }
+        return degree;
+    }
+
+    /// The numerator.
+    [[nodiscard]] Element::Terms numerator() const {
+        Element::Terms result;
+        for (const Summand& summand : terms_) {
+            Polynomial::Term term = summand.term;
+            Polynomial product(1);
+            for (const std::size_t t : translation_.angles()) {
+                const unsigned cosines = std::exchange(term.powers[t], 0);
+                const unsigned sines = summand.sines_of(t);
+                const Polynomial sine = Polynomial(2) * Polynomial::variable(t);
+                product = product * power(one_and_square(-1, t), cosines) * power(sine, sines) *
+                          power(secant_squared(t), degree(t) - cosines - sines);
+            }
+            result[summand.constants] += Polynomial::of(term) * product;
+        }
+        std::erase_if(result, [](const auto& entry) { return entry.second.is_zero(); });
+        return result;
+    }
+
+private:
+    struct Summand {
+        Monomial constants;
+        Polynomial::Term term;
+        std::map<std::size_t, unsigned> sines;
+
+        [[nodiscard]] unsigned sines_of(std::size_t t) const {
+            const auto found = sines.find(t);
+            return found == sines.end() ? 0 : found->second;
+        }
+        [[nodiscard]] unsigned degree(std::size_t t) const { return term.powers[t] + sines_of(t); }
+    };
+
+    const Translation& translation_;
+    std::vector<Summand> terms_;
+};
+
+/// The element with t = tan(angle/2) in the place of each cosine, and without sines.
+Element in_tangents(const Element& element, const Translation& translation) {
+    InTangents above(translation);
+    for (const auto& [monomial, coefficient] : element.numerator()) {
+        above.add(monomial, coefficient);
+    }
+    InTangents below(translation);
+    below.add({}, element.denominator());
+    Element::Terms numerator = above.numerator();
+    Polynomial denominator = below.numerator().at({});
+    for (const std::size_t t : translation.angles()) {
+        for (auto& [constants, polynomial] : numerator) {
+            polynomial = polynomial * power(secant_squared(t), below.degree(t));
+        }
+        denominator = denominator * power(secant_squared(t), above.degree(t));
+    }
+    return Element::quotient(std::move(numerator), std::move(denominator), element.field());
+}
+
 /// Takes out 1 + t^2 as often as it divides all of them, and says how often that is.
-unsigned without_secants(std::map<Monomial, Polynomial>& polynomials, std::size_t t) {
-    const RationalFunction inverse = secant_squared(t).inverse();
+unsigned without_secants(Element::Terms& polynomials, std::size_t t) {
     for (unsigned count = 0;; ++count) {
-        std::map<Monomial, Polynomial> quotients;
+        Element::Terms quotients;
         for (const auto& [constants, polynomial] : polynomials) {
-            const RationalFunction quotient = polynomial * inverse;
-            if (!is_polynomial(quotient)) { return count; }
-            quotients[constants] = quotient;
+            const auto quotient = polynomial.divided_by(secant_squared(t));
+            if (!quotient) { return count; }
+            quotients[constants] = *quotient;
         }
         polynomials = std::move(quotients);
     }
@@ -269,36 +290,37 @@ public:
     explicit Conversion(const std::vector<Number>& numbers) : translation_(numbers) {}
 
     Quotient add(const Number& number) {
-        Fraction parts = fraction(in_tangents(*number.value().element(), translation_));
+        const Element quotient = in_tangents(*number.value().element(), translation_);
+        Element::Terms above = quotient.numerator();
         const std::size_t phases = translation_.generators().phases.size();
         std::vector<int> surplus(phases);  // of the degree below over that above
         Quotient result;
-        Polynomial rest = parts.below;
-        for (const auto& [base, exponent] : parts.below.factors()) {
-            rest = rest * power(base, exponent).inverse();
+        Polynomial rest = quotient.denominator();
+        for (const auto& [base, exponent] : quotient.denominator().factors()) {
+            rest /= power(base, exponent);
             for (std::size_t p = 0; p < phases; ++p) {
                 surplus[p] += static_cast<int>(exponent * base.degree(variable(p)));
             }
             if (!is_secant(base)) { factor(result, homogeneous({{Monomial{}, base}}), exponent); }
         }
-        HVI_CHECK(rest.is_rational());
-        result.divisor = translation_.exact(Element(rest));
+        HVI_CHECK(rest.is_constant());
+        result.divisor = translation_.exact(Element(rest.constant()));
         for (std::size_t p = 0; p < phases; ++p) {
             const std::size_t t = variable(p);
             unsigned degree = 0;
-            if (translation_.is_angle(t)) { degree = 2 * without_secants(parts.above, t); }
-            surplus[p] -= static_cast<int>(degree + degree_of(parts.above, p));
+            if (translation_.is_angle(t)) { degree = 2 * without_secants(above, t); }
+            surplus[p] -= static_cast<int>(degree + degree_of(above, p));
         }
-        EntireFunction above = homogeneous(parts.above);
+        EntireFunction numerator = homogeneous(above);
         for (std::size_t p = 0; p < phases; ++p) {
             if (surplus[p] < 0) {
                 factor(result, generator(of_y(p)), static_cast<unsigned>(-surplus[p]));
             }
-            for (EntireFunction::Term& term : above.terms) {
+            for (EntireFunction::Term& term : numerator.terms) {
                 term.powers[of_y(p)] += static_cast<unsigned>(std::max(surplus[p], 0));
             }
         }
-        result.numerator = place_of(numerators_, above);
+        result.numerator = place_of(numerators_, numerator);
         return result;
     }
 
@@ -336,13 +358,12 @@ private:
 
     [[nodiscard]] bool is_secant(const Polynomial& base) const {
         for (const std::size_t t : translation_.phase_variables()) {
-            if (translation_.is_angle(t) && (base + -secant_squared(t)).is_zero()) { return true; }
+            if (translation_.is_angle(t) && base.divided_by(secant_squared(t))) { return true; }
         }
         return false;
     }
 
-    [[nodiscard]] unsigned degree_of(const std::map<Monomial, Polynomial>& polynomials,
-                                     std::size_t phase) const {
+    [[nodiscard]] unsigned degree_of(const Element::Terms& polynomials, std::size_t phase) const {
         unsigned degree = 0;
         for (const auto& [constants, polynomial] : polynomials) {
             degree = std::max(degree, polynomial.degree(variable(phase)));
@@ -357,15 +378,14 @@ private:
     }
 
     /// t^k becomes x^k y^(n-k), n the degree in t.
-    [[nodiscard]] EntireFunction
-    homogeneous(const std::map<Monomial, Polynomial>& polynomials) const {
+    [[nodiscard]] EntireFunction homogeneous(const Element::Terms& polynomials) const {
         const EntireGenerators& generators = translation_.generators();
         const std::size_t constants = 1 + 2 * generators.phases.size();
         EntireFunction result;
         for (const auto& [algebraic, polynomial] : polynomials) {
-            for (const RationalFunction::Term& term : polynomial.numerator()) {
+            for (const Polynomial::Term& term : polynomial.terms()) {
                 EntireFunction::Term& added = result.terms.emplace_back();
-                added.coefficient = translation_.exact(Element(term.coefficient));
+                added.coefficient = translation_.exact(Element(term.coefficient.value()));
                 added.powers.resize(generators.count());
                 for (std::size_t i = 0; i < term.powers.size(); ++i) {
                     if (term.powers[i] == 0) { continue; }

@@ -35,10 +35,14 @@ std::optional<Integer> only_nearest_integer(const Ball& ball) {
     return result;
 }
 
-/// value * 10^power, both exact or both refined.
-Number scaled(const Number& value, long power) {
-    const GiNaC::numeric factor = GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(power));
-    return value * number(Element(factor), nullptr);
+/// value * base^power. NOTE: a rational stays exact, for it may lie half-way between two answers;
+/// of what else there is the enclosure is enough, and a product of long sums is saved.
+Number scaled(const Number& value, long base, long power) {
+    const Number factor =
+        number(Element(GiNaC::pow(GiNaC::numeric(base), GiNaC::numeric(power))), nullptr);
+    const Element* const element = value.value().element();
+    if (element != nullptr && element->is_rational()) { return value * factor; }
+    return number(Real([value](Precision bits) { return enclosure(value, bits); })) * factor;
 }
 
 Integer nearest_integer(const Number& value) {
@@ -105,7 +109,7 @@ std::string Number::decimal(int digits) const {
     }
     // From an exponent that may be too small, upwards until the digits are not too many.
     for (long exponent = first_exponent;; ++exponent) {
-        const Integer scaled_value = nearest_integer(scaled(*this, digits - 1 - exponent));
+        const Integer scaled_value = nearest_integer(scaled(*this, 10, digits - 1 - exponent));
         std::string text = scaled_value.text();
         const bool negative = text.front() == '-';
         if (negative) text.erase(0, 1);
@@ -161,8 +165,7 @@ Dyadic Number::nearest_of(int bits) const {
 
 Dyadic Number::nearest_multiple(int exponent) const {
     HVI_CHECK(!has_parameters());
-    const GiNaC::numeric scale = GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(-exponent));
-    return {wide(nearest_integer(*this * number(Element(scale), nullptr))), exponent};
+    return {wide(nearest_integer(scaled(*this, 2, -exponent))), exponent};
 }
 
 }  // namespace hvi::gen

@@ -37,20 +37,17 @@ std::pair<numeric, numeric> split_square(numeric integer) {
 
 /// The positive rational r for which argument / r has coprime integer coefficients throughout.
 numeric content(const Element& argument) {
-    numeric numerators = 0;
-    numeric denominators = 1;
-    for (const auto& [monomial, coefficient] : argument.terms()) {
-        const numeric part = coefficient.content();
-        numerators = GiNaC::gcd(numerators, part.numer());
-        denominators = GiNaC::lcm(denominators, part.denom());
+    numeric numerator = 0;
+    for (const auto& [monomial, coefficient] : argument.numerator()) {
+        numerator = GiNaC::gcd(numerator, coefficient.content());
     }
-    return numerators / denominators;
+    return numerator / argument.denominator().content();
 }
 
 Element generator(Field& field, std::size_t index) {
     Monomial monomial(index + 1);
     monomial[index] = 1;
-    return Element::term(monomial, 1, &field);
+    return Element::product(monomial, &field);
 }
 
 Element quotient(const Element& numerator, const Element& denominator) {
@@ -71,8 +68,11 @@ std::optional<Element> root_in_field(const Element& argument, std::size_t level)
     if (argument.is_zero()) return argument;
     if (level == 0) {
         if (argument.level() != 0) return std::nullopt;
-        const auto root = argument.terms().begin()->second.square_root();
-        return root ? std::optional(Element(*root, argument.field())) : std::nullopt;
+        // In lowest terms a quotient is a square when both parts are.
+        const auto above = argument.numerator().begin()->second.square_root();
+        const auto below = argument.denominator().square_root();
+        if (!above || !below) { return std::nullopt; }
+        return Element::quotient({{{}, *above}}, *below, argument.field());
     }
     Field& field = *argument.field();
     const Algebraic& top = field.algebraic(level - 1);

@@ -39,6 +39,30 @@ TEST_CASE("reciprocals of sums of square roots") {
     CHECK(same("1/" + sum + "*" + sum, "1"));
 }
 
+TEST_CASE("reciprocals of sums of generators of several kinds") {
+    CHECK(same("1/(1+sqrt(1+1/pi))", "pi*(sqrt(1+1/pi)-1)"));
+    CHECK(normal("(2*pi+2*pi*sqrt(2))/(4*pi^2-4*pi)") == "(1+sqrt(2))/(2*pi-2)");
+    for (const std::string sum :
+         {"(sqrt(2)+exp(1)*sqrt(3)+pi)", "(2*pi*sin(1)+6*cos(1)/pi-4*sqrt(2)*exp(1))",
+          "(pi+w*cos(pi/7)+cos(2*pi/7)/3)", "(w/2+sin(w)+sqrt(5)*sin(1)*cos(w))",
+          "(1/pi+sqrt(1+1/pi)*sqrt(2))"}) {
+        CAPTURE(sum);
+        CHECK(same("1/" + sum + "*" + sum, "1"));
+        CHECK(same("1/(" + sum + "^2)", "(1/" + sum + ")^2"));
+    }
+}
+
+TEST_CASE("powers of a root whose square has a denominator") {
+    CHECK(same("(1+sqrt(1+1/pi))^3", "4+3/pi+(4+1/pi)*sqrt(1+1/pi)"));
+    CHECK(same("(pi*sqrt(1+1/pi))^2", "pi^2+pi"));
+    CHECK(same("sqrt(1+1/pi)*sqrt(1+1/pi)*sqrt(2)-sqrt(2)/pi", "sqrt(2)"));
+}
+
+TEST_CASE("sums of many terms") {
+    CHECK(same("1/pi+2/(pi+1)-3/pi-2/(1+pi)+2/pi", "0"));
+    CHECK(same("1/(pi*(pi+1))+1/((pi+1)*(pi+2))+1/((pi+2)*(pi+3))", "1/pi-1/(pi+3)"));
+}
+
 TEST_CASE("cosines and sines of constructible angles") {
     CHECK(same("cos(pi/12)", "(sqrt(6)+sqrt(2))/4"));
     CHECK(same("cos(pi/5)", "(1+sqrt(5))/4"));

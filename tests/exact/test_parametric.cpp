@@ -42,7 +42,7 @@ TEST_CASE("real zeros") {
     CHECK(zeros[3] == Approx(4.493409457909064).epsilon(1e-12));
     CHECK(zeros[4] == Approx(7.725251836937707).epsilon(1e-12));
     CHECK(zeros[5] == Approx(10.90412165942890).epsilon(1e-12));
-    for (const std::size_t i : {0, 1, 2}) { CHECK(zeros[i] == Approx(-zeros[5 - i])); }
+    for (std::size_t i = 0; i < 3; ++i) { CHECK(zeros[i] == Approx(-zeros[5 - i])); }
     CHECK(real_zeros(tangent, generators, 4.4).empty());
     // 1 - sin(w) touches 0 at pi/2.
     const EntireFunction touching = function({{1, {0, 0, 0, 0}}, minus(sine)});

@@ -43,6 +43,7 @@ const std::vector<Basis> bases{
     {"1, tau, cos(2*pi*tau), sin(2*pi*tau)", 4, 12},
     {"1, exp(tau), exp(-tau)", 3, 5},
     {"1, tau, exp(tau), exp(-tau)", 4, 3},
+    {"1, cos(pi*tau), sin(pi*tau)", 3, 7},
 };
 
 Nodes random_nodes(const Basis& basis, std::mt19937& generator) {
@@ -110,6 +111,7 @@ TEST_CASE("random methods are symplectic, and rows sum to nodes") {
         CHECK(sum(b).is_one());
         for (std::size_t i = 0; i < basis.size; ++i) {
             CHECK((sum(A[i]) - tableau.c[i]).is_zero());
+            CHECK((sum(A_tilde[i]) - tableau.c_tilde[i]).is_zero());
             for (std::size_t j = 0; j < basis.size; ++j)
                 CHECK((b[i] * A_tilde[i][j] + b[j] * A[j][i] - b[i] * b[j]).is_zero());
         }

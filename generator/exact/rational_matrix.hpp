@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <flint/fmpq_mat.h>
+
+#include <cstddef>
+
+namespace hvi::gen {
+
+/// A matrix of FLINT's rationals that is freed when it goes.
+class RationalMatrix {
+public:
+    RationalMatrix(std::size_t rows, std::size_t columns) {
+        fmpq_mat_init(matrix_, static_cast<slong>(rows), static_cast<slong>(columns));
+    }
+    RationalMatrix(const RationalMatrix&) = delete;
+    RationalMatrix& operator=(const RationalMatrix&) = delete;
+    ~RationalMatrix() { fmpq_mat_clear(matrix_); }
+    [[nodiscard]] fmpq_mat_struct* get() { return matrix_; }
+    [[nodiscard]] fmpq* entry(std::size_t row, std::size_t column) {
+        return fmpq_mat_entry(matrix_, static_cast<slong>(row), static_cast<slong>(column));
+    }
+
+private:
+    fmpq_mat_t matrix_;
+};
+
+}  // namespace hvi::gen
