@@ -1,3 +1,4 @@
+// Matrices of rationals.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
