@@ -193,12 +193,12 @@ void compare_all(const Method& method, const std::vector<double>& at) {
     for (const double w : at) {
         CAPTURE(w);
         const auto shorter = static_cast<float>(w);
-        compare<float, Stepper>(of_float, shorter, exact_at(shorter));
+        compare<float, Stepper>(of_float, shorter, exact_at(static_cast<double>(shorter)));
         const Exact reference = exact_at(w);
         compare<double, Stepper>(of_double, w, reference);
-        compare<long double, Stepper>(of_long_double, w, reference);
+        compare<long double, Stepper>(of_long_double, static_cast<long double>(w), reference);
 #ifdef __SIZEOF_FLOAT128__
-        compare<scalars::Quad, Stepper>(of_quad, w, reference);
+        compare<scalars::Quad, Stepper>(of_quad, static_cast<scalars::Quad>(w), reference);
 #endif
     }
     const auto check = [&](const Seen& seen) {
