@@ -13,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "generator/exact/trees.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/support/version.hpp"
 
@@ -27,7 +28,6 @@ constexpr std::string_view method_help = R"help(METHOD is one of
 
 /// Commands and options of CONTRACT.md that later versions have.
 constexpr std::array announced_commands = {
-    std::pair{"check", "Order, symplecticity, symmetry, stability (to come)"},
     std::pair{"scheme", "The equations of a step for a Hamiltonian (to come)"},
     std::pair{"run", "Integrate a scene (to come)"},
     std::pair{"report", "Compare methods on scenes (to come)"},
@@ -84,6 +84,15 @@ void describe(CLI::App& app) {
     add_value(tableau, "--format", "FORMAT", "text, json, latex, markdown or csv");
     add_value(tableau, "--digits", "N", "Significant digits of decimal values (50)");
     add_value(tableau, "-o,--output", "FILE", "Write to this file");
+
+    CLI::App& check =
+        *app.add_subcommand("check", "Order, symplecticity, symmetry, stability, with proof");
+    add_method(check);
+    add_value(check, "--tableau", "FILE", "A tableau in JSON (to come)");
+    add_value(check, "--max-order", "N", "Look at conditions up to this order (8)");
+    add_value(check, "--format", "FORMAT", "text or json");
+    add_value(check, "--plot", "FILE", "Draw trace/2 on the oscillator as SVG");
+    add_value(check, "-o,--output", "FILE", "Write to this file");
 
     CLI::App& stepper = *app.add_subcommand("stepper", "Write a method as a C++ header");
     add_method(stepper);
@@ -218,11 +227,12 @@ MethodOptions method_options(const Words& words, const CommandLine& line) {
     return method;
 }
 
-std::optional<std::filesystem::path> output_option(const Words& words) {
-    const auto output = words.value("--output");
-    if (output && output->empty())
-        throw InputError("--output needs the name of a file", words.place("--output"));
-    return output;
+std::optional<std::filesystem::path> file_option(const Words& words, const std::string& option) {
+    const auto file = words.value(option);
+    if (file && file->empty()) {
+        throw InputError(option + " needs the name of a file", words.place(option));
+    }
+    return file;
 }
 
 TableauOptions tableau_options(const Words& words, const CommandLine& line) {
@@ -231,7 +241,18 @@ TableauOptions tableau_options(const Words& words, const CommandLine& line) {
     options.format = static_cast<TableauOptions::Format>(
         words.choice("--format", {"text", "json", "latex", "markdown", "csv"}));
     options.digits = words.number("--digits", 1, 10000).value_or(options.digits);
-    options.output = output_option(words);
+    options.output = file_option(words, "--output");
+    return options;
+}
+
+CheckOptions check_options(const Words& words, const CommandLine& line) {
+    if (!words.values("--tableau").empty()) { to_come("--tableau", words.place("--tableau")); }
+    CheckOptions options;
+    options.method = method_options(words, line);
+    options.max_order = words.number("--max-order", 1, most_vertices).value_or(options.max_order);
+    options.format = static_cast<CheckOptions::Format>(words.choice("--format", {"text", "json"}));
+    options.plot = file_option(words, "--plot");
+    options.output = file_option(words, "--output");
     return options;
 }
 
@@ -246,7 +267,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     options.separable = words.flag("--separable");
     options.name = words.value("--name");
     options.explain = words.flag("--explain");
-    options.output = output_option(words);
+    options.output = file_option(words, "--output");
     return options;
 }
 
@@ -298,6 +319,7 @@ Request request(const CLI::App& command, const CommandLine& line) {
     if (const auto rest = command.remaining(); !rest.empty()) refuse(rest.front(), command, line);
 
     if (name == "tableau") return tableau_options(words, line);
+    if (name == "check") return check_options(words, line);
     if (name == "stepper") return stepper_options(words, line);
     HVI_CHECK(name == "list");
     return list_options(words);

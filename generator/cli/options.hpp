@@ -31,6 +31,16 @@ struct TableauOptions {
     std::optional<std::filesystem::path> output;
 };
 
+struct CheckOptions {
+    enum class Format { text, json };
+
+    MethodOptions method;
+    int max_order = 8;
+    Format format = Format::text;
+    std::optional<std::filesystem::path> plot;  ///< an SVG of trace/2
+    std::optional<std::filesystem::path> output;
+};
+
 struct StepperOptions {
     MethodOptions method;
     bool separable = false;           ///< for H = T(p) + U(q)
@@ -48,7 +58,8 @@ struct Information {
     std::string text;
 };
 
-using Request = std::variant<TableauOptions, StepperOptions, ListOptions, Information>;
+using Request =
+    std::variant<TableauOptions, CheckOptions, StepperOptions, ListOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

@@ -2,28 +2,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "generator/render/entry.hpp"
+#include "generator/render/json_entry.hpp"
 #include "generator/render/render.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json text_or_null(const std::optional<std::string>& text) {
     return text ? Json(*text) : Json(nullptr);
-}
-
-Json entry_json(const Number& number, int digits) {
-    const Entry entry = make_entry(number, digits);
-    Json json;
-    json["exact"] = text_or_null(entry.exact_text());
-    json["decimal"] = text_or_null(entry.decimal);
-    json["double"] = text_or_null(entry.hex);
-    return json;
 }
 
 Json part_json(const Part& part, int digits) {
@@ -37,6 +25,15 @@ Json part_json(const Part& part, int digits) {
 }
 
 }  // namespace
+
+Json entry_json(const Number& number, int digits) {
+    const Entry entry = make_entry(number, digits);
+    Json json;
+    json["exact"] = text_or_null(entry.exact_text());
+    json["decimal"] = text_or_null(entry.decimal);
+    json["double"] = text_or_null(entry.hex);
+    return json;
+}
 
 std::string render_json(const Tableau& tableau, int digits) {
     Json json;

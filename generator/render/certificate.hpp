@@ -1,0 +1,17 @@
+// What a method can do, for people and programs.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/certify/certificate.hpp"
+
+namespace hvi::gen {
+
+/// For a terminal of 80 columns.
+[[nodiscard]] std::string render_text(const Certificate& certificate);
+
+/// The schema `hvi-check/1`.
+[[nodiscard]] std::string render_json(const Certificate& certificate);
+
+}  // namespace hvi::gen

@@ -1,0 +1,102 @@
+// A certificate as JSON, schema hvi-check/1.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/render/certificate.hpp"
+#include "generator/render/json_entry.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr int digits = 50;
+
+Json failures_json(const OrderConditions& conditions) {
+    if (conditions.is_at_least) { return nullptr; }
+    Json json = Json::array();
+    for (const FailedCondition& failure : conditions.failures) {
+        json.push_back(
+            {{"tree", failure.tree->text}, {"residual", entry_json(failure.residual, digits)}});
+    }
+    return json;
+}
+
+Json error_constant_json(const OrderConditions& conditions) {
+    const auto constant = conditions.error_constant();
+    return constant ? entry_json(*constant, digits) : Json(nullptr);
+}
+
+Json places_json(const std::vector<Number>& places) {
+    Json json = Json::array();
+    for (const Number& place : places) { json.push_back(place.nearest_double()); }
+    return json;
+}
+
+Json intervals_json(const std::vector<StabilityInterval>& intervals) {
+    Json json = Json::array();
+    for (const StabilityInterval& interval : intervals) {
+        json.push_back(places_json({interval.low, interval.high}));
+    }
+    return json;
+}
+
+Json touching_json(const std::vector<TouchingPoint>& points) {
+    Json json = Json::array();
+    for (const TouchingPoint& point : points) {
+        json.push_back({{"z", point.z.nearest_double()},
+                        {"half_trace", point.half_trace},
+                        {"identity", point.is_identity}});
+    }
+    return json;
+}
+
+Json limit_json(const LimitOfHalfTrace& limit) {
+    return {{"half_trace", limit.value ? entry_json(*limit.value, digits) : Json(nullptr)},
+            {"sign", limit.sign},
+            {"stable", limit.is_stable}};
+}
+
+Json stability_json(const Certificate& certificate) {
+    Json json;
+    const auto half_trace = closed_form(certificate.oscillator.half_trace);
+    json["half_trace"] = half_trace ? Json(to_text(*half_trace)) : Json(nullptr);
+    const auto& stability = certificate.stability;
+    json["stable"] = stability ? intervals_json(stability->stable) : Json(nullptr);
+    json["poles"] = stability ? places_json(stability->poles) : Json(nullptr);
+    json["touching"] = stability ? touching_json(stability->touching) : Json(nullptr);
+    json["at_infinity"] = stability ? limit_json(stability->at_infinity) : Json(nullptr);
+    json["until"] = stability_limit;
+    return json;
+}
+
+}  // namespace
+
+std::string render_json(const Certificate& certificate) {
+    const OrderConditions& general = certificate.orders.general;
+    Json json;
+    json["schema"] = "hvi-check/1";
+    json["name"] = certificate.name;
+    json["stages"] = certificate.stages;
+    json["parameters"] = certificate.parameters;
+    json["consistent"] = certificate.is_consistent();
+    json["symplectic"] = certificate.symplectic.holds;
+    json["symmetric"] = certificate.symmetric.holds;
+    json["runge_kutta"] = certificate.runge_kutta.holds;
+    json["order"] = general.order;
+    json["order_separable"] = certificate.orders.separable.order;
+    json["order_nystrom"] = certificate.orders.nystrom.order;
+    json["order_is_at_least"] = general.is_at_least;
+    json["proved"] = certificate.is_proved();
+    json["conditions"] = general.conditions;
+    json["failures"] = failures_json(general);
+    json["error_constant"] = error_constant_json(general);
+    json["explicit"] = {{"separable", certificate.explicit_separable},
+                        {"general", certificate.explicit_general}};
+    json["negative_weights"] = certificate.negative_weights;
+    json["nodes_outside"] = certificate.nodes_outside;
+    json["conserves"] = {{"linear", true},
+                         {"qCp", certificate.conserves_qCp()},
+                         {"quadratic", certificate.conserves_quadratic()}};
+    json["linear_stability"] = stability_json(certificate);
+    return json.dump(2) + "\n";
+}
+
+}  // namespace hvi::gen

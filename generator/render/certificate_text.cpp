@@ -1,0 +1,158 @@
+// A certificate for people, in a terminal of 80 columns.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "generator/render/certificate.hpp"
+#include "generator/render/entry.hpp"
+#include "generator/render/layout.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Lines of a name and what is said of it.
+class Report {
+public:
+    void line(std::string_view name, const std::string& text) {
+        for (const std::string& line : wrapped(fmt::format("{:<14}", name), text)) {
+            text_ += line + "\n";
+        }
+    }
+    void blank() { text_ += "\n"; }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+std::string evidence(const Verdict& verdict) {
+    return verdict.proved ? "" : ", by enclosures of 50 digits";
+}
+
+std::string yes_or_no(const Verdict& verdict) {
+    return (verdict.holds ? "yes" : "no") + evidence(verdict);
+}
+
+std::string short_decimal(const Number& number) {
+    return number.has_parameters() ? make_entry(number, 1).best_text() : number.decimal(6);
+}
+
+std::string order_text(const OrderConditions& conditions) {
+    const auto satisfied = std::accumulate(
+        conditions.conditions.begin(),
+        conditions.conditions.begin() +
+            std::min<long>(conditions.order, static_cast<long>(conditions.conditions.size())),
+        std::int64_t{0});
+    const std::string rest =
+        conditions.is_at_least
+            ? ", and no higher one was looked at"
+            : fmt::format(", and {} of order {} fail{}", conditions.failures.size(),
+                          conditions.order + 1, conditions.failures.size() == 1 ? "s" : "");
+    return fmt::format("{}{}: {} conditions hold{}{}", conditions.is_at_least ? "at least " : "",
+                       conditions.order, satisfied, rest,
+                       conditions.proved ? "" : ", by enclosures of 50 digits");
+}
+
+void write_failures(Report& report, const OrderConditions& conditions) {
+    constexpr std::size_t most_shown = 8;
+    if (conditions.is_at_least) { return; }
+    for (std::size_t i = 0; i < std::min(most_shown, conditions.failures.size()); ++i) {
+        const FailedCondition& failure = conditions.failures[i];
+        const Entry entry = make_entry(failure.residual, 6);
+        const std::string decimal =
+            entry.decimal && entry.exact ? fmt::format(" = {}", *entry.decimal) : "";
+        report.line(i == 0 ? "fails" : "",
+                    fmt::format("{}: {}{}", failure.tree->text, entry.best_text(), decimal));
+    }
+    if (conditions.failures.size() > most_shown) {
+        report.line("", fmt::format("and {} more", conditions.failures.size() - most_shown));
+    }
+    if (const auto constant = conditions.error_constant()) {
+        report.line("error", short_decimal(*constant) +
+                                 ", the norm of the first coefficients of the local error");
+    }
+}
+
+std::string conserved(const Certificate& certificate) {
+    if (certificate.conserves_quadratic()) { return "all linear and quadratic invariants"; }
+    if (certificate.conserves_qCp()) { return "linear invariants and q^T C p"; }
+    return "linear invariants";
+}
+
+std::string explicit_text(const Certificate& certificate) {
+    if (certificate.explicit_general) { return "for every H"; }
+    return certificate.explicit_separable ? "for H = T(p) + U(q)" : "no";
+}
+
+std::string indices(const std::vector<std::size_t>& numbers, std::string_view letter) {
+    std::string text;
+    for (const std::size_t i : numbers) {
+        text += fmt::format("{}{}_{}", text.empty() ? "" : ", ", letter, i);
+    }
+    return text;
+}
+
+void write_stability(Report& report, const LinearStability& stability) {
+    std::string intervals;
+    for (const StabilityInterval& interval : stability.stable) {
+        intervals += fmt::format("{}{}{}, {}{}", intervals.empty() ? "" : ", ",
+                                 interval.low_included ? "[" : "(", short_decimal(interval.low),
+                                 short_decimal(interval.high), interval.high_included ? "]" : ")");
+    }
+    report.line("stable", intervals.empty() ? "nowhere" : "z = h omega in " + intervals);
+    std::string poles;
+    for (const Number& pole : stability.poles) {
+        poles += (poles.empty() ? "" : ", ") + short_decimal(pole);
+    }
+    if (!poles.empty()) { report.line("no step", "at z = " + poles); }
+    for (const TouchingPoint& point : stability.touching) {
+        report.line("resonance",
+                    fmt::format("z = {}: trace/2 = {}{}", short_decimal(point.z), point.half_trace,
+                                point.is_identity ? ", the map is that multiple of 1"
+                                                  : ", powers of the map grow"));
+    }
+    const LimitOfHalfTrace& limit = stability.at_infinity;
+    report.line("large z", fmt::format("trace/2 tends to {}: {}",
+                                       limit.value      ? short_decimal(*limit.value)
+                                       : limit.sign < 0 ? "-infinity"
+                                                        : "infinity",
+                                       limit.is_stable ? "stable" : "not stable"));
+}
+
+}  // namespace
+
+std::string render_text(const Certificate& certificate) {
+    Report report;
+    const Orders& orders = certificate.orders;
+    report.line("", certificate.name.empty() ? certificate.origin : certificate.name);
+    report.blank();
+    report.line("order", order_text(orders.general));
+    report.line("  separable", order_text(orders.separable));
+    report.line("  Nystrom", order_text(orders.nystrom));
+    write_failures(report, orders.general);
+    report.blank();
+    report.line("symplectic", yes_or_no(certificate.symplectic));
+    report.line("self-adjoint", yes_or_no(certificate.symmetric));
+    report.line("A == A~", yes_or_no(certificate.runge_kutta));
+    report.line("conserves", conserved(certificate));
+    report.line("explicit", explicit_text(certificate));
+    if (!certificate.negative_weights.empty()) {
+        report.line("negative", indices(certificate.negative_weights, "b"));
+    }
+    if (!certificate.nodes_outside.empty()) {
+        report.line("outside [0,1]", indices(certificate.nodes_outside, "c"));
+    }
+    report.blank();
+    if (const auto half_trace = closed_form(certificate.oscillator.half_trace)) {
+        report.line("oscillator", "trace/2 = " + to_text(*half_trace));
+    }
+    if (certificate.stability) { write_stability(report, *certificate.stability); }
+    report.blank();
+    report.line("", certificate.is_proved() ? "All of it is proved."
+                                            : "Some of it rests on enclosures of 50 digits.");
+    return report.text();
+}
+
+}  // namespace hvi::gen
