@@ -337,6 +337,9 @@ Tableau derive(const Method& method, const Ingredients& given) {
     tableau.M = values(psi, nodes.c, ground);
     check_parameters(tableau, method);
     const auto known = interpolation(given);
+    if (known) {
+        tableau.node_polynomial = std::make_shared<const RationalPolynomial>(*nodes.polynomial);
+    }
     const ScaledInverse inverse =
         known ? ScaledInverse{known->M_inverse, Number(1)} : invert(tableau.M, method, given);
     const Number scale = Number(1) / inverse.determinant;

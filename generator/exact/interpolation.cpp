@@ -11,21 +11,6 @@ namespace hvi::gen {
 
 namespace {
 
-RationalPolynomial remainder(const RationalPolynomial& a, const RationalPolynomial& P) {
-    RationalPolynomial result;
-    fmpq_poly_rem(result.get(), a.get(), P.get());
-    return result;
-}
-
-/// 1/a modulo P, when they have no common root.
-std::optional<RationalPolynomial> inverse_modulo(const RationalPolynomial& a,
-                                                 const RationalPolynomial& P) {
-    RationalPolynomial divisor, inverse, cofactor;
-    fmpq_poly_xgcd(divisor.get(), inverse.get(), cofactor.get(), a.get(), P.get());
-    if (divisor.degree() != 0) { return std::nullopt; }
-    return remainder(inverse, P);
-}
-
 /// The coefficients of the polynomials that interpolate: l_j(t) = sum_m v_m(c_j) t^m. With
 /// P(t) - P(y) = (t - y) sum_m D_m(y) t^m, D_m the quotient of P and y^(m+1),
 /// l_j(t) = P(t)/((t - c_j) P'(c_j)) has v_m = D_m/P' modulo P.

@@ -77,6 +77,20 @@ RationalPolynomial operator*(const RationalPolynomial& a, const RationalPolynomi
     return result;
 }
 
+RationalPolynomial remainder(const RationalPolynomial& a, const RationalPolynomial& P) {
+    RationalPolynomial result;
+    fmpq_poly_rem(result.get(), a.get(), P.get());
+    return result;
+}
+
+std::optional<RationalPolynomial> inverse_modulo(const RationalPolynomial& a,
+                                                 const RationalPolynomial& P) {
+    RationalPolynomial divisor, inverse, cofactor;
+    fmpq_poly_xgcd(divisor.get(), inverse.get(), cofactor.get(), a.get(), P.get());
+    if (divisor.degree() != 0) { return std::nullopt; }
+    return remainder(inverse, P);
+}
+
 RationalPolynomial legendre(unsigned degree) {
     RationalPolynomial result;
     fmpq_poly_legendre_p(result.get(), degree);

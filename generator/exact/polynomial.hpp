@@ -4,6 +4,7 @@
 
 #include <flint/fmpq_poly.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,14 @@ public:
 private:
     fmpq_poly_t polynomial_;
 };
+
+/// a modulo P.
+[[nodiscard]] RationalPolynomial remainder(const RationalPolynomial& a,
+                                           const RationalPolynomial& P);
+
+/// 1/a modulo P, when they have no common root.
+[[nodiscard]] std::optional<RationalPolynomial> inverse_modulo(const RationalPolynomial& a,
+                                                               const RationalPolynomial& P);
 
 /// Legendre's polynomial P_degree on [-1, 1].
 [[nodiscard]] RationalPolynomial legendre(unsigned degree);

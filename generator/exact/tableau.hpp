@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace hvi::gen {
 
 using NumberVector = std::vector<Number>;
 using NumberMatrix = std::vector<std::vector<Number>>;  ///< rows
+
+class RationalPolynomial;
 
 /// The method of Algorithm 4.3 with everything computed on the way. Letters as in the paper; s is
 /// the number of stages, indices are 0-based.
@@ -29,6 +32,11 @@ struct Tableau {
     NumberMatrix A;        ///< A^phi = A_psi M^-T
     NumberMatrix A_tilde;  ///< a~_ij = b_j - b_j a_ji / b_i
     NumberVector c_tilde;  ///< row sums of A_tilde
+
+    /// P over Q with the nodes for its roots, each once, when the basis spans the polynomials of
+    /// lower degree over Q: then sums over the stages are rational (see polynomial_stages.hpp).
+    /// Null otherwise, and of no meaning for coefficients that did not come from Algorithm 4.3.
+    std::shared_ptr<const RationalPolynomial> node_polynomial;
 
     [[nodiscard]] std::size_t stages() const { return c.size(); }
 };

@@ -1,47 +1,14 @@
 // Values that another computer algebra system computed, independently of this project.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-#include <fstream>
 #include <map>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
-#include "tests/exact/exact.hpp"
+#include "tests/exact/reference.hpp"
 
 using namespace hvi::gen;
-using Json = nlohmann::json;
 
 namespace {
-
-Json reference_methods() {
-    std::ifstream file(HVI_REFERENCE);
-    return Json::parse(file).at("methods");
-}
-
-Method method_of(const Json& entry) {
-    if (entry.contains("method")) return method(entry["method"].get<std::string>());
-    return method(entry["basis"].get<std::string>(), entry["nodes"].get<std::string>());
-}
-
-/// One unit of the last digit of a decimal: 0.3333 has 0.0001, and 1.99e-20 has 0.01e-20.
-std::string last_unit(std::string decimal) {
-    const std::size_t mantissa = std::min(decimal.find('e'), decimal.size());
-    for (std::size_t i = 0; i < mantissa; ++i) {
-        if (decimal[i] != '.') decimal[i] = i + 1 < mantissa ? '0' : '1';
-    }
-    return decimal;
-}
-
-/// Whether two decimals differ by one unit of the first one's last digit at most.
-bool close(const std::string& left, const std::string& right) {
-    const Ground ground(std::make_shared<Field>(Denominators{}));
-    const Number a = read(left, ground);
-    const Number b = read(right, ground);
-    if (a.is_zero() || b.is_zero()) return a.is_zero() && b.is_zero();
-    const Number unit = read(last_unit(left), ground);
-    return (unit - (a - b)).sign() >= 0 && (unit + (a - b)).sign() >= 0;
-}
 
 bool agrees(const Number& entry, const std::string& expected) {
     if (entry.has_parameters()) return same(text(entry), expected);
