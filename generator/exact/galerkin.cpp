@@ -10,6 +10,7 @@
 #include "generator/exact/interpolation.hpp"
 #include "generator/exact/matrix.hpp"
 #include "generator/exact/nodes.hpp"
+#include "generator/exact/number_polynomial.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/support/progress.hpp"
 
@@ -253,10 +254,10 @@ bool spans_polynomials(const std::vector<BasisFunction>& psi) {
 
 /// By how many degrees more than interpolation gives the rule is exact: it vanishes on the
 /// multiples of the nodes' polynomial P, so these are the k for which the integrals of P, P tau,
-/// ..., P tau^(k-1) vanish, at most s. 0 where that is not known.
-std::size_t degrees_beyond_interpolation(const Ingredients& given) {
-    if (!given.nodes.polynomial || !spans_polynomials(given.psi)) { return 0; }
-    RationalPolynomial multiple = *given.nodes.polynomial;
+/// ..., P tau^(k-1) vanish, at most s. 0 where P is not known.
+std::size_t degrees_beyond_interpolation(const NumberPolynomial& P) {
+    if (P.empty()) { return 0; }
+    RationalPolynomial multiple = over_rationals(P).value();
     std::size_t degrees = 0;
     while (multiple.integral_over_unit_interval() == "0") {
         multiple = multiple * RationalPolynomial::variable();
@@ -310,10 +311,10 @@ PartnerRow partner_row(const Tableau& tableau, std::size_t i) {
 /// sum_j b_j c_j^(k-1) a_ji = b_i (1 - c_i^k)/k, the integral of (1 - tau^k)/k phi_i, and so
 /// sum_j a~_ij c_j^(k-1) = c_i^k/k. These s equations determine row i of A~, and row i of A
 /// satisfies them: A~ = A.
-void complete_partner(Tableau& tableau, const Ingredients& given) {
+void complete_partner(Tableau& tableau) {
     const Progress::Stage stage("computing the partner tableau");
     const std::size_t s = tableau.stages();
-    const std::size_t degrees = degrees_beyond_interpolation(given);
+    const std::size_t degrees = degrees_beyond_interpolation(tableau.P);
     if (degrees >= s) {
         tableau.A_tilde = tableau.A;
         tableau.c_tilde = tableau.c;
@@ -337,6 +338,9 @@ Tableau derive(const Method& method, const Ingredients& given) {
     tableau.M = values(psi, nodes.c, ground);
     check_parameters(tableau, method);
     const auto known = interpolation(given);
+    if (nodes.polynomial && spans_polynomials(psi)) {
+        tableau.P = with_numbers(*nodes.polynomial, ground);
+    }
     const ScaledInverse inverse =
         known ? ScaledInverse{known->M_inverse, Number(1)} : invert(tableau.M, method, given);
     const Number scale = Number(1) / inverse.determinant;
@@ -354,7 +358,7 @@ Tableau derive(const Method& method, const Ingredients& given) {
         const bool is_end = (nodes.c[tableau.A.size()] - Number(1)).is_zero();
         tableau.A.push_back(is_end ? tableau.b : inverse.adjugate * row * scale);
     }
-    complete_partner(tableau, given);
+    complete_partner(tableau);
     return tableau;
 }
 

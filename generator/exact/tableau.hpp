@@ -21,6 +21,10 @@ struct Tableau {
     std::vector<Expression> basis;        ///< psi_1 .. psi_s, functions of tau
 
     NumberVector c;  ///< nodes
+    /// The monic polynomial over Q whose roots are the nodes, lowest coefficient first, where it is
+    /// known and the basis spans the polynomials of degree less than s; else empty. Sums over the
+    /// nodes are rational then, be there closed forms or not.
+    NumberVector P;
     NumberMatrix M;  ///< M[i][j] = psi_i(c_j)
     NumberMatrix M_inverse;
     NumberVector B;        ///< B[i] = integral of psi_i over [0,1]
