@@ -15,9 +15,13 @@ public:
         fmpq_mat_init(matrix_, static_cast<slong>(rows), static_cast<slong>(columns));
     }
     RationalMatrix(const RationalMatrix&) = delete;
+    RationalMatrix(RationalMatrix&& other) noexcept : RationalMatrix(0, 0) {
+        fmpq_mat_swap(matrix_, other.matrix_);
+    }
     RationalMatrix& operator=(const RationalMatrix&) = delete;
     ~RationalMatrix() { fmpq_mat_clear(matrix_); }
     [[nodiscard]] fmpq_mat_struct* get() { return matrix_; }
+    [[nodiscard]] const fmpq_mat_struct* get() const { return matrix_; }
     [[nodiscard]] fmpq* entry(std::size_t row, std::size_t column) {
         return fmpq_mat_entry(matrix_, static_cast<slong>(row), static_cast<slong>(column));
     }

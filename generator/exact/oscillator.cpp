@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/oscillator.hpp"
+
+#include <flint/fmpz_poly_mat.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/exact/matrix.hpp"
+#include "generator/exact/number_value.hpp"
+#include "generator/exact/polynomial_arithmetic.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_matrix.hpp"
+#include "generator/support/progress.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The map by polynomials in t = z^2: m12 and m21 without a factor z.
+struct EvenMap {
+    NumberPolynomial m11, m12, m21, m22, D;
+};
+
+// ---- any numbers ----
+
+Number dot(const NumberVector& left, const NumberVector& right) {
+    return (NumberMatrix{left} * right).front();
+}
+
+/// det(I + t B), and det(I + t B) u (I + t B)^-1 v for pairs of vectors, by the method of Faddeev
+/// and Leverrier: adj(I + t B) = sum_k N_k t^k and det(I + t B) = sum_k e_k t^k satisfy
+/// (I + t B) sum_k N_k t^k = sum_k e_k t^k, and k e_k = tr(B N_(k-1)). It divides by integers only.
+struct Resolvent {
+    NumberPolynomial determinant;
+    std::vector<NumberPolynomial> forms;
+};
+Resolvent resolvent(const NumberMatrix& B,
+                    const std::vector<std::pair<NumberVector, NumberVector>>& pairs) {
+    const std::size_t s = B.size();
+    Resolvent result{{Number(1)}, std::vector<NumberPolynomial>(pairs.size())};
+    NumberMatrix N(s, NumberVector(s));
+    for (std::size_t i = 0; i < s; ++i) { N[i][i] = Number(1); }
+    for (std::size_t k = 1; k <= s; ++k) {
+        for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
+            const auto& [u, v] = pairs[pair];
+            result.forms[pair].push_back(dot(u, N * v));
+        }
+        N = B * N;
+        Number trace;
+        for (std::size_t i = 0; i < s; ++i) { trace = trace + N[i][i]; }
+        const Number e = trace / Number(static_cast<long>(k));
+        result.determinant.push_back(e);
+        for (std::size_t i = 0; i < s; ++i) {
+            for (Number& entry : N[i]) { entry = -entry; }
+            N[i][i] = N[i][i] + e;
+        }
+    }
+    return result;
+}
+
+/// t P(t)
+NumberPolynomial shifted(NumberPolynomial polynomial) {
+    polynomial.insert(polynomial.begin(), Number(0));
+    return polynomial;
+}
+
+/// The number by its enclosures alone; 0 and 1 keep their exact meaning.
+Number enclosed(const Number& number) {
+    if (is_exactly(number, 0) || is_exactly(number, 1)) { return number; }
+    return hvi::gen::number(Real([number](Precision bits) { return enclosure(number, bits); }));
+}
+
+NumberMatrix enclosed(const NumberMatrix& matrix) {
+    NumberMatrix result = matrix;
+    for (NumberVector& row : result) {
+        std::transform(row.begin(), row.end(), row.begin(),
+                       [](const Number& n) { return enclosed(n); });
+    }
+    return result;
+}
+
+/// Whether exact arithmetic with products of the coefficients would take minutes.
+bool are_too_long(const Tableau& tableau) {
+    constexpr std::size_t most_terms = 2000;
+    std::size_t count = 0;
+    for (const NumberMatrix* matrix : {&tableau.A, &tableau.A_tilde}) {
+        for (const NumberVector& row : *matrix) {
+            for (const Number& entry : row) { count += term_count(entry); }
+        }
+    }
+    return count > most_terms && tableau.parameters.empty();
+}
+
+/// The stages are P = (I + t A~ A)^-1 (p 1 - z omega q c~) and omega Q = omega q 1 + z A P, the
+/// step is omega q1 = omega q + z b P, p1 = p - z b omega Q.
+EvenMap by_stages(const Tableau& tableau, PolynomialArithmetic& arithmetic) {
+    const bool too_long = are_too_long(tableau);
+    const NumberMatrix A = too_long ? enclosed(tableau.A) : tableau.A;
+    const NumberMatrix A_tilde = too_long ? enclosed(tableau.A_tilde) : tableau.A_tilde;
+    const NumberVector& b = tableau.b;
+    const NumberVector ones(tableau.stages(), Number(1));
+    const NumberVector bA = transpose(A) * b;
+    const NumberVector c_tilde = A_tilde * ones;
+    const auto [D, forms] =
+        resolvent(A_tilde * A, {{b, c_tilde}, {b, ones}, {bA, c_tilde}, {bA, ones}});
+    const Number minus(-1);
+    return {arithmetic.sum(D, minus, shifted(forms[0])), arithmetic.trimmed(forms[1]),
+            arithmetic.sum(shifted(forms[2]), -dot(b, ones), D),
+            arithmetic.sum(D, minus, shifted(forms[3])), arithmetic.trimmed(D)};
+}
+
+// ---- polynomials at all roots of P, over Q ----
+
+RationalMatrix operator*(const RationalMatrix& left, const RationalMatrix& right) {
+    RationalMatrix result(static_cast<std::size_t>(fmpq_mat_nrows(left.get())),
+                          static_cast<std::size_t>(fmpq_mat_ncols(right.get())));
+    fmpq_mat_mul(result.get(), left.get(), right.get());
+    return result;
+}
+
+RationalMatrix transpose(const RationalMatrix& matrix) {
+    RationalMatrix result(static_cast<std::size_t>(fmpq_mat_ncols(matrix.get())),
+                          static_cast<std::size_t>(fmpq_mat_nrows(matrix.get())));
+    fmpq_mat_transpose(result.get(), matrix.get());
+    return result;
+}
+
+/// H[m][n] = b(tau^(m+n)) for m, n = 0 .. s, where b(g) is the rule: the integral of g mod P.
+RationalMatrix moments(const RationalPolynomial& P) {
+    const auto s = static_cast<std::size_t>(P.degree());
+    RationalMatrix H(s + 1, s + 1);
+    RationalPolynomial power(1);
+    for (std::size_t k = 0; k <= 2 * s; ++k) {
+        fmpq_poly_rem(power.get(), power.get(), P.get());
+        fmpq_t moment;
+        fmpq_init(moment);
+        fmpq_set_str(moment, power.integral_over_unit_interval().c_str(), 10);
+        for (std::size_t m = k > s ? k - s : 0; m <= std::min(k, s); ++m) {
+            fmpq_set(H.entry(m, k - m), moment);
+        }
+        fmpq_clear(moment);
+        power = power * RationalPolynomial::variable();
+    }
+    return H;
+}
+
+/// A basis g_0 .. g_(s-1) of the polynomials of degree less than s, and its integrals over [0, tau]
+/// and [tau, 1]: rows of coefficients. NOTE: for Legendre's polynomials G below is nearly diagonal
+/// and S nearly tridiagonal, with short entries.
+struct Basis {
+    explicit Basis(std::size_t s) : g(s, s + 1), from_zero(s, s + 1), to_one(s, s + 1) {
+        for (std::size_t k = 0; k < s; ++k) {
+            const RationalPolynomial polynomial =
+                legendre(static_cast<unsigned>(k)).at_affine(2, -1);
+            RationalPolynomial integral;
+            fmpq_poly_integral(integral.get(), polynomial.get());
+            set_row(g, k, polynomial);
+            set_row(from_zero, k, integral);
+            set_row(to_one, k, integral.at_affine(0, 1) - integral);
+        }
+    }
+
+    RationalMatrix g, from_zero, to_one;
+
+private:
+    static void set_row(RationalMatrix& matrix, std::size_t row,
+                        const RationalPolynomial& polynomial) {
+        for (long m = 0; m <= polynomial.degree(); ++m) {
+            fmpq_poly_get_coeff_fmpq(matrix.entry(row, static_cast<std::size_t>(m)),
+                                     polynomial.get(), m);
+        }
+    }
+};
+
+/// det(X + t Y)
+RationalPolynomial determinant(const RationalMatrix& X, const RationalMatrix& Y) {
+    const slong s = fmpq_mat_nrows(X.get());
+    fmpz_mat_t x, y;
+    fmpz_mat_init(x, s, s);
+    fmpz_mat_init(y, s, s);
+    fmpz* const denominators = _fmpz_vec_init(s);
+    fmpq_mat_get_fmpz_mat_rowwise_2(x, y, denominators, X.get(), Y.get());
+    fmpz_poly_mat_t pencil;
+    fmpz_poly_mat_init(pencil, s, s);
+    for (slong i = 0; i < s; ++i) {
+        for (slong j = 0; j < s; ++j) {
+            fmpz_poly_struct* const entry = fmpz_poly_mat_entry(pencil, i, j);
+            fmpz_poly_set_coeff_fmpz(entry, 0, fmpz_mat_entry(x, i, j));
+            fmpz_poly_set_coeff_fmpz(entry, 1, fmpz_mat_entry(y, i, j));
+        }
+    }
+    fmpz_poly_t integral;
+    fmpz_poly_init(integral);
+    fmpz_poly_mat_det(integral, pencil);
+    RationalPolynomial result;
+    fmpq_poly_set_fmpz_poly(result.get(), integral);
+    for (slong i = 0; i < s; ++i) {
+        fmpq_poly_scalar_div_fmpz(result.get(), result.get(), denominators + i);
+    }
+    fmpz_poly_clear(integral);
+    fmpz_poly_mat_clear(pencil);
+    _fmpz_vec_clear(denominators, s);
+    fmpz_mat_clear(y);
+    fmpz_mat_clear(x);
+    return result;
+}
+
+/// In Galerkin's form: with V = z P, a polynomial v of degree less than s, omega Q is the values of
+/// q = omega q0 + int_0^tau v, and b_i P_i g(c_i) summed over i gives for every g of the basis
+///
+///     b(v g) + z^2 b(int_0^tau v int_tau^1 g) = z p0 b(g) - z^2 omega q0 b(int_tau^1 g).
+///
+/// With v = sum_k v_k g_k this is (G + t S)^T v = z p0 beta - t omega q0 gamma; then
+/// omega q1 = omega q0 + beta v and p1 = p0 - z omega q0 - z eta v. Every entry is a determinant,
+/// by det(K + u v^T) = det(K) (1 + v K^-1 u).
+EvenMap by_polynomials(const RationalPolynomial& P) {
+    const auto s = static_cast<std::size_t>(P.degree());
+    const RationalMatrix H = moments(P);
+    const Basis basis(s);
+    const RationalMatrix to_one = transpose(basis.to_one);
+    RationalMatrix e(s + 1, 1);  // the function 1
+    fmpq_one(e.entry(0, 0));
+    const RationalMatrix G = basis.g * H * transpose(basis.g);
+    const RationalMatrix S = basis.from_zero * H * to_one;
+    const RationalMatrix beta = basis.g * H * e;
+    const RationalMatrix gamma = basis.to_one * H * e;
+    const RationalMatrix eta = basis.from_zero * H * e;
+    const auto updated = [&](bool plus, const RationalMatrix& u, const RationalMatrix& v) {
+        const RationalMatrix product = u * transpose(v);
+        RationalMatrix Y(s, s);
+        (plus ? fmpq_mat_add : fmpq_mat_sub)(Y.get(), S.get(), product.get());
+        return determinant(G, Y);
+    };
+    const RationalPolynomial D = determinant(G, S);
+    const RationalPolynomial t_m12 = updated(true, beta, beta) - D;
+    RationalPolynomial m12;
+    fmpq_poly_shift_right(m12.get(), t_m12.get(), 1);
+    return {numbers(updated(false, beta, gamma)), numbers(m12),
+            numbers(RationalPolynomial() - updated(false, eta, gamma)),
+            numbers(updated(false, eta, beta)), numbers(D)};
+}
+
+// ---- lowest terms ----
+
+bool has_parameters(const EvenMap& map) {
+    for (const NumberPolynomial* entry : {&map.m11, &map.m12, &map.m21, &map.m22, &map.D}) {
+        for (const Number& coefficient : *entry) {
+            if (coefficient.has_parameters()) { return true; }
+        }
+    }
+    return false;
+}
+
+/// Both divided by their common divisor, and by the denominator's value at 0.
+PolynomialQuotient reduced(const NumberPolynomial& numerator, const NumberPolynomial& denominator,
+                           PolynomialArithmetic& arithmetic) {
+    const NumberPolynomial above = arithmetic.without(numerator, denominator);
+    const NumberPolynomial below = arithmetic.without(denominator, numerator);
+    const Number scale = Number(1) / below.front();
+    return {above * scale, below * scale};
+}
+
+void divide_by_common(EvenMap& map, PolynomialArithmetic& arithmetic) {
+    NumberPolynomial common = map.D;
+    for (const NumberPolynomial* entry : {&map.m11, &map.m22, &map.m12, &map.m21}) {
+        if (common.size() > 1) { common = arithmetic.gcd(common, *entry); }
+    }
+    for (NumberPolynomial* entry : {&map.m11, &map.m12, &map.m21, &map.m22, &map.D}) {
+        if (common.size() > 1) { *entry = arithmetic.divide(*entry, common).quotient; }
+    }
+}
+
+void make_D_one_at_zero(EvenMap& map) {
+    const Number scale = Number(1) / map.D.front();
+    if (is_exactly(scale, 1)) { return; }
+    for (NumberPolynomial* entry : {&map.m11, &map.m12, &map.m21, &map.m22, &map.D}) {
+        *entry = *entry * scale;
+    }
+}
+
+/// z^shift P(z^2)
+NumberPolynomial in_z(const NumberPolynomial& polynomial, std::size_t shift) {
+    NumberPolynomial result;
+    for (std::size_t k = 0; k < polynomial.size(); ++k) {
+        result.resize(2 * k + shift);
+        result.push_back(polynomial[k]);
+    }
+    return result;
+}
+
+/// m11 m22 - t m12 m21 = D^2
+bool is_symplectic(const EvenMap& map) {
+    const NumberPolynomial diagonal = product(map.m11, map.m22);
+    const NumberPolynomial other = shifted(product(map.m12, map.m21));
+    const NumberPolynomial square = product(map.D, map.D);
+    const auto coefficient = [](const NumberPolynomial& polynomial, std::size_t k) {
+        return k < polynomial.size() ? polynomial[k] : Number(0);
+    };
+    for (std::size_t k = 0; k < std::max({diagonal.size(), other.size(), square.size()}); ++k) {
+        const Number difference =
+            coefficient(diagonal, k) - coefficient(other, k) - coefficient(square, k);
+        if (!is_exact(difference) || !difference.is_zero()) { return false; }
+    }
+    return true;
+}
+
+}  // namespace
+
+OscillatorMap oscillator_map(const Tableau& tableau) {
+    const Progress::Stage stage("computing the map of the harmonic oscillator");
+    PolynomialArithmetic arithmetic;
+    EvenMap map = tableau.node_polynomial ? by_polynomials(*tableau.node_polynomial)
+                                          : by_stages(tableau, arithmetic);
+    const bool parameters = has_parameters(map);
+    if (!parameters) { divide_by_common(map, arithmetic); }
+    make_D_one_at_zero(map);
+    const NumberPolynomial trace = arithmetic.sum(map.m11, Number(1), map.m22);
+    const NumberPolynomial half = trace * (Number(1) / Number(2));
+    const PolynomialQuotient half_trace =
+        parameters ? PolynomialQuotient{half, map.D} : reduced(half, map.D, arithmetic);
+    return {in_z(map.m11, 0),   in_z(map.m12, 1),
+            in_z(map.m21, 1),   in_z(map.m22, 0),
+            in_z(map.D, 0),     {in_z(half_trace.numerator, 0), in_z(half_trace.denominator, 0)},
+            is_symplectic(map), arithmetic.proved()};
+}
+
+// ---- what is read and drawn ----
+
+namespace {
+
+/// Highest power first. Empty where a coefficient has no closed form.
+std::optional<Expression> closed_form(const NumberPolynomial& polynomial) {
+    std::vector<Expression> terms;
+    for (std::size_t k = polynomial.size(); k-- > 0;) {
+        if (is_exactly(polynomial[k], 0)) { continue; }
+        const auto coefficient = polynomial[k].closed_form();
+        if (!coefficient) { return std::nullopt; }
+        const bool negative = coefficient->kind == Expression::Kind::negation;
+        const Expression& size = negative ? coefficient->arguments.front() : *coefficient;
+        std::vector<Expression> factors;
+        if (k == 0 || to_text(size) != "1") { factors.push_back(size); }
+        if (k > 0) {
+            const Expression z = Expression::symbol("z");
+            factors.push_back(
+                k == 1 ? z : Expression::power(z, Expression::integer(static_cast<long>(k))));
+        }
+        Expression term = Expression::product(std::move(factors));
+        terms.push_back(negative ? Expression::negation(std::move(term)) : std::move(term));
+    }
+    return Expression::sum(std::move(terms));
+}
+
+/// NOTE: one coefficient is 1, and so the integers have no common divisor.
+PolynomialQuotient with_integers(const RationalPolynomial& numerator,
+                                 const RationalPolynomial& denominator) {
+    Integer multiple;
+    fmpz_lcm(multiple.get(), fmpq_poly_denref(numerator.get()),
+             fmpq_poly_denref(denominator.get()));
+    RationalPolynomial above, below;
+    fmpq_poly_scalar_mul_fmpz(above.get(), numerator.get(), multiple.get());
+    fmpq_poly_scalar_mul_fmpz(below.get(), denominator.get(), multiple.get());
+    return {numbers(above), numbers(below)};
+}
+
+}  // namespace
+
+std::optional<Expression> closed_form(const PolynomialQuotient& quotient) {
+    const auto above = over_rationals(quotient.numerator);
+    const auto below = over_rationals(quotient.denominator);
+    const PolynomialQuotient written = above && below ? with_integers(*above, *below) : quotient;
+    auto numerator = closed_form(written.numerator);
+    auto denominator = closed_form(written.denominator);
+    if (!numerator || !denominator) { return std::nullopt; }
+    if (to_text(*denominator) == "1") { return numerator; }
+    return Expression::product(
+        {*std::move(numerator), Expression::reciprocal(*std::move(denominator))});
+}
+
+std::optional<double> value_at(const PolynomialQuotient& quotient, double z) {
+    constexpr slong enough_bits = 40;  // behind the binary point
+    Ball argument;
+    arb_set_d(argument.get(), z);
+    for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {
+        Ball value = enclosure(quotient.numerator, argument, bits);
+        const Ball denominator = enclosure(quotient.denominator, argument, bits);
+        arb_div(value.get(), value.get(), denominator.get(), bits);
+        mag_t radius;
+        mag_init_set(radius, arb_radref(value.get()));
+        const bool is_good = mag_cmp_2exp_si(radius, -enough_bits) < 0;
+        mag_clear(radius);
+        if (is_good) { return arf_get_d(arb_midref(value.get()), ARF_RND_NEAR); }
+    }
+    return std::nullopt;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,40 @@
+// A method's map of the harmonic oscillator.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "generator/exact/tableau.hpp"
+
+namespace hvi::gen {
+
+/// A rational function: two polynomials by their coefficients, lowest first.
+struct PolynomialQuotient {
+    NumberVector numerator, denominator;
+};
+
+/// One step of the method (4.18) for H = (p^2 + omega^2 q^2)/2 with z = h omega takes
+/// x = (omega q, p) to 1/D (m11 m12; m21 m22) x. D, m11 and m22 are even in z, m12 and m21 odd.
+struct OscillatorMap {
+    NumberVector m11, m12, m21, m22;  ///< polynomials in z, lowest coefficient first
+    NumberVector D;                   ///< D(0) = 1
+    /// Half the trace, which decides on stability. Its denominator is 1 at z = 0 as well.
+    PolynomialQuotient half_trace;
+    /// That the map has determinant 1: m11 m22 - m12 m21 = D^2 by exact arithmetic.
+    bool symplectic_proved = false;
+    /// Whether no enclosure was taken for zero. Then there is no divisor that all five, or the two
+    /// of half_trace, have in common; but with free parameters none is looked for.
+    bool proved = false;
+};
+
+[[nodiscard]] OscillatorMap oscillator_map(const Tableau& tableau);
+
+/// As a function of the symbol z; over Q with coprime integers. Empty where a coefficient has no
+/// closed form.
+[[nodiscard]] std::optional<Expression> closed_form(const PolynomialQuotient& quotient);
+
+/// Its value rounded to a double that can be plotted; empty where it is infinite or nearly so.
+/// Precondition: no free parameter.
+[[nodiscard]] std::optional<double> value_at(const PolynomialQuotient& quotient, double z);
+
+}  // namespace hvi::gen
