@@ -20,6 +20,9 @@ public:
             text_ += line + "\n";
         }
     }
+    void title(const std::string& text) {
+        for (const std::string& line : wrapped("", text)) { text_ += line + "\n"; }
+    }
     void blank() { text_ += "\n"; }
     [[nodiscard]] const std::string& text() const { return text_; }
 
@@ -35,8 +38,15 @@ std::string yes_or_no(const Verdict& verdict) {
     return (verdict.holds ? "yes" : "no") + evidence(verdict);
 }
 
+/// To six digits, without zeros at the end.
 std::string short_decimal(const Number& number) {
-    return number.has_parameters() ? make_entry(number, 1).best_text() : number.decimal(6);
+    if (number.has_parameters()) { return make_entry(number, 1).best_text(); }
+    std::string text = number.decimal(6);
+    const bool is_plain =
+        text.find('.') != std::string::npos && text.find('e') == std::string::npos;
+    while (is_plain && text.back() == '0') { text.pop_back(); }
+    if (text.back() == '.') { text.pop_back(); }
+    return text;
 }
 
 std::string order_text(const OrderConditions& conditions) {
@@ -126,7 +136,7 @@ void write_stability(Report& report, const LinearStability& stability) {
 std::string render_text(const Certificate& certificate) {
     Report report;
     const Orders& orders = certificate.orders;
-    report.line("", certificate.name.empty() ? certificate.origin : certificate.name);
+    report.title(certificate.name.empty() ? certificate.origin : certificate.name);
     report.blank();
     report.line("order", order_text(orders.general));
     report.line("  separable", order_text(orders.separable));
@@ -150,8 +160,8 @@ std::string render_text(const Certificate& certificate) {
     }
     if (certificate.stability) { write_stability(report, *certificate.stability); }
     report.blank();
-    report.line("", certificate.is_proved() ? "All of it is proved."
-                                            : "Some of it rests on enclosures of 50 digits.");
+    report.title(certificate.is_proved() ? "All of it is proved."
+                                         : "Some of it rests on enclosures of 50 digits.");
     return report.text();
 }
 

@@ -70,7 +70,29 @@ TEST_CASE("the same input gives the same bytes") {
                      "0, 1/3, 2/3, 1", "--param", "w=2"});
     same_every_time({"stepper", "--method", "gauss:4"});
     same_every_time({"stepper", "--method", "lobatto:3", "--separable"});
+    for (const std::string format : {"text", "json"})
+        same_every_time({"check", "--method", "trig3", "--format", format});
+    same_every_time({"stepper", "--basis", "1, cos(w*tau), sin(w*tau)", "--nodes", "gauss:3"});
     same_every_time({"list"});
+}
+
+TEST_CASE("check says what a method can do") {
+    const Directory directory;
+    const std::string text =
+        hvi_gen({"check", "--method", "trig3", "--plot", "trig3.svg"}, directory.path()).out;
+    for (const std::string line :
+         {"order         2: 6 conditions hold, and 14 of order 3 fail\n", "symplectic    yes\n",
+          "A == A~       no\n", "stable        z = h omega in (0, 2.37351), (3.31779, 3.9374)\n",
+          "no step       at z = 7.38143\n", "All of it is proved.\n"})
+        CHECK(text.find(line) != std::string::npos);
+    CHECK(contents(directory / "trig3.svg").rfind("<svg", 0) == 0);
+    const std::string json =
+        same_every_time({"check", "--method", "gauss:8", "--max-order", "16", "--format", "json"});
+    for (const std::string field :
+         {"\"schema\": \"hvi-check/1\"", "\"order\": 16", "\"order_is_at_least\": true",
+          "\"failures\": null", "\"error_constant\": null", "\"quadratic\": true",
+          "\"proved\": true", "\"until\": 20"})
+        CHECK(json.find(field) != std::string::npos);
 }
 
 TEST_CASE("all of list is its parts") {

@@ -244,7 +244,11 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "method", {"list", "method"}},
         {2, "nodes", {"list", "bases", "nodes"}},
         // to come
-        {2, "check", {"check", "--method", "gauss:2"}},
+        {2, "--tableau", {"check", "--tableau", "mine.json"}},
+        {2, "21", {"check", "--method", "gauss:2", "--max-order", "21"}},
+        {2, "0", {"check", "--method", "gauss:2", "--max-order", "0"}},
+        {2, "latex", {"check", "--method", "gauss:2", "--format", "latex"}},
+        {2, "", {"check", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--plot", "x.svg"}},
         {2, "scheme", {"scheme", "--method", "gauss:2", "--hamiltonian", "p^2/2"}},
         {2, "run", {"run", "kepler"}},
         {2, "report", {"report", "kepler"}},
