@@ -84,7 +84,7 @@ public:
         case Code::pole: return "there is no method at, or very near, this value of the parameter";
         case Code::zero_weight:
             return "a weight of the method is zero at, or very near, this value of the parameter";
-        case Code::parameter_too_large: return "the parameter of the method is above 2^20";
+        case Code::parameter_too_large: return "the parameter of the method is too large";
         }
         return "unknown status";
     }
