@@ -58,6 +58,7 @@ Json stability_json(const Certificate& certificate) {
     Json json;
     const auto half_trace = closed_form(certificate.oscillator.half_trace);
     json["half_trace"] = half_trace ? Json(to_text(*half_trace)) : Json(nullptr);
+    json["determinant_is_one"] = certificate.oscillator.symplectic_proved;
     const auto& stability = certificate.stability;
     json["stable"] = stability ? intervals_json(stability->stable) : Json(nullptr);
     json["poles"] = stability ? places_json(stability->poles) : Json(nullptr);

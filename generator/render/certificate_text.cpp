@@ -158,6 +158,9 @@ std::string render_text(const Certificate& certificate) {
     if (const auto half_trace = closed_form(certificate.oscillator.half_trace)) {
         report.line("oscillator", "trace/2 = " + to_text(*half_trace));
     }
+    if (certificate.oscillator.symplectic_proved) {
+        report.line("determinant", "1, by exact arithmetic");
+    }
     if (certificate.stability) { write_stability(report, *certificate.stability); }
     report.blank();
     report.title(certificate.is_proved() ? "All of it is proved."

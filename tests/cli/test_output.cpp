@@ -81,8 +81,11 @@ TEST_CASE("check says what a method can do") {
     const std::string text =
         hvi_gen({"check", "--method", "trig3", "--plot", "trig3.svg"}, directory.path()).out;
     for (const std::string line :
-         {"order         2: 6 conditions hold, and 14 of order 3 fail\n", "symplectic    yes\n",
-          "A == A~       no\n", "stable        z = h omega in (0, 2.37351), (3.31779, 3.9374)\n",
+         {"order         2: 6 conditions hold, and 14 of order 3 fail\n",
+          "  separable   2: 4 conditions hold, and 4 of order 3 fail\n",
+          "  Nystrom     2: 4 conditions hold, and 3 of order 3 fail\n",
+          "determinant   1, by exact arithmetic\n", "symplectic    yes\n", "A == A~       no\n",
+          "stable        z = h omega in (0, 2.37351), (3.31779, 3.9374)\n",
           "no step       at z = 7.38143\n", "All of it is proved.\n"})
         CHECK(text.find(line) != std::string::npos);
     CHECK(contents(directory / "trig3.svg").rfind("<svg", 0) == 0);

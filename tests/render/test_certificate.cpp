@@ -38,6 +38,7 @@ TEST_CASE("trig3 is of order 2, symplectic and self-adjoint, and has a pole") {
     CHECK(json["explicit"] == Read({{"separable", false}, {"general", false}}));
     const Read& stability = json["linear_stability"];
     CHECK(stability["until"] == 20);
+    CHECK(stability["determinant_is_one"] == true);
     // pi sqrt((pi - 2)/2), and where DESIGN has the pole.
     CHECK(stability["stable"][0][0] == 0.0);
     CHECK(stability["stable"][0][1].get<double>() == Approx(2.3735066755879478).epsilon(1e-15));
@@ -79,4 +80,5 @@ TEST_CASE("what rests on enclosures is not called proved") {
     const Read json = certificate("1, exp(tau^2) | 0, 1");
     CHECK(json["proved"] == false);
     CHECK(json["order"] == 1);
+    CHECK(json["linear_stability"]["determinant_is_one"] == false);
 }
