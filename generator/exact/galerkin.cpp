@@ -24,8 +24,7 @@ struct Ingredients {
     Nodes nodes;
 };
 
-Ingredients ingredients(const Method& method, const Denominators& denominators) {
-    Ground ground(std::make_shared<Field>(denominators));
+Ingredients ingredients(const Method& method, Ground ground) {
     for (const Parameter& parameter : method.parameters) {
         ground.set_parameter(parameter.name,
                              evaluate_number(parameter.value, parameter.place.source, ground));
@@ -33,16 +32,6 @@ Ingredients ingredients(const Method& method, const Denominators& denominators) 
     Nodes nodes = quadrature_nodes(method.nodes, ground);
     auto psi = basis_functions(method.basis, nodes.c, ground);
     return {std::move(ground), std::move(psi), std::move(nodes)};
-}
-
-/// Runs `work`, which gets a table of denominators, until the table fits (see field.hpp).
-template <class Work>
-auto with_denominators(Work work) {
-    for (Denominators denominators;;) {
-        try {
-            return work(denominators);
-        } catch (const TooCoarse& answer) { denominators = answer.finer; }
-    }
 }
 
 Place whole(const List& list) { return list.place({0, list.source->text.size()}); }
@@ -373,18 +362,20 @@ ExactFunction combine(const NumberVector& coefficients,
 
 }  // namespace
 
+Derivation derive_on(const Ground& ground, const Method& method) {
+    const Progress::Stage stage("reading nodes and basis exactly");
+    const Ingredients given = ingredients(method, ground);
+    check_counts(method, given);
+    return {derive(method, given), given.ground};
+}
+
 Tableau derive(const Method& method) {
-    return with_denominators([&](const Denominators& denominators) {
-        const Progress::Stage stage("reading nodes and basis exactly");
-        const Ingredients given = ingredients(method, denominators);
-        check_counts(method, given);
-        return derive(method, given);
-    });
+    return on_new_ground([&](const Ground& ground) { return derive_on(ground, method).tableau; });
 }
 
 Routes both_routes(const Method& method) {
-    return with_denominators([&](const Denominators& denominators) {
-        const Ingredients given = ingredients(method, denominators);
+    return on_new_ground([&](const Ground& ground) {
+        const Ingredients given = ingredients(method, ground);
         const Tableau tableau = derive(method, given);
         Routes routes{{tableau.b, tableau.A}, {}};
         std::vector<BasisFunction> phi;

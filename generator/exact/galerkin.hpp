@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "generator/exact/ground.hpp"
 #include "generator/exact/tableau.hpp"
 #include "generator/read/method.hpp"
 
@@ -15,6 +16,15 @@ namespace hvi::gen {
 /// vanishes at all nodes, and when a weight is zero, naming the node; InputError for the general
 /// form (4.6), which is to come.
 [[nodiscard]] Tableau derive(const Method& method);
+
+/// The same on the field of `ground`, for those who compute with the tableau and with numbers of
+/// their own: these come from the ground in the result, which knows the values of the method's
+/// parameters. Throws as derive() does, and TooCoarse (see on_new_ground).
+struct Derivation {
+    Tableau tableau;
+    Ground ground;
+};
+[[nodiscard]] Derivation derive_on(const Ground& ground, const Method& method);
 
 /// The two routes of steps 3 and 4: through M^-1, as `derive` goes, and by integrating the
 /// functions phi = M^-1 psi themselves.

@@ -41,6 +41,17 @@ private:
     std::map<std::string, Number> values_;
 };
 
+/// Runs `work`, which gets a ground on a field of its own, until that field's table of denominators
+/// fits (see Denominators).
+template <class Work>
+auto on_new_ground(Work work) {
+    for (Denominators denominators;;) {
+        try {
+            return work(Ground(std::make_shared<Field>(denominators)));
+        } catch (const TooCoarse& answer) { denominators = answer.finer; }
+    }
+}
+
 /// base^exponent by repeated squaring. Precondition: exponent >= 0.
 [[nodiscard]] Number power(const Number& base, unsigned exponent);
 
