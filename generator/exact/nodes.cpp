@@ -5,6 +5,7 @@
 
 #include "generator/exact/evaluate.hpp"
 #include "generator/exact/interpolation.hpp"
+#include "generator/exact/number_polynomial.hpp"
 #include "generator/exact/rational.hpp"
 
 namespace hvi::gen {
@@ -13,8 +14,8 @@ namespace {
 
 RationalPolynomial x() { return RationalPolynomial::variable(); }
 
-/// The polynomial on [-1, 1] whose roots are the nodes of a family; empty for rational nodes.
-std::optional<RationalPolynomial> node_polynomial(const std::string& family, unsigned s) {
+/// The polynomial on [-1, 1] whose roots are the nodes of a family.
+RationalPolynomial symmetric_polynomial(const std::string& family, unsigned s) {
     const RationalPolynomial one(1);
     if (family == "gauss") return legendre(s);
     if (family == "lobatto") return (x() * x() - one) * legendre(s - 1).derivative();
@@ -22,8 +23,17 @@ std::optional<RationalPolynomial> node_polynomial(const std::string& family, uns
     if (family == "radau-right") return legendre(s - 1) - legendre(s);
     if (family == "chebyshev") return chebyshev_equal_weights(s);
     if (family == "fejer") return chebyshev_t(s);
-    if (family == "clenshaw-curtis") return (x() * x() - one) * chebyshev_t(s - 1).derivative();
-    return std::nullopt;
+    HVI_CHECK(family == "clenshaw-curtis");
+    return (x() * x() - one) * chebyshev_t(s - 1).derivative();
+}
+
+/// A polynomial with the roots first/n, (first + 1)/n, ..., last/n.
+RationalPolynomial equally_spaced(long first, long last, long n) {
+    RationalPolynomial product(1);
+    for (long i = first; i <= last; ++i) {
+        product = product * (RationalPolynomial(n) * x() - RationalPolynomial(i));
+    }
+    return product;
 }
 
 Number fraction(long numerator, long denominator) {
@@ -52,6 +62,21 @@ std::optional<RationalPolynomial> linear_factor(const Number& node) {
     RationalPolynomial factor = x();
     factor.set_coefficient(0, *negative);
     return factor;
+}
+
+/// (tau - c_1) (tau - c_2) ..., where it is over Q. NOTE: then so are the sums of the nodes and of
+/// their squares, and where they are not the product may be too long to be written.
+std::optional<RationalPolynomial> product_of_factors(const NumberVector& c) {
+    Number sum, squares;
+    for (const Number& node : c) {
+        if (!is_exact(node)) { return std::nullopt; }
+        sum = sum + node;
+        squares = squares + node * node;
+    }
+    if (!rational_text(sum) || !rational_text(squares)) { return std::nullopt; }
+    NumberPolynomial polynomial{Number(1)};
+    for (const Number& node : c) { polynomial = product(polynomial, {-node, Number(1)}); }
+    return over_rationals(polynomial);
 }
 
 /// The argument of `roots(...)` as a polynomial in tau over Q.
@@ -83,18 +108,14 @@ public:
 
     /// NOTE: nodes with a formula are exact where it is, and not roots of anything to be isolated.
     void add_family(const Family& family, const Place& place) {
-        const auto s = static_cast<unsigned>(family.size);
-        auto polynomial = node_polynomial(family.name, s);
-        if (polynomial) { polynomial = polynomial->at_affine(2, -1); }
         if (!explicit_node(family.name, family.size, 0, ground_)) {
-            add_roots(polynomial.value(), place);
+            add_roots(family_polynomial(family), place);
             return;
         }
         for (long i = 0; i < family.size; ++i) {
             nodes_.c.push_back(explicit_node(family.name, family.size, i, ground_).value());
-            if (!polynomial) { multiply(linear_factor(nodes_.c.back())); }
         }
-        if (polynomial) { multiply(polynomial); }
+        multiply(family_polynomial(family));
     }
 
     void add_roots(const RationalPolynomial& polynomial, const Place& place) {
@@ -105,7 +126,11 @@ public:
         multiply(all_roots ? std::optional(polynomial) : std::nullopt);
     }
 
-    [[nodiscard]] Nodes result() const { return nodes_; }
+    [[nodiscard]] Nodes result() const {
+        Nodes nodes = nodes_;
+        if (!nodes.polynomial) { nodes.polynomial = product_of_factors(nodes.c); }
+        return nodes;
+    }
 
 private:
     void multiply(const std::optional<RationalPolynomial>& factor) {
@@ -121,6 +146,13 @@ private:
 };
 
 }  // namespace
+
+RationalPolynomial family_polynomial(const Family& family) {
+    const long s = family.size;
+    if (family.name == "newton-cotes") { return monic(equally_spaced(0, s - 1, s - 1)); }
+    if (family.name == "newton-cotes-open") { return monic(equally_spaced(1, s, s + 1)); }
+    return monic(symmetric_polynomial(family.name, static_cast<unsigned>(s)).at_affine(2, -1));
+}
 
 Nodes quadrature_nodes(const List& list, const Ground& ground) {
     Collector nodes(ground);

@@ -15,6 +15,10 @@ struct Nodes {
     std::optional<RationalPolynomial> polynomial;
 };
 
+/// The monic polynomial over Q in tau whose roots are the nodes of a family in [0, 1].
+/// Precondition: the family is one of node_families() and has this size.
+[[nodiscard]] RationalPolynomial family_polynomial(const Family& family);
+
 /// Throws as evaluate_number does; MathError when `roots(...)` has no real root.
 [[nodiscard]] Nodes quadrature_nodes(const List& list, const Ground& ground);
 

@@ -77,6 +77,15 @@ RationalPolynomial operator*(const RationalPolynomial& a, const RationalPolynomi
     return result;
 }
 
+RationalPolynomial monic(RationalPolynomial polynomial) {
+    fmpq_poly_make_monic(polynomial.get(), polynomial.get());
+    return polynomial;
+}
+
+bool operator==(const RationalPolynomial& a, const RationalPolynomial& b) {
+    return fmpq_poly_equal(a.get(), b.get()) != 0;
+}
+
 RationalPolynomial remainder(const RationalPolynomial& a, const RationalPolynomial& P) {
     RationalPolynomial result;
     fmpq_poly_rem(result.get(), a.get(), P.get());

@@ -58,6 +58,11 @@ private:
     fmpq_poly_t polynomial_;
 };
 
+/// Divided by its leading coefficient. Precondition: not zero.
+[[nodiscard]] RationalPolynomial monic(RationalPolynomial polynomial);
+
+[[nodiscard]] bool operator==(const RationalPolynomial& a, const RationalPolynomial& b);
+
 /// a modulo P.
 [[nodiscard]] RationalPolynomial remainder(const RationalPolynomial& a,
                                            const RationalPolynomial& P);

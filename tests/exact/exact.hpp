@@ -13,24 +13,13 @@
 
 namespace hvi::gen {
 
-/// What `work` returns when it gets a Ground; it starts again with finer denominators until they
-/// fit (see generator/exact/field.hpp).
-template <class Work>
-auto with_ground(Work work) {
-    for (Denominators denominators;;) {
-        try {
-            return work(Ground(std::make_shared<Field>(denominators)));
-        } catch (const TooCoarse& answer) { denominators = answer.finer; }
-    }
-}
-
 inline Number read(const std::string& text, const Ground& ground) {
     const auto given = source(text);
     return evaluate_number(parse_expression(given), given, ground);
 }
 
 inline Number number(const std::string& text) {
-    return with_ground([&](const Ground& ground) { return read(text, ground); });
+    return on_new_ground([&](const Ground& ground) { return read(text, ground); });
 }
 
 /// The closed form, or `none`.
@@ -50,7 +39,7 @@ inline std::string normal(const std::string& given) { return text(number(given))
 
 /// Whether two lists of texts stand for the same numbers, decided in one field.
 inline bool same(const std::vector<std::string>& left, const std::vector<std::string>& right) {
-    return left.size() == right.size() && with_ground([&](const Ground& ground) {
+    return left.size() == right.size() && on_new_ground([&](const Ground& ground) {
                for (std::size_t i = 0; i < left.size(); ++i) {
                    if (!(read(left[i], ground) - read(right[i], ground)).is_zero()) return false;
                }

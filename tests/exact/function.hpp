@@ -21,7 +21,7 @@ inline ExactFunction function(const std::string& text, const Ground& ground,
 /// Whether the integral over [0, end] is what the text says, exactly.
 inline bool integrates(const std::string& text, const std::string& end,
                        const std::string& expected) {
-    return with_ground([&](const Ground& ground) {
+    return on_new_ground([&](const Ground& ground) {
         const Number integral =
             function(text, ground, "0, " + end).integral(read(end, ground), ground);
         return (integral - read(expected, ground)).is_zero();
@@ -30,14 +30,14 @@ inline bool integrates(const std::string& text, const std::string& end,
 
 /// The integral over [0, end] to 50 digits.
 inline std::string integral_digits(const std::string& text, const std::string& end) {
-    return with_ground([&](const Ground& ground) {
+    return on_new_ground([&](const Ground& ground) {
         return function(text, ground, "0, " + end).integral(read(end, ground), ground).decimal(50);
     });
 }
 
 inline bool has_value(const std::string& text, const std::string& point,
                       const std::string& expected) {
-    return with_ground([&](const Ground& ground) {
+    return on_new_ground([&](const Ground& ground) {
         const Number value = function(text, ground, point).at(read(point, ground), ground);
         return (value - read(expected, ground)).is_zero();
     });
@@ -45,14 +45,14 @@ inline bool has_value(const std::string& text, const std::string& point,
 
 /// The function as a constant, or `none`.
 inline std::string constant(const std::string& given) {
-    return with_ground([&](const Ground& ground) {
+    return on_new_ground([&](const Ground& ground) {
         const auto number = function(given, ground).constant();
         return number ? text(*number) : "none";
     });
 }
 
 inline std::size_t terms(const std::string& text) {
-    return with_ground([&](const Ground& ground) { return function(text, ground).terms().size(); });
+    return on_new_ground([&](const Ground& ground) { return function(text, ground).terms().size(); });
 }
 
 }  // namespace hvi::gen

@@ -11,7 +11,7 @@ namespace {
 
 /// Whether the text of a number, read in the number's own field, is the number.
 bool reads_back(const std::string& given) {
-    return with_ground([&](const Ground& ground) {
+    return on_new_ground([&](const Ground& ground) {
         const Number number = read(given, ground);
         return (number - read(text(number), ground)).is_zero();
     });
@@ -65,7 +65,7 @@ TEST_CASE("every entry of a tableau is read back as itself") {
         "1, tau, cos(tau), sin(tau) | 0, 1/3, 2/3, 1", "1, tau*exp(-2*tau) | 1/4, 3/4");
     CAPTURE(given);
     const NumberVector entries = all_entries(derive(any_method(given)));
-    with_ground([&](const Ground& ground) {
+    on_new_ground([&](const Ground& ground) {
         for (const Number& entry : entries) {
             CAPTURE(text(entry));
             const Number number = read(text(entry), ground);
@@ -80,7 +80,7 @@ TEST_CASE("entries with a free parameter are read back") {
     const Tableau tableau = derive(method("1, tau, cos(w*tau), sin(w*tau)", "0, 1/3, 2/3, 1"));
     CHECK(tableau.parameters == std::vector<std::string>{"w"});
     const NumberVector entries = all_entries(tableau);
-    CHECK(with_ground([&](const Ground& ground) {
+    CHECK(on_new_ground([&](const Ground& ground) {
         for (const Number& entry : entries) {
             const Number number = read(text(entry), ground);
             if (!(number - read(text(number), ground)).is_zero()) return false;

@@ -10,7 +10,7 @@ using namespace hvi::gen;
 namespace {
 
 NumberVector nodes(const std::string& list) {
-    return with_ground(
+    return on_new_ground(
         [&](const Ground& ground) { return quadrature_nodes(parse_list(source(list)), ground).c; });
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("families, roots and numbers in one list") {
 
 TEST_CASE("the polynomial of the nodes is known when it has rational coefficients") {
     const auto polynomial = [](const std::string& list) {
-        return with_ground([&](const Ground& ground) {
+        return on_new_ground([&](const Ground& ground) {
             return quadrature_nodes(parse_list(source(list)), ground).polynomial;
         });
     };

@@ -26,11 +26,11 @@ Coefficients coefficients(const RationalPolynomial& polynomial) {
 }
 
 std::vector<std::string> roots(const RationalPolynomial& polynomial) {
-    return with_ground([&](const Ground& ground) { return texts(real_roots(polynomial, ground)); });
+    return on_new_ground([&](const Ground& ground) { return texts(real_roots(polynomial, ground)); });
 }
 
 std::vector<std::string> decimal_roots(const RationalPolynomial& polynomial, int digits) {
-    return with_ground([&](const Ground& ground) {
+    return on_new_ground([&](const Ground& ground) {
         std::vector<std::string> result;
         for (const Number& root : real_roots(polynomial, ground))
             result.push_back(root.decimal(digits));

@@ -54,7 +54,7 @@ TEST_CASE("integrals to 50 digits") {
 
 TEST_CASE("more digits are had when they are asked for") {
     // sqrt(pi)/2 erfi(1), by the series sum_k 1/(k! (2k+1)) in exact rationals
-    const std::string digits = with_ground([](const Ground& ground) {
+    const std::string digits = on_new_ground([](const Ground& ground) {
         return function("exp(tau^2)", ground).integral(Number(1), ground).decimal(300);
     });
     Number sum;

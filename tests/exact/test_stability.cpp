@@ -74,7 +74,7 @@ NumberPolynomial moved(const NumberVector& polynomial, const Ground& ground) {
 
 bool same_quotient(const NumberVector& numerator, const NumberVector& denominator,
                    const Json& expected_numerator, const Json& expected_denominator) {
-    return with_ground([&](const Ground& ground) {
+    return on_new_ground([&](const Ground& ground) {
         const auto above = read_polynomial(expected_numerator.get<std::string>(), ground);
         const auto below = read_polynomial(expected_denominator.get<std::string>(), ground);
         const auto left = product(moved(numerator, ground), below);
@@ -327,7 +327,7 @@ TEST_CASE("a free parameter stays in the map") {
 namespace {
 
 NumberVector polynomial(const std::string& text) {
-    return with_ground([&](const Ground& ground) { return read_polynomial(text, ground); });
+    return on_new_ground([&](const Ground& ground) { return read_polynomial(text, ground); });
 }
 
 OscillatorMap made(const std::string& c, const std::string& m12, const std::string& m21) {

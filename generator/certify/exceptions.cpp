@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/certify/exceptions.hpp"
+
+#include "generator/exact/common_zeros.hpp"
+#include "generator/exact/galerkin.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The order for a value of the parameter; empty where there is no method.
+std::optional<ExceptionalValue> exception_at(Method method, const std::string& name, const Number& value,
+                                      int max_order) {
+    const auto form = value.closed_form();
+    if (!form) { return {}; }
+    set_parameter(method, parse_parameter(std::make_shared<const Source>(
+                              Source{"--param", name + "=" + to_text(*form)})));
+    try {
+        const OrderConditions there = orders(derive(method), max_order).general;
+        return ExceptionalValue{name, value, there.order, there.is_at_least};
+    } catch (const MathError&) { return {}; }
+}
+
+}  // namespace
+
+std::vector<ExceptionalValue> exceptions(const Method& method, const OrderConditions& generic,
+                                  int max_order) {
+    std::vector<Number> residuals;
+    for (const FailedCondition& failure : generic.failures) {
+        residuals.push_back(failure.residual);
+    }
+    if (residuals.empty()) { return {}; }
+    const auto zeros = common_zeros(residuals);
+    if (!zeros) { return {}; }
+    std::vector<ExceptionalValue> result;
+    for (const Number& zero : zeros->values) {
+        auto exception = exception_at(method, zeros->parameter, zero, max_order);
+        if (exception) { result.push_back(*std::move(exception)); }
+    }
+    return result;
+}
+
+}  // namespace hvi::gen
