@@ -103,5 +103,8 @@ TEST_CASE("the polynomial of the nodes is known when it has rational coefficient
     CHECK(polynomial("gauss:2, 0")->degree() == 3);
     CHECK(polynomial("0, 1/2, 1"));
     CHECK_FALSE(polynomial("sqrt(2)/2"));
-    CHECK_FALSE(polynomial("roots((tau-2)*(tau^2+1))"));
+    // The real roots may be all those of another polynomial over Q, or not.
+    CHECK(polynomial("roots((tau-2)*(tau^2+1))")->degree() == 1);
+    CHECK(polynomial("sqrt(2)/2, -sqrt(2)/2") == polynomial("roots(2*tau^2-1)"));
+    CHECK_FALSE(polynomial("roots(tau^3-2)"));
 }
