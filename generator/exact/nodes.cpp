@@ -123,7 +123,7 @@ public:
         if (roots.empty()) throw MathError("this polynomial has no real root", place);
         nodes_.c.insert(nodes_.c.end(), roots.begin(), roots.end());
         const bool all_roots = static_cast<long>(roots.size()) == polynomial.degree();
-        multiply(all_roots ? std::optional(polynomial) : std::nullopt);
+        multiply(all_roots ? std::optional(monic(polynomial)) : std::nullopt);
     }
 
     [[nodiscard]] Nodes result() const {
