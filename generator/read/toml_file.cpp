@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/read/toml_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/read/file.hpp"
+#include "generator/read/nearest.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The byte at which a column of toml++ starts; it counts Unicode characters from 1.
+std::size_t byte_of_column(std::string_view line, toml::source_index column) {
+    const auto starts_character = [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+    };
+    toml::source_index seen = 0;
+    for (std::size_t byte = 0; byte < line.size(); ++byte)
+        if (starts_character(line[byte]) && ++seen == column) return byte;
+    return line.size();
+}
+
+}  // namespace
+
+Source toml_source(const std::filesystem::path& path) {
+    constexpr std::size_t largest_file = 1024 * 1024;
+    return {path.string(), read_file(path, largest_file)};
+}
+
+TomlFile::TomlFile(const Source& file) : file_(file) {
+    try {
+        table_ = toml::parse(std::string_view(file.text));
+    } catch (const toml::parse_error& error) {
+        throw InputError(fmt::format("this is no TOML: {}", error.description()),
+                         place(error.source()));
+    }
+}
+
+std::string TomlFile::line(toml::source_index number) const {
+    std::size_t begin = 0;
+    for (; number > 1 && begin < file_.text.size(); --number)
+        begin = std::min(file_.text.find('\n', begin), file_.text.size() - 1) + 1;
+    return file_.text.substr(begin, file_.text.find('\n', begin) - begin);
+}
+
+Place TomlFile::place(const toml::source_region& region) const {
+    std::string text = line(region.begin.line);
+    const std::size_t begin = byte_of_column(text, region.begin.column);
+    const std::size_t end = region.end.line == region.begin.line
+                                ? byte_of_column(text, region.end.column)
+                                : text.size();
+    const auto source = std::make_shared<const Source>(
+        Source{fmt::format("{}:{}", file_.name, region.begin.line), std::move(text)});
+    return {source, {begin, std::max(begin, end)}};
+}
+
+std::shared_ptr<const Source> TomlFile::source(const toml::node& node, std::string text) const {
+    return std::make_shared<const Source>(
+        Source{fmt::format("{}:{}", file_.name, node.source().begin.line), std::move(text)});
+}
+
+std::string TomlFile::text(const toml::node& node) const {
+    if (const auto* string = node.as_string()) return string->get();
+    if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
+    if (node.is_floating_point()) return written_number(node);
+    throw InputError("a text or a number is wanted here", place(node), "write for example \"1/2\"");
+}
+
+std::string TomlFile::written_number(const toml::node& node) const {
+    const Place number = place(node);
+    std::string text =
+        number.source->text.substr(number.range.begin, number.range.end - number.range.begin);
+    text.erase(std::remove(text.begin(), text.end(), '_'), text.end());
+    if (text.find_first_not_of("0123456789+-.eE") != std::string::npos)
+        throw InputError(fmt::format("`{}` is not a finite number", text), number);
+    return text;
+}
+
+void TomlFile::check_keys(std::string_view what, const std::vector<std::string_view>& known) const {
+    for (const auto& [key, node] : table_) {
+        if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+        throw InputError(
+            fmt::format("a {} has no key `{}`", what, key.str()), place(key.source()),
+            did_you_mean(key.str(), known, fmt::format("the keys are {}", fmt::join(known, ", "))));
+    }
+}
+
+std::string TomlFile::name() const {
+    const toml::node* node = table_.get("name");
+    if (node == nullptr) return {};
+    const auto* string = node->as_string();
+    if (string == nullptr) throw InputError("the name is not a text", place(*node));
+    const std::string& name = string->get();
+    const bool plain =
+        !name.empty() && name.size() <= 64 && name.front() != ' ' && name.back() != ' ' &&
+        name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                               "-_:.+ ") == std::string::npos;
+    if (!plain)
+        throw InputError("this cannot be a name", place(*node),
+                         "a name has 1 to 64 letters, digits, blanks and characters of -_:.+");
+    return name;
+}
+
+}  // namespace hvi::gen
