@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/derivative.hpp"
+
+#include <algorithm>
+
+namespace hvi::gen {
+
+namespace {
+
+/// The derivative of a function of one argument; `value` is what it is there.
+Scaled derivative(Graph& graph, const std::string& function, const Scaled& argument,
+                  const Scaled& value) {
+    const auto square = [&](const Scaled& a) { return graph.product(a, a); };
+    const auto one_and = [&](long sign, const Scaled& a) {
+        return graph.sum({graph.number(1), graph.times({sign, 1}, a)});
+    };
+    if (function == "sin") { return graph.call("cos", argument); }
+    if (function == "cos") { return graph.times({-1, 1}, graph.call("sin", argument)); }
+    if (function == "tan") { return one_and(1, square(value)); }
+    if (function == "exp") { return value; }
+    if (function == "log") { return graph.inverse(argument); }
+    if (function == "asin") { return graph.half_power(one_and(-1, square(argument)), -1); }
+    if (function == "acos") {
+        return graph.times({-1, 1}, graph.half_power(one_and(-1, square(argument)), -1));
+    }
+    if (function == "atan") { return graph.inverse(one_and(1, square(argument))); }
+    if (function == "sinh") { return graph.call("cosh", argument); }
+    if (function == "cosh") { return graph.call("sinh", argument); }
+    HVI_CHECK(function == "tanh");
+    return one_and(-1, square(value));
+}
+
+/// Goes down from f, and gives each node's share to its arguments.
+class Reverse {
+public:
+    Reverse(Graph& graph, const Scaled& f, const std::vector<Node>& inputs)
+        : graph_(graph), shares_(f.node + 1), is_active_(f.node + 1) {
+        for (Node node = 0; node <= f.node; ++node) { is_active_[node] = depends(node, inputs); }
+        give(f.node, {f.factor, graph.number(1).node});
+        for (Node node = f.node + 1; node-- > 0;) {
+            if (!shares_[node].empty()) { hand_down(node, total(node)); }
+        }
+    }
+
+    [[nodiscard]] Scaled total(Node node) const {
+        return node < shares_.size() ? graph_.sum(shares_[node]) : graph_.number(0);
+    }
+
+private:
+    [[nodiscard]] bool depends(Node node, const std::vector<Node>& inputs) const {
+        const Computation& computation = graph_.at(node);
+        if (std::find(inputs.begin(), inputs.end(), node) != inputs.end()) { return true; }
+        const auto& [terms, arguments] = std::tie(computation.terms, computation.arguments);
+        return std::any_of(terms.begin(), terms.end(),
+                           [&](const Scaled& term) { return is_active_[term.node]; }) ||
+               std::any_of(arguments.begin(), arguments.end(),
+                           [&](Node argument) { return is_active_[argument]; });
+    }
+
+    void give(Node node, const Scaled& share) {
+        if (is_active_[node]) { shares_[node].push_back(share); }
+    }
+
+    void hand_down(Node node, const Scaled& share) {
+        // NOTE: a copy, since the graph grows.
+        const Computation computation = graph_.at(node);
+        for (const Scaled& term : computation.terms) {
+            give(term.node, graph_.times(term.factor, share));
+        }
+        const std::vector<Node>& arguments = computation.arguments;
+        for (std::size_t k = 0; k < arguments.size(); ++k) {
+            if (!is_active_[arguments[k]]) { continue; }
+            give(arguments[k], graph_.product(share, partial(computation, {{1, 1}, node}, k)));
+        }
+    }
+
+    /// By argument number k.
+    [[nodiscard]] Scaled partial(const Computation& computation, const Scaled& value,
+                                 std::size_t k) {
+        const Scaled a{{1, 1}, computation.arguments.front()};
+        const Scaled b{{1, 1}, computation.arguments.back()};
+        switch (computation.operation) {
+        case Operation::product: return k == 0 ? b : a;
+        case Operation::inverse: return graph_.times({-1, 1}, graph_.product(value, value));
+        case Operation::square_root: return graph_.times({1, 2}, graph_.half_power(a, -1));
+        case Operation::inverse_square_root: return graph_.times({-1, 2}, graph_.half_power(a, -3));
+        case Operation::power: return k == 0 ? of_base(a, b) : of_exponent(a, value);
+        default: return derivative(graph_, computation.name, a, value);
+        }
+    }
+
+    [[nodiscard]] Scaled of_base(const Scaled& base, const Scaled& exponent) {
+        const Scaled less = graph_.sum({exponent, graph_.number(-1)});
+        return graph_.product(exponent, graph_.power(base, less));
+    }
+
+    [[nodiscard]] Scaled of_exponent(const Scaled& base, const Scaled& value) {
+        return graph_.product(value, graph_.call("log", base));
+    }
+
+    Graph& graph_;
+    std::vector<std::vector<Scaled>> shares_;  ///< whose sum is the derivative of f by a node
+    std::vector<bool> is_active_;              ///< whether a node depends on the inputs
+};
+
+}  // namespace
+
+std::vector<Scaled> gradient(Graph& graph, const Scaled& f, const std::vector<Node>& inputs) {
+    const Reverse reverse(graph, f, inputs);
+    std::vector<Scaled> result;
+    for (const Node input : inputs) { result.push_back(reverse.total(input)); }
+    return result;
+}
+
+}  // namespace hvi::gen

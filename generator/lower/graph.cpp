@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/graph.hpp"
+
+#include <algorithm>
+
+namespace hvi::gen {
+
+namespace {
+
+Expression as_expression(const SmallFraction& fraction) {
+    const SmallFraction size = fraction.size();
+    Expression result =
+        Expression::rational(std::to_string(size.above), std::to_string(size.below));
+    return fraction.above < 0 ? Expression::negation(std::move(result)) : result;
+}
+
+/// Of a sum: that of its first term if all are equal in size, else 1; with the sign of the first.
+SmallFraction common_factor(const std::vector<Scaled>& terms) {
+    const SmallFraction first = terms.front().factor;
+    const bool all_equal = std::all_of(terms.begin(), terms.end(), [&](const Scaled& term) {
+        return term.factor.size() == first.size();
+    });
+    if (all_equal) { return first; }
+    return {first.above < 0 ? -1 : 1, 1};
+}
+
+}  // namespace
+
+Graph::Graph() {
+    const Scaled first = constant(Expression::integer(1));
+    HVI_CHECK(first.node == one);
+}
+
+Node Graph::insert(Computation computation) {
+    for (const Scaled& term : computation.terms) { computation.roles |= at(term.node).roles; }
+    for (const Node argument : computation.arguments) { computation.roles |= at(argument).roles; }
+    Key key{computation.operation, computation.terms, computation.arguments, computation.name};
+    const auto [found, is_new] = numbers_.emplace(std::move(key), static_cast<Node>(size()));
+    if (is_new) { computations_.push_back(std::move(computation)); }
+    return found->second;
+}
+
+Scaled Graph::constant(const Expression& expression) {
+    Computation computation;
+    computation.name = to_text(expression);
+    computation.constant = expression;
+    return {{1, 1}, insert(std::move(computation))};
+}
+
+Scaled Graph::input(const std::string& name, Role role) {
+    Computation computation;
+    computation.operation = Operation::input;
+    computation.name = name;
+    computation.roles = static_cast<Roles>(role);
+    return {{1, 1}, insert(std::move(computation))};
+}
+
+Scaled Graph::times(const SmallFraction& factor, const Scaled& a) {
+    if (factor.is_zero() || a.is_zero()) { return number(0); }
+    if (const auto folded = factor * a.factor) { return {*folded, a.node}; }
+    return product({factor, whole(constant(as_expression(a.factor)))}, {{1, 1}, a.node});
+}
+
+Scaled Graph::sum(std::vector<Scaled> terms) {
+    std::stable_sort(terms.begin(), terms.end(),
+                     [](const Scaled& a, const Scaled& b) { return a.node < b.node; });
+    std::vector<Scaled> merged;
+    for (const Scaled& term : terms) {
+        if (term.is_zero()) { continue; }
+        const bool is_like = !merged.empty() && merged.back().node == term.node;
+        const auto folded =
+            is_like ? merged.back().factor + term.factor : std::optional<SmallFraction>();
+        if (!folded) {
+            merged.push_back(term);
+        } else if (folded->is_zero()) {
+            merged.pop_back();
+        } else {
+            merged.back().factor = *folded;
+        }
+    }
+    if (merged.empty()) { return number(0); }
+    if (merged.size() == 1) { return merged.front(); }
+    const SmallFraction common = common_factor(merged);
+    const SmallFraction inverse = SmallFraction::of(common.below, common.above).value();
+    for (Scaled& term : merged) { term.factor = (term.factor * inverse).value(); }
+    Computation computation;
+    computation.operation = Operation::sum;
+    computation.terms = std::move(merged);
+    return {common, insert(std::move(computation))};
+}
+
+Scaled Graph::product(const Scaled& a, const Scaled& b) {
+    if (is_number(a)) { return times(a.factor, b); }
+    if (is_number(b)) { return times(b.factor, a); }
+    const auto is_inverse_of = [&](Node x, Node y) {
+        return at(x).operation == Operation::inverse && at(x).arguments.front() == y;
+    };
+    const Node first = std::min(a.node, b.node);
+    const Node second = std::max(a.node, b.node);
+    if (is_inverse_of(second, first)) { return product(number(a.factor), number(b.factor)); }
+    Computation computation;
+    computation.operation = Operation::product;
+    computation.arguments = {first, second};
+    const Node node = insert(std::move(computation));
+    return times(a.factor, {b.factor, node});
+}
+
+Scaled Graph::inverse(const Scaled& a) {
+    HVI_CHECK(!a.is_zero());
+    const SmallFraction factor = SmallFraction::of(a.factor.below, a.factor.above).value();
+    if (is_number(a)) { return number(factor); }
+    const Computation& computation = at(a.node);
+    if (computation.operation == Operation::inverse) {
+        return {factor, computation.arguments.front()};
+    }
+    Computation result;
+    result.operation = Operation::inverse;
+    result.arguments = {a.node};
+    if (computation.operation == Operation::square_root) {
+        result.operation = Operation::inverse_square_root;
+        result.arguments = computation.arguments;
+    }
+    return {factor, insert(std::move(result))};
+}
+
+Node Graph::whole(const Scaled& a) {
+    if (a.factor.is_one()) { return a.node; }
+    if (is_number(a)) { return constant(as_expression(a.factor)).node; }
+    Computation computation;
+    computation.operation = Operation::sum;
+    computation.terms = {a};
+    return insert(std::move(computation));
+}
+
+Scaled Graph::root(const Scaled& a, Operation operation) {
+    Computation computation;
+    computation.operation = operation;
+    computation.arguments = {whole(a)};
+    return {{1, 1}, insert(std::move(computation))};
+}
+
+Scaled Graph::half_power(const Scaled& a, long twice_exponent) {
+    if (twice_exponent == 0) { return number(1); }
+    const bool is_whole = twice_exponent % 2 == 0;
+    if (twice_exponent < 0) {
+        return is_whole ? whole_power(inverse(a), -twice_exponent / 2)
+                        : whole_power(root(a, Operation::inverse_square_root), -twice_exponent);
+    }
+    const Scaled power = whole_power(a, twice_exponent / 2);
+    return is_whole ? power : product(power, root(a, Operation::square_root));
+}
+
+Scaled Graph::whole_power(const Scaled& base, long exponent) {
+    Scaled result = number(1);
+    Scaled square = base;
+    for (; exponent > 0; exponent /= 2) {
+        if (exponent % 2 != 0) { result = product(result, square); }
+        if (exponent > 1) { square = product(square, square); }
+    }
+    return result;
+}
+
+Scaled Graph::power(const Scaled& base, const Scaled& exponent) {
+    Computation computation;
+    computation.operation = Operation::power;
+    computation.arguments = {whole(base), whole(exponent)};
+    return {{1, 1}, insert(std::move(computation))};
+}
+
+Scaled Graph::call(const std::string& function, const Scaled& argument) {
+    if (function == "sqrt") { return half_power(argument, 1); }
+    Computation computation;
+    computation.operation = Operation::call;
+    computation.name = function;
+    computation.arguments = {whole(argument)};
+    return {{1, 1}, insert(std::move(computation))};
+}
+
+}  // namespace hvi::gen

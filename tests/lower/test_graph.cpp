@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "generator/lower/derivative.hpp"
+#include "generator/lower/kernel.hpp"
+#include "generator/lower/lower.hpp"
+#include "generator/read/parse.hpp"
+#include "tests/lower/evaluate.hpp"
+#include "tests/read/refusal.hpp"
+
+using namespace hvi::gen;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// A graph with inputs, and an expression in it.
+struct Lowered {
+    Graph graph;
+    Symbols symbols;
+    std::vector<Node> variables;
+
+    Lowered(const Names& coordinates, const Names& momenta, const Names& parameters = {}) {
+        add(coordinates, Role::coordinate, true);
+        add(momenta, Role::momentum, true);
+        add(parameters, Role::parameter, false);
+    }
+
+    Scaled operator()(const std::string& text) {
+        return lower(graph, parse_expression(source(text)), symbols);
+    }
+
+private:
+    void add(const Names& names, Role role, bool is_variable) {
+        for (const std::string& name : names) {
+            symbols[name] = graph.input(name, role);
+            if (is_variable) { variables.push_back(symbols[name].node); }
+        }
+    }
+};
+
+Values at_random(const Names& names, unsigned seed) {
+    std::mt19937 generator(seed);
+    Values values;
+    for (const std::string& name : names) {
+        values[name] = 0.25L + static_cast<Real>(generator()) / 8e9L;
+    }
+    return values;
+}
+
+/// By Richardson's extrapolation of central differences: an error of d^4 and of 1e-19/d.
+Real difference(const Expression& f, const Values& at, const std::string& name) {
+    const auto central = [&](Real d) {
+        Values left = at, right = at;
+        left[name] -= d;
+        right[name] += d;
+        return (value(f, right) - value(f, left)) / (2 * d);
+    };
+    const Real d = 1e-4L;
+    return (4 * central(d / 2) - central(d)) / 3;
+}
+
+/// `1+ 7* 1/ 1sqrt 0f`
+std::string text(const OperationCounts& counts) {
+    return std::to_string(counts.additions) + "+ " + std::to_string(counts.multiplications) +
+           "* " + std::to_string(counts.divisions) + "/ " + std::to_string(counts.square_roots) +
+           "sqrt " + std::to_string(counts.calls) + "f";
+}
+
+}  // namespace
+
+TEST_CASE("equal computations are one node") {
+    Lowered f({"x", "y", "z"}, {"p"}, {"m"});
+    CHECK(f("x-y").node == f("y-x").node);
+    CHECK(f("x-y").factor == -f("y-x").factor);
+    CHECK(f("x+y+z") == f("z+x+y"));
+    CHECK(f("2*x+2*y") == Scaled{{2, 1}, f("x+y").node});
+    CHECK(f("x*m*y") == f("y*(x*m)"));
+    CHECK(f("x/2") == Scaled{{1, 2}, f("x").node});
+    CHECK(f("sqrt(x)^2") == f("sqrt(x)*sqrt(x)"));
+    CHECK(f("e^x") == f("exp(x)"));
+    CHECK(f("0.5*x") == f("x/2"));
+    CHECK(f("x+y") != f("x-y"));
+    CHECK(f("x^2") != f("x^3"));
+    CHECK(f("sin(x)") != f("cos(x)"));
+    CHECK(f("sin(x)") != f("sin(y)"));
+    CHECK(f("0.123456789012") != f("0.123456789013"));
+}
+
+TEST_CASE("what algebra sees at once is left out") {
+    Lowered f({"x", "y"}, {"p"});
+    CHECK(f("x-x").is_zero());
+    CHECK(f("0*sin(x)").is_zero());
+    CHECK(f("x*y-y*x").is_zero());
+    CHECK(f("x+2*y-2*y") == f("x"));
+    CHECK(f("x/x") == f("1"));
+    CHECK(f("x^0") == f("1"));
+    CHECK(f("1/(1/x)") == f("x"));
+    CHECK(f("(x+y)*3/3") == f("x+y"));
+}
+
+TEST_CASE("derivatives agree with differences") {
+    const std::vector<std::string> functions{
+        "p^2/2+w^2*q^2/2",
+        "q*p",
+        "p^2/2-cos(q)",
+        "(p^2+r^2)/2-w/sqrt(q^2+s^2)",
+        "(p^2+r^2)/2+(q^2+s^2)/2+q^2*s-s^3/3",
+        "(q^2+1)*(p^2+1)/2",
+        "-log((q-s)^2+(p/w-r)^2)/(4*pi)",
+        "(2*p^2+3*r^2-2*p*r*cos(q-s))/(1+w*sin(q-s)^2)",
+        "q^3*s^(-2)+q^(3/2)+s^(-5/2)+q^w+w^s+q^(1/3)",
+        "exp(q*p)+tan(q/2)*tanh(s)+sinh(p)*cosh(r)+asin(q/2)+acos(s/2)+atan(r)",
+        "sqrt(1+q^2)*sqrt(1+q^2+s^4)/(1+sqrt(1+q^2))",
+        "12345678901234567890*q^2/(98765432109876543210+p)",
+    };
+    const Names names{"q", "s", "p", "r"};
+    for (const std::string& text : functions) {
+        Lowered f({"q", "s"}, {"p", "r"}, {"w"});
+        const Expression expression = parse_expression(source(text));
+        const Scaled H = f(text);
+        const std::vector<Scaled> slopes = gradient(f.graph, H, f.variables);
+        for (unsigned seed = 1; seed <= 3; ++seed) {
+            const Values at = at_random({"q", "s", "p", "r", "w"}, seed);
+            CAPTURE(text, seed);
+            CHECK(value(f.graph, H, at) == Approx(value(expression, at)).epsilon(1e-16));
+            for (std::size_t k = 0; k < names.size(); ++k) {
+                CAPTURE(names[k]);
+                CHECK(static_cast<double>(value(f.graph, slopes[k], at)) ==
+                      Approx(static_cast<double>(difference(expression, at, names[k])))
+                          .epsilon(1e-11)
+                          .margin(1e-11));
+            }
+        }
+    }
+}
+
+TEST_CASE("second derivatives are symmetric, and derivatives of first ones") {
+    Lowered f({"q", "s"}, {"p", "r"}, {"w"});
+    const Scaled H = f("(2*p^2+3*r^2-2*p*r*cos(q-s))/(1+w*sin(q-s)^2)");
+    const std::vector<Scaled> slopes = gradient(f.graph, H, f.variables);
+    const Values at = at_random({"q", "s", "p", "r", "w"}, 5);
+    std::vector<std::vector<Scaled>> second;
+    for (const Scaled& slope : slopes) { second.push_back(gradient(f.graph, slope, f.variables)); }
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            CHECK(static_cast<double>(value(f.graph, second[i][j], at)) ==
+                  Approx(static_cast<double>(value(f.graph, second[j][i], at))).epsilon(1e-14));
+        }
+    }
+    Values moved = at;
+    moved["s"] += 1e-6L;
+    const Real slope = (value(f.graph, slopes[0], moved) - value(f.graph, slopes[0], at)) / 1e-6L;
+    CHECK(static_cast<double>(value(f.graph, second[0][1], at)) ==
+          Approx(static_cast<double>(slope)).epsilon(1e-5));
+}
+
+// By hand: r2 = x x + y y, r = 1/sqrt(r2), r3 = mu r r r; x r3, y r3, with mu r or r r shared.
+TEST_CASE("the force of the Kepler problem costs what it costs by hand") {
+    Lowered f({"x", "y"}, {"px", "py"}, {"mu"});
+    const Scaled U = f("-mu/sqrt(x^2+y^2)");
+    const Kernel forces = kernel(f.graph, gradient(f.graph, U, {f.variables[0], f.variables[1]}));
+    CHECK(text(forces.per_evaluation) == "1+ 7* 1/ 1sqrt 0f");
+}
+
+TEST_CASE("forces between bodies are computed once for each pair") {
+    Lowered f({"x1", "x2", "x3", "y1", "y2", "y3"}, {}, {"G", "m1", "m2", "m3"});
+    const Scaled U = f("-G*(m1*m2/sqrt((x1-x2)^2+(y1-y2)^2)+m1*m3/sqrt((x1-x3)^2+(y1-y3)^2)"
+                       "+m2*m3/sqrt((x2-x3)^2+(y2-y3)^2))");
+    const Kernel forces = kernel(f.graph, gradient(f.graph, U, f.variables));
+    // 3 pairs: 2 differences, 1 sum; 2 squares, r r, (r r) r, times G m m, 2 products; 6 sums of 2.
+    CHECK(text(forces.per_evaluation) == "15+ 21* 3/ 3sqrt 0f");
+}
+
+TEST_CASE("what depends on parameters alone is computed once") {
+    Lowered f({"q"}, {"p"}, {"k", "m"});
+    const Scaled H = f("p^2/(2*m)+k*sqrt(m)*q^2/2");
+    const Kernel slopes = kernel(f.graph, gradient(f.graph, H, f.variables));
+    CHECK(text(slopes.per_evaluation) == "0+ 2* 0/ 0sqrt 0f");
+    CHECK(slopes.once.size() == 3);  // sqrt(m), k sqrt(m), 1/m
+}
