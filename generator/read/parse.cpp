@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -23,15 +24,45 @@ using Kind = Token::Kind;
 
 constexpr std::size_t longest_text = 64 * 1024;
 constexpr int deepest_nesting = 200;
+constexpr std::size_t most_words = 100'000;
+constexpr std::size_t most_names = 1000;
 
 Range whole(const Source& source) { return {0, source.text.size()}; }
 
+/// Of an expression made of whole numbers below a million, +, - and *.
+std::optional<long> whole_value(const Expression& expression) {
+    constexpr long largest = 1'000'000;
+    using ExpressionKind = Expression::Kind;
+    long value = 0;
+    if (expression.kind == ExpressionKind::number) {
+        if (expression.denominator != "1" || expression.numerator.size() > 7) return {};
+        value = std::stol(expression.numerator);
+    } else if (expression.kind == ExpressionKind::negation) {
+        const auto argument = whole_value(expression.arguments.front());
+        return argument ? std::optional(-*argument) : std::nullopt;
+    } else if (expression.kind == ExpressionKind::sum ||
+               expression.kind == ExpressionKind::product) {
+        const bool is_sum = expression.kind == ExpressionKind::sum;
+        value = is_sum ? 0 : 1;
+        for (const Expression& part : expression.arguments) {
+            const auto next = whole_value(part);
+            if (!next) return {};
+            value = is_sum ? value + *next : value * *next;
+            if (value > largest || value < -largest) return {};
+        }
+    } else {
+        return {};
+    }
+    return value <= largest ? std::optional(value) : std::nullopt;
+}
+
 class Parser {
 public:
-    Parser(std::shared_ptr<const Source> source, Range part);
+    Parser(std::shared_ptr<const Source> source, Range part, Indices indices = Indices::refused);
 
     Expression lone_expression();
     std::vector<Item> items();
+    std::vector<Name> names();
 
 private:
     Item item();
@@ -46,8 +77,14 @@ private:
     Expression name();
     Expression call(const Token& name);
     Expression parenthesised();
+    Expression indexed_name(const Token& name);
+    Expression sum_over_index(const Token& name);
+    std::string index_of_sum();
+    long whole_number();
+    void append_names(std::vector<Name>& names);
 
     Token take();
+    Token take(Kind kind, const char* what);
     void take_close(const Token& open);
     Expression located(Expression expression, std::size_t begin) const;
 
@@ -61,9 +98,13 @@ private:
     Token next_;      ///< not yet taken
     Token previous_;  ///< taken last
     int nesting_ = 0;
+    std::size_t words_ = 0;  ///< taken so far
+    Indices indices_;
+    std::map<std::string, long> indices_of_sums_;
 };
 
-Parser::Parser(std::shared_ptr<const Source> source, Range part) : lexer_(std::move(source), part) {
+Parser::Parser(std::shared_ptr<const Source> source, Range part, Indices indices)
+    : lexer_(std::move(source), part, indices), indices_(indices) {
     if (part.end - part.begin > longest_text)
         fail({part.begin, part.begin}, "the text is longer than 64 KiB");
     next_ = lexer_.next();
@@ -77,6 +118,8 @@ Expression Parser::lone_expression() {
         fail(next_.range, "one expression is wanted here, not a list",
              "a decimal number has a point: `0.5`");
     if (next_.is(Kind::close)) fail(next_.range, "there is no `(` for this `)`");
+    if (!next_.is(Kind::end))
+        fail(next_.range, fmt::format("`{}` cannot stand here", lexer_.text(next_.range)));
     return expression;
 }
 
@@ -207,8 +250,15 @@ Expression Parser::number() {
 
 Expression Parser::name() {
     const Token token = take();
-    if (next_.is(Kind::open)) return call(token);
     std::string text = lexer_.text(token.range);
+    if (indices_ == Indices::allowed) {
+        if (next_.is(Kind::open) && text == "sum") return sum_over_index(token);
+        if (next_.is(Kind::open_index)) return indexed_name(token);
+        const auto index = indices_of_sums_.find(text);
+        if (index != indices_of_sums_.end())
+            return located(Expression::integer(index->second), token.range.begin);
+    }
+    if (next_.is(Kind::open)) return call(token);
     if (find_function(text) != nullptr)
         fail(token.range, fmt::format("`{}` is a function and wants an argument", text),
              fmt::format("write `{}(...)`", text));
@@ -244,7 +294,100 @@ Expression Parser::parenthesised() {
     return located(std::move(inner), open.range.begin);
 }
 
+/// The value of what is written at this place.
+long Parser::whole_number() {
+    const Expression expression = sum();
+    const std::optional<long> value = whole_value(expression);
+    if (!value)
+        fail(expression.range, "a whole number is wanted here",
+             "it is made of numbers, +, - and *, and of the index of a sum around it");
+    return *value;
+}
+
+Expression Parser::indexed_name(const Token& name) {
+    take();
+    const long index = whole_number();
+    take(Kind::close_index, "`]` is wanted here");
+    return located(Expression::symbol(fmt::format("{}[{}]", lexer_.text(name.range), index)),
+                   name.range.begin);
+}
+
+/// The i of `sum(i=`.
+std::string Parser::index_of_sum() {
+    const Token token = take(Kind::name, "the index of the sum is wanted here");
+    std::string name = lexer_.text(token.range);
+    const Place place{lexer_.source(), token.range};
+    check_parameter_name(name, place);
+    if (indices_of_sums_.count(name) != 0)
+        throw InputError(fmt::format("`{}` is the index of a sum around this one", name), place,
+                         "take another letter");
+    take(Kind::equals, "`=` is wanted here");
+    return name;
+}
+
+/// NOTE: the text of the terms is read once for each value of the index.
+Expression Parser::sum_over_index(const Token& name) {
+    const Token open = take();
+    const std::string index = index_of_sum();
+    const long first = whole_number();
+    take(Kind::to, "`..` is wanted here, as in `sum(i=1..3, x[i])`");
+    const long last = whole_number();
+    if (first > last) fail({open.range.end, previous_.range.end}, "this sum has no term");
+    if (!next_.is(Kind::comma))
+        fail(next_.range, "a comma and the term of the sum are wanted here");
+    const std::size_t body = next_.range.end;
+    std::vector<Expression> terms;
+    for (long value = first; value <= last; ++value) {
+        lexer_.move_to(body);
+        take();
+        indices_of_sums_[index] = value;
+        terms.push_back(sum());
+    }
+    indices_of_sums_.erase(index);
+    take_close(open);
+    return located(Expression::sum(std::move(terms)), name.range.begin);
+}
+
+std::vector<Name> Parser::names() {
+    std::vector<Name> names;
+    append_names(names);
+    while (next_.is(Kind::comma)) {
+        take();
+        append_names(names);
+    }
+    if (!next_.is(Kind::end)) fail(next_.range, "names are separated by commas");
+    return names;
+}
+
+/// `x`, or `x[1..3]`.
+void Parser::append_names(std::vector<Name>& names) {
+    const Token token = take(Kind::name, "a name is wanted here");
+    const std::string name = lexer_.text(token.range);
+    if (!next_.is(Kind::open_index)) {
+        names.push_back({name, token.range});
+        return;
+    }
+    take();
+    const long first = whole_number();
+    take(Kind::to, "`..` is wanted here, as in `x[1..3]`");
+    const long last = whole_number();
+    take(Kind::close_index, "`]` is wanted here");
+    const Range range{token.range.begin, previous_.range.end};
+    if (first > last) fail(range, "there is no such index");
+    if (static_cast<std::size_t>(last - first) >= most_names - names.size())
+        fail(range, fmt::format("there are more than {} names", most_names));
+    for (long index = first; index <= last; ++index)
+        names.push_back({fmt::format("{}[{}]", name, index), range});
+}
+
+Token Parser::take(Kind kind, const char* what) {
+    if (!next_.is(kind)) fail(next_.range, what);
+    return take();
+}
+
 Token Parser::take() {
+    if (++words_ > most_words)
+        fail(next_.range, fmt::format("the sums expand to more than {} words", most_words));
     previous_ = next_;
     next_ = lexer_.next();
     return previous_;
@@ -313,6 +456,16 @@ Expression parse_expression(std::shared_ptr<const Source> source) {
 
 Expression parse_expression(std::shared_ptr<const Source> source, Range part) {
     return Parser(std::move(source), part).lone_expression();
+}
+
+Expression parse_indexed_expression(std::shared_ptr<const Source> source) {
+    const Range part = whole(*source);
+    return Parser(std::move(source), part, Indices::allowed).lone_expression();
+}
+
+std::vector<Name> parse_names(std::shared_ptr<const Source> source) {
+    const Range part = whole(*source);
+    return Parser(std::move(source), part, Indices::allowed).names();
 }
 
 List parse_list(std::shared_ptr<const Source> source) {

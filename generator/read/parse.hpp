@@ -48,6 +48,25 @@ struct List {
 /// The same for a part of a source. Precondition: `part` lies within the text.
 [[nodiscard]] Expression parse_expression(std::shared_ptr<const Source> source, Range part);
 
+/// Reads one expression in which names can have indices and sums can run over them:
+///
+///     operand = ... | name "[" sum "]" | "sum" "(" name "=" sum ".." sum "," sum ")"
+///
+/// They are expanded: `sum(i=1..2, x[i]^2)` is x[1]^2 + x[2]^2, of symbols with the names `x[1]`
+/// and `x[2]`. Bounds and indices are whole numbers made of numbers and of the i of sums around
+/// them. Throws as `parse_expression` does, and for what expands to more than 100 000 words.
+[[nodiscard]] Expression parse_indexed_expression(std::shared_ptr<const Source> source);
+
+/// A name in a list of names.
+struct Name {
+    std::string text;
+    Range range;
+};
+
+/// Reads a list of at least one name, separated by commas: `x, y[1..3]` for x, y[1], y[2], y[3].
+/// Throws InputError for any other text, and for more than 1000 names.
+[[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source);
+
 /// Reads a list of at least one item, separated by commas. An item is an expression, or a family
 /// with its size: a word of letters, digits and dashes, a colon, and a whole number. Throws as
 /// `parse_expression` does.

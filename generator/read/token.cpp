@@ -69,10 +69,11 @@ bool is_name_start(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 
 
 bool is_name_char(char c) { return is_name_start(c) || is_digit(c); }
 
-Lexer::Lexer(std::shared_ptr<const Source> source, Range part)
+Lexer::Lexer(std::shared_ptr<const Source> source, Range part, Indices indices)
     : source_(std::move(source)),
       text_(std::string_view(source_->text).substr(0, part.end)),
-      position_(part.begin) {
+      position_(part.begin),
+      indices_(indices) {
     HVI_CHECK(part.begin <= part.end && part.end <= source_->text.size());
 }
 
@@ -93,7 +94,8 @@ Token Lexer::number() {
         while (end < text_.size() && is_digit(text_[end])) ++end;
     };
     skip_digits();
-    if (end < text_.size() && text_[end] == '.') {
+    const bool is_range = indices_ == Indices::allowed && text_.substr(end, 2) == "..";
+    if (end < text_.size() && text_[end] == '.' && !is_range) {
         ++end;
         skip_digits();
     }
@@ -129,6 +131,20 @@ Token Lexer::sign() {
             throw InputError("`**` is no operator", Place{source_, {range.begin, range.end + 1}},
                              "write `^` for a power");
         return {Token::Kind::times, range};
+    default: return sign_of_index();
+    }
+}
+
+Token Lexer::sign_of_index() {
+    const Range range{position_, position_ + 1};
+    if (indices_ == Indices::refused) { refuse_character(); }
+    switch (text_[position_]) {
+    case '[': return {Token::Kind::open_index, range};
+    case ']': return {Token::Kind::close_index, range};
+    case '=': return {Token::Kind::equals, range};
+    case '.':
+        if (text_.substr(range.end, 1) != ".") { refuse_character(); }
+        return {Token::Kind::to, {range.begin, range.end + 1}};
     default: refuse_character();
     }
 }

@@ -12,7 +12,23 @@ namespace hvi::gen {
 
 /// A word of a mathematical text; `end` is what stands after the last one.
 struct Token {
-    enum class Kind { number, name, plus, minus, times, over, power, open, close, comma, end };
+    enum class Kind {
+        number,
+        name,
+        plus,
+        minus,
+        times,
+        over,
+        power,
+        open,
+        close,
+        comma,
+        open_index,   ///< `[`, and what stands below, in texts with indices only
+        close_index,  ///< `]`
+        equals,       ///< `=`
+        to,           ///< `..`
+        end
+    };
 
     Kind kind = Kind::end;
     Range range;
@@ -25,11 +41,14 @@ struct Token {
     }
 };
 
+/// Whether names can have indices, `x[i+1]`, and sums run over them.
+enum class Indices { refused, allowed };
+
 /// Cuts a part of a source into tokens, one at a time, from left to right.
 class Lexer {
 public:
     /// Reads `part` of the source's text. Precondition: `part` lies within it.
-    Lexer(std::shared_ptr<const Source> source, Range part);
+    Lexer(std::shared_ptr<const Source> source, Range part, Indices indices);
 
     /// The next token. Throws InputError at a character that no token starts with.
     [[nodiscard]] Token next();
@@ -50,11 +69,13 @@ private:
     [[nodiscard]] Token number();
     [[nodiscard]] Token name();
     [[nodiscard]] Token sign();
+    [[nodiscard]] Token sign_of_index();
     [[noreturn]] void refuse_character() const;
 
     std::shared_ptr<const Source> source_;
     std::string_view text_;
     std::size_t position_;
+    Indices indices_;
 };
 
 [[nodiscard]] bool is_digit(char c);
