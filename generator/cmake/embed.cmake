@@ -1,7 +1,8 @@
-# Writes OUTPUT, the source of embedded_template(), with the files of the list FILES in it.
+# Writes OUTPUT, the source of FUNCTION(), which returns the files of the list FILES.
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-#   cmake -D OUTPUT=embedded.cpp -D "FILES=a.hpp.in;b.hpp" -P embed.cmake
+#   cmake -D OUTPUT=embedded.cpp -D HEADER=generator/emit/embedded.hpp -D FUNCTION=embedded_templates
+#       -D "FILES=a.hpp.in;b.hpp" -P embed.cmake
 #
 # A file is known by its last name. Raw string literals end where MSVC's limit of 16 kB ends; the
 # pieces are put together by the compiler.
@@ -12,26 +13,25 @@ foreach(file IN LISTS FILES)
     # NOTE: a list would lose the brackets and semicolons of C++, so the text stays one string.
     file(READ "${file}" text)
     string(LENGTH "${text}" length)
-    string(APPEND entries "    if (name == \"${name}\") {\n        return\n")
+    string(APPEND entries "        {\"${name}\",\n")
     set(begin 0)
     while(begin LESS length)
         string(SUBSTRING "${text}" ${begin} 8000 piece)
         string(APPEND entries "            R\"embedded(${piece})embedded\"\n")
         math(EXPR begin "${begin} + 8000")
     endwhile()
-    string(APPEND entries "            ;\n    }\n")
+    string(APPEND entries "        },\n")
 endforeach()
 
 file(WRITE "${OUTPUT}" "// Written by embed.cmake. Do not edit.
-#include \"generator/emit/embedded.hpp\"
-
-#include \"generator/support/error.hpp\"
+#include \"${HEADER}\"
 
 namespace hvi::gen {
 
-std::string_view embedded_template(std::string_view name) {
-${entries}    HVI_CHECK(false);
-    return {};
+std::span<const EmbeddedFile> ${FUNCTION}() {
+    static constexpr EmbeddedFile files[] = {
+${entries}    };
+    return files;
 }
 
 }  // namespace hvi::gen

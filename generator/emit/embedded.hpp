@@ -1,13 +1,17 @@
-// Files that are part of the program.
+// Templates and parts of the runtime, which are part of the program.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <string_view>
+#include <span>
+
+#include "generator/support/embedded.hpp"
 
 namespace hvi::gen {
 
-/// The text of `templates/NAME` or `src/hvi/NAME` as it stood when the program was built.
-/// Precondition: there is such a file among those that the build names.
+[[nodiscard]] std::span<const EmbeddedFile> embedded_templates();
+
+/// The text of `templates/NAME` or `src/hvi/NAME`. Precondition: there is such a file among those
+/// that the build names.
 [[nodiscard]] std::string_view embedded_template(std::string_view name);
 
 }  // namespace hvi::gen

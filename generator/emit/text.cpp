@@ -165,6 +165,14 @@ std::string exact_text(const Number& number) {
 std::string literal(double value) { return shortest(value); }
 std::string literal(float value) { return shortest(value) + "f"; }
 
+std::string_view embedded_template(std::string_view name) {
+    for (const EmbeddedFile& file : embedded_templates()) {
+        if (file.name == name) { return file.text; }
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
 std::string fill(std::string_view template_name, const Holes& holes) {
     const Template source = parse(embedded_template(template_name));
     std::set<std::string_view> used;
