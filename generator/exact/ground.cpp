@@ -53,6 +53,16 @@ Number Ground::sqrt(const Number& argument) const {
     return by_enclosure(argument, "sqrt", arb_sqrtpos);
 }
 
+std::optional<Number> Ground::either_root(const Number& square) const {
+    const Element* const element = square.value().element();
+    if (element == nullptr) { return std::nullopt; }
+    const bool has_sign = !square.has_parameters();
+    if (has_sign && square.sign() < 0) { return std::nullopt; }
+    const auto root =
+        has_sign ? field_->sqrt(*element) : root_in_field(*element, field_->algebraic_count());
+    return root ? std::optional(exact(*root)) : std::nullopt;
+}
+
 Number Ground::exp(const Number& argument) const {
     if (const Element* element = argument.value().element()) {
         if (const auto value = field_->exp(*element)) return exact(*value);

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "generator/exact/field.hpp"
@@ -29,6 +30,9 @@ public:
     /// Throw MathError where the function is not real, InputError where a free parameter stands in
     /// a place that the exact arithmetic does not reach yet.
     [[nodiscard]] Number sqrt(const Number& argument) const;
+    /// A number of either sign whose square is `square`, where one has an exact place in the field:
+    /// w for w^2. For even functions of it.
+    [[nodiscard]] std::optional<Number> either_root(const Number& square) const;
     [[nodiscard]] Number exp(const Number& argument) const;
     [[nodiscard]] Number log(const Number& argument) const;
     [[nodiscard]] Number cos(const Number& argument) const;

@@ -54,21 +54,45 @@ bool is_rational(const NumberVector& vector) {
     });
 }
 
-/// By FLINT, which sums without a division for each term. Precondition: all entries are rational.
-NumberVector rational_product(const NumberMatrix& matrix, const NumberVector& vector) {
-    RationalMatrix left(matrix.size(), vector.size());
-    RationalMatrix right(vector.size(), 1);
-    RationalMatrix product(matrix.size(), 1);
-    for (std::size_t j = 0; j < vector.size(); ++j) {
+bool is_rational(const NumberMatrix& matrix) {
+    return std::all_of(matrix.begin(), matrix.end(),
+                       [](const NumberVector& row) { return is_rational(row); });
+}
+
+/// By FLINT, which sums without a division for each term; the right factor by its columns.
+/// Precondition: all entries are rational.
+NumberMatrix rational_product(const NumberMatrix& matrix, const NumberMatrix& columns) {
+    const std::size_t inner = columns.front().size();
+    RationalMatrix left(matrix.size(), inner);
+    RationalMatrix right(inner, columns.size());
+    RationalMatrix product(matrix.size(), columns.size());
+    for (std::size_t k = 0; k < inner; ++k) {
         for (std::size_t i = 0; i < matrix.size(); ++i) {
-            matrix[i][j].value().element()->copy_to(left.entry(i, j));
+            matrix[i][k].value().element()->copy_to(left.entry(i, k));
         }
-        vector[j].value().element()->copy_to(right.entry(j, 0));
+        for (std::size_t j = 0; j < columns.size(); ++j) {
+            columns[j][k].value().element()->copy_to(right.entry(k, j));
+        }
     }
     fmpq_mat_mul(product.get(), left.get(), right.get());
-    NumberVector result;
+    NumberMatrix result(matrix.size());
     for (std::size_t i = 0; i < matrix.size(); ++i) {
-        result.push_back(number(Element::copy_of(product.entry(i, 0)), nullptr));
+        for (std::size_t j = 0; j < columns.size(); ++j) {
+            result[i].push_back(number(Element::copy_of(product.entry(i, j)), nullptr));
+        }
+    }
+    return result;
+}
+
+/// matrix * right, the right factor by its columns.
+NumberMatrix product(const NumberMatrix& matrix, const NumberMatrix& columns) {
+    if (!columns.empty() && is_rational(columns) && is_rational(matrix)) {
+        return rational_product(matrix, columns);
+    }
+    NumberMatrix result;
+    for (const NumberVector& row : matrix) {
+        NumberVector& entries = result.emplace_back();
+        for (const NumberVector& column : columns) { entries.push_back(dot(row, column)); }
     }
     return result;
 }
@@ -76,11 +100,8 @@ NumberVector rational_product(const NumberMatrix& matrix, const NumberVector& ve
 }  // namespace
 
 NumberVector operator*(const NumberMatrix& matrix, const NumberVector& vector) {
-    if (is_rational(vector) && std::all_of(matrix.begin(), matrix.end(), is_rational)) {
-        return rational_product(matrix, vector);
-    }
     NumberVector result;
-    for (const NumberVector& row : matrix) { result.push_back(dot(row, vector)); }
+    for (const NumberVector& row : product(matrix, {vector})) { result.push_back(row.front()); }
     return result;
 }
 
@@ -99,9 +120,66 @@ NumberMatrix transpose(const NumberMatrix& matrix) {
 }
 
 NumberMatrix operator*(const NumberMatrix& left, const NumberMatrix& right) {
-    NumberMatrix columns;
-    for (const NumberVector& column : transpose(right)) columns.push_back(left * column);
-    return transpose(columns);
+    return product(left, transpose(right));
+}
+
+NumberMatrix operator+(const NumberMatrix& left, const NumberMatrix& right) {
+    NumberMatrix sum = left;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        for (std::size_t j = 0; j < sum[i].size(); ++j) { sum[i][j] = sum[i][j] + right[i][j]; }
+    }
+    return sum;
+}
+
+NumberMatrix operator*(const NumberMatrix& matrix, const Number& factor) {
+    NumberMatrix result;
+    for (const NumberVector& row : matrix) { result.push_back(row * factor); }
+    return result;
+}
+
+NumberMatrix identity(std::size_t size) {
+    NumberMatrix result = zeros(size, size);
+    for (std::size_t i = 0; i < size; ++i) { result[i][i] = Number(1); }
+    return result;
+}
+
+NumberMatrix zeros(std::size_t height, std::size_t width) {
+    return NumberMatrix(height, NumberVector(width));
+}
+
+bool is_zero(const NumberMatrix& matrix) {
+    return std::all_of(matrix.begin(), matrix.end(), [](const NumberVector& row) {
+        return std::all_of(row.begin(), row.end(), [](const Number& n) { return n.is_zero(); });
+    });
+}
+
+NumberMatrix rows(const NumberMatrix& matrix, std::size_t first, std::size_t last) {
+    return {matrix.begin() + static_cast<long>(first), matrix.begin() + static_cast<long>(last)};
+}
+
+NumberMatrix stacked(NumberMatrix upper, const NumberMatrix& lower) {
+    upper.insert(upper.end(), lower.begin(), lower.end());
+    return upper;
+}
+
+NumberMatrix beside(NumberMatrix left, const NumberMatrix& right) {
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        left[i].insert(left[i].end(), right[i].begin(), right[i].end());
+    }
+    return left;
+}
+
+NumberMatrix kronecker(const NumberMatrix& left, const NumberMatrix& right) {
+    NumberMatrix result;
+    for (const NumberVector& left_row : left) {
+        for (const NumberVector& right_row : right) {
+            NumberVector& row = result.emplace_back();
+            for (const Number& factor : left_row) {
+                for (const Number& entry : right_row) { row.push_back(factor * entry); }
+            }
+        }
+    }
+    return result;
 }
 
 namespace {

@@ -11,7 +11,20 @@ namespace hvi::gen {
 [[nodiscard]] NumberVector operator*(const NumberMatrix& matrix, const NumberVector& vector);
 [[nodiscard]] NumberVector operator*(const NumberVector& vector, const Number& factor);
 [[nodiscard]] NumberMatrix operator*(const NumberMatrix& left, const NumberMatrix& right);
+[[nodiscard]] NumberMatrix operator*(const NumberMatrix& matrix, const Number& factor);
+[[nodiscard]] NumberMatrix operator+(const NumberMatrix& left, const NumberMatrix& right);
 [[nodiscard]] NumberMatrix transpose(const NumberMatrix& matrix);
+[[nodiscard]] NumberMatrix identity(std::size_t size);
+[[nodiscard]] NumberMatrix zeros(std::size_t height, std::size_t width);
+[[nodiscard]] bool is_zero(const NumberMatrix& matrix);
+
+/// Rows first .. last - 1.
+[[nodiscard]] NumberMatrix rows(const NumberMatrix& matrix, std::size_t first, std::size_t last);
+[[nodiscard]] NumberMatrix stacked(NumberMatrix upper, const NumberMatrix& lower);
+[[nodiscard]] NumberMatrix beside(NumberMatrix left, const NumberMatrix& right);
+
+/// Kronecker's product: blocks left_ij * right.
+[[nodiscard]] NumberMatrix kronecker(const NumberMatrix& left, const NumberMatrix& right);
 
 /// A matrix and a number by which it is to be divided: sums of products are taken before the
 /// division, which in a field with generators is what costs.

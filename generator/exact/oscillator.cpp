@@ -4,6 +4,7 @@
 #include <flint/fmpz_poly_mat.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "generator/exact/matrix.hpp"
@@ -11,6 +12,7 @@
 #include "generator/exact/polynomial_arithmetic.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_matrix.hpp"
+#include "generator/exact/resolvent.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {
@@ -26,37 +28,6 @@ struct EvenMap {
 
 Number dot(const NumberVector& left, const NumberVector& right) {
     return (NumberMatrix{left} * right).front();
-}
-
-/// det(I + t B), and det(I + t B) u (I + t B)^-1 v for pairs of vectors, by the method of Faddeev
-/// and Leverrier: adj(I + t B) = sum_k N_k t^k and det(I + t B) = sum_k e_k t^k satisfy
-/// (I + t B) sum_k N_k t^k = sum_k e_k t^k, and k e_k = tr(B N_(k-1)). It divides by integers only.
-struct Resolvent {
-    NumberPolynomial determinant;
-    std::vector<NumberPolynomial> forms;
-};
-Resolvent resolvent(const NumberMatrix& B,
-                    const std::vector<std::pair<NumberVector, NumberVector>>& pairs) {
-    const std::size_t s = B.size();
-    Resolvent result{{Number(1)}, std::vector<NumberPolynomial>(pairs.size())};
-    NumberMatrix N(s, NumberVector(s));
-    for (std::size_t i = 0; i < s; ++i) { N[i][i] = Number(1); }
-    for (std::size_t k = 1; k <= s; ++k) {
-        for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
-            const auto& [u, v] = pairs[pair];
-            result.forms[pair].push_back(dot(u, N * v));
-        }
-        N = B * N;
-        Number trace;
-        for (std::size_t i = 0; i < s; ++i) { trace = trace + N[i][i]; }
-        const Number e = trace / Number(static_cast<long>(k));
-        result.determinant.push_back(e);
-        for (std::size_t i = 0; i < s; ++i) {
-            for (Number& entry : N[i]) { entry = -entry; }
-            N[i][i] = N[i][i] + e;
-        }
-    }
-    return result;
 }
 
 /// t P(t)
@@ -102,12 +73,20 @@ EvenMap by_stages(const Tableau& tableau, PolynomialArithmetic& arithmetic) {
     const NumberVector ones(tableau.stages(), Number(1));
     const NumberVector bA = transpose(A) * b;
     const NumberVector c_tilde = A_tilde * ones;
-    const auto [D, forms] =
-        resolvent(A_tilde * A, {{b, c_tilde}, {b, ones}, {bA, c_tilde}, {bA, ones}});
+    const Resolvent P =
+        resolvent(A_tilde * A, transpose({c_tilde, ones}), std::numeric_limits<std::size_t>::max());
+    const NumberPolynomial& D = P.determinant;
+    const auto form = [&](const NumberVector& u, std::size_t column) {
+        NumberPolynomial result;
+        for (const NumberMatrix& numerator : P.numerator) {
+            result.push_back(dot(u, transpose(numerator)[column]));
+        }
+        return result;
+    };
     const Number minus(-1);
-    return {arithmetic.sum(D, minus, shifted(forms[0])), arithmetic.trimmed(forms[1]),
-            arithmetic.sum(shifted(forms[2]), -dot(b, ones), D),
-            arithmetic.sum(D, minus, shifted(forms[3])), arithmetic.trimmed(D)};
+    return {arithmetic.sum(D, minus, shifted(form(b, 0))), arithmetic.trimmed(form(b, 1)),
+            arithmetic.sum(shifted(form(bA, 0)), -dot(b, ones), D),
+            arithmetic.sum(D, minus, shifted(form(bA, 1))), arithmetic.trimmed(D)};
 }
 
 // ---- polynomials at all roots of P, over Q ----

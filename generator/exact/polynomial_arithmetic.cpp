@@ -163,9 +163,9 @@ Ball enclosure(const NumberPolynomial& polynomial, const Ball& argument, Precisi
 std::size_t term_count(const Number& number) {
     const Element* const element = number.value().element();
     if (element == nullptr) { return 0; }
-    std::size_t count = element->denominator().terms().size();
+    std::size_t count = element->denominator().term_count();
     for (const auto& [monomial, coefficient] : element->numerator()) {
-        count += coefficient.terms().size();
+        count += coefficient.term_count();
     }
     return count;
 }

@@ -11,16 +11,22 @@ namespace hvi::gen {
 /// H_d^+ as functions of x = (q_0, p_1).
 struct GeneratingFunction {
     QuadraticForm discrete;  ///< H_d^+ of (4.19), by its definition: from the stages
-    /// The exact discrete Hamiltonian (4.1), where it has a closed form in our field.
+    /// The exact discrete Hamiltonian (4.1), where its closed form is known (see
+    /// exact_discrete_hamiltonian).
     std::optional<QuadraticForm> exact;
-    /// That q_1 = D_2 H_d^+ and p_0 = D_1 H_d^+ (3.10) are the method's map.
+    /// That the method has a generating function at all: its (p_0, q_1) as functions of (q_0, p_1)
+    /// have a symmetric Jacobian, as the second derivatives of any function are.
+    bool is_symmetric = false;
+    /// That D_1 H_d^+ and D_2 H_d^+ are these p_0 and q_1 (3.10).
     bool gives_map = false;
-    /// The largest k with H_d^+ - H_d,exact^+ = O(h^k) as far as powers of h were compared, and
-    /// whether the power h^k is there.
+    /// The largest k with H_d^+ - H_d,exact^+ = O(h^k), by exact Taylor coefficients; r + 1 or more
+    /// for a method of order r. With `is_at_least` all that were compared agree, and it may be
+    /// larger.
     int order_of_difference = 0;
     bool is_at_least = false;
 };
 
+/// Preconditions and errors as for one_step_map.
 [[nodiscard]] GeneratingFunction generating_function(const Tableau& tableau, const QuadraticForm& H,
                                                      const Ground& ground);
 

@@ -13,9 +13,12 @@ struct LinearMap {
     NumberVector offset;
 };
 
-/// The map of (4.18) with the step h = ground.parameter("h"), in lowest terms: rational functions
-/// of h and of what is free in H and in the tableau. Precondition: the tableau and H are on the
-/// field of `ground`. Throws MathError where coefficients have no closed form.
+/// The map (q_0, p_0) -> (q_1, p_1) of (4.18) with the step h = ground.parameter("h"): rational
+/// functions of h and of what is free in H and in the tableau, each in lowest terms. Where square
+/// roots or sines remain in them the denominator is free of these, as in every closed form.
+/// Precondition: the tableau and H are on the field of `ground`. Throws MathError where a
+/// coefficient of the method or of H has no closed form, and where the map would be too long to
+/// compute: with many coupled degrees of freedom, or with many parameters.
 [[nodiscard]] LinearMap one_step_map(const Tableau& tableau, const QuadraticForm& H,
                                      const Ground& ground);
 

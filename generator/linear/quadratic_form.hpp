@@ -15,4 +15,16 @@ struct QuadraticForm {
     [[nodiscard]] std::size_t degrees_of_freedom() const { return g.size() / 2; }
 };
 
+/// E with H(x) = y^T E y / 2 for y = (x, 1): symmetric, (2n + 1) x (2n + 1).
+[[nodiscard]] NumberMatrix bordered(const QuadraticForm& H);
+[[nodiscard]] QuadraticForm without_border(const NumberMatrix& E);
+
+/// The places in x of degrees of freedom that no entry of S couples with others, first those of
+/// their q, then those of their p: ascending, and each place in one part.
+using UncoupledPart = std::vector<std::size_t>;
+[[nodiscard]] std::vector<UncoupledPart> uncoupled_parts(const QuadraticForm& H);
+
+/// What H has of these variables, without the constant.
+[[nodiscard]] QuadraticForm restricted(const QuadraticForm& H, const UncoupledPart& part);
+
 }  // namespace hvi::gen

@@ -1,0 +1,114 @@
+// Quadratic Hamiltonians from text, and what a map of a step has to satisfy.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/exact/matrix.hpp"
+#include "generator/linear/generating_function.hpp"
+#include "tests/exact/exact.hpp"
+
+namespace hvi::gen {
+
+inline std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+inline NumberVector vector_of(const std::string& text, const Ground& ground) {
+    NumberVector result;
+    for (const std::string& entry : split(text, ',')) { result.push_back(read(entry, ground)); }
+    return result;
+}
+
+/// Rows are separated by `;`, entries by `,`.
+inline NumberMatrix matrix_of(const std::string& text, const Ground& ground) {
+    NumberMatrix result;
+    for (const std::string& row : split(text, ';')) { result.push_back(vector_of(row, ground)); }
+    return result;
+}
+
+/// Hamiltonians by S, g and the constant in one text: `w^2, 0; 0, 1 | 0, 0 | 0`. What is missing
+/// is zero.
+inline QuadraticForm form_of(const std::string& text, const Ground& ground) {
+    const std::vector<std::string> parts = split(text, '|');
+    QuadraticForm H;
+    H.S = matrix_of(parts[0], ground);
+    H.g = parts.size() > 1 ? vector_of(parts[1], ground) : NumberVector(H.S.size());
+    if (parts.size() > 2) { H.constant = read(parts[2], ground); }
+    return H;
+}
+
+// Methods and Hamiltonians that the tests share.
+inline constexpr const char* many_methods[] = {
+    "symplectic-euler", "midpoint",     "adjoint-symplectic-euler",
+    "stormer-verlet",   "trig3",        "gauss:2",
+    "gauss:3",          "chebyshev:3",  "lobatto:3",
+    "lobatto:4",        "radau-left:2", "newton-cotes-open:4",
+};
+inline constexpr const char* oscillator = "omega^2, 0; 0, 1";
+inline constexpr const char* product_qp = "0, 1; 1, 0";
+inline constexpr const char* any_one = "a, b; b, d | e, f | k";  ///< one degree of freedom
+inline constexpr const char* coupled_springs = "3, -1, 0, 0; -1, 2, 0, 0; 0, 0, 1, 0; 0, 0, 0, m";
+inline constexpr const char* coupled_any = "3, -1, 2, 1; -1, 2, 1, a; 2, 1, 1, -1; 1, a, -1, 5";
+inline constexpr const char* degenerate =
+    "0, 0, 1, 0; 0, 0, 0, 0; 1, 0, 0, 2; 0, 0, 2, 1 | 0, 3, 0, 1";
+inline constexpr const char* four_springs = "4, 1, 0, 2, 0, 0, 0, 0; 1, 5, 1, 0, 0, 0, 0, 0;"
+                                            "0, 1, 6, 1, 0, 0, 0, 0; 2, 0, 1, 3, 0, 0, 0, 0;"
+                                            "0, 0, 0, 0, 1, 1, 0, 0; 0, 0, 0, 0, 1, 2, 0, 0;"
+                                            "0, 0, 0, 0, 0, 0, 1, 0; 0, 0, 0, 0, 0, 0, 0, 1/2";
+inline constexpr const char* four_any = "4, 1, 0, 2, 1, 0, 0, 0; 1, 5, 1, 0, 0, 0, 3, 0;"
+                                        "0, 1, 6, 1, 0, -1, 0, 0; 2, 0, 1, 3, 0, 0, 2, 1;"
+                                        "1, 0, 0, 0, 1, 1, 0, 0; 0, 0, -1, 0, 1, 2, 0, 0;"
+                                        "0, 3, 0, 2, 0, 0, 1, 0; 0, 0, 0, 1, 0, 0, 0, 1/2";
+
+/// What `work` returns of a method's tableau, a Hamiltonian and the ground they are on.
+template <class Work>
+auto with_method(const Method& method, const std::string& hamiltonian, Work work) {
+    return with_ground([&](const Ground& new_ground) {
+        const auto [tableau, ground] = derive_on(new_ground, method);
+        return work(tableau, form_of(hamiltonian, ground), ground);
+    });
+}
+
+inline bool are_equal(const NumberMatrix& left, const NumberMatrix& right) {
+    return is_zero(left + right * Number(-1));
+}
+
+inline bool are_equal(const NumberVector& left, const NumberVector& right) {
+    return are_equal(NumberMatrix{left}, NumberMatrix{right});
+}
+
+inline NumberVector plus(const NumberVector& left, const NumberVector& right) {
+    return (NumberMatrix{left} + NumberMatrix{right}).front();
+}
+
+inline bool are_equal(const QuadraticForm& left, const QuadraticForm& right) {
+    return are_equal(left.S, right.S) && are_equal(left.g, right.g) &&
+           (left.constant - right.constant).is_zero();
+}
+
+/// J with x' = J grad H(x).
+inline NumberMatrix symplectic_matrix(std::size_t n) {
+    NumberMatrix J = zeros(2 * n, 2 * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        J[i][n + i] = Number(1);
+        J[n + i][i] = Number(-1);
+    }
+    return J;
+}
+
+inline bool is_symplectic(const NumberMatrix& M) {
+    const NumberMatrix J = symplectic_matrix(M.size() / 2);
+    return are_equal(transpose(M) * J * M, J);
+}
+
+}  // namespace hvi::gen
