@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/certify/certificate.hpp"
 
-#include "generator/plan/plan.hpp"
+#include <utility>
+
+#include "generator/plan/stage_graph.hpp"
 
 namespace hvi::gen {
 namespace {
 
-std::vector<std::size_t> negative(const NumberVector& numbers) {
+std::vector<std::size_t> negative(const PartitionedMethod& method) {
+    const auto is_negative = [](const Number& number) {
+        return !number.has_parameters() && number.sign() < 0;
+    };
     std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (!numbers[i].has_parameters() && numbers[i].sign() < 0) { result.push_back(i + 1); }
+    for (std::size_t i = 0; i < method.stages(); ++i) {
+        if (is_negative(method.b[i]) || is_negative(method.b_tilde[i])) { result.push_back(i + 1); }
     }
     return result;
 }
@@ -24,33 +29,73 @@ std::vector<std::size_t> outside(const NumberVector& nodes) {
     return result;
 }
 
+/// `Method` is Tableau, PartitionedMethod or RoundedMethod.
+template <class Method>
+Properties properties_of(const Method& method, int max_order) {
+    return {is_symplectic(method), is_symmetric(method), is_runge_kutta(method),
+            has_common_weights(method), orders(method, max_order)};
+}
+
+template <class Method>
+void set_oscillator(Certificate& certificate, const Method& method) {
+    certificate.oscillator = oscillator_map(method);
+    if (certificate.parameters.empty()) {
+        certificate.stability = linear_stability(*certificate.oscillator, stability_limit);
+    }
+}
+
 }  // namespace
 
-bool Certificate::is_proved() const {
+bool Properties::is_proved() const {
     const bool orders_proved =
         orders.general.proved && orders.separable.proved && orders.nystrom.proved;
-    return symplectic.proved && symmetric.proved && runge_kutta.proved && orders_proved &&
-           oscillator.proved && (!stability || stability->proved);
+    return symplectic.proved && symmetric.proved && runge_kutta.proved && common_weights.proved &&
+           orders_proved;
+}
+
+bool Certificate::is_proved() const {
+    return Properties::is_proved() && !within_digits && (!oscillator || oscillator->proved) &&
+           (!stability || stability->proved);
+}
+
+void set_signs(Certificate& certificate, const NodesAndMethod& given) {
+    certificate.stages = given.c.size();
+    certificate.explicit_separable = is_explicit(given.method, true);
+    certificate.explicit_general = is_explicit(given.method, false);
+    certificate.negative_weights = negative(given.method);
+    certificate.nodes_outside = outside(given.c);
+}
+
+Properties properties(const PartitionedMethod& method, int max_order) {
+    return properties_of(method, max_order);
 }
 
 Certificate certify(const Tableau& tableau, int max_order) {
     Certificate result;
+    static_cast<Properties&>(result) = properties_of(tableau, max_order);
     result.name = tableau.name;
     result.origin = tableau.origin;
     result.parameters = tableau.parameters;
-    result.stages = tableau.stages();
-    result.symplectic = is_symplectic(tableau);
-    result.symmetric = is_symmetric(tableau);
-    result.runge_kutta = is_runge_kutta(tableau);
-    result.orders = orders(tableau, max_order);
-    result.explicit_separable = plan(tableau, {.separable = true}).is_explicit();
-    result.explicit_general = plan(tableau, {.separable = false}).is_explicit();
-    result.negative_weights = negative(tableau.b);
-    result.nodes_outside = outside(tableau.c);
-    result.oscillator = oscillator_map(tableau);
-    if (tableau.parameters.empty()) {
-        result.stability = linear_stability(result.oscillator, stability_limit);
-    }
+    set_signs(result, {tableau.c, partitioned_method(tableau)});
+    set_oscillator(result, tableau);
+    return result;
+}
+
+Certificate certify(const NodesAndMethod& given, const std::vector<std::string>& parameters,
+                    int max_order) {
+    Certificate result;
+    static_cast<Properties&>(result) = properties_of(given.method, max_order);
+    result.parameters = parameters;
+    set_signs(result, given);
+    if (!takes_long(given.method)) { set_oscillator(result, given.method); }
+    return result;
+}
+
+Certificate certify_within_digits(const GivenTableau& given, int max_order) {
+    Certificate result;
+    static_cast<Properties&>(result) = properties_of(given.rounded_method(), max_order);
+    result.within_digits = true;
+    set_signs(result, given.written);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/exact/given.hpp"
 #include "generator/exact/order.hpp"
 #include "generator/exact/oscillator.hpp"
 #include "generator/exact/properties.hpp"
@@ -14,23 +15,13 @@
 
 namespace hvi::gen {
 
-struct Certificate {
-    std::string name;                     ///< `gauss:2`, or empty for one given by basis and nodes
-    std::string origin;                   ///< the METHOD as the command line has it
-    std::vector<std::string> parameters;  ///< free symbols, sorted
-    std::size_t stages = 0;
-
+/// What the conditions on the coefficients decide.
+struct Properties {
     Verdict symplectic;
-    Verdict symmetric;    ///< self-adjoint
-    Verdict runge_kutta;  ///< A == A~
+    Verdict symmetric;       ///< self-adjoint
+    Verdict runge_kutta;     ///< A == A~
+    Verdict common_weights;  ///< b == b~
     Orders orders;
-    bool explicit_separable = false;            ///< no stage equations for H = T(p) + U(q)
-    bool explicit_general = false;              ///< nor for any other H
-    std::vector<std::size_t> negative_weights;  ///< 1-based; empty with a free parameter
-    std::vector<std::size_t> nodes_outside;     ///< of [0, 1]; the same
-
-    OscillatorMap oscillator;
-    std::optional<LinearStability> stability;  ///< empty with a free parameter
 
     /// The condition of order 1, the sum of the weights.
     [[nodiscard]] bool is_consistent() const { return orders.general.order >= 1; }
@@ -43,11 +34,46 @@ struct Certificate {
     [[nodiscard]] bool is_proved() const;
 };
 
+struct Certificate : Properties {
+    std::string name;                     ///< `gauss:2`, or empty for one given by basis and nodes
+    std::string origin;                   ///< the METHOD as the command line has it
+    std::vector<std::string> parameters;  ///< free symbols, sorted
+    std::size_t stages = 0;
+    /// Of coefficients only some digits are known: what is said to hold does so for some of the
+    /// numbers that they can be, and is not proved; what fails, fails for all of them.
+    bool within_digits = false;
+
+    bool explicit_separable = false;            ///< no stage equations for H = T(p) + U(q)
+    bool explicit_general = false;              ///< nor for any other H
+    std::vector<std::size_t> negative_weights;  ///< 1-based; empty with a free parameter
+    std::vector<std::size_t> nodes_outside;     ///< of [0, 1]; the same
+
+    /// Empty where only some digits are known, and for coefficients from elsewhere so long that it
+    /// takes_long().
+    std::optional<OscillatorMap> oscillator;
+    std::optional<LinearStability> stability;  ///< the same; empty also with a free parameter
+
+    [[nodiscard]] bool is_proved() const;
+};
+
 /// The largest z = h omega up to which linear stability is looked at.
 inline constexpr long stability_limit = 20;
 
 /// Everything by computation from the coefficients, whatever they are said to be. Preconditions as
 /// for orders().
 [[nodiscard]] Certificate certify(const Tableau& tableau, int max_order);
+
+/// The same for coefficients that came from elsewhere; name and origin are left empty.
+[[nodiscard]] Certificate certify(const NodesAndMethod& given,
+                                  const std::vector<std::string>& parameters, int max_order);
+
+/// The same within the digits that are given.
+[[nodiscard]] Certificate certify_within_digits(const GivenTableau& given, int max_order);
+
+/// The conditions alone.
+[[nodiscard]] Properties properties(const PartitionedMethod& method, int max_order);
+
+/// Weights below zero, nodes outside of [0, 1], stages that need no solver.
+void set_signs(Certificate& certificate, const NodesAndMethod& given);
 
 }  // namespace hvi::gen

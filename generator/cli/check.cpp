@@ -11,22 +11,37 @@ namespace hvi::gen {
 namespace {
 
 std::string plot(const Certificate& certificate) {
+    if (!certificate.oscillator) {
+        throw MathError("there is no picture of coefficients that are too long, or known to some "
+                        "digits only",
+                        {}, "give exact ones, or those of a known method to the last digit");
+    }
     if (!certificate.stability) {
         throw InputError("a picture needs a value for the parameter " +
                              certificate.parameters.front(),
                          {}, "for example --param " + certificate.parameters.front() + "=1");
     }
     const std::string& name = certificate.name.empty() ? certificate.origin : certificate.name;
-    return stability_svg(name, certificate.oscillator, *certificate.stability);
+    return stability_svg(name, *certificate.oscillator, *certificate.stability);
+}
+
+void write(const CheckOptions& options, const Certificate& certificate, const auto& whole) {
+    const bool as_json = options.format == CheckOptions::Format::json;
+    if (options.plot) { write_result(*options.plot, plot(certificate)); }
+    write_result(options.output, as_json ? render_json(whole) : render_text(whole));
 }
 
 }  // namespace
 
 void run(const CheckOptions& options) {
-    const Certificate certificate = certify(tableau_of(options.method), options.max_order);
-    const bool as_json = options.format == CheckOptions::Format::json;
-    if (options.plot) { write_result(*options.plot, plot(certificate)); }
-    write_result(options.output, as_json ? render_json(certificate) : render_text(certificate));
+    if (options.tableau) {
+        const Audit found =
+            audit(coefficients_of(*options.tableau, options.method), options.max_order);
+        write(options, found.certificate, found);
+    } else {
+        const Certificate certificate = certify(tableau_of(options.method), options.max_order);
+        write(options, certificate, certificate);
+    }
 }
 
 }  // namespace hvi::gen

@@ -24,13 +24,15 @@ Method read_method(const MethodOptions& options) {
                             weights);
 }
 
-void set_parameters(Method& method, const std::vector<std::string>& assignments) {
+/// `Target` is Method or Coefficients.
+template <class Target>
+void set_parameters(Target& target, const std::vector<std::string>& assignments) {
     std::set<std::string> names;
     for (const std::string& assignment : assignments) {
         Parameter parameter = parse_parameter(source("--param", assignment));
         if (!names.insert(parameter.name).second)
             throw InputError("`" + parameter.name + "` is given a value twice", parameter.place);
-        set_parameter(method, std::move(parameter));
+        set_parameter(target, std::move(parameter));
     }
 }
 
@@ -40,6 +42,12 @@ Tableau tableau_of(const MethodOptions& options) {
     Method method = read_method(options);
     set_parameters(method, options.parameters);
     return derive(method);
+}
+
+Coefficients coefficients_of(const std::filesystem::path& file, const MethodOptions& options) {
+    Coefficients coefficients = coefficients_from_file(file);
+    set_parameters(coefficients, options.parameters);
+    return coefficients;
 }
 
 }  // namespace hvi::gen

@@ -4,10 +4,15 @@
 
 #include "generator/cli/options.hpp"
 #include "generator/exact/tableau.hpp"
+#include "generator/read/coefficients.hpp"
 
 namespace hvi::gen {
 
 /// Reads the method, gives its parameters their values, and derives its tableau.
 [[nodiscard]] Tableau tableau_of(const MethodOptions& options);
+
+/// Reads a tableau in place of a method, and gives its parameters the same values.
+[[nodiscard]] Coefficients coefficients_of(const std::filesystem::path& file,
+                                           const MethodOptions& options);
 
 }  // namespace hvi::gen

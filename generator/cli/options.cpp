@@ -88,7 +88,7 @@ void describe(CLI::App& app) {
     CLI::App& check =
         *app.add_subcommand("check", "Order, symplecticity, symmetry, stability, with proof");
     add_method(check);
-    add_value(check, "--tableau", "FILE", "A tableau in JSON (to come)");
+    add_value(check, "--tableau", "FILE", "A tableau in JSON, from wherever, in place of METHOD");
     add_value(check, "--max-order", "N", "Look at conditions up to this order (8)");
     add_value(check, "--format", "FORMAT", "text or json");
     add_value(check, "--plot", "FILE", "Draw trace/2 on the oscillator as SVG");
@@ -109,6 +109,8 @@ void describe(CLI::App& app) {
     for (const auto& [name, help] : announced_commands) app.add_subcommand(name, help);
     for (CLI::App* command : app.get_subcommands(nullptr)) command->allow_extras();
 }
+
+using OptionGroups = std::vector<std::vector<std::string>>;
 
 /// A command with the words that CLI11 gave to its options.
 class Words {
@@ -158,7 +160,7 @@ public:
     }
 
     /// Checks that the options that are given are all of one group.
-    void one_form_of(const std::vector<std::vector<std::string>>& groups) const {
+    void one_form_of(const OptionGroups& groups) const {
         const std::string* first = nullptr;
         for (const auto& group : groups) {
             const std::string* here = nullptr;
@@ -206,8 +208,11 @@ private:
     const CommandLine& line_;
 };
 
+const OptionGroups forms_of_method{
+    {"--method"}, {"--basis", "--nodes", "--weights"}, {"--method-file"}};
+
 MethodOptions method_options(const Words& words, const CommandLine& line) {
-    words.one_form_of({{"--method"}, {"--basis", "--nodes", "--weights"}, {"--method-file"}});
+    words.one_form_of(forms_of_method);
 
     MethodOptions method;
     method.name = words.value("--method");
@@ -246,9 +251,16 @@ TableauOptions tableau_options(const Words& words, const CommandLine& line) {
 }
 
 CheckOptions check_options(const Words& words, const CommandLine& line) {
-    if (!words.values("--tableau").empty()) { to_come("--tableau", words.place("--tableau")); }
     CheckOptions options;
-    options.method = method_options(words, line);
+    OptionGroups forms = forms_of_method;
+    forms.push_back({"--tableau"});
+    words.one_form_of(forms);
+    options.tableau = file_option(words, "--tableau");
+    if (options.tableau) {
+        options.method.parameters = words.values("--param");
+    } else {
+        options.method = method_options(words, line);
+    }
     options.max_order = words.number("--max-order", 1, most_vertices).value_or(options.max_order);
     options.format = static_cast<CheckOptions::Format>(words.choice("--format", {"text", "json"}));
     options.plot = file_option(words, "--plot");

@@ -34,7 +34,8 @@ struct TableauOptions {
 struct CheckOptions {
     enum class Format { text, json };
 
-    MethodOptions method;
+    MethodOptions method;                          ///< with `tableau` only its parameters
+    std::optional<std::filesystem::path> tableau;  ///< a file in place of a method
     int max_order = 8;
     Format format = Format::text;
     std::optional<std::filesystem::path> plot;  ///< an SVG of trace/2

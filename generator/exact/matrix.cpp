@@ -111,6 +111,23 @@ NumberVector operator*(const NumberVector& vector, const Number& factor) {
     return result;
 }
 
+Number without_closed_form(const Number& value) {
+    if (is_exactly(value, 0) || is_exactly(value, 1)) { return value; }
+    return number(Real([value](Precision bits) { return enclosure(value, bits); }));
+}
+
+NumberVector without_closed_form(const NumberVector& numbers) {
+    NumberVector result;
+    for (const Number& entry : numbers) { result.push_back(without_closed_form(entry)); }
+    return result;
+}
+
+NumberMatrix without_closed_form(const NumberMatrix& rows) {
+    NumberMatrix result;
+    for (const NumberVector& row : rows) { result.push_back(without_closed_form(row)); }
+    return result;
+}
+
 NumberMatrix transpose(const NumberMatrix& matrix) {
     NumberMatrix result(matrix.empty() ? 0 : matrix.front().size());
     for (const NumberVector& row : matrix) {

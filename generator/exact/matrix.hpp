@@ -26,6 +26,12 @@ namespace hvi::gen {
 /// Kronecker's product: blocks left_ij * right.
 [[nodiscard]] NumberMatrix kronecker(const NumberMatrix& left, const NumberMatrix& right);
 
+/// The same numbers by their enclosures alone; 0 and 1 keep their exact meaning. Precondition: no
+/// free parameter.
+[[nodiscard]] Number without_closed_form(const Number& number);
+[[nodiscard]] NumberVector without_closed_form(const NumberVector& numbers);
+[[nodiscard]] NumberMatrix without_closed_form(const NumberMatrix& rows);
+
 /// A matrix and a number by which it is to be divided: sums of products are taken before the
 /// division, which in a field with generators is what costs.
 struct ScaledInverse {

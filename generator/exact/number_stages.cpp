@@ -129,4 +129,15 @@ BallStages::Function BallStages::apply(Colour colour, const Function& function, 
     return std::make_shared<const std::vector<Ball>>(std::move(result));
 }
 
+bool RoundedStages::Less::operator()(const Function& left, const Function& right) const {
+    for (std::size_t i = 0; i < left->size(); ++i) {
+        const arb_srcptr a = (*left)[i].get();
+        const arb_srcptr b = (*right)[i].get();
+        const int middles = arf_cmp(arb_midref(a), arb_midref(b));
+        const int order = middles != 0 ? middles : mag_cmp(arb_radref(a), arb_radref(b));
+        if (order != 0) { return order < 0; }
+    }
+    return false;
+}
+
 }  // namespace hvi::gen

@@ -22,6 +22,13 @@ struct PartitionedMethod {
 
 [[nodiscard]] PartitionedMethod partitioned_method(const Tableau& tableau);
 
+/// Coefficients of which some are known to some digits only.
+struct RoundedMethod {
+    PartitionedMethod written;   ///< as they are written
+    PartitionedMethod enclosed;  ///< the same, as unrounded() has them (see rounded.hpp)
+    Precision bits;              ///< what their digits take
+};
+
 /// Functions on the stages as vectors of exact numbers. Precondition: the method is exact.
 class NumberStages {
 public:
@@ -65,6 +72,19 @@ private:
     std::vector<Ball> b_, b_tilde_;
     std::vector<std::vector<Ball>> A_, A_tilde_;
     Precision bits_;
+};
+
+/// The same where only some digits are known. Functions with the same enclosures, as those that
+/// differ in A for A~ have when A~ = A, are not told apart.
+class RoundedStages : public BallStages {
+public:
+    explicit RoundedStages(const RoundedMethod& method)
+        : BallStages(method.enclosed, method.bits) {}
+
+    /// An order of enclosures.
+    struct Less {
+        bool operator()(const Function& left, const Function& right) const;
+    };
 };
 
 }  // namespace hvi::gen

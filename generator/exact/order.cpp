@@ -2,6 +2,8 @@
 #include "generator/exact/order.hpp"
 
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "generator/exact/number_value.hpp"
 #include "generator/exact/polynomial_stages.hpp"
@@ -43,12 +45,48 @@ BallStages::Function psi(const BallStages& stages, const Tree& tree) {
     return result;
 }
 
-/// gamma sum_i b_i Phi_i - 1, enclosed to any precision anew from the coefficients.
-Number enclosed_defect(const PartitionedMethod& method, const TreePointer& tree) {
-    return number(Real([method, tree](Precision bits) {
-        const BallStages stages(method, bits);
-        return stages.defect(tree->root, psi(stages, *tree), tree->vertices);
-    }));
+/// Whether a condition holds by its defect.
+struct Decided {
+    template <class Scalar>
+    Verdict operator()(const Scalar& defect) const {
+        return is_zero(defect);
+    }
+};
+
+/// Whether it can hold, for coefficients of which only some digits are known.
+Verdict can_be_zero(const Ball& defect) {
+    return defect.sign() == 0 ? Verdict{true, false} : Verdict{false, true};
+}
+
+/// gamma sum_i b_i Phi_i - 1, enclosed to any precision anew from the coefficients. NOTE: there may
+/// be thousands of them, which share the method.
+class EnclosedDefect {
+public:
+    explicit EnclosedDefect(const PartitionedMethod& method)
+        : method_(std::make_shared<const PartitionedMethod>(method)) {}
+
+    Number operator()(const Ball& /*defect*/, const TreePointer& tree) const {
+        return number(Real([method = method_, tree](Precision bits) {
+            const BallStages stages(*method, bits);
+            return stages.defect(tree->root, psi(stages, *tree), tree->vertices);
+        }));
+    }
+
+private:
+    std::shared_ptr<const PartitionedMethod> method_;
+};
+
+/// NOTE: in pairs, pairs of pairs and so on: a number known by its enclosures remembers what it is
+/// the sum of, and thousands of terms in a chain would take more stack than there is.
+Number sum_of(NumberVector terms) {
+    if (terms.empty()) { return Number(0); }
+    for (; terms.size() > 1; terms.resize((terms.size() + 1) / 2)) {
+        for (std::size_t i = 0; 2 * i + 1 < terms.size(); ++i) {
+            terms[i] = terms[2 * i] + terms[2 * i + 1];
+        }
+        if (terms.size() % 2 == 1) { terms[terms.size() / 2] = terms.back(); }
+    }
+    return terms.front();
 }
 
 /// Classes of trees that violate their condition, and gamma sum_i b_i Phi_i - 1 for them.
@@ -56,15 +94,15 @@ using FailedClasses = std::map<std::pair<Colour, std::size_t>, Number>;
 
 /// Among the last trees. `to_number` takes such a defect as the stages compute it, and a tree that
 /// has it.
-template <class Stages, class ToNumber>
+template <class Stages, class Decide, class ToNumber>
 FailedClasses failed_classes(const Stages& stages, const TreeClasses<Stages>& classes,
-                             ToNumber to_number, bool& proved) {
+                             Decide decide, ToNumber to_number, bool& proved) {
     FailedClasses failed;
     for (const Colour root : {Colour::f, Colour::g}) {
         const auto& values = classes.values(root);
         for (std::size_t number = 0; number < values.size(); ++number) {
             const auto defect = stages.defect(root, values[number], classes.vertices());
-            const Verdict verdict = is_zero(defect);
+            const Verdict verdict = decide(defect);
             if (!verdict.holds) {
                 const TreePointer tree = classes.representative(root, number);
                 failed.emplace(std::pair(root, number), to_number(defect, tree));
@@ -114,9 +152,9 @@ void list_failures(OrderConditions& result, const FailedClasses& failed, Classes
         const auto found = failures.find({tree->root, classes.class_of(*tree)});
         if (found != failures.end()) { result.failures.push_back(found->second.add(tree)); }
     }
-    Number squares;
-    for (const auto& [place, trees] : failures) { squares = squares + trees.squares(); }
-    result.error_constant_squared = squares;
+    NumberVector squares;
+    for (const auto& [place, trees] : failures) { squares.push_back(trees.squares()); }
+    result.error_constant_squared = sum_of(std::move(squares));
 }
 
 template <class Classes>
@@ -132,15 +170,15 @@ void list_representatives(OrderConditions& result, const FailedClasses& failed,
               });
 }
 
-template <class Stages, class ToNumber>
-OrderConditions examine(const Stages& stages, ToNumber to_number, TreeFamily family,
+template <class Stages, class Decide, class ToNumber>
+OrderConditions examine(const Stages& stages, Decide decide, ToNumber to_number, TreeFamily family,
                         int max_order) {
     TreeClasses classes(stages, family);
     OrderConditions result;
     FailedClasses failed;
     while (failed.empty() && classes.vertices() < max_order) {
         classes.grow();
-        failed = failed_classes(stages, classes, to_number, result.proved);
+        failed = failed_classes(stages, classes, decide, to_number, result.proved);
     }
     result.is_at_least = failed.empty();
     result.order = failed.empty() ? max_order : classes.vertices() - 1;
@@ -153,13 +191,13 @@ OrderConditions examine(const Stages& stages, ToNumber to_number, TreeFamily fam
     return result;
 }
 
-template <class Stages, class ToNumber>
-Orders examine(const Stages& stages, ToNumber to_number, int max_order) {
+template <class Stages, class Decide, class ToNumber>
+Orders examine(const Stages& stages, Decide decide, ToNumber to_number, int max_order) {
     const Progress::Stage stage("checking order conditions");
     HVI_CHECK(max_order >= 1 && max_order <= most_vertices);
-    return {examine(stages, to_number, TreeFamily::general, max_order),
-            examine(stages, to_number, TreeFamily::separable, max_order),
-            examine(stages, to_number, TreeFamily::nystrom, max_order)};
+    return {examine(stages, decide, to_number, TreeFamily::general, max_order),
+            examine(stages, decide, to_number, TreeFamily::separable, max_order),
+            examine(stages, decide, to_number, TreeFamily::nystrom, max_order)};
 }
 
 }  // namespace
@@ -182,25 +220,27 @@ Orders orders(const Tableau& tableau, int max_order) {
     const auto to_number = [](const RationalPolynomial& defect, const TreePointer&) {
         return constant_term(defect);
     };
-    return examine(PolynomialStages(*tableau.node_polynomial), to_number, max_order);
+    return examine(PolynomialStages(*tableau.node_polynomial), Decided(), to_number, max_order);
 }
 
 Orders orders(const PartitionedMethod& method, int max_order) {
     if (method.is_exact()) {
         const auto to_number = [](const Number& defect, const TreePointer&) { return defect; };
-        return examine(NumberStages(method), to_number, max_order);
+        return examine(NumberStages(method), Decided(), to_number, max_order);
     }
-    const auto to_number = [&](const Ball&, const TreePointer& tree) {
-        return enclosed_defect(method, tree);
-    };
+    const EnclosedDefect to_number(method);
     // NOTE: enclosures of zero narrower than 10^-50 take 167 bits and some more for what is lost.
     for (Precision bits = 4 * first_precision; bits <= last_precision; bits *= 2) {
         try {
-            return examine(BallStages(method, bits), to_number, max_order);
+            return examine(BallStages(method, bits), Decided(), to_number, max_order);
         } catch (const TooWide&) { continue; }
     }
     throw MathError("cannot decide whether an order condition holds with " +
                     std::to_string(last_precision) + " bits");
+}
+
+Orders orders(const RoundedMethod& method, int max_order) {
+    return examine(RoundedStages(method), can_be_zero, EnclosedDefect(method.written), max_order);
 }
 
 }  // namespace hvi::gen

@@ -52,4 +52,9 @@ struct Orders {
 /// By the coefficients alone.
 [[nodiscard]] Orders orders(const PartitionedMethod& method, int max_order);
 
+/// The largest orders of which each condition by itself can hold, for some of the numbers that the
+/// coefficients can be. Failures are proved; their residuals are those of the coefficients as
+/// written.
+[[nodiscard]] Orders orders(const RoundedMethod& method, int max_order);
+
 }  // namespace hvi::gen

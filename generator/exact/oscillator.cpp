@@ -36,42 +36,31 @@ NumberPolynomial shifted(NumberPolynomial polynomial) {
     return polynomial;
 }
 
-/// The number by its enclosures alone; 0 and 1 keep their exact meaning.
-Number enclosed(const Number& number) {
-    if (is_exactly(number, 0) || is_exactly(number, 1)) { return number; }
-    return hvi::gen::number(Real([number](Precision bits) { return enclosure(number, bits); }));
-}
-
-NumberMatrix enclosed(const NumberMatrix& matrix) {
-    NumberMatrix result = matrix;
-    for (NumberVector& row : result) {
-        std::transform(row.begin(), row.end(), row.begin(),
-                       [](const Number& n) { return enclosed(n); });
-    }
-    return result;
-}
-
 /// Whether exact arithmetic with products of the coefficients would take minutes.
-bool are_too_long(const Tableau& tableau) {
+bool are_too_long(const PartitionedMethod& method) {
     constexpr std::size_t most_terms = 2000;
     std::size_t count = 0;
-    for (const NumberMatrix* matrix : {&tableau.A, &tableau.A_tilde}) {
+    for (const NumberMatrix* matrix : {&method.A, &method.A_tilde}) {
         for (const NumberVector& row : *matrix) {
-            for (const Number& entry : row) { count += term_count(entry); }
+            for (const Number& entry : row) {
+                if (entry.has_parameters()) { return false; }
+                count += term_count(entry);
+            }
         }
     }
-    return count > most_terms && tableau.parameters.empty();
+    return count > most_terms;
 }
 
 /// The stages are P = (I + t A~ A)^-1 (p 1 - z omega q c~) and omega Q = omega q 1 + z A P, the
-/// step is omega q1 = omega q + z b P, p1 = p - z b omega Q.
-EvenMap by_stages(const Tableau& tableau, PolynomialArithmetic& arithmetic) {
-    const bool too_long = are_too_long(tableau);
-    const NumberMatrix A = too_long ? enclosed(tableau.A) : tableau.A;
-    const NumberMatrix A_tilde = too_long ? enclosed(tableau.A_tilde) : tableau.A_tilde;
-    const NumberVector& b = tableau.b;
-    const NumberVector ones(tableau.stages(), Number(1));
-    const NumberVector bA = transpose(A) * b;
+/// step is omega q1 = omega q + z b P, p1 = p - z b~ omega Q.
+EvenMap by_stages(const PartitionedMethod& method, PolynomialArithmetic& arithmetic) {
+    const bool too_long = are_too_long(method);
+    const NumberMatrix A = too_long ? without_closed_form(method.A) : method.A;
+    const NumberMatrix A_tilde = too_long ? without_closed_form(method.A_tilde) : method.A_tilde;
+    const NumberVector& b = method.b;
+    const NumberVector& b_tilde = method.b_tilde;
+    const NumberVector ones(method.stages(), Number(1));
+    const NumberVector bA = transpose(A) * b_tilde;
     const NumberVector c_tilde = A_tilde * ones;
     const Resolvent P =
         resolvent(A_tilde * A, transpose({c_tilde, ones}), std::numeric_limits<std::size_t>::max());
@@ -85,7 +74,7 @@ EvenMap by_stages(const Tableau& tableau, PolynomialArithmetic& arithmetic) {
     };
     const Number minus(-1);
     return {arithmetic.sum(D, minus, shifted(form(b, 0))), arithmetic.trimmed(form(b, 1)),
-            arithmetic.sum(shifted(form(bA, 0)), -dot(b, ones), D),
+            arithmetic.sum(shifted(form(bA, 0)), -dot(b_tilde, ones), D),
             arithmetic.sum(D, minus, shifted(form(bA, 1))), arithmetic.trimmed(D)};
 }
 
@@ -220,6 +209,55 @@ EvenMap by_polynomials(const RationalPolynomial& P) {
             numbers(updated(false, eta, beta)), numbers(D)};
 }
 
+// ---- any coefficients, over Q ----
+
+/// The rows of numbers as a matrix, if all of them are rational.
+std::optional<RationalMatrix> rational_matrix(const NumberMatrix& rows) {
+    RationalMatrix result(rows.size(), rows.front().size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t j = 0; j < rows[i].size(); ++j) {
+            const auto text = rational_text(rows[i][j]);
+            if (!text) { return std::nullopt; }
+            fmpq_set_str(result.entry(i, j), text->c_str(), 10);
+        }
+    }
+    return result;
+}
+
+/// t P(t)
+RationalPolynomial shifted(const RationalPolynomial& polynomial) {
+    return polynomial * RationalPolynomial::variable();
+}
+
+/// As by_stages, with u (I + t B)^-1 v det(I + t B) = det(I + t B + v u^T) - det(I + t B). Empty
+/// where a coefficient is not rational.
+std::optional<EvenMap> by_determinants(const PartitionedMethod& method) {
+    const auto A = rational_matrix(method.A);
+    const auto A_tilde = rational_matrix(method.A_tilde);
+    const auto b = rational_matrix({method.b});
+    const auto b_tilde = rational_matrix({method.b_tilde});
+    if (!A || !A_tilde || !b || !b_tilde) { return std::nullopt; }
+    const std::size_t s = method.stages();
+    RationalMatrix one(s, s), ones(s, 1);
+    fmpq_mat_one(one.get());
+    for (std::size_t i = 0; i < s; ++i) { fmpq_one(ones.entry(i, 0)); }
+    const RationalMatrix B = *A_tilde * *A;
+    const RationalMatrix c_tilde = *A_tilde * ones;
+    const RationalMatrix bA = *b_tilde * *A;
+    const RationalPolynomial D = determinant(one, B);
+    const auto form = [&](const RationalMatrix& u, const RationalMatrix& v) {
+        RationalMatrix X = v * u;
+        fmpq_mat_add(X.get(), X.get(), one.get());
+        return determinant(X, B) - D;
+    };
+    RationalPolynomial sum;
+    RationalMatrix weights = *b_tilde * ones;
+    fmpq_poly_scalar_mul_fmpq(sum.get(), D.get(), weights.entry(0, 0));
+    return EvenMap{numbers(D - shifted(form(*b, c_tilde))), numbers(form(*b, ones)),
+                   numbers(shifted(form(bA, c_tilde)) - sum), numbers(D - shifted(form(bA, ones))),
+                   numbers(D)};
+}
+
 // ---- lowest terms ----
 
 bool has_parameters(const EvenMap& map) {
@@ -268,29 +306,26 @@ NumberPolynomial in_z(const NumberPolynomial& polynomial, std::size_t shift) {
     return result;
 }
 
-/// m11 m22 - t m12 m21 = D^2
-bool is_symplectic(const EvenMap& map) {
+/// Whether m11 m22 - t m12 m21 = D^2.
+Verdict has_determinant_one(const EvenMap& map, PolynomialArithmetic& arithmetic) {
     const NumberPolynomial diagonal = product(map.m11, map.m22);
     const NumberPolynomial other = shifted(product(map.m12, map.m21));
     const NumberPolynomial square = product(map.D, map.D);
     const auto coefficient = [](const NumberPolynomial& polynomial, std::size_t k) {
         return k < polynomial.size() ? polynomial[k] : Number(0);
     };
+    Verdict verdict;
     for (std::size_t k = 0; k < std::max({diagonal.size(), other.size(), square.size()}); ++k) {
         const Number difference =
             coefficient(diagonal, k) - coefficient(other, k) - coefficient(square, k);
-        if (!is_exact(difference) || !difference.is_zero()) { return false; }
+        const bool holds = arithmetic.is_zero(difference);
+        verdict = verdict && Verdict{holds, !holds || is_exact(difference)};
+        if (!holds) { break; }
     }
-    return true;
+    return verdict;
 }
 
-}  // namespace
-
-OscillatorMap oscillator_map(const Tableau& tableau) {
-    const Progress::Stage stage("computing the map of the harmonic oscillator");
-    PolynomialArithmetic arithmetic;
-    EvenMap map = tableau.node_polynomial ? by_polynomials(*tableau.node_polynomial)
-                                          : by_stages(tableau, arithmetic);
+OscillatorMap completed(EvenMap map, PolynomialArithmetic arithmetic) {
     const bool parameters = has_parameters(map);
     if (!parameters) { divide_by_common(map, arithmetic); }
     make_D_one_at_zero(map);
@@ -298,10 +333,48 @@ OscillatorMap oscillator_map(const Tableau& tableau) {
     const NumberPolynomial half = trace * (Number(1) / Number(2));
     const PolynomialQuotient half_trace =
         parameters ? PolynomialQuotient{half, map.D} : reduced(half, map.D, arithmetic);
-    return {in_z(map.m11, 0),   in_z(map.m12, 1),
-            in_z(map.m21, 1),   in_z(map.m22, 0),
-            in_z(map.D, 0),     {in_z(half_trace.numerator, 0), in_z(half_trace.denominator, 0)},
-            is_symplectic(map), arithmetic.proved()};
+    const bool proved = arithmetic.proved();
+    return {in_z(map.m11, 0),
+            in_z(map.m12, 1),
+            in_z(map.m21, 1),
+            in_z(map.m22, 0),
+            in_z(map.D, 0),
+            {in_z(half_trace.numerator, 0), in_z(half_trace.denominator, 0)},
+            has_determinant_one(map, arithmetic),
+            proved};
+}
+
+}  // namespace
+
+OscillatorMap oscillator_map(const Tableau& tableau) {
+    if (!tableau.node_polynomial) { return oscillator_map(partitioned_method(tableau)); }
+    const Progress::Stage stage("computing the map of the harmonic oscillator");
+    return completed(by_polynomials(*tableau.node_polynomial), {});
+}
+
+OscillatorMap oscillator_map(const PartitionedMethod& method) {
+    const Progress::Stage stage("computing the map of the harmonic oscillator");
+    if (auto map = by_determinants(method)) { return completed(*std::move(map), {}); }
+    PolynomialArithmetic arithmetic;
+    EvenMap map = by_stages(method, arithmetic);
+    return completed(std::move(map), arithmetic);
+}
+
+bool takes_long(const PartitionedMethod& method) {
+    constexpr std::size_t most_characters = 8000;     // of rational numbers
+    constexpr std::size_t most_enclosed_stages = 32;  // where s^4 numbers are kept
+    std::size_t characters = 0;
+    bool rational = true;
+    for (const NumberMatrix* matrix : {&method.A, &method.A_tilde}) {
+        for (const NumberVector& row : *matrix) {
+            for (const Number& entry : row) {
+                const auto text = rational_text(entry);
+                rational = rational && text;
+                characters += text ? text->size() : 0;
+            }
+        }
+    }
+    return characters > most_characters || (!rational && method.stages() > most_enclosed_stages);
 }
 
 // ---- what is read and drawn ----

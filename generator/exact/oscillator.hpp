@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/number_stages.hpp"
 
 namespace hvi::gen {
 
@@ -20,14 +20,20 @@ struct OscillatorMap {
     NumberVector D;                   ///< D(0) = 1
     /// Half the trace, which decides on stability. Its denominator is 1 at z = 0 as well.
     PolynomialQuotient half_trace;
-    /// That the map has determinant 1: m11 m22 - m12 m21 = D^2 by exact arithmetic.
-    bool symplectic_proved = false;
+    /// Whether the map is symplectic: its determinant is 1, m11 m22 - m12 m21 = D^2.
+    Verdict determinant_one;
     /// Whether no enclosure was taken for zero. Then there is no divisor that all five, or the two
     /// of half_trace, have in common; but with free parameters none is looked for.
     bool proved = false;
 };
 
 [[nodiscard]] OscillatorMap oscillator_map(const Tableau& tableau);
+
+/// The same for any coefficients: with weights b~ of its own, p1 takes these.
+[[nodiscard]] OscillatorMap oscillator_map(const PartitionedMethod& method);
+
+/// Whether this map, or linear stability by it, is a matter of minutes.
+[[nodiscard]] bool takes_long(const PartitionedMethod& method);
 
 /// As a function of the symbol z; over Q with coprime integers. Empty where a coefficient has no
 /// closed form.

@@ -2,6 +2,8 @@
 #include "generator/exact/properties.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "generator/exact/polynomial_stages.hpp"
 #include "generator/exact/rational_matrix.hpp"
@@ -12,18 +14,6 @@ namespace hvi::gen {
 namespace {
 
 Verdict vanishes(const RationalPolynomial& function) { return {function.degree() < 0, true}; }
-
-/// All of `condition(i, j)` for stages i, j, up to the first that does not hold.
-template <class Condition>
-Verdict for_all_pairs(std::size_t stages, Condition condition) {
-    Verdict verdict;
-    for (std::size_t i = 0; i < stages && verdict.holds; ++i) {
-        for (std::size_t j = 0; j < stages && verdict.holds; ++j) {
-            verdict = verdict && condition(i, j);
-        }
-    }
-    return verdict;
-}
 
 /// The matrix of what `column` returns for k = 0 .. s-1: its coefficients of 1 .. x^(s-1).
 template <class Column>
@@ -87,10 +77,81 @@ Verdict is_runge_kutta(const PolynomialStages& stages) {
     return verdict;
 }
 
+/// What decides whether a condition's residual vanishes.
+using Decision = std::function<Verdict(const Number&)>;
+
+Decision for_rounded(const RoundedMethod& method) {
+    return [bits = method.bits](const Number& residual) { return can_vanish(residual, bits); };
+}
+
+Verdict for_exact(const Number& residual) { return vanishes(residual); }
+
+Number weights_residual(const PartitionedMethod& method, std::size_t i) {
+    return method.b_tilde[i] - method.b[i];
+}
+
+Number symplectic_residual(const PartitionedMethod& method, std::size_t i, std::size_t j) {
+    const auto& [b, b_tilde, A, A_tilde] = method;
+    return b[i] * A_tilde[i][j] + b_tilde[j] * A[j][i] - b[i] * b_tilde[j];
+}
+
+/// All conditions up to the first that does not hold; that one as of the coefficients `written`.
+struct Symplecticity {
+    Verdict verdict;
+    std::optional<SymplecticDefect> defect;
+};
+Symplecticity symplecticity(const PartitionedMethod& method, const Decision& vanish,
+                            const PartitionedMethod& written) {
+    Symplecticity result;
+    for (std::size_t i = 0; i < method.stages(); ++i) {
+        result.verdict = result.verdict && vanish(weights_residual(method, i));
+        if (!result.verdict.holds) {
+            result.defect = {i, {}, weights_residual(written, i)};
+            return result;
+        }
+    }
+    for (std::size_t i = 0; i < method.stages(); ++i) {
+        for (std::size_t j = 0; j < method.stages(); ++j) {
+            result.verdict = result.verdict && vanish(symplectic_residual(method, i, j));
+            if (result.verdict.holds) { continue; }
+            result.defect = {i, j, symplectic_residual(written, i, j)};
+            return result;
+        }
+    }
+    return result;
+}
+
+Symplecticity symplecticity(const PartitionedMethod& method) {
+    return symplecticity(method, for_exact, method);
+}
+
+Symplecticity symplecticity(const RoundedMethod& method) {
+    return symplecticity(method.enclosed, for_rounded(method), method.written);
+}
+
+Verdict has_common_weights(const PartitionedMethod& method, const Decision& vanish) {
+    Verdict verdict;
+    for (std::size_t i = 0; i < method.stages() && verdict.holds; ++i) {
+        verdict = verdict && vanish(weights_residual(method, i));
+    }
+    return verdict;
+}
+
+Verdict is_runge_kutta(const PartitionedMethod& method, const Decision& vanish) {
+    Verdict verdict = has_common_weights(method, vanish);
+    for (std::size_t i = 0; i < method.stages() && verdict.holds; ++i) {
+        for (std::size_t j = 0; j < method.stages() && verdict.holds; ++j) {
+            verdict = verdict && vanish(method.A_tilde[i][j] - method.A[i][j]);
+        }
+    }
+    return verdict;
+}
+
 /// Looks for sigma stage by stage, and takes back what does not lead on.
 class Mirror {
 public:
-    explicit Mirror(const PartitionedMethod& method) : method_(method) {}
+    Mirror(const PartitionedMethod& method, Decision vanish)
+        : method_(method), vanish_(std::move(vanish)) {}
 
     Verdict found() { return extend() ? verdicts_.back() : Verdict{false, true}; }
 
@@ -114,8 +175,8 @@ private:
     [[nodiscard]] Verdict last_fits() const {
         const std::size_t i = sigma_.size() - 1;
         const auto& [b, b_tilde, A, A_tilde] = method_;
-        Verdict verdict = hvi::gen::vanishes(b[sigma_[i]] - b[i]);
-        verdict = verdict && hvi::gen::vanishes(b_tilde[sigma_[i]] - b_tilde[i]);
+        Verdict verdict = vanish_(b[sigma_[i]] - b[i]);
+        verdict = verdict && vanish_(b_tilde[sigma_[i]] - b_tilde[i]);
         for (std::size_t j = 0; j <= i && verdict.holds; ++j) {
             verdict = verdict && entry_fits(A, b, i, j) && entry_fits(A_tilde, b_tilde, i, j);
             verdict = verdict && entry_fits(A, b, j, i) && entry_fits(A_tilde, b_tilde, j, i);
@@ -125,33 +186,53 @@ private:
 
     [[nodiscard]] Verdict entry_fits(const NumberMatrix& A, const NumberVector& b, std::size_t i,
                                      std::size_t j) const {
-        return hvi::gen::vanishes(A[sigma_[i]][sigma_[j]] + A[i][j] - b[j]);
+        return vanish_(A[sigma_[i]][sigma_[j]] + A[i][j] - b[j]);
     }
 
     const PartitionedMethod& method_;
+    Decision vanish_;
     std::vector<std::size_t> sigma_;
     std::vector<Verdict> verdicts_{Verdict{}};  ///< on the first 0, 1, ... stages
 };
 
 }  // namespace
 
-Verdict is_symplectic(const PartitionedMethod& method) {
-    const NumberVector& b = method.b;
-    const NumberVector& b_tilde = method.b_tilde;
-    return for_all_pairs(b.size(), [&](std::size_t i, std::size_t j) {
-        return vanishes(b_tilde[i] - b[i]) &&
-               vanishes(b[i] * method.A_tilde[i][j] + b_tilde[j] * method.A[j][i] -
-                        b[i] * b_tilde[j]);
-    });
+Verdict is_symplectic(const PartitionedMethod& method) { return symplecticity(method).verdict; }
+
+Verdict is_symplectic(const RoundedMethod& method) { return symplecticity(method).verdict; }
+
+std::optional<SymplecticDefect> symplectic_defect(const PartitionedMethod& method) {
+    return symplecticity(method).defect;
 }
 
-Verdict is_symmetric(const PartitionedMethod& method) { return Mirror(method).found(); }
+std::optional<SymplecticDefect> symplectic_defect(const RoundedMethod& method) {
+    return symplecticity(method).defect;
+}
+
+Verdict is_symmetric(const PartitionedMethod& method) { return Mirror(method, for_exact).found(); }
+
+Verdict is_symmetric(const RoundedMethod& method) {
+    return Mirror(method.enclosed, for_rounded(method)).found();
+}
 
 Verdict is_runge_kutta(const PartitionedMethod& method) {
-    return for_all_pairs(method.stages(), [&](std::size_t i, std::size_t j) {
-        return vanishes(method.b_tilde[i] - method.b[i]) &&
-               vanishes(method.A_tilde[i][j] - method.A[i][j]);
-    });
+    return is_runge_kutta(method, for_exact);
+}
+
+Verdict is_runge_kutta(const RoundedMethod& method) {
+    return is_runge_kutta(method.enclosed, for_rounded(method));
+}
+
+Verdict has_common_weights(const PartitionedMethod& method) {
+    return has_common_weights(method, for_exact);
+}
+
+Verdict has_common_weights(const RoundedMethod& method) {
+    return has_common_weights(method.enclosed, for_rounded(method));
+}
+
+Verdict has_common_weights(const Tableau& tableau) {
+    return has_common_weights(partitioned_method(tableau));
 }
 
 Verdict is_symplectic(const Tableau& tableau) {

@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "generator/exact/number_stages.hpp"
 
 namespace hvi::gen {
+
+// Of a RoundedMethod it is asked of each condition by itself whether it can hold, for some of the
+// numbers that the coefficients can be: a no is proved, a yes is not. Residuals are those of the
+// coefficients as they are written.
 
 /// Whether every step is a symplectic map by b~ = b and
 ///
@@ -15,6 +21,16 @@ namespace hvi::gen {
 /// methods without superfluous stages.
 [[nodiscard]] Verdict is_symplectic(const Tableau& tableau);
 [[nodiscard]] Verdict is_symplectic(const PartitionedMethod& method);
+[[nodiscard]] Verdict is_symplectic(const RoundedMethod& method);
+
+/// The first of these conditions that fails, and what it is instead of 0; empty where all hold.
+struct SymplecticDefect {
+    std::size_t i = 0;             ///< 0-based
+    std::optional<std::size_t> j;  ///< empty for b~_i - b_i
+    Number residual;
+};
+[[nodiscard]] std::optional<SymplecticDefect> symplectic_defect(const PartitionedMethod& method);
+[[nodiscard]] std::optional<SymplecticDefect> symplectic_defect(const RoundedMethod& method);
 
 /// Whether a step with -h leads back, by a permutation sigma of the stages with
 ///
@@ -23,9 +39,17 @@ namespace hvi::gen {
 /// (Geometric Numerical Integration, Theorem V.2.3, where sigma(i) = s + 1 - i).
 [[nodiscard]] Verdict is_symmetric(const Tableau& tableau);
 [[nodiscard]] Verdict is_symmetric(const PartitionedMethod& method);
+[[nodiscard]] Verdict is_symmetric(const RoundedMethod& method);
 
 /// Whether q and p are treated alike: b~ = b and A~ = A.
 [[nodiscard]] Verdict is_runge_kutta(const Tableau& tableau);
 [[nodiscard]] Verdict is_runge_kutta(const PartitionedMethod& method);
+[[nodiscard]] Verdict is_runge_kutta(const RoundedMethod& method);
+
+/// Whether b~ = b, and so all linear invariants of (q, p) are conserved (Geometric Numerical
+/// Integration, Theorem IV.1.5 and what is said after it).
+[[nodiscard]] Verdict has_common_weights(const Tableau& tableau);
+[[nodiscard]] Verdict has_common_weights(const PartitionedMethod& method);
+[[nodiscard]] Verdict has_common_weights(const RoundedMethod& method);
 
 }  // namespace hvi::gen

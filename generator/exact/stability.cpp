@@ -4,23 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/exact/matrix.hpp"
 #include "generator/exact/number_value.hpp"
-#include "generator/exact/polynomial_arithmetic.hpp"
+#include "generator/exact/polynomial_in_square.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-/// The polynomials in t = z^2 of which a polynomial in z is made: P(z) = even(z^2) + z odd(z^2).
-NumberPolynomial part(const NumberPolynomial& polynomial, std::size_t parity) {
-    NumberPolynomial result;
-    for (std::size_t k = parity; k < polynomial.size(); k += 2) { result.push_back(polynomial[k]); }
-    return result;
-}
-
-NumberPolynomial even(const NumberPolynomial& polynomial) { return part(polynomial, 0); }
-NumberPolynomial odd(const NumberPolynomial& polynomial) { return part(polynomial, 1); }
 
 /// A z at which something may change.
 struct SpecialPoint {
@@ -86,30 +77,6 @@ private:
         append(identity, SpecialPoint::Kind::identity, half_trace);
         append(identity.size() > 1 ? arithmetic_.divide(ends, identity).quotient : ends,
                SpecialPoint::Kind::jordan_block, half_trace);
-    }
-
-    /// A number between two others, exactly.
-    static Ball between(const Number& low, const Number& high) {
-        for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {
-            const Ball a = enclosure(low, bits);
-            const Ball b = enclosure(high, bits);
-            if (arb_lt(a.get(), b.get()) == 0) { continue; }
-            Ball middle;
-            arb_add(middle.get(), a.get(), b.get(), bits);
-            arb_mul_2exp_si(middle.get(), middle.get(), -1);
-            arb_get_mid_arb(middle.get(), middle.get());
-            return middle;
-        }
-        throw MathError("cannot tell two ends of intervals of stability apart");
-    }
-
-    static int sign_at(const NumberPolynomial& polynomial, const Ball& z) {
-        for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {
-            Ball t;
-            arb_sqr(t.get(), z.get(), bits);
-            if (const int sign = enclosure(polynomial, t, bits).sign(); sign != 0) { return sign; }
-        }
-        throw MathError("cannot decide whether an interval is stable");
     }
 
     long until_;
@@ -181,10 +148,118 @@ LimitOfHalfTrace limit(const PolynomialQuotient& half_trace, PolynomialArithmeti
     return result;
 }
 
+/// The polynomials in t that the map is made of; m12 and m21 without a factor z.
+struct Parts {
+    NumberPolynomial m11, m12, m21, m22, D;
+};
+
+/// By enclosures where products of exact coefficients would take minutes.
+Parts parts(const OscillatorMap& map) {
+    constexpr std::size_t most_terms = 200;
+    Parts result{even(map.m11), odd(map.m12), odd(map.m21), even(map.m22), even(map.D)};
+    std::size_t terms = 0;
+    for (NumberPolynomial* part : {&result.m11, &result.m12, &result.m21, &result.m22, &result.D}) {
+        for (const Number& coefficient : *part) { terms += term_count(coefficient); }
+    }
+    const bool rational = over_rationals(result.D) && over_rationals(result.m11);
+    if (rational || terms <= most_terms) { return result; }
+    return {without_closed_form(result.m11), without_closed_form(result.m12),
+            without_closed_form(result.m21), without_closed_form(result.m22),
+            without_closed_form(result.D)};
+}
+
+/// Where both eigenvalues lie inside the unit circle: for the determinant d and the trace s,
+/// 1 - d > 0, 1 + d - s > 0 and 1 + d + s > 0 (Jury's conditions), here times D^2 > 0.
+class Contraction {
+public:
+    Contraction(const OscillatorMap& whole, long until) : until_(until) {
+        const auto [m11, m12, m21, m22, D] = parts(whole);
+        const NumberPolynomial trace = arithmetic_.sum(m11, Number(1), m22);
+        NumberPolynomial off_diagonal = product(m12, m21);
+        off_diagonal.insert(off_diagonal.begin(), Number(0));
+        const NumberPolynomial determinant =
+            arithmetic_.sum(product(m11, m22), Number(-1), off_diagonal);
+        const NumberPolynomial square = product(D, D);
+        const NumberPolynomial sum = arithmetic_.sum(square, Number(1), determinant);
+        conditions_ = {arithmetic_.sum(square, Number(-1), determinant),
+                       arithmetic_.sum(sum, Number(-1), product(D, trace)),
+                       arithmetic_.sum(sum, Number(1), product(D, trace))};
+        append_points(D);
+    }
+
+    [[nodiscard]] bool proved() const { return arithmetic_.proved(); }
+    [[nodiscard]] const NumberVector& poles() const { return poles_; }
+
+    [[nodiscard]] std::vector<StabilityInterval> intervals() const {
+        std::vector<StabilityInterval> result;
+        for (std::size_t i = 0; i <= points_.size(); ++i) {
+            const Number low = i == 0 ? Number(0) : points_[i - 1];
+            const Number high = i == points_.size() ? Number(until_) : points_[i];
+            const Ball z = between(low, high);
+            const bool contracts = std::all_of(
+                conditions_.begin(), conditions_.end(), [&](const NumberPolynomial& condition) {
+                    return !condition.empty() && sign_at(condition, z) > 0;
+                });
+            if (contracts) { result.push_back({low, high}); }
+        }
+        return result;
+    }
+
+    /// For all z from some point on.
+    [[nodiscard]] bool contracts_at_infinity() const {
+        return std::all_of(conditions_.begin(), conditions_.end(),
+                           [](const NumberPolynomial& condition) {
+                               return !condition.empty() && condition.back().sign() > 0;
+                           });
+    }
+
+private:
+    /// The zeros of the conditions and of D, each once.
+    void append_points(const NumberPolynomial& D) {
+        std::vector<NumberPolynomial> seen{arithmetic_.squarefree(D)};
+        for (NumberPolynomial factor : conditions_) {
+            while (!factor.empty() && arithmetic_.is_zero(factor.front())) {
+                factor.erase(factor.begin());
+            }
+            if (factor.empty()) { continue; }
+            factor = arithmetic_.squarefree(factor);
+            for (const NumberPolynomial& other : seen) {
+                factor = arithmetic_.without(factor, other);
+            }
+            seen.push_back(factor);
+        }
+        poles_ = roots_in_square(seen.front(), until_);
+        for (const NumberPolynomial& factor : seen) {
+            const NumberVector roots = roots_in_square(factor, until_);
+            points_.insert(points_.end(), roots.begin(), roots.end());
+        }
+        std::sort(points_.begin(), points_.end(), is_less);
+    }
+
+    long until_;
+    PolynomialArithmetic arithmetic_;
+    std::vector<NumberPolynomial> conditions_;
+    NumberVector poles_, points_;
+};
+
+LinearStability contraction(const OscillatorMap& map, long until) {
+    const Contraction found(map, until);
+    PolynomialArithmetic arithmetic;
+    LinearStability result;
+    result.until = until;
+    result.stable = found.intervals();
+    result.poles = found.poles();
+    result.at_infinity = limit(map.half_trace, arithmetic);
+    result.at_infinity.is_stable = found.contracts_at_infinity();
+    result.proved = map.proved && found.proved() && arithmetic.proved();
+    return result;
+}
+
 }  // namespace
 
 LinearStability linear_stability(const OscillatorMap& map, long until) {
     const Progress::Stage stage("finding the intervals of stability");
+    if (!map.determinant_one.holds) { return contraction(map, until); }
     const SpecialPoints points(map, until);
     const std::vector<bool> gaps = stable_gaps(points);
     PolynomialArithmetic arithmetic;

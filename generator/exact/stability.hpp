@@ -30,9 +30,11 @@ struct LimitOfHalfTrace {
     bool is_stable = false;       ///< whether all z from some point on are stable
 };
 
-/// The map has determinant 1. Its powers are bounded where |half_trace| < 1, and where it is I or
-/// -I; where half_trace is 1 or -1 and the map is another matrix, a Jordan block, they grow
+/// Where the map has determinant 1 its powers are bounded where |half_trace| < 1, and where it is I
+/// or -I; where half_trace is 1 or -1 and the map is another matrix, a Jordan block, they grow
 /// linearly: such a point of resonance splits an interval, and a touching point with +-I does not.
+/// Of a map with another determinant those z are stable for which both eigenvalues lie inside the
+/// unit circle, so that its powers tend to 0; it has no touching points.
 struct LinearStability {
     long until = 0;
     std::vector<StabilityInterval> stable;  ///< in the open interval (0, until), ascending

@@ -19,4 +19,10 @@ Verdict vanishes(const Number& number) {
                   [](const Ball& ball) { return vanishes(ball); });
 }
 
+Verdict can_vanish(const Number& number, Precision bits) {
+    if (is_exact(number)) { return {number.is_zero(), true}; }
+    const bool excluded = enclosure(number, bits).sign() != 0;
+    return excluded ? Verdict{false, true} : Verdict{true, false};
+}
+
 }  // namespace hvi::gen

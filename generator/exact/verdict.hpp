@@ -30,4 +30,8 @@ struct Verdict {
 /// Whether a number is zero. Throws MathError when its enclosures do not get narrow enough.
 [[nodiscard]] Verdict vanishes(const Number& number);
 
+/// Whether a number can be zero of which only some digits are known: unless its enclosure with so
+/// many bits excludes that.
+[[nodiscard]] Verdict can_vanish(const Number& number, Precision bits);
+
 }  // namespace hvi::gen

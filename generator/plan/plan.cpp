@@ -8,12 +8,12 @@
 
 #include "generator/plan/equal.hpp"
 #include "generator/plan/graph.hpp"
+#include "generator/plan/stage_graph.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
 namespace {
 
-using Kind = StageNode::Kind;
 using Place = StageValue::Place;
 
 bool equal(const NumberVector& a, const NumberVector& b) {
@@ -139,68 +139,28 @@ void set_places(Scheme& scheme) {
     for (const StageValue& value : scheme.momenta) { note("P", "p", value); }
 }
 
-/// Numbers the nodes of a scheme: all Q, all P, all Lq, all Lp.
-class Numbering {
-public:
-    Numbering(std::size_t positions, std::size_t momenta)
-        : positions_(positions), momenta_(momenta) {}
-
-    [[nodiscard]] std::size_t size() const { return 2 * (positions_ + momenta_); }
-    [[nodiscard]] std::size_t of(Kind kind, std::size_t index) const {
-        switch (kind) {
-        case Kind::Q: return index;
-        case Kind::P: return positions_ + index;
-        case Kind::Lq: return positions_ + momenta_ + index;
-        case Kind::Lp: return positions_ + 2 * momenta_ + index;
-        }
-        HVI_CHECK(false);
-        return 0;
-    }
-    [[nodiscard]] StageNode node(std::size_t number) const {
-        if (number < positions_) { return {Kind::Q, number}; }
-        number -= positions_;
-        if (number < momenta_) { return {Kind::P, number}; }
-        number -= momenta_;
-        if (number < momenta_) { return {Kind::Lq, number}; }
-        return {Kind::Lp, number - momenta_};
-    }
-
-private:
-    std::size_t positions_;
-    std::size_t momenta_;
-};
-
-DependencyGraph dependencies(const Scheme& scheme, const Numbering& number) {
-    DependencyGraph needs(number.size());
-    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-        for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-            if (!equal(scheme.m[i][j], 0)) {
-                needs[number.of(Kind::Q, i)].push_back(number.of(Kind::Lq, j));
-            }
-            if (!equal(scheme.m[i][j], 1)) {
-                needs[number.of(Kind::P, j)].push_back(number.of(Kind::Lp, i));
-            }
+/// Which stages of a scheme need which slopes, where that is not disproved: Q_i needs Lq_j unless
+/// m_ij = 0, and P_j needs Lp_i unless m~_ji = 1 - m_ij = 0.
+StagePattern pattern(const Scheme& scheme) {
+    StagePattern result;
+    result.separable = scheme.separable;
+    result.p.resize(scheme.momenta.size());
+    for (const NumberVector& row : scheme.m) {
+        auto& q = result.q.emplace_back();
+        for (std::size_t j = 0; j < row.size(); ++j) {
+            q.push_back(!equal(row[j], 0));
+            result.p[j].push_back(!equal(row[j], 1));
         }
     }
-    for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-        auto& slope = needs[number.of(Kind::Lq, j)];
-        slope.push_back(number.of(Kind::P, j));
-        if (!scheme.separable) { slope.push_back(number.of(Kind::Q, j)); }
-    }
-    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-        auto& slope = needs[number.of(Kind::Lp, i)];
-        slope.push_back(number.of(Kind::Q, i));
-        if (!scheme.separable) { slope.push_back(number.of(Kind::P, i)); }
-    }
-    return needs;
+    return result;
 }
 
 void set_blocks(Scheme& scheme) {
-    const Numbering number(scheme.positions.size(), scheme.momenta.size());
-    for (const auto& component : components(dependencies(scheme, number))) {
+    const StageGraph graph(pattern(scheme));
+    for (const auto& component : components(graph.needs())) {
         Block block;
         block.coupled = component.size() > 1;
-        for (const std::size_t v : component) { block.nodes.push_back(number.node(v)); }
+        for (const std::size_t v : component) { block.nodes.push_back(graph.node(v)); }
         scheme.blocks.push_back(std::move(block));
     }
     if (scheme.is_explicit()) {

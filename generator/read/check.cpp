@@ -28,6 +28,7 @@ constexpr Rules basis_rules{"a basis function", true, true, true};
 constexpr Rules node_rules{"a node", false, false, true};
 constexpr Rules polynomial_rules{"the polynomial of `roots`", true, false, true};
 constexpr Rules weight_rules{"a weight", false, false, true};
+constexpr Rules coefficient_rules{"a coefficient", false, false, true};
 constexpr Rules value_rules{"the value of a parameter", false, false, false};
 
 void check_symbol(const std::string& name, const Place& place, const Rules& rules) {
@@ -160,6 +161,10 @@ void check_weights(const List& weights) {
         check_expression(std::get<Expression>(item.what), weights.source, weight_rules);
     }
     check_count(weights, "weights");
+}
+
+void check_coefficient(const Expression& value, const std::shared_ptr<const Source>& source) {
+    check_expression(value, source, coefficient_rules);
 }
 
 void check_parameter_value(const Expression& value, const Place& place) {

@@ -18,6 +18,10 @@ void check_nodes(const List& nodes);
 /// Weights: expressions without `tau`, `roots` and `bspline`. Throws as `check_basis` does.
 void check_weights(const List& weights);
 
+/// A coefficient of a tableau: an expression without `tau`, `roots` and `bspline`. Throws as
+/// `check_basis` does.
+void check_coefficient(const Expression& value, const std::shared_ptr<const Source>& source);
+
 /// A value of a parameter: an expression without symbols other than `pi` and `e`, and without
 /// `roots` and `bspline`. `place` holds its text.
 void check_parameter_value(const Expression& value, const Place& place);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "generator/read/token.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -13,12 +15,20 @@ namespace {
 constexpr std::size_t most_digits = 1000;
 constexpr long largest_exponent = 1000;
 
+std::string_view without_sign(std::string_view text) {
+    const bool has_sign = !text.empty() && (text.front() == '-' || text.front() == '+');
+    return text.substr(has_sign ? 1 : 0);
+}
+
+bool only_digits(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
 /// The exponent after `e`, or one that is too large when it is.
 long exponent_value(std::string_view text) {
     const bool negative = !text.empty() && text.front() == '-';
-    if (negative || (!text.empty() && text.front() == '+')) text.remove_prefix(1);
     long value = 0;
-    for (const char digit : text)
+    for (const char digit : without_sign(text))
         if (value <= largest_exponent) value = 10 * value + (digit - '0');
     return negative ? -value : value;
 }
@@ -76,6 +86,26 @@ Expression read_decimal(const Place& place) {
     if (scale < 0) return over_power_of_ten(std::move(digits), static_cast<std::size_t>(-scale));
     if (digits != "0") digits.append(static_cast<std::size_t>(scale), '0');
     return Expression::rational(std::move(digits), "1");
+}
+
+std::optional<DecimalDigits> decimal_digits(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) { text.remove_prefix(1); }
+    while (!text.empty() && is_blank(text.back())) { text.remove_suffix(1); }
+    text = without_sign(text);
+    const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+    const std::size_t point = std::min(text.find('.'), e);
+    std::string digits(text.substr(0, e));
+    if (point < e) { digits.erase(point, 1); }
+    const std::string_view exponent = text.substr(std::min(e + 1, text.size()));
+    const bool has_exponent = e < text.size();
+    if (!only_digits(digits) || (has_exponent && !only_digits(without_sign(exponent))) ||
+        (!has_exponent && point == e)) {
+        return std::nullopt;
+    }
+    const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
+    const auto places = static_cast<long>(point < e ? e - point - 1 : 0);
+    return DecimalDigits{static_cast<int>(digits.size() - zeros),
+                         exponent_value(exponent) - places};
 }
 
 }  // namespace hvi::gen

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "generator/expr/expression.hpp"
 
 namespace hvi::gen {
@@ -10,5 +13,15 @@ namespace hvi::gen {
 /// 1/10. Precondition: the place holds such a number. Throws InputError when it has more than 1000
 /// digits or an exponent beyond 1000, which no method needs and which would only cost time.
 [[nodiscard]] Expression read_decimal(const Place& place);
+
+/// What a decimal tells of how it was rounded, if it was.
+struct DecimalDigits {
+    int significant = 0;  ///< from the first digit that is not 0 to the last one written
+    long last_place = 0;  ///< the power of ten of the last digit: -2 for 0.25 and for 1e-2
+};
+
+/// The digits of a text that is one decimal, with a sign perhaps, and written with a point or an
+/// exponent; empty for any other text. Whole numbers are no decimals.
+[[nodiscard]] std::optional<DecimalDigits> decimal_digits(std::string_view text);
 
 }  // namespace hvi::gen

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -37,6 +39,18 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit) {
     text.resize(static_cast<std::size_t>(file.gcount()));
     if (text.size() > limit) fail(path, fmt::format("the file has more than {} KiB", limit / 1024));
     return text;
+}
+
+std::string quoted_file_name(const std::string& path) {
+    std::string name = std::filesystem::path(path).filename().string();
+    const auto is_plain = [](char c) {
+        return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
+               std::string_view("._-+:").find(c) != std::string_view::npos;
+    };
+    if (std::all_of(name.begin(), name.end(), is_plain)) return name;
+    std::replace_if(
+        name.begin(), name.end(), [&](char c) { return !is_plain(c) && c != ' '; }, '?');
+    return "\"" + name + "\"";
 }
 
 }  // namespace hvi::gen

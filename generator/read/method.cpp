@@ -99,13 +99,8 @@ std::string canonical_text(const List& list) {
 
 void insert_parameters(const List& list, std::set<std::string>& names) {
     for (const Item& item : list.items) {
-        const auto* expression = std::get_if<Expression>(&item.what);
-        if (expression == nullptr) continue;
-        walk(*expression, [&](const Expression& part) {
-            if (part.kind == Expression::Kind::symbol && !is_reserved(part.name))
-                names.insert(part.name);
-            return true;
-        });
+        if (const auto* expression = std::get_if<Expression>(&item.what))
+            insert_parameters(*expression, names);
     }
 }
 
@@ -178,24 +173,33 @@ std::vector<std::string> parameter_names(const Method& method) {
     return {names.begin(), names.end()};
 }
 
-void set_parameter(Method& method, Parameter parameter) {
-    const std::vector<std::string> names = parameter_names(method);
+void set_parameter(std::vector<Parameter>& values, const std::vector<std::string>& names,
+                   Parameter parameter, std::string_view subject) {
     if (std::find(names.begin(), names.end(), parameter.name) == names.end()) {
         const std::string otherwise =
             names.empty() ? std::string()
                           : fmt::format("the parameters are {}", fmt::join(names, ", "));
-        throw InputError(fmt::format("the method has no parameter `{}`", parameter.name),
+        throw InputError(fmt::format("{} has no parameter `{}`", subject, parameter.name),
                          parameter.place,
                          did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));
     }
-    method.origin += fmt::format(" --param \"{}={}\"", parameter.name, to_text(parameter.value));
-    const auto same =
-        std::find_if(method.parameters.begin(), method.parameters.end(),
-                     [&](const Parameter& other) { return other.name == parameter.name; });
-    if (same == method.parameters.end())
-        method.parameters.push_back(std::move(parameter));
+    const auto same = std::find_if(values.begin(), values.end(), [&](const Parameter& other) {
+        return other.name == parameter.name;
+    });
+    if (same == values.end())
+        values.push_back(std::move(parameter));
     else
         *same = std::move(parameter);
+}
+
+std::string parameter_option(const Parameter& parameter) {
+    return fmt::format(" --param \"{}={}\"", parameter.name, to_text(parameter.value));
+}
+
+void set_parameter(Method& method, Parameter parameter) {
+    const std::string option = parameter_option(parameter);
+    set_parameter(method.parameters, parameter_names(method), std::move(parameter), "the method");
+    method.origin += option;
 }
 
 }  // namespace hvi::gen

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/read/parse.hpp"
@@ -63,5 +64,12 @@ struct Method {
 /// Gives a value to a symbol of the method, in place of one that it has, and adds that to the
 /// method's origin. Throws InputError when the method has no such symbol.
 void set_parameter(Method& method, Parameter parameter);
+
+/// The same for whatever has the symbols `names`, under the name by which messages speak of it.
+void set_parameter(std::vector<Parameter>& values, const std::vector<std::string>& names,
+                   Parameter parameter, std::string_view subject);
+
+/// ` --param "w=2"`, as origins have it.
+[[nodiscard]] std::string parameter_option(const Parameter& parameter);
 
 }  // namespace hvi::gen

@@ -65,20 +65,6 @@ void set_parameters(const TomlFile& file, Method& method) {
     }
 }
 
-/// The last part of a file's name, as a word of a command line in a comment: in quotes where
-/// needed, and without characters that a shell or a compiler would act on.
-std::string quoted_file_name(const std::string& path) {
-    std::string name = std::filesystem::path(path).filename().string();
-    const auto is_plain = [](char c) {
-        return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
-               std::string_view("._-+:").find(c) != std::string_view::npos;
-    };
-    if (std::all_of(name.begin(), name.end(), is_plain)) return name;
-    std::replace_if(
-        name.begin(), name.end(), [&](char c) { return !is_plain(c) && c != ' '; }, '?');
-    return "\"" + name + "\"";
-}
-
 }  // namespace
 
 Method method_from_toml(const Source& source) {

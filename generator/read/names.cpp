@@ -64,4 +64,12 @@ void walk(const Expression& expression, const std::function<bool(const Expressio
     for (const Expression& argument : expression.arguments) walk(argument, visit);
 }
 
+void insert_parameters(const Expression& expression, std::set<std::string>& names) {
+    walk(expression, [&](const Expression& part) {
+        if (part.kind == Expression::Kind::symbol && !is_reserved(part.name))
+            names.insert(part.name);
+        return true;
+    });
+}
+
 }  // namespace hvi::gen

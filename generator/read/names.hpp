@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -23,5 +24,8 @@ void check_parameter_name(const std::string& name, const Place& place);
 /// Calls `visit` for the expression and everything in it. When `visit` returns false for an
 /// expression, what is inside it is left out.
 void walk(const Expression& expression, const std::function<bool(const Expression&)>& visit);
+
+/// Adds the symbols in an expression that are parameters.
+void insert_parameters(const Expression& expression, std::set<std::string>& names);
 
 }  // namespace hvi::gen

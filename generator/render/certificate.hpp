@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "generator/certify/certificate.hpp"
+#include "generator/certify/audit.hpp"
 
 namespace hvi::gen {
 
@@ -13,5 +13,9 @@ namespace hvi::gen {
 
 /// The schema `hvi-check/1`.
 [[nodiscard]] std::string render_json(const Certificate& certificate);
+
+/// The same with what was found out about a tableau that someone else made: in JSON under `audit`.
+[[nodiscard]] std::string render_text(const Audit& audit);
+[[nodiscard]] std::string render_json(const Audit& audit);
 
 }  // namespace hvi::gen

@@ -1,7 +1,8 @@
 // A certificate as JSON, schema hvi-check/1.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/render/certificate_json.hpp"
+
 #include "generator/render/certificate.hpp"
-#include "generator/render/json_entry.hpp"
 
 namespace hvi::gen {
 
@@ -56,9 +57,10 @@ Json limit_json(const LimitOfHalfTrace& limit) {
 
 Json stability_json(const Certificate& certificate) {
     Json json;
-    const auto half_trace = closed_form(certificate.oscillator.half_trace);
+    const auto& map = certificate.oscillator;
+    const auto half_trace = map ? closed_form(map->half_trace) : std::nullopt;
     json["half_trace"] = half_trace ? Json(to_text(*half_trace)) : Json(nullptr);
-    json["determinant_is_one"] = certificate.oscillator.symplectic_proved;
+    json["determinant_is_one"] = map && map->determinant_one.holds && map->determinant_one.proved;
     const auto& stability = certificate.stability;
     json["stable"] = stability ? intervals_json(stability->stable) : Json(nullptr);
     json["poles"] = stability ? places_json(stability->poles) : Json(nullptr);
@@ -70,7 +72,7 @@ Json stability_json(const Certificate& certificate) {
 
 }  // namespace
 
-std::string render_json(const Certificate& certificate) {
+Json certificate_json(const Certificate& certificate) {
     const OrderConditions& general = certificate.orders.general;
     Json json;
     json["schema"] = "hvi-check/1";
@@ -93,11 +95,15 @@ std::string render_json(const Certificate& certificate) {
                         {"general", certificate.explicit_general}};
     json["negative_weights"] = certificate.negative_weights;
     json["nodes_outside"] = certificate.nodes_outside;
-    json["conserves"] = {{"linear", true},
+    json["conserves"] = {{"linear", certificate.common_weights.holds},
                          {"qCp", certificate.conserves_qCp()},
                          {"quadratic", certificate.conserves_quadratic()}};
     json["linear_stability"] = stability_json(certificate);
-    return json.dump(2) + "\n";
+    return json;
+}
+
+std::string render_json(const Certificate& certificate) {
+    return certificate_json(certificate).dump(2) + "\n";
 }
 
 }  // namespace hvi::gen

@@ -6,50 +6,23 @@
 
 #include "generator/render/certificate.hpp"
 #include "generator/render/entry.hpp"
-#include "generator/render/layout.hpp"
+#include "generator/render/report.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-/// Lines of a name and what is said of it.
-class Report {
-public:
-    void line(std::string_view name, const std::string& text) {
-        for (const std::string& line : wrapped(fmt::format("{:<14}", name), text)) {
-            text_ += line + "\n";
-        }
-    }
-    void title(const std::string& text) {
-        for (const std::string& line : wrapped("", text)) { text_ += line + "\n"; }
-    }
-    void blank() { text_ += "\n"; }
-    [[nodiscard]] const std::string& text() const { return text_; }
-
-private:
-    std::string text_;
-};
-
-std::string evidence(const Verdict& verdict) {
-    return verdict.proved ? "" : ", by enclosures of 50 digits";
+/// What is not proved, and why.
+std::string evidence(bool proved, const Certificate& certificate) {
+    if (proved) { return ""; }
+    return certificate.within_digits ? ", within digits" : ", by enclosures of 50 digits";
 }
 
-std::string yes_or_no(const Verdict& verdict) {
-    return (verdict.holds ? "yes" : "no") + evidence(verdict);
+std::string yes_or_no(const Verdict& verdict, const Certificate& certificate) {
+    return (verdict.holds ? "yes" : "no") + evidence(verdict.proved, certificate);
 }
 
-/// To six digits, without zeros at the end.
-std::string short_decimal(const Number& number) {
-    if (number.has_parameters()) { return make_entry(number, 1).best_text(); }
-    std::string text = number.decimal(6);
-    const bool is_plain =
-        text.find('.') != std::string::npos && text.find('e') == std::string::npos;
-    while (is_plain && text.back() == '0') { text.pop_back(); }
-    if (text.back() == '.') { text.pop_back(); }
-    return text;
-}
-
-std::string order_text(const OrderConditions& conditions) {
+std::string order_text(const OrderConditions& conditions, const Certificate& certificate) {
     const auto satisfied = std::accumulate(
         conditions.conditions.begin(),
         conditions.conditions.begin() +
@@ -61,8 +34,7 @@ std::string order_text(const OrderConditions& conditions) {
             : fmt::format(", and {} of order {} fail{}", conditions.failures.size(),
                           conditions.order + 1, conditions.failures.size() == 1 ? "s" : "");
     return fmt::format("{}{}: {} conditions hold{}{}", conditions.is_at_least ? "at least " : "",
-                       conditions.order, satisfied, rest,
-                       conditions.proved ? "" : ", by enclosures of 50 digits");
+                       conditions.order, satisfied, rest, evidence(conditions.proved, certificate));
 }
 
 void write_failures(Report& report, const OrderConditions& conditions) {
@@ -70,11 +42,8 @@ void write_failures(Report& report, const OrderConditions& conditions) {
     if (conditions.is_at_least) { return; }
     for (std::size_t i = 0; i < std::min(most_shown, conditions.failures.size()); ++i) {
         const FailedCondition& failure = conditions.failures[i];
-        const Entry entry = make_entry(failure.residual, 6);
-        const std::string decimal =
-            entry.decimal && entry.exact ? fmt::format(" = {}", *entry.decimal) : "";
         report.line(i == 0 ? "fails" : "",
-                    fmt::format("{}: {}{}", failure.tree->text, entry.best_text(), decimal));
+                    fmt::format("{}: {}", failure.tree->text, value_text(failure.residual)));
     }
     if (conditions.failures.size() > most_shown) {
         report.line("", fmt::format("and {} more", conditions.failures.size() - most_shown));
@@ -88,7 +57,8 @@ void write_failures(Report& report, const OrderConditions& conditions) {
 std::string conserved(const Certificate& certificate) {
     if (certificate.conserves_quadratic()) { return "all linear and quadratic invariants"; }
     if (certificate.conserves_qCp()) { return "linear invariants and q^T C p"; }
-    return "linear invariants";
+    return certificate.common_weights.holds ? "linear invariants"
+                                            : "linear invariants of q alone and of p alone";
 }
 
 std::string explicit_text(const Certificate& certificate) {
@@ -131,21 +101,41 @@ void write_stability(Report& report, const LinearStability& stability) {
                                        limit.is_stable ? "stable" : "not stable"));
 }
 
+void write_oscillator(Report& report, const Certificate& certificate) {
+    const auto& map = certificate.oscillator;
+    if (!map) {
+        report.line("oscillator", certificate.within_digits
+                                      ? "not looked at: only some digits are known"
+                                      : "not looked at: the coefficients are too long");
+        return;
+    }
+    if (const auto half_trace = closed_form(map->half_trace)) {
+        const std::string text = to_text(*half_trace);
+        report.line("oscillator", is_readable(text)
+                                      ? "trace/2 = " + text
+                                      : "trace/2 has coefficients that are too long for a line");
+    }
+    if (!map->determinant_one.holds) {
+        report.line("determinant",
+                    "not 1: stable is where both eigenvalues lie inside the unit circle");
+    } else if (map->determinant_one.proved) {
+        report.line("determinant", "1, by exact arithmetic");
+    }
+    if (certificate.stability) { write_stability(report, *certificate.stability); }
+}
+
 }  // namespace
 
-std::string render_text(const Certificate& certificate) {
-    Report report;
+void write_certificate(Report& report, const Certificate& certificate) {
     const Orders& orders = certificate.orders;
-    report.title(certificate.name.empty() ? certificate.origin : certificate.name);
-    report.blank();
-    report.line("order", order_text(orders.general));
-    report.line("  separable", order_text(orders.separable));
-    report.line("  Nystrom", order_text(orders.nystrom));
+    report.line("order", order_text(orders.general, certificate));
+    report.line("  separable", order_text(orders.separable, certificate));
+    report.line("  Nystrom", order_text(orders.nystrom, certificate));
     write_failures(report, orders.general);
     report.blank();
-    report.line("symplectic", yes_or_no(certificate.symplectic));
-    report.line("self-adjoint", yes_or_no(certificate.symmetric));
-    report.line("A == A~", yes_or_no(certificate.runge_kutta));
+    report.line("symplectic", yes_or_no(certificate.symplectic, certificate));
+    report.line("self-adjoint", yes_or_no(certificate.symmetric, certificate));
+    report.line("A == A~", yes_or_no(certificate.runge_kutta, certificate));
     report.line("conserves", conserved(certificate));
     report.line("explicit", explicit_text(certificate));
     if (!certificate.negative_weights.empty()) {
@@ -155,14 +145,15 @@ std::string render_text(const Certificate& certificate) {
         report.line("outside [0,1]", indices(certificate.nodes_outside, "c"));
     }
     report.blank();
-    if (const auto half_trace = closed_form(certificate.oscillator.half_trace)) {
-        report.line("oscillator", "trace/2 = " + to_text(*half_trace));
-    }
-    if (certificate.oscillator.symplectic_proved) {
-        report.line("determinant", "1, by exact arithmetic");
-    }
-    if (certificate.stability) { write_stability(report, *certificate.stability); }
+    write_oscillator(report, certificate);
     report.blank();
+}
+
+std::string render_text(const Certificate& certificate) {
+    Report report;
+    report.title(certificate.name.empty() ? certificate.origin : certificate.name);
+    report.blank();
+    write_certificate(report, certificate);
     report.title(certificate.is_proved() ? "All of it is proved."
                                          : "Some of it rests on enclosures of 50 digits.");
     return report.text();

@@ -243,8 +243,14 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "", {"stepper", "--method", "gauss:2", "--name", ""}},
         {2, "method", {"list", "method"}},
         {2, "nodes", {"list", "bases", "nodes"}},
+        // a tableau from elsewhere
+        {2, "mine.json", {"check", "--tableau", "mine.json"}},
+        {2, "--tableau", {"check", "--tableau", "mine.json", "--method", "gauss:2"}},
+        {2, "--tableau", {"check", "--tableau", "a.json", "--tableau", "b.json"}},
+        {2, "--tableau", {"check", "--tableau", ""}},
+        {2, "--tableau", {"check", "--tableau"}},
+        {2, "--tableau", {"tableau", "--tableau", "mine.json"}},
         // to come
-        {2, "--tableau", {"check", "--tableau", "mine.json"}},
         {2, "21", {"check", "--method", "gauss:2", "--max-order", "21"}},
         {2, "0", {"check", "--method", "gauss:2", "--max-order", "0"}},
         {2, "latex", {"check", "--method", "gauss:2", "--format", "latex"}},
@@ -258,12 +264,41 @@ TEST_CASE("a command line that cannot be read: status 2") {
     for (const Refusal& refusal : refusals) check_refused(refusal, refusal.words);
 }
 
+TEST_CASE("a tableau that cannot be read: status 2, and the line") {
+    const Directory directory;
+    const auto refused = [&](const std::string& text, const std::vector<std::string>& more = {}) {
+        write(directory / "t.json", text);
+        std::vector<std::string> words = {"check", "--tableau", "t.json", "-o", "new"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = hvi_gen(words, directory.path());
+        INFO(text << outcome.err);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        CHECK(directory.names() == std::vector<std::string>{"t.json"});
+        return outcome;
+    };
+    const Outcome comma = refused("{\"A\": [[0]],\n \"b\": [1,], \"c\": [0]}");
+    CHECK(comma.status == 2);
+    CHECK(pointed_at(comma.err) == "]");
+    CHECK(comma.err.find("t.json:2") != std::string::npos);
+    CHECK(pointed_at(refused("{\"A\": [[\"1/0\"]], \"b\": [1], \"c\": [0]}").err) == "0");
+    CHECK(pointed_at(refused("{\"A\": [[1, 2]], \"b\": [1], \"c\": [0]}").err) == "[1, 2]");
+    CHECK(refused("{\"A\": [[0]], \"b\": [1], \"c\": [0]}", {"--param", "w=1"}).status == 2);
+    CHECK(refused("{\"A\": [[\"w\"]], \"b\": [1], \"c\": [0]}", {"--plot", "p.svg"}).status == 2);
+    // Understood, but not real, or not known well enough.
+    CHECK(refused("{\"A\": [[\"sqrt(-1)\"]], \"b\": [1], \"c\": [0]}").status == 1);
+    const std::string some_digits =
+        "{\"A\": [[0.67560359597982889, 0], [1.3512071919596578, -0.1756035959798289]],"
+        " \"b\": [1.3512071919596578, -0.3512071919596578],"
+        " \"c\": [0.67560359597982889, 1.1756035959798289]}";
+    CHECK(refused(some_digits, {"--plot", "p.svg"}).status == 1);
+}
+
 TEST_CASE("a stepper takes one free parameter, in its place: status 2") {
     check_refused({2, "", {}},
                   {"stepper", "--basis", "1, cos(w*tau), sin(v*tau)", "--nodes", "0, 1/2, 1"});
     check_refused({2, "", {}}, {"stepper", "--basis", "1, cos(w^2*tau)", "--nodes", "0, 1"});
-    check_refused({2, "", {}},
-                  {"stepper", "--basis", "1, cos(w*tau + v)", "--nodes", "0, 1"});
+    check_refused({2, "", {}}, {"stepper", "--basis", "1, cos(w*tau + v)", "--nodes", "0, 1"});
 }
 
 TEST_CASE("help points to what was meant") {

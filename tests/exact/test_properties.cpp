@@ -99,3 +99,29 @@ TEST_CASE("Runge-Kutta methods are those with A~ = A") {
         CHECK(is(is_runge_kutta(coefficients(method)), false));
     }
 }
+
+TEST_CASE("the first condition of symplecticity that fails is told") {
+    CHECK_FALSE(symplectic_defect(coefficients("lobatto:3")));
+    // Example 4.5 as it is printed: A~ = A, with the residuals diag(-1/4, 1/4).
+    PartitionedMethod method = coefficients("stormer-verlet");
+    method.A_tilde = method.A;
+    auto defect = symplectic_defect(method);
+    REQUIRE(defect);
+    CHECK(defect->i == 0);
+    CHECK(defect->j == 0);
+    CHECK(text(defect->residual) == "-1/4");
+    method.b_tilde = {number("1/2"), number("1/3")};
+    defect = symplectic_defect(method);
+    REQUIRE(defect);
+    CHECK(defect->i == 1);
+    CHECK_FALSE(defect->j);
+    CHECK(text(defect->residual) == "-1/6");
+}
+
+TEST_CASE("weights are common or not") {
+    PartitionedMethod method = coefficients("gauss:2");
+    CHECK(is(has_common_weights(method), true));
+    CHECK(is(has_common_weights(tableau("gauss:8")), true));
+    method.b_tilde = {Number(1), Number(0)};
+    CHECK(is(has_common_weights(method), false));
+}

@@ -20,6 +20,11 @@ namespace {
 
 OscillatorMap map_of(const std::string& given) { return oscillator_map(derive(any_method(given))); }
 
+/// Whether the map is proved to have determinant 1.
+bool proved_one(const OscillatorMap& map) {
+    return map.determinant_one.holds && map.determinant_one.proved;
+}
+
 LinearStability stability_of(const std::string& given) {
     return linear_stability(map_of(given), 20);
 }
@@ -141,7 +146,7 @@ TEST_CASE("maps, intervals, poles and touching points agree with the reference")
                 ? method(entry["method"].get<std::string>())
                 : method(entry["basis"].get<std::string>(), entry["nodes"].get<std::string>())));
         CHECK(map.proved);
-        CHECK(map.symplectic_proved);
+        CHECK(proved_one(map));
         CHECK(same_quotient(map.half_trace.numerator, map.half_trace.denominator,
                             (*expected)["half_trace_num"], (*expected)["half_trace_den"]));
         if (expected->contains("D")) {
@@ -215,7 +220,7 @@ TEST_CASE("Gauss methods are stable everywhere") {
         CAPTURE(s);
         const OscillatorMap map = map_of("gauss:" + std::to_string(s));
         CHECK(map.proved);
-        CHECK(map.symplectic_proved);
+        CHECK(proved_one(map));
         const LinearStability stability = linear_stability(map, 20);
         CHECK(stability.proved);
         CHECK(ends(stability) == "(0, 20)");
@@ -279,8 +284,8 @@ TEST_CASE("the two ways to the map agree") {
         const OscillatorMap by_polynomials = oscillator_map(tableau);
         tableau.node_polynomial.reset();
         const OscillatorMap by_stages = oscillator_map(tableau);
-        CHECK(by_polynomials.symplectic_proved);
-        CHECK(by_stages.symplectic_proved);
+        CHECK(proved_one(by_polynomials));
+        CHECK(proved_one(by_stages));
         CHECK(texts(by_polynomials.D) == texts(by_stages.D));
         CHECK(texts(by_polynomials.m11) == texts(by_stages.m11));
         CHECK(texts(by_polynomials.m12) == texts(by_stages.m12));
@@ -297,7 +302,8 @@ TEST_CASE("enclosures give the same intervals, and claim no proof") {
         tableau.node_polynomial.reset();
         const OscillatorMap map = oscillator_map(tableau);
         const LinearStability enclosed = linear_stability(map, 20);
-        CHECK_FALSE(map.symplectic_proved);
+        CHECK(map.determinant_one.holds);
+        CHECK_FALSE(map.determinant_one.proved);
         CHECK_FALSE(enclosed.proved);
         REQUIRE(enclosed.stable.size() == exact.stable.size());
         for (std::size_t i = 0; i < exact.stable.size(); ++i) {
@@ -311,7 +317,7 @@ TEST_CASE("enclosures give the same intervals, and claim no proof") {
 
 TEST_CASE("coefficients too long for exact arithmetic are enclosed") {
     const OscillatorMap map = map_of("1, tau, cos(pi*tau), sin(pi*tau) | gauss:4");
-    CHECK_FALSE(map.symplectic_proved);
+    CHECK_FALSE(map.determinant_one.proved);
     CHECK_FALSE(map.proved);
     CHECK(linear_stability(map, 20).stable.front().high.decimal(8) == "3.1382429");
 }
@@ -319,7 +325,7 @@ TEST_CASE("coefficients too long for exact arithmetic are enclosed") {
 TEST_CASE("a free parameter stays in the map") {
     const std::string form = half_trace("1, cos(w*tau), sin(w*tau) | 0, 1/2, 1");
     CHECK(form.find('w') != std::string::npos);
-    CHECK(map_of("1, cos(w*tau), sin(w*tau) | 0, 1/2, 1").symplectic_proved);
+    CHECK(proved_one(map_of("1, cos(w*tau), sin(w*tau) | 0, 1/2, 1")));
 }
 
 // ---- maps made by hand: half_trace = c, D = 1 and m12 m21 = c^2 - 1 ----
@@ -331,14 +337,10 @@ NumberVector polynomial(const std::string& text) {
 }
 
 OscillatorMap made(const std::string& c, const std::string& m12, const std::string& m21) {
-    OscillatorMap map{polynomial(c),
-                      polynomial(m12),
-                      polynomial(m21),
-                      polynomial(c),
-                      {Number(1)},
-                      {polynomial(c), {Number(1)}},
-                      true,
-                      true};
+    OscillatorMap map{polynomial(c),   polynomial(m12),
+                      polynomial(m21), polynomial(c),
+                      {Number(1)},     {polynomial(c), {Number(1)}},
+                      {true, true},    true};
     CHECK(same_quotient(map.m11, map.D, c, "1"));
     return map;
 }
@@ -382,4 +384,117 @@ TEST_CASE("a diagonal map has no interval where it is not the identity") {
     map.m11 = polynomial("2");
     map.m22 = polynomial("1/2");
     CHECK(linear_stability(map, 20).stable.empty());
+}
+
+// ---- methods that are not of Algorithm 4.3 ----
+
+namespace {
+
+NumberMatrix matrix(const std::vector<std::vector<std::string>>& rows) {
+    NumberMatrix result;
+    for (const auto& row : rows) {
+        NumberVector& numbers = result.emplace_back();
+        for (const std::string& entry : row) { numbers.push_back(number(entry)); }
+    }
+    return result;
+}
+
+PartitionedMethod runge_kutta(const std::vector<std::vector<std::string>>& A,
+                              const std::vector<std::string>& b) {
+    const NumberMatrix rows = matrix(A);
+    const NumberVector weights = matrix({b}).front();
+    return {weights, weights, rows, rows};
+}
+
+PartitionedMethod kutta_4() {
+    return runge_kutta({{"0", "0", "0", "0"},
+                        {"1/2", "0", "0", "0"},
+                        {"0", "1/2", "0", "0"},
+                        {"0", "0", "1", "0"}},
+                       {"1/6", "1/3", "1/3", "1/6"});
+}
+
+}  // namespace
+
+TEST_CASE("a Runge-Kutta method takes x to R(i z) x on the oscillator") {
+    // R(w) = 1 + w + w^2/2 + w^3/6 + w^4/24
+    const OscillatorMap map = oscillator_map(kutta_4());
+    CHECK(same_quotient(map.m11, map.D, "1-z^2/2+z^4/24", "1"));
+    CHECK(same_quotient(map.m12, map.D, "z-z^3/6", "1"));
+    CHECK(same_quotient(map.m21, map.D, "-z+z^3/6", "1"));
+    CHECK(same_quotient(map.m22, map.D, "1-z^2/2+z^4/24", "1"));
+    CHECK(map.proved);
+    CHECK_FALSE(map.determinant_one.holds);
+    CHECK(map.determinant_one.proved);
+}
+
+TEST_CASE("weights for p of their own move p") {
+    // Q = q + h/2 p, P = p - h/2 q for both; q1 takes P with weight 1, p1 takes Q with weight 2.
+    PartitionedMethod method = runge_kutta({{"1/2"}}, {"1"});
+    method.b_tilde = {number("2")};
+    const OscillatorMap map = oscillator_map(method);
+    CHECK(same_quotient(map.m11, map.D, "4-z^2", "4+z^2"));
+    CHECK(same_quotient(map.m12, map.D, "4*z", "4+z^2"));
+    CHECK(same_quotient(map.m21, map.D, "-8*z", "4+z^2"));
+    CHECK(same_quotient(map.m22, map.D, "4-3*z^2", "4+z^2"));
+}
+
+TEST_CASE("rational, exact and enclosed coefficients give the same map") {
+    // A and A~ are the same numbers, but known in different ways.
+    const PartitionedMethod rational =
+        runge_kutta({{"1/3", "-1/12"}, {"3/4", "1/4"}}, {"3/4", "1/4"});
+    PartitionedMethod radical = rational;
+    radical.A[0][0] = with_ground([](const Ground& ground) { return read("1/3+sqrt(2)", ground); });
+    PartitionedMethod back = radical;
+    back.A[0][0] = radical.A[0][0];
+    const OscillatorMap map = oscillator_map(rational);
+    CHECK(text(map.D.back()) != "none");
+    const OscillatorMap other = oscillator_map(radical);
+    CHECK(other.D.size() == map.D.size());
+    // At sqrt(2) -> 0 they agree: the coefficient of z^2 in D is the trace of A~ A, linear in a_11.
+    const Number difference = other.D[2] - map.D[2];
+    CHECK(text(difference) == "sqrt(2)/3");
+}
+
+TEST_CASE("a map with another determinant is stable where it contracts") {
+    const auto stable = [](const PartitionedMethod& method) {
+        return ends(linear_stability(oscillator_map(method), 20));
+    };
+    // The interval of the classical method on the imaginary axis.
+    CHECK(stable(kutta_4()) == "(0, 2*sqrt(2))");
+    // Euler's method grows, and so does Heun's: |R|^2 = 1 + z^4/4.
+    CHECK(stable(runge_kutta({{"0"}}, {"1"})).empty());
+    CHECK(stable(runge_kutta({{"0", "0"}, {"1", "0"}}, {"1/2", "1/2"})).empty());
+    // Kutta's third-order rule: |R|^2 = 1 - z^4/12 + z^6/36 up to sqrt(3).
+    CHECK(stable(runge_kutta({{"0", "0", "0"}, {"1/2", "0", "0"}, {"-1", "2", "0"}},
+                             {"1/6", "2/3", "1/6"})) == "(0, sqrt(3))");
+    // The implicit Euler rule damps everything; |R|^2 = 1/(1 + z^2).
+    const LinearStability implicit =
+        linear_stability(oscillator_map(runge_kutta({{"1"}}, {"1"})), 20);
+    CHECK(ends(implicit) == "(0, 20)");
+    CHECK(implicit.at_infinity.is_stable);
+    CHECK(implicit.proved);
+    CHECK(implicit.poles.empty());
+    CHECK_FALSE(linear_stability(oscillator_map(kutta_4()), 20).at_infinity.is_stable);
+}
+
+TEST_CASE("poles and points on the circle split intervals of contraction") {
+    // a_11 a~_11 = -1: the stage is singular at z = 1. With b = 1, A = -1 and A~ = 1:
+    // D = 1 - z^2, m11 = 1 - 2 z^2, m22 = 1, det = (m11 m22 + z^2)/D^2 = 1/(1 - z^2).
+    PartitionedMethod method = runge_kutta({{"-1"}}, {"1"});
+    method.A_tilde = matrix({{"1"}});
+    const LinearStability stability = linear_stability(oscillator_map(method), 20);
+    REQUIRE(stability.poles.size() == 1);
+    CHECK(text(stability.poles.front()) == "1");
+    for (const StabilityInterval& interval : stability.stable) {
+        CHECK((interval.high.nearest_double() <= 1 || interval.low.nearest_double() >= 1));
+    }
+}
+
+TEST_CASE("a determinant that is 1 only within enclosures is taken for 1") {
+    Tableau tableau = derive(method("lobatto:8"));
+    const OscillatorMap map = oscillator_map(partitioned_method(tableau));
+    CHECK(map.determinant_one.holds);
+    CHECK_FALSE(map.determinant_one.proved);
+    CHECK(ends(linear_stability(map, 3)) == "(0, 3)");
 }

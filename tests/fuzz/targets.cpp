@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "generator/read/coefficients.hpp"
 #include "generator/read/method.hpp"
 
 namespace hvi::gen::fuzz {
@@ -99,6 +100,22 @@ void method_file(std::string_view bytes) {
         check_list(method.basis);
         check_list(method.nodes);
         require(method.origin.find('\n') == std::string::npos, "an origin of several lines");
+    });
+}
+
+void coefficients(std::string_view bytes) {
+    attempt([&] {
+        const Coefficients result = coefficients_from_json({"fuzz.json", std::string(bytes)});
+        const std::size_t stages = result.stages();
+        require(1 <= stages && stages <= 64 && result.b.size() == stages &&
+                    result.A.size() == stages,
+                "a tableau of another shape");
+        for_each_coefficient(result, [](const Coefficient& entry) {
+            check_ranges(entry.value, *entry.source);
+            check_printing(entry.value);
+        });
+        static_cast<void>(parameter_names(result));
+        require(result.origin.find('\n') == std::string::npos, "an origin of several lines");
     });
 }
 

@@ -34,6 +34,7 @@ TEST_CASE("lists") { replay("list", fuzz::list); }
 TEST_CASE("names") { replay("name", fuzz::name); }
 TEST_CASE("parameters") { replay("parameter", fuzz::parameter); }
 TEST_CASE("method files") { replay("method_file", fuzz::method_file); }
+TEST_CASE("coefficients") { replay("coefficients", fuzz::coefficients); }
 
 TEST_CASE("inputs too large for the corpus") {
     for (const std::string piece :
@@ -45,6 +46,8 @@ TEST_CASE("inputs too large for the corpus") {
             CHECK_NOTHROW(fuzz::list(text.substr(0, size)));
             CHECK_NOTHROW(fuzz::name(text.substr(0, size)));
             CHECK_NOTHROW(fuzz::method_file("basis = \"" + text.substr(0, size) + "\"\nnodes = 0"));
+            CHECK_NOTHROW(fuzz::coefficients("{\"A\":[[\"" + text.substr(0, size) +
+                                             "\"]],\"b\":[1],\"c\":[0]}"));
         }
     }
 }
@@ -62,4 +65,18 @@ TEST_CASE("method files with many lines, keys and elements") {
     std::string parameters = "basis = \"tau\"\nnodes = 0\n[parameters]\n";
     for (int k = 0; k < 50000; ++k) parameters += "w" + std::to_string(k) + " = 0.5\n";
     fuzz::method_file(parameters);
+}
+
+TEST_CASE("JSON with many values, keys and brackets") {
+    const auto repeated = [](const std::string& piece, std::size_t times) {
+        std::string text;
+        for (std::size_t k = 0; k < times; ++k) text += piece;
+        return text;
+    };
+    fuzz::coefficients(repeated("[", 1000000));
+    fuzz::coefficients(repeated("{\"a\":", 1000000));
+    fuzz::coefficients("[" + repeated("1,", 1000000));
+    fuzz::coefficients("{" + repeated("\"a\":0,", 200000) + "\"b\":0}");
+    fuzz::coefficients(repeated("\n", 1000000) + "{");
+    fuzz::coefficients("\"" + repeated("\\\"", 1000000) + "\"");
 }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/plan/stage_graph.hpp"
+
+#include <algorithm>
+
+#include "generator/plan/equal.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+using Node = StageNode::Kind;
+
+StageGraph::StageGraph(const StagePattern& pattern)
+    : positions_(pattern.q.size()),
+      momenta_(pattern.p.size()),
+      needs_(2 * (positions_ + momenta_)) {
+    for (std::size_t i = 0; i < positions_; ++i) {
+        for (std::size_t j = 0; j < momenta_; ++j) {
+            if (pattern.q[i][j]) { needs_[number(Node::Q, i)].push_back(number(Node::Lq, j)); }
+            if (pattern.p[j][i]) { needs_[number(Node::P, j)].push_back(number(Node::Lp, i)); }
+        }
+    }
+    for (std::size_t j = 0; j < momenta_; ++j) {
+        auto& slope = needs_[number(Node::Lq, j)];
+        slope.push_back(number(Node::P, j));
+        if (!pattern.separable) { slope.push_back(number(Node::Q, j)); }
+    }
+    for (std::size_t i = 0; i < positions_; ++i) {
+        auto& slope = needs_[number(Node::Lp, i)];
+        slope.push_back(number(Node::Q, i));
+        if (!pattern.separable) { slope.push_back(number(Node::P, i)); }
+    }
+}
+
+std::size_t StageGraph::number(Node kind, std::size_t index) const {
+    switch (kind) {
+    case Node::Q: return index;
+    case Node::P: return positions_ + index;
+    case Node::Lq: return positions_ + momenta_ + index;
+    case Node::Lp: return positions_ + 2 * momenta_ + index;
+    }
+    HVI_CHECK(false);
+    return 0;
+}
+
+StageNode StageGraph::node(std::size_t number) const {
+    if (number < positions_) { return {Node::Q, number}; }
+    number -= positions_;
+    if (number < momenta_) { return {Node::P, number}; }
+    number -= momenta_;
+    if (number < momenta_) { return {Node::Lq, number}; }
+    return {Node::Lp, number - momenta_};
+}
+
+namespace {
+
+std::vector<bool> counts(const NumberVector& numbers) {
+    std::vector<bool> result;
+    for (const Number& number : numbers) { result.push_back(!equal(number, 0)); }
+    return result;
+}
+
+std::vector<std::vector<bool>> counts(const NumberMatrix& rows) {
+    std::vector<std::vector<bool>> result;
+    for (const NumberVector& row : rows) { result.push_back(counts(row)); }
+    return result;
+}
+
+/// What the step depends on: the slopes that have a weight, and what these need.
+std::vector<bool> used(const StageGraph& graph, const PartitionedMethod& method) {
+    std::vector<bool> result(graph.needs().size());
+    std::vector<std::size_t> open;
+    const auto use = [&](std::size_t v) {
+        if (!result[v]) { open.push_back(v); }
+        result[v] = true;
+    };
+    for (std::size_t i = 0; i < method.stages(); ++i) {
+        if (!equal(method.b[i], 0)) { use(graph.number(Node::Lq, i)); }
+        if (!equal(method.b_tilde[i], 0)) { use(graph.number(Node::Lp, i)); }
+    }
+    while (!open.empty()) {
+        const std::size_t v = open.back();
+        open.pop_back();
+        for (const std::size_t w : graph.needs()[v]) { use(w); }
+    }
+    return result;
+}
+
+}  // namespace
+
+bool is_explicit(const PartitionedMethod& method, bool separable) {
+    const StageGraph graph({counts(method.A), counts(method.A_tilde), separable});
+    const std::vector<bool> is_used = used(graph, method);
+    const auto all = components(graph.needs());
+    return std::all_of(all.begin(), all.end(), [&](const std::vector<std::size_t>& component) {
+        return component.size() == 1 || !is_used[component.front()];
+    });
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/render/report.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/render/entry.hpp"
+
+namespace hvi::gen {
+
+void Report::line(std::string_view name, const std::string& text) {
+    for (const std::string& line : wrapped(fmt::format("{:<{}}", name, name_columns), text)) {
+        text_ += line + "\n";
+    }
+}
+
+void Report::title(const std::string& text) {
+    for (const std::string& line : wrapped("", text)) { text_ += line + "\n"; }
+}
+
+bool is_readable(const std::string& text) {
+    constexpr std::size_t most_digits = 48;
+    std::size_t digits = 0;
+    for (const char character : text) {
+        digits = '0' <= character && character <= '9' ? digits + 1 : 0;
+        if (digits > most_digits) { return false; }
+    }
+    return true;
+}
+
+std::string short_decimal(const Number& number) {
+    if (number.has_parameters()) { return make_entry(number, 1).best_text(); }
+    std::string text = number.decimal(6);
+    const bool is_plain =
+        text.find('.') != std::string::npos && text.find('e') == std::string::npos;
+    while (is_plain && text.back() == '0') { text.pop_back(); }
+    if (text.back() == '.') { text.pop_back(); }
+    return text;
+}
+
+std::string value_text(const Number& number) {
+    const Entry entry = make_entry(number, 6);
+    if (!entry.exact || !entry.decimal) { return entry.best_text(); }
+    const std::string exact = to_text(*entry.exact);
+    if (!is_readable(exact)) { return *entry.decimal; }
+    const bool is_integer = exact.find_first_not_of("-0123456789") == std::string::npos;
+    return is_integer ? exact : fmt::format("{} = {}", exact, *entry.decimal);
+}
+
+}  // namespace hvi::gen

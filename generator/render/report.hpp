@@ -1,0 +1,39 @@
+// Lines of a name and what is said of it, for a terminal.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "generator/certify/certificate.hpp"
+#include "generator/render/layout.hpp"
+
+namespace hvi::gen {
+
+class Report {
+public:
+    static constexpr std::size_t name_columns = 14;
+    static constexpr std::size_t columns = terminal_columns - name_columns;  ///< of the text
+
+    void line(std::string_view name, const std::string& text);
+    void title(const std::string& text);
+    void blank() { text_ += "\n"; }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+/// Whether no number in a text is longer than people read, and a line of the terminal takes.
+[[nodiscard]] bool is_readable(const std::string& text);
+
+/// To six digits, without zeros at the end; with a free parameter the closed form.
+[[nodiscard]] std::string short_decimal(const Number& number);
+
+/// The closed form and six digits, or these alone where it is not readable.
+[[nodiscard]] std::string value_text(const Number& number);
+
+/// All that a certificate says but for its title and its last line.
+void write_certificate(Report& report, const Certificate& certificate);
+
+}  // namespace hvi::gen
