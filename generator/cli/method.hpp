@@ -4,10 +4,18 @@
 
 #include "generator/cli/options.hpp"
 #include "generator/exact/tableau.hpp"
+#include "generator/read/hamiltonian.hpp"
 
 namespace hvi::gen {
 
 /// Reads the method, gives its parameters their values, and derives its tableau.
 [[nodiscard]] Tableau tableau_of(const MethodOptions& options);
+
+/// A method and a Hamiltonian, read; the parameters of both have their values.
+struct System {
+    Method method;
+    Hamiltonian hamiltonian;
+};
+[[nodiscard]] System read_system(const SchemeOptions& options);
 
 }  // namespace hvi::gen

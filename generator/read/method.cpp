@@ -178,6 +178,16 @@ std::vector<std::string> parameter_names(const Method& method) {
     return {names.begin(), names.end()};
 }
 
+void assign(std::vector<Parameter>& parameters, Parameter parameter) {
+    const auto same = std::find_if(parameters.begin(), parameters.end(), [&](const auto& other) {
+        return other.name == parameter.name;
+    });
+    if (same == parameters.end())
+        parameters.push_back(std::move(parameter));
+    else
+        *same = std::move(parameter);
+}
+
 void set_parameter(Method& method, Parameter parameter) {
     const std::vector<std::string> names = parameter_names(method);
     if (std::find(names.begin(), names.end(), parameter.name) == names.end()) {
@@ -189,13 +199,7 @@ void set_parameter(Method& method, Parameter parameter) {
                          did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));
     }
     method.origin += fmt::format(" --param \"{}={}\"", parameter.name, to_text(parameter.value));
-    const auto same =
-        std::find_if(method.parameters.begin(), method.parameters.end(),
-                     [&](const Parameter& other) { return other.name == parameter.name; });
-    if (same == method.parameters.end())
-        method.parameters.push_back(std::move(parameter));
-    else
-        *same = std::move(parameter);
+    assign(method.parameters, std::move(parameter));
 }
 
 }  // namespace hvi::gen
