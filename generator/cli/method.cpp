@@ -24,15 +24,15 @@ Method read_method(const MethodOptions& options) {
                             weights);
 }
 
-/// `Target` is Method or Coefficients.
-template <class Target>
-void set_parameters(Target& target, const std::vector<std::string>& assignments) {
+/// Calls `set` for what each `--param` says.
+template <class Set>
+void set_parameters(const std::vector<std::string>& assignments, Set set) {
     std::set<std::string> names;
     for (const std::string& assignment : assignments) {
         Parameter parameter = parse_parameter(source("--param", assignment));
         if (!names.insert(parameter.name).second)
             throw InputError("`" + parameter.name + "` is given a value twice", parameter.place);
-        set_parameter(target, std::move(parameter));
+        set(std::move(parameter));
     }
 }
 
@@ -40,14 +40,32 @@ void set_parameters(Target& target, const std::vector<std::string>& assignments)
 
 Tableau tableau_of(const MethodOptions& options) {
     Method method = read_method(options);
-    set_parameters(method, options.parameters);
+    set_parameters(options.parameters,
+                   [&](Parameter parameter) { set_parameter(method, std::move(parameter)); });
     return derive(method);
 }
 
 Coefficients coefficients_of(const std::filesystem::path& file, const MethodOptions& options) {
     Coefficients coefficients = coefficients_from_file(file);
-    set_parameters(coefficients, options.parameters);
+    set_parameters(options.parameters, [&](Parameter parameter) {
+        set_parameter(coefficients, std::move(parameter));
+    });
     return coefficients;
+}
+
+System read_system(const SchemeOptions& options) {
+    Method method = read_method(options.method);
+    const auto names = [](const std::string& option, const std::optional<std::string>& value) {
+        return value ? source(option, *value) : nullptr;
+    };
+    Hamiltonian hamiltonian = hamiltonian_from_text(source("--hamiltonian", options.hamiltonian),
+                                                    names("--coordinates", options.coordinates),
+                                                    names("--momenta", options.momenta));
+    check_together(method, hamiltonian);
+    set_parameters(options.method.parameters, [&](Parameter parameter) {
+        set_parameter(method, hamiltonian, std::move(parameter));
+    });
+    return {std::move(method), std::move(hamiltonian)};
 }
 
 }  // namespace hvi::gen

@@ -5,6 +5,7 @@
 #include "generator/cli/options.hpp"
 #include "generator/exact/tableau.hpp"
 #include "generator/read/coefficients.hpp"
+#include "generator/read/hamiltonian.hpp"
 
 namespace hvi::gen {
 
@@ -14,5 +15,12 @@ namespace hvi::gen {
 /// Reads a tableau in place of a method, and gives its parameters the same values.
 [[nodiscard]] Coefficients coefficients_of(const std::filesystem::path& file,
                                            const MethodOptions& options);
+
+/// A method and a Hamiltonian, read; the parameters of both have their values.
+struct System {
+    Method method;
+    Hamiltonian hamiltonian;
+};
+[[nodiscard]] System read_system(const SchemeOptions& options);
 
 }  // namespace hvi::gen

@@ -28,11 +28,11 @@ constexpr std::string_view method_help = R"help(METHOD is one of
 
 /// Commands and options of CONTRACT.md that later versions have.
 constexpr std::array announced_commands = {
-    std::pair{"scheme", "The equations of a step for a Hamiltonian (to come)"},
     std::pair{"run", "Integrate a scene (to come)"},
     std::pair{"report", "Compare methods on scenes (to come)"},
 };
-constexpr std::array announced_options = {"--hamiltonian", "--coordinates", "--momenta"};
+/// Options of `scheme` that `stepper` will have.
+constexpr std::array hamiltonian_options = {"--hamiltonian", "--coordinates", "--momenta"};
 
 const std::vector<std::string_view> topics = {"", "bases", "nodes", "methods", "scenes"};
 
@@ -101,7 +101,18 @@ void describe(CLI::App& app) {
     add_value(stepper, "--name", "NAME", "Name of the class");
     add_flag(stepper, "--explain", "Say what is solved and what is left out");
     add_value(stepper, "-o,--output", "FILE", "Write to this file");
-    for (const char* option : announced_options) add_value(stepper, option, "TEXT", "To come");
+    for (const char* option : hamiltonian_options) add_value(stepper, option, "TEXT", "To come");
+
+    CLI::App& scheme =
+        *app.add_subcommand("scheme", "Print the equations of a step for a Hamiltonian");
+    add_method(scheme);
+    add_value(scheme, "SCENE", "FILE", "A Hamiltonian system in TOML (to come)");
+    add_value(scheme, "--hamiltonian", "H", "H(q, p), as in \"p^2/2 + w^2*q^2/2\"");
+    add_value(scheme, "--coordinates", "NAMES", "Its coordinates (q, or q1, q2, ... in H)");
+    add_value(scheme, "--momenta", "NAMES", "Their momenta (p, or p1, p2, ...)");
+    add_flag(scheme, "--generating", "Also the generating function, of a quadratic H");
+    add_value(scheme, "--format", "FORMAT", "text, json or latex");
+    add_value(scheme, "-o,--output", "FILE", "Write to this file");
 
     CLI::App& list = *app.add_subcommand("list", "Print what can be named");
     add_value(list, "TOPIC", "TOPIC", "bases, nodes, methods or scenes; all when not given");
@@ -269,7 +280,7 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
 }
 
 StepperOptions stepper_options(const Words& words, const CommandLine& line) {
-    for (const char* option : announced_options)
+    for (const char* option : hamiltonian_options)
         if (!words.values(option).empty()) to_come(option, words.place(option));
     if (const auto scene = words.value("SCENE"))
         to_come("a stepper for a scene", line.place({*scene}));
@@ -279,6 +290,30 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     options.separable = words.flag("--separable");
     options.name = words.value("--name");
     options.explain = words.flag("--explain");
+    options.output = file_option(words, "--output");
+    return options;
+}
+
+SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
+    if (const auto scene = words.value("SCENE"))
+        to_come("the scheme of a scene", line.place({*scene}));
+
+    SchemeOptions options;
+    options.method = method_options(words, line);
+    const auto hamiltonian = words.value("--hamiltonian");
+    if (!hamiltonian)
+        throw InputError("no Hamiltonian is given", line.end(),
+                         "for example --hamiltonian \"p^2/2 + w^2*q^2/2\"");
+    options.hamiltonian = *hamiltonian;
+    options.coordinates = words.value("--coordinates");
+    options.momenta = words.value("--momenta");
+    if (options.coordinates && !options.momenta)
+        throw InputError("--coordinates needs --momenta", words.place("--coordinates"));
+    if (options.momenta && !options.coordinates)
+        throw InputError("--momenta needs --coordinates", words.place("--momenta"));
+    options.generating = words.flag("--generating");
+    options.format =
+        static_cast<SchemeOptions::Format>(words.choice("--format", {"text", "json", "latex"}));
     options.output = file_option(words, "--output");
     return options;
 }
@@ -333,6 +368,7 @@ Request request(const CLI::App& command, const CommandLine& line) {
     if (name == "tableau") return tableau_options(words, line);
     if (name == "check") return check_options(words, line);
     if (name == "stepper") return stepper_options(words, line);
+    if (name == "scheme") return scheme_options(words, line);
     HVI_CHECK(name == "list");
     return list_options(words);
 }

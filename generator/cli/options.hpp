@@ -50,6 +50,17 @@ struct StepperOptions {
     std::optional<std::filesystem::path> output;
 };
 
+struct SchemeOptions {
+    enum class Format { text, json, latex };
+
+    MethodOptions method;  ///< its parameters are those of the Hamiltonian as well
+    std::string hamiltonian;
+    std::optional<std::string> coordinates, momenta;  ///< both or none
+    bool generating = false;                          ///< the generating function of type II too
+    Format format = Format::text;
+    std::optional<std::filesystem::path> output;
+};
+
 struct ListOptions {
     std::string topic;  ///< `bases`, `nodes`, `methods`, `scenes`, or empty for all of them
 };
@@ -59,8 +70,8 @@ struct Information {
     std::string text;
 };
 
-using Request =
-    std::variant<TableauOptions, CheckOptions, StepperOptions, ListOptions, Information>;
+using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
+                             ListOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

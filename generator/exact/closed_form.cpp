@@ -275,6 +275,9 @@ public:
                                   const std::vector<int>& divided_by);
     [[nodiscard]] Expression sum(const std::vector<Term>& terms, const numeric& denominator,
                                  const std::vector<int>& divided_by);
+    /// The same with the terms in their order.
+    [[nodiscard]] Expression ordered_sum(const std::vector<Term>& terms, const numeric& denominator,
+                                         const std::vector<int>& divided_by);
     /// The sum written out, or with what its terms have in common in front; the shorter.
     [[nodiscard]] Expression factored(const std::vector<Term>& terms);
     /// numerator/denominator under one line.
@@ -336,18 +339,23 @@ Expression Writer::term(const Term& term, const numeric& denominator,
     return coefficient.is_negative() ? Expression::negation(std::move(product)) : product;
 }
 
-Expression Writer::sum(const std::vector<Term>& terms, const numeric& denominator,
-                       const std::vector<int>& divided_by) {
+Expression Writer::ordered_sum(const std::vector<Term>& terms, const numeric& denominator,
+                               const std::vector<int>& divided_by) {
     std::vector<Expression> summands;
     for (const Term& summand : terms) {
         summands.push_back(term(summand, denominator, divided_by));
     }
-    // A sum does not begin with a minus sign where it need not: 1-cos(w), not -cos(w)+1.
-    const auto positive = std::find_if(summands.begin(), summands.end(), [](const auto& summand) {
-        return summand.kind != Expression::Kind::negation;
-    });
-    if (positive != summands.end()) std::rotate(summands.begin(), positive, positive + 1);
     return Expression::sum(std::move(summands));
+}
+
+/// A sum does not begin with a minus sign where it need not: 1-cos(w), not -cos(w)+1.
+Expression Writer::sum(const std::vector<Term>& terms, const numeric& denominator,
+                       const std::vector<int>& divided_by) {
+    std::vector<Term> ordered = terms;
+    const auto is_positive = [](const Term& term) { return !is_negative(term); };
+    const auto positive = std::find_if(ordered.begin(), ordered.end(), is_positive);
+    if (positive != ordered.end()) std::rotate(ordered.begin(), positive, positive + 1);
+    return ordered_sum(ordered, denominator, divided_by);
 }
 
 const Expression& shorter(const Expression& left, const Expression& right) {
@@ -393,7 +401,46 @@ Expression Writer::quotient(const Fraction& fraction) {
     return line(flips ? flipped : fraction);
 }
 
+/// The number of a parameter among the transcendental generators, or how many there are.
+std::size_t index_of(const std::string& parameter, const Field* field) {
+    if (field == nullptr) { return 0; }
+    const auto& generators = field->transcendentals();
+    const auto found = std::find_if(generators.begin(), generators.end(), [&](const auto& each) {
+        return each.is_parameter && each.form == Expression::symbol(parameter);
+    });
+    return static_cast<std::size_t>(found - generators.begin());
+}
+
 }  // namespace
+
+Expression expanded_form(const Element& argument, const std::string& parameter) {
+    if (argument.is_zero()) { return Expression::integer(0); }
+    const std::size_t index = index_of(parameter, argument.field());
+    const auto power = [&](const Term& term) {
+        return index < term.powers.size() ? term.powers[index] : 0;
+    };
+    Fraction form = fraction(argument);
+    Writer write(argument.field());
+    const Term& divisor = form.denominator.front();
+    if (form.denominator.size() == 1 && power(divisor) == 0) {
+        std::stable_sort(form.numerator.begin(), form.numerator.end(),
+                         [&](const Term& a, const Term& b) { return power(a) < power(b); });
+        return write.ordered_sum(form.numerator, divisor.coefficient, divisor.powers);
+    }
+    const auto falls = [&](const Term& a, const Term& b) { return power(a) > power(b); };
+    std::stable_sort(form.numerator.begin(), form.numerator.end(), falls);
+    std::stable_sort(form.denominator.begin(), form.denominator.end(), falls);
+    if (is_negative(form.denominator.front())) {
+        negate(form.numerator);
+        negate(form.denominator);
+    }
+    const bool negative = std::all_of(form.numerator.begin(), form.numerator.end(), is_negative);
+    if (negative) { negate(form.numerator); }
+    Expression quotient =
+        Expression::product({write.ordered_sum(form.numerator, 1, {}),
+                             Expression::reciprocal(write.ordered_sum(form.denominator, 1, {}))});
+    return negative ? Expression::negation(std::move(quotient)) : quotient;
+}
 
 int leading_sign(const Element& argument) {
     return fraction(argument).numerator.front().coefficient.is_negative() ? -1 : 1;

@@ -124,4 +124,10 @@ std::optional<Expression> Number::closed_form() const {
     return element == nullptr ? std::nullopt : std::optional(hvi::gen::closed_form(*element));
 }
 
+std::optional<Expression> Number::expanded_form(const std::string& parameter) const {
+    const Element* const element = value().element();
+    if (element == nullptr) { return std::nullopt; }
+    return hvi::gen::expanded_form(*element, parameter);
+}
+
 }  // namespace hvi::gen

@@ -44,6 +44,11 @@ public:
     /// none.
     [[nodiscard]] std::optional<Expression> closed_form() const;
 
+    /// The same as a paper prints a rational function of this parameter: numerator and denominator
+    /// written out by its falling powers, `(h^2+6*h+12)/(h^2-6*h+12)`, and a polynomial by rising
+    /// ones.
+    [[nodiscard]] std::optional<Expression> expanded_form(const std::string& parameter) const;
+
     /// The value correctly rounded (half to even) to so many significant digits, as `0.0193...`
     /// or `1.93...e-20`. Zero is `0`. Precondition: no free parameter.
     [[nodiscard]] std::string decimal(int digits) const;

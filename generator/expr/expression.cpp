@@ -55,6 +55,21 @@ Expression Expression::rational(std::string numerator, std::string denominator) 
     return result;
 }
 
+Expression Expression::decimal(std::string_view text) {
+    if (text.front() == '-') return negation(decimal(text.substr(1)));
+    const std::size_t e = text.find('e');
+    if (e != std::string_view::npos)
+        return product({decimal(text.substr(0, e)),
+                        power(integer(10), integer(std::stol(std::string(text.substr(e + 1)))))});
+    const std::size_t point = text.find('.');
+    if (point == std::string_view::npos) return rational(std::string(text), "1");
+    const std::string_view places = text.substr(point + 1);
+    Expression result = rational(std::string(text.substr(0, point)) + std::string(places),
+                                 "1" + std::string(places.size(), '0'));
+    result.name = text;
+    return result;
+}
+
 Expression Expression::symbol(std::string name) {
     Expression result = make(Kind::symbol, {});
     result.name = std::move(name);
@@ -99,6 +114,16 @@ bool operator==(const Expression& left, const Expression& right) {
     return left.kind == right.kind && left.name == right.name &&
            left.numerator == right.numerator && left.denominator == right.denominator &&
            left.arguments == right.arguments;
+}
+
+Expression renamed(const Expression& expression, const std::map<std::string, std::string>& names) {
+    Expression result = expression;
+    if (result.kind == Kind::symbol) {
+        const auto found = names.find(result.name);
+        if (found != names.end()) result.name = found->second;
+    }
+    for (Expression& argument : result.arguments) argument = renamed(argument, names);
+    return result;
 }
 
 }  // namespace hvi::gen

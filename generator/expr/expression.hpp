@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/support/error.hpp"
@@ -12,14 +14,14 @@ namespace hvi::gen {
 /// A mathematical expression. Sums and products are flat, a difference is a sum with a negation in
 /// it and a quotient a product with a reciprocal in it, so that a long text does not make a deep
 /// tree. Invariants: `number` has digits in `numerator` and `denominator` (no sign, denominator not
-/// zero, lowest terms not required); `symbol` and `call` have a `name`; `sum` and `product` have at
-/// least two arguments; `negation` and `reciprocal` have one; `power` has two (base, exponent);
-/// `call` has one or more.
+/// zero, lowest terms not required), and in `name` what it is written as where that is a decimal;
+/// `symbol` and `call` have a `name`; `sum` and `product` have at least two arguments; `negation`
+/// and `reciprocal` have one; `power` has two (base, exponent); `call` has one or more.
 struct Expression {
     enum class Kind { number, symbol, sum, product, negation, reciprocal, power, call };
 
     Kind kind = Kind::number;
-    std::string name;               ///< symbol, call
+    std::string name;               ///< symbol, call; of a number, see above
     std::string numerator = "0";    ///< number
     std::string denominator = "1";  ///< number
     std::vector<Expression> arguments;
@@ -27,6 +29,9 @@ struct Expression {
 
     [[nodiscard]] static Expression integer(long value);  ///< a negation when value < 0
     [[nodiscard]] static Expression rational(std::string numerator, std::string denominator);
+    /// A number that is to be written as a decimal: `0.25`, `-1.5e-20` (a product with a power of
+    /// ten).
+    [[nodiscard]] static Expression decimal(std::string_view text);
     [[nodiscard]] static Expression symbol(std::string name);
     /// Of no term it is 0, of one the term itself; sums among the terms are flattened.
     [[nodiscard]] static Expression sum(std::vector<Expression> terms);
@@ -45,8 +50,13 @@ struct Expression {
 /// precedence asks for them. `1/6-5*sqrt(2)/48`, `(pi-2)/(2*pi)`, `cos(2*pi*tau)`.
 [[nodiscard]] std::string to_text(const Expression& expression);
 
+/// The expression with other names for its symbols; those that are no key keep theirs.
+[[nodiscard]] Expression renamed(const Expression& expression,
+                                 const std::map<std::string, std::string>& names);
+
 /// The expression in LaTeX's mathematics: `\frac{\pi - 2}{2\pi}`, `\sin\left(w/3\right)`. Names of
-/// Greek letters become these letters, and `w_1` and `w1` an indexed w.
+/// Greek letters become these letters, `w_1` and `w1` an indexed w, and `w1_max` one with two
+/// indices. A name with a brace in it is LaTeX already.
 [[nodiscard]] std::string to_latex(const Expression& expression);
 
 }  // namespace hvi::gen

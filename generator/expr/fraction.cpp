@@ -13,6 +13,10 @@ void collect(const Expression& expression, bool inverted, Fraction& fraction) {
     std::vector<Factor>& there = inverted ? fraction.above : fraction.below;
     switch (expression.kind) {
     case Expression::Kind::number:
+        if (!expression.name.empty()) {
+            here.emplace_back(std::string_view(expression.name));
+            break;
+        }
         if (expression.numerator != "1") here.emplace_back(std::string_view(expression.numerator));
         if (expression.denominator != "1")
             there.emplace_back(std::string_view(expression.denominator));

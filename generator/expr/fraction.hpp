@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// An integer by its digits, or a sum, symbol, power or call.
+/// An integer or a decimal by its digits, or a sum, symbol, power or call.
 using Factor = std::variant<std::string_view, const Expression*>;
 
 /// Sign and factors of an expression; factors of 1 are left out, so that no factor means 1.

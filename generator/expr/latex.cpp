@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "generator/expr/fraction.hpp"
 #include "generator/expr/functions.hpp"
@@ -42,16 +43,33 @@ std::string word_latex(std::string_view word) {
     return "\\mathit{" + escaped + "}";
 }
 
-/// `w1` and `w_1` are w with an index.
-std::string symbol_latex(std::string_view name) {
-    std::size_t end = name.find('_', 1);
-    std::size_t index = end == std::string_view::npos ? end : end + 1;
-    if (end == std::string_view::npos) {
-        end = name.find_last_not_of("0123456789") + 1;
-        index = end;
+/// The parts of a name that `_` separates; digits at the end of the first are a part of their own.
+/// Only the name itself when one of them is empty.
+std::vector<std::string_view> words_of(std::string_view name) {
+    std::vector<std::string_view> words;
+    for (std::size_t begin = 0; begin <= name.size();) {
+        const std::size_t end = std::min(name.find('_', begin), name.size());
+        words.push_back(name.substr(begin, end - begin));
+        begin = end + 1;
     }
-    if (index >= name.size()) return word_latex(name);
-    return word_latex(name.substr(0, end)) + "_{" + word_latex(name.substr(index)) + "}";
+    const std::size_t digits = words.front().find_last_not_of("0123456789") + 1;
+    if (digits != 0 && digits < words.front().size()) {
+        words.insert(words.begin() + 1, words.front().substr(digits));
+        words.front() = words.front().substr(0, digits);
+    }
+    const bool whole =
+        std::any_of(words.begin(), words.end(), [](std::string_view word) { return word.empty(); });
+    return whole ? std::vector{name} : words;
+}
+
+/// `w1` and `w_1` are w with an index, `w1_max` is w with two.
+std::string symbol_latex(std::string_view name) {
+    if (name.find('{') != std::string_view::npos) return std::string(name);
+    const std::vector<std::string_view> words = words_of(name);
+    std::string indices;
+    for (std::size_t k = 1; k < words.size(); ++k)
+        indices += (indices.empty() ? "" : ",") + word_latex(words[k]);
+    return word_latex(words.front()) + (indices.empty() ? "" : "_{" + indices + "}");
 }
 
 std::string call_latex(const Expression& call, const std::string& exponent = {}) {

@@ -1,6 +1,7 @@
 // Expressions as text that the reader takes back.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cstddef>
+#include <variant>
 
 #include "generator/expr/fraction.hpp"
 
@@ -10,17 +11,31 @@ namespace {
 
 std::string parenthesised(const std::string& text) { return "(" + text + ")"; }
 
-/// A base must be a single word: `2`, `x`, `sin(x)`; all else gets parentheses.
+/// Whether it is written as `2`, `x` or `sin(x)`.
+bool is_word(const Fraction& fraction) {
+    if (fraction.negative || !fraction.is_simple()) return false;
+    if (fraction.above.empty()) return true;
+    const Factor& factor = fraction.above.front();
+    return std::holds_alternative<std::string_view>(factor) ||
+           get_if_kind(factor, Expression::Kind::symbol) != nullptr ||
+           get_if_kind(factor, Expression::Kind::call) != nullptr;
+}
+
+/// The sum that the fraction is, like `1*(a+b)`, which needs no parentheses; or null.
+const Expression* lone_sum(const Fraction& fraction) {
+    const bool lone = !fraction.negative && fraction.below.empty() && fraction.above.size() == 1;
+    return lone ? get_if_kind(fraction.above.front(), Expression::Kind::sum) : nullptr;
+}
+
+/// A base must be a single word; all else gets parentheses.
 std::string base_text(const Expression& base) {
-    const bool word = base.kind == Expression::Kind::symbol ||
-                      base.kind == Expression::Kind::call ||
-                      (base.kind == Expression::Kind::number && base.denominator == "1");
-    return word ? to_text(base) : parenthesised(to_text(base));
+    return is_word(as_fraction(base)) ? to_text(base) : parenthesised(to_text(base));
 }
 
 /// `^` binds to the right and takes a sign, so that `2^-x^2` needs no parentheses.
 std::string exponent_text(const Expression& exponent) {
-    const bool simple = exponent.kind != Expression::Kind::sum && as_fraction(exponent).is_simple();
+    const Fraction fraction = as_fraction(exponent);
+    const bool simple = fraction.is_simple() && lone_sum(fraction) == nullptr;
     return simple ? to_text(exponent) : parenthesised(to_text(exponent));
 }
 
@@ -61,12 +76,9 @@ std::string fraction_text(const Fraction& fraction) {
 std::string sum_text(const Expression& sum) {
     std::string text;
     for (const Expression& term : sum.arguments) {
-        const Fraction fraction = as_fraction(term);
-        if (fraction.negative)
-            text += "-";
-        else if (!text.empty())
-            text += "+";
-        text += fraction_text(fraction);
+        const std::string next = to_text(term);
+        if (!text.empty() && next.front() != '-') text += "+";
+        text += next;
     }
     return text;
 }
@@ -76,6 +88,7 @@ std::string sum_text(const Expression& sum) {
 std::string to_text(const Expression& expression) {
     if (expression.kind == Expression::Kind::sum) return sum_text(expression);
     const Fraction fraction = as_fraction(expression);
+    if (const Expression* sum = lone_sum(fraction)) return sum_text(*sum);
     return (fraction.negative ? "-" : "") + fraction_text(fraction);
 }
 

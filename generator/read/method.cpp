@@ -173,6 +173,16 @@ std::vector<std::string> parameter_names(const Method& method) {
     return {names.begin(), names.end()};
 }
 
+void assign(std::vector<Parameter>& parameters, Parameter parameter) {
+    const auto same = std::find_if(parameters.begin(), parameters.end(), [&](const auto& other) {
+        return other.name == parameter.name;
+    });
+    if (same == parameters.end())
+        parameters.push_back(std::move(parameter));
+    else
+        *same = std::move(parameter);
+}
+
 void set_parameter(std::vector<Parameter>& values, const std::vector<std::string>& names,
                    Parameter parameter, std::string_view subject) {
     if (std::find(names.begin(), names.end(), parameter.name) == names.end()) {
@@ -183,13 +193,7 @@ void set_parameter(std::vector<Parameter>& values, const std::vector<std::string
                          parameter.place,
                          did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));
     }
-    const auto same = std::find_if(values.begin(), values.end(), [&](const Parameter& other) {
-        return other.name == parameter.name;
-    });
-    if (same == values.end())
-        values.push_back(std::move(parameter));
-    else
-        *same = std::move(parameter);
+    assign(values, std::move(parameter));
 }
 
 std::string parameter_option(const Parameter& parameter) {

@@ -61,6 +61,9 @@ struct Method {
 /// The symbols of a method that are parameters, with a value or without, sorted.
 [[nodiscard]] std::vector<std::string> parameter_names(const Method& method);
 
+/// Adds a parameter, in place of one of the same name.
+void assign(std::vector<Parameter>& parameters, Parameter parameter);
+
 /// Gives a value to a symbol of the method, in place of one that it has, and adds that to the
 /// method's origin. Throws InputError when the method has no such symbol.
 void set_parameter(Method& method, Parameter parameter);

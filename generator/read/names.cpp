@@ -47,9 +47,9 @@ bool is_reserved(std::string_view name) {
     return find_reserved(name) != nullptr || find_function(name) != nullptr;
 }
 
-void check_parameter_name(const std::string& name, const Place& place) {
+void check_parameter_name(const std::string& name, const Place& place, std::string_view subject) {
     if (!is_name(name))
-        throw InputError(fmt::format("`{}` is no name for a parameter", name), place,
+        throw InputError(fmt::format("`{}` is no name for {}", name, subject), place,
                          "a name is a letter followed by letters, digits and `_`");
     if (const Reserved* reserved = find_reserved(name))
         throw InputError(fmt::format("`{}` is reserved: it is {}", name, reserved->meaning), place,

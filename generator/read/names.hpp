@@ -18,8 +18,9 @@ namespace hvi::gen {
 [[nodiscard]] bool is_reserved(std::string_view name);
 
 /// Throws InputError at `place`, with a name to use instead, unless `name` is a letter followed by
-/// letters, digits and `_`, and is not reserved.
-void check_parameter_name(const std::string& name, const Place& place);
+/// letters, digits and `_`, and is not reserved. `subject` is what it would name.
+void check_parameter_name(const std::string& name, const Place& place,
+                          std::string_view subject = "a parameter");
 
 /// Calls `visit` for the expression and everything in it. When `visit` returns false for an
 /// expression, what is inside it is left out.

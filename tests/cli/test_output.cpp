@@ -42,6 +42,7 @@ TEST_CASE("help and version go to standard output") {
                                                {"-h"},
                                                {"tableau", "--help"},
                                                {"stepper", "--help"},
+                                               {"scheme", "--help"},
                                                {"list", "--help"},
                                                {"--version"}}) {
         const Outcome outcome = hvi_gen(words);
@@ -74,6 +75,77 @@ TEST_CASE("the same input gives the same bytes") {
         same_every_time({"check", "--method", "trig3", "--format", format});
     same_every_time({"stepper", "--basis", "1, cos(w*tau), sin(w*tau)", "--nodes", "gauss:3"});
     same_every_time({"list"});
+    for (const std::string format : {"text", "json", "latex"}) {
+        same_every_time({"scheme", "--method", "trig3", "--generating", "--format", format,
+                         "--hamiltonian", "a*p^2 + b*q*p + c*q^2 + d*q"});
+        same_every_time({"scheme", "--method", "lobatto:3", "--format", format, "--hamiltonian",
+                         "(q1-q2)^3*(q2-q3)^2*exp((q3-q1)*p1)/(b*q2-a*q3)^4 - log(p2+sin(q1*q3))"});
+    }
+}
+
+TEST_CASE("scheme prints the maps of Section 6") {
+    const auto printed = [](const std::string& method, const std::string& H) {
+        const std::string text =
+            same_every_time({"scheme", "--method", method, "--hamiltonian", H});
+        return text.substr(text.find("\n q' = ") + 1);
+    };
+    CHECK(printed("chebyshev:3", "q*p") ==  // (6.2)
+          " q' = -(h^3+10*h^2+48*h+96)*q/(h^3-10*h^2+48*h-96)\n"
+          " p' = (-h^3+10*h^2-48*h+96)*p/(h^3+10*h^2+48*h+96)\n");
+    CHECK(printed("gauss:2", "q*p") ==  // (6.3)
+          " q' = (h^2+6*h+12)*q/(h^2-6*h+12)\n p' = (h^2-6*h+12)*p/(h^2+6*h+12)\n");
+    CHECK(printed("chebyshev:3", "p^2/2 + w^2*q^2/2") ==  // (6.5)
+          R"( q' = (-h^6*w^6+228*h^4*w^4-4320*h^2*w^2+9216)*q/(h^6*w^6-12*h^4*w^4+288*h^2*w^2
+      +9216)
+      +(36*h^5*w^4-1248*h^3*w^2+9216*h)*p/(h^6*w^6-12*h^4*w^4+288*h^2*w^2+9216)
+ p' = (-12*h^5*w^6+1248*h^3*w^4-9216*h*w^2)*q/(h^6*w^6-12*h^4*w^4+288*h^2*w^2
+      +9216)
+      +(-h^6*w^6+228*h^4*w^4-4320*h^2*w^2+9216)*p/(h^6*w^6-12*h^4*w^4
+      +288*h^2*w^2+9216)
+)");
+    CHECK(printed("gauss:2", "(p^2+w^2*q^2)/2") ==  // (6.6)
+          R"( q' = (h^4*w^4-60*h^2*w^2+144)*q/(h^4*w^4+12*h^2*w^2+144)
+      +(-12*h^3*w^2+144*h)*p/(h^4*w^4+12*h^2*w^2+144)
+ p' = (12*h^3*w^4-144*h*w^2)*q/(h^4*w^4+12*h^2*w^2+144)
+      +(h^4*w^4-60*h^2*w^2+144)*p/(h^4*w^4+12*h^2*w^2+144)
+)");
+}
+
+TEST_CASE("scheme in the words of CONTRACT.md") {
+    const Directory directory;
+    const std::vector<std::string> words = {"scheme",
+                                            "--method",
+                                            "gauss:2",
+                                            "--hamiltonian",
+                                            "p^2/2 + w^2*q^2/2",
+                                            "--coordinates",
+                                            "q",
+                                            "--momenta",
+                                            "p",
+                                            "--param",
+                                            "w=1",
+                                            "--format",
+                                            "json",
+                                            "-o",
+                                            "map.json"};
+    const Outcome outcome = hvi_gen(words, directory.path());
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.out.empty());
+    const std::string json = contents(directory / "map.json");
+    for (const std::string part :
+         {"\"schema\": \"hvi-scheme/1\"", "\"variables\": [\n    \"q\",\n    \"p\"\n  ]",
+          "\"parameters\": []", "\"w\": \"1\"", "\"(h^4-60*h^2+144)/(h^4+12*h^2+144)\"",
+          "\"stages\": null"})
+        CHECK(json.find(part) != std::string::npos);
+    const std::string pendulum = same_every_time(
+        {"scheme", "--method", "stormer-verlet", "--hamiltonian", "p^2/2 - cos(q)"});
+    CHECK(pendulum.find(" P_1 = p-h*sin(Q_1)/2\n") != std::string::npos);
+    const std::string generating =
+        same_every_time({"scheme", "--generating", "--method", "gauss:2", "--hamiltonian", "q*p"});
+    CHECK(generating.find(" H_d^+ = (h^2+6*h+12)*q*p'/(h^2-6*h+12)\n") != std::string::npos);
+    CHECK(generating.find(" H_d,exact^+ = exp(h)*q*p'\n") != std::string::npos);
+    CHECK(generating.find("O(h^5)\n") != std::string::npos);
 }
 
 TEST_CASE("check says what a method can do") {

@@ -1,5 +1,6 @@
 // Every refusal of CONTRACT.md: its status, its message, and that nothing else is written.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <sstream>
 
 #include <catch2/catch.hpp>
@@ -255,7 +256,7 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "0", {"check", "--method", "gauss:2", "--max-order", "0"}},
         {2, "latex", {"check", "--method", "gauss:2", "--format", "latex"}},
         {2, "", {"check", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--plot", "x.svg"}},
-        {2, "scheme", {"scheme", "--method", "gauss:2", "--hamiltonian", "p^2/2"}},
+        {2, "scene.toml", {"scheme", "--method", "gauss:2", "scene.toml"}},
         {2, "run", {"run", "kepler"}},
         {2, "report", {"report", "kepler"}},
         {2, "scene.toml", {"stepper", "--method", "gauss:2", "scene.toml"}},
@@ -292,6 +293,65 @@ TEST_CASE("a tableau that cannot be read: status 2, and the line") {
         " \"b\": [1.3512071919596578, -0.3512071919596578],"
         " \"c\": [0.67560359597982889, 1.1756035959798289]}";
     CHECK(refused(some_digits, {"--plot", "p.svg"}).status == 1);
+}
+
+TEST_CASE("a Hamiltonian that cannot be read, or that mathematics forbids") {
+    const std::vector<Refusal> refusals = {
+        // the words of the command
+        {2, "", {}},
+        {2, "--hamiltonian", {"--hamiltonian", "q*p", "--hamiltonian", "q"}},
+        {2, "--hamiltonian", {"--hamiltonian"}},
+        {2, "--hamiltonian", {"--hamiltonian", "--generating"}},
+        {2, "--coordinates", {"--hamiltonian", "x*p", "--coordinates", "x"}},
+        {2, "--momenta", {"--hamiltonian", "x*p", "--momenta", "p"}},
+        {2, "--generating=maybe", {"--hamiltonian", "q*p", "--generating=maybe"}},
+        {2, "markdown", {"--hamiltonian", "q*p", "--format", "markdown"}},
+        {2, "-o", {"--hamiltonian", "q*p", "-o"}},
+        {2, "kepler", {"--hamiltonian", "q*p", "kepler"}},
+        {2, "kepler", {"kepler", "--hamiltonian", "q*p"}},
+        // each option right before a word that it must leave alone
+        {2, "kepler", {"--hamiltonian", "q*p", "--coordinates", "q", "--momenta", "p", "kepler"}},
+        {2, "kepler", {"--hamiltonian", "q*p", "--format", "json", "kepler"}},
+        {2, "kepler", {"--hamiltonian", "q*p", "--generating", "kepler"}},
+        {2, "kepler", {"--hamiltonian", "q*p", "-o", "new", "kepler"}},
+        {2, "kepler", {"--hamiltonian", "w*q*p", "--param", "w=1", "kepler"}},
+        // names
+        {2, "x^2", {"--hamiltonian", "x^2"}},
+        {2, "pi", {"--hamiltonian", "q*p", "--coordinates", "pi", "--momenta", "p"}},
+        {2, "h", {"--hamiltonian", "h*q*p"}},
+        {2, "t", {"--hamiltonian", "q*p + t*q"}},
+        {2, "x", {"--hamiltonian", "x*p", "--coordinates", "x, y, x", "--momenta", "p, r, s"}},
+        {2, "x", {"--hamiltonian", "x*p", "--coordinates", "x", "--momenta", "x"}},
+        {2, "px", {"--hamiltonian", "x*px", "--coordinates", "x, y", "--momenta", "px"}},
+        {2, "[", {"--hamiltonian", "x[1]", "--coordinates", "x[1..6]", "--momenta", "p[1..6]"}},
+        // values
+        {2, "v", {"--hamiltonian", "w*q*p", "--param", "v=1"}},
+        {2, "q", {"--hamiltonian", "w*q*p", "--param", "q=1"}},
+        {2, "w", {"--hamiltonian", "w*q*p", "--param", "w=1", "--param", "w=2"}},
+        {2, "p", {"--hamiltonian", "w*q*p", "--param", "w=p"}},
+        // what stands in H
+        {2, "(", {"--hamiltonian", "p^2/2 + cos(q"}},
+        {2, "coz", {"--hamiltonian", "p^2/2 + coz(q)"}},
+        {2, "0", {"--hamiltonian", "p^2/2 + q/0"}},
+        {2, "1e9", {"--hamiltonian", "q^1e9"}},
+        {2, "", {"--hamiltonian", std::string(100000, '(')}},
+        {2, "", {"--hamiltonian", "q + \x1b[31m"}},
+        {1, "sqrt(-2)", {"--hamiltonian", "p^2/2 + sqrt(-2)*q"}},
+        {1, "p^2/2 - cos(q)", {"--generating", "--hamiltonian", "p^2/2 - cos(q)"}},
+    };
+    for (const Refusal& refusal : refusals) {
+        std::vector<std::string> words = {"scheme", "--method", "gauss:2"};
+        words.insert(words.end(), refusal.words.begin(), refusal.words.end());
+        check_refused(refusal, words);
+        if (std::find(words.begin(), words.end(), "-o") != words.end()) continue;
+        words.insert(words.begin() + 1, {"-o", "old.hpp"});
+        check_refused(refusal, words);
+    }
+    check_refused({2, "", {}}, {"scheme", "--hamiltonian", "q*p"});
+    check_refused({2, "q", {}}, {"scheme", "--basis", "1, cos(q*tau)", "--nodes", "0, 1",
+                                 "--hamiltonian", "q*p"});
+    check_refused({1, "chebyshev:8", {}},
+                  {"scheme", "--method", "chebyshev:8", "--hamiltonian", "q*p"});
 }
 
 TEST_CASE("a stepper takes one free parameter, in its place: status 2") {

@@ -102,6 +102,39 @@ TEST_CASE("an algebraic number has a rational denominator") {
     }
 }
 
+TEST_CASE("rational functions of h are written out as in Section 6") {
+    const auto expanded = [](const std::string& given) {
+        return to_text(*number(given).expanded_form("h"));
+    };
+    // (6.2)
+    CHECK(expanded("(1+h/2+5*h^2/48+h^3/96)/(1-h/2+5*h^2/48-h^3/96)") ==
+          "-(h^3+10*h^2+48*h+96)/(h^3-10*h^2+48*h-96)");
+    CHECK(expanded("(1-h/2+5*h^2/48-h^3/96)/(1+h/2+5*h^2/48+h^3/96)") ==
+          "(-h^3+10*h^2-48*h+96)/(h^3+10*h^2+48*h+96)");
+    // (6.3)
+    CHECK(expanded("(1+h/2+h^2/12)/(1-h/2+h^2/12)") == "(h^2+6*h+12)/(h^2-6*h+12)");
+    // (6.5), (6.6)
+    CHECK(
+        expanded("(9216-w^6*h^6+228*h^4*w^4-4320*(h*w)^2)/(h^6*w^6-12*h^4*w^4+288*h^2*w^2+9216)") ==
+        "(-h^6*w^6+228*h^4*w^4-4320*h^2*w^2+9216)/(h^6*w^6-12*h^4*w^4+288*h^2*w^2+9216)");
+    CHECK(expanded("12*h*(12-h^2*w^2)/(h^4*w^4+12*h^2*w^2+144)") ==
+          "(-12*h^3*w^2+144*h)/(h^4*w^4+12*h^2*w^2+144)");
+    // other letters, which stand before h in the alphabet
+    CHECK(expanded("(a^3+a*h^2-b^5*h)/(a+h)") == "(a*h^2-b^5*h+a^3)/(h+a)");
+    CHECK(expanded("1/(a+b)") == "1/(a+b)");
+    CHECK(expanded("1/(a-h)") == "-1/(h-a)");
+    CHECK(expanded("(b-h)/(a-h)") == "(h-b)/(h-a)");
+    CHECK(expanded("(h+pi)/(pi*h^2-1)") == "(h+pi)/(h^2*pi-1)");
+    // polynomials
+    CHECK(expanded("1-h^2*w^2/2") == "1-h^2*w^2/2");
+    CHECK(expanded("h^3*w^4/4-h*w^2") == "-h*w^2+h^3*w^4/4");
+    CHECK(expanded("(h+1)/m") == "1/m+h/m");
+    CHECK(expanded("0") == "0");
+    CHECK(expanded("-3/4") == "-3/4");
+    CHECK(expanded("sqrt(2)*h/(1+h)") == "h*sqrt(2)/(h+1)");
+    CHECK_FALSE(number("log(pi)").expanded_form("h"));
+}
+
 TEST_CASE("what has no closed form says so") {
     CHECK(normal("cos(pi/11)") == "none");
     CHECK(normal("log(pi)") == "none");

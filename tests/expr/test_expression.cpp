@@ -47,6 +47,31 @@ TEST_CASE("broken invariants are refused") {
     CHECK_THROWS_AS(Expression::call("sin", {}), InternalError);
 }
 
+TEST_CASE("decimals are written as they were given") {
+    const auto check = [](const std::string& text, const std::string& latex) {
+        const Expression x = Expression::symbol("x");
+        CHECK(to_text(Expression::product({Expression::decimal(text), x})) == text + "*x");
+        CHECK(to_latex(Expression::decimal(text)) == latex);
+    };
+    check("0.25", "0.25");
+    check("-12.50", "-12.50");
+    check("3", "3");
+    const Expression small = Expression::decimal("-1.5e-20");
+    CHECK(to_text(small) == "-1.5*10^-20");
+    CHECK(to_latex(small) == R"(-1.5 \cdot 10^{-20})");
+    CHECK(Expression::decimal("0.25").numerator == "025");
+    CHECK(Expression::decimal("0.25").denominator == "100");
+    CHECK_THROWS_AS(Expression::decimal("0.2x"), InternalError);
+}
+
+TEST_CASE("symbols get other names, all at once") {
+    const Expression x = Expression::symbol("x"), y = Expression::symbol("y");
+    const Expression sum =
+        Expression::sum({x, Expression::call("sin", {y}), Expression::power(y, x)});
+    CHECK(to_text(renamed(sum, {{"x", "y"}, {"y", "x"}, {"sin", "cos"}})) == "y+sin(x)+x^y");
+    CHECK(renamed(sum, {}) == sum);
+}
+
 TEST_CASE("functions are found by name") {
     REQUIRE(find_function("bspline") != nullptr);
     CHECK(find_function("bspline")->arguments == 2);

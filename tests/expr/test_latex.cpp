@@ -54,7 +54,11 @@ TEST_CASE("names") {
     CHECK(latex("w_1") == "w_{1}");
     CHECK(latex("ecc") == R"(\mathit{ecc})");
     CHECK(latex("omega_max") == R"(\omega_{\mathit{max}})");
-    CHECK(latex("a_b_c") == R"(a_{\mathit{b\_c}})");
+    CHECK(latex("a_b_c") == "a_{b,c}");
+    CHECK(latex("q12_3") == "q_{12,3}");
+    CHECK(latex("p_theta_n") == R"(p_{\theta,n})");
+    CHECK(latex("a__b") == R"(\mathit{a\_\_b})");
     CHECK(latex("_") == R"(\mathit{\_})");
+    CHECK(to_latex(Expression::symbol("q_{n+1}")) == "q_{n+1}");
     CHECK(latex("w_") == R"(\mathit{w\_})");
 }

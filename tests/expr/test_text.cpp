@@ -25,6 +25,12 @@ TEST_CASE("a text in its shortest form comes back as it was") {
 TEST_CASE("parentheses and blanks that mean nothing are left out, and signs come first") {
     CHECK(reprinted(" ( a + ( b + c ) ) ") == "a+b+c");
     CHECK(reprinted("a*(b*c)") == "a*b*c");
+    CHECK(reprinted("1*(a+b)") == "a+b");
+    CHECK(reprinted("a+1*(b+c)-1*(b+c)") == "a+b+c-(b+c)");
+    CHECK(reprinted("a+1/(1/(-b+c))") == "a-b+c");
+    CHECK(reprinted("(1*x)^2+(--y)^2+(1/1)^n") == "x^2+y^2+1^n");
+    CHECK(reprinted("sin(1*(a+b))") == "sin(a+b)");
+    CHECK(reprinted("2^(1*(a+b))*2^-(a+b)") == "2^(a+b)*2^-(a+b)");
     CHECK(reprinted("a/b/c") == "a/(b*c)");
     CHECK(reprinted("a/(b/c)") == "a*c/b");
     CHECK(reprinted("a*-b") == "-a*b");

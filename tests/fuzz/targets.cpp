@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "generator/read/coefficients.hpp"
+#include "generator/read/hamiltonian.hpp"
 #include "generator/read/method.hpp"
 
 namespace hvi::gen::fuzz {
@@ -116,6 +117,25 @@ void coefficients(std::string_view bytes) {
         });
         static_cast<void>(parameter_names(result));
         require(result.origin.find('\n') == std::string::npos, "an origin of several lines");
+    });
+}
+
+void hamiltonian(std::string_view bytes) {
+    const std::size_t first = std::min(bytes.find('\n'), bytes.size());
+    const std::size_t second = std::min(bytes.find('\n', first + 1), bytes.size());
+    const auto text = source(bytes.substr(0, first));
+    const bool named = second < bytes.size();
+    attempt([&] {
+        const Hamiltonian H =
+            named ? hamiltonian_from_text(text, source(bytes.substr(first + 1, second - first - 1)),
+                                          source(bytes.substr(second + 1)))
+                  : hamiltonian_from_text(text);
+        check_ranges(H.expression, *text);
+        check_printing(H.expression);
+        require(H.coordinates.size() == H.momenta.size(), "a variable without its partner");
+        require(H.degrees_of_freedom() > 0, "no variables");
+        require(parameter_names(H).size() <= 64, "too many parameters");
+        require(H.origin.find('\n') == std::string::npos, "an origin of several lines");
     });
 }
 

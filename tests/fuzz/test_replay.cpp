@@ -35,6 +35,7 @@ TEST_CASE("names") { replay("name", fuzz::name); }
 TEST_CASE("parameters") { replay("parameter", fuzz::parameter); }
 TEST_CASE("method files") { replay("method_file", fuzz::method_file); }
 TEST_CASE("coefficients") { replay("coefficients", fuzz::coefficients); }
+TEST_CASE("Hamiltonians") { replay("hamiltonian", fuzz::hamiltonian); }
 
 TEST_CASE("inputs too large for the corpus") {
     for (const std::string piece :
@@ -45,6 +46,8 @@ TEST_CASE("inputs too large for the corpus") {
             CHECK_NOTHROW(fuzz::expression(text.substr(0, size)));
             CHECK_NOTHROW(fuzz::list(text.substr(0, size)));
             CHECK_NOTHROW(fuzz::name(text.substr(0, size)));
+            CHECK_NOTHROW(fuzz::hamiltonian(text.substr(0, size)));
+            CHECK_NOTHROW(fuzz::hamiltonian("x\n" + text.substr(0, size) + "\np"));
             CHECK_NOTHROW(fuzz::method_file("basis = \"" + text.substr(0, size) + "\"\nnodes = 0"));
             CHECK_NOTHROW(fuzz::coefficients("{\"A\":[[\"" + text.substr(0, size) +
                                              "\"]],\"b\":[1],\"c\":[0]}"));

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/equations/stage_equations.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "generator/exact/rational.hpp"
+#include "generator/expr/fraction.hpp"
+#include "generator/hamiltonian/gradient.hpp"
+#include "generator/read/names.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr int digits = 20;  ///< of a coefficient without a closed form
+
+using Names = std::map<std::string, std::string>;
+
+std::set<std::string> symbols_in(const Expression& expression) {
+    std::set<std::string> names;
+    walk(expression, [&](const Expression& part) {
+        if (part.kind == Expression::Kind::symbol) names.insert(part.name);
+        return true;
+    });
+    return names;
+}
+
+bool occurs_in(const std::string& symbol, const std::vector<Expression>& expressions) {
+    return std::any_of(expressions.begin(), expressions.end(), [&](const Expression& expression) {
+        return symbols_in(expression).count(symbol) != 0;
+    });
+}
+
+/// The ways to call the values of a variable in the stages, the best first, without the index.
+std::string stem(const std::string& variable, std::size_t attempt) {
+    if (attempt > 0) {
+        std::string result = variable;
+        while (--attempt > 0) result += "_stage";
+        return result;
+    }
+    std::string capital = variable;
+    if ('a' <= capital[0] && capital[0] <= 'z') capital[0] = static_cast<char>(capital[0] - 32);
+    return capital;
+}
+
+/// For each stage, the names of the variables' values there: Q_1 for q, but q_1 where H has Q or
+/// Q_1 already, and q_stage_1 where that is taken too.
+std::vector<Names> stage_names(const Hamiltonian& H, std::size_t stages) {
+    std::set<std::string> taken = symbols_in(H.expression);
+    const std::vector<std::string> all = variables(H);
+    taken.insert(all.begin(), all.end());
+    for (std::size_t attempt = 0;; ++attempt) {
+        std::vector<Names> names(stages);
+        std::set<std::string> used = taken;
+        bool distinct = true;
+        for (std::size_t i = 0; i < stages; ++i) {
+            for (const std::string& variable : all) {
+                names[i][variable] = stem(variable, attempt) + "_" + std::to_string(i + 1);
+                distinct = used.insert(names[i][variable]).second && distinct;
+            }
+        }
+        if (distinct) return names;
+    }
+}
+
+/// A row of coefficients: the numbers and what is written for them, nothing for zero.
+struct Row {
+    NumberVector numbers;
+    std::vector<std::optional<Expression>> written;
+};
+
+bool is_zero(const Number& number) { return number.known_zero().value_or(false); }
+
+bool is_negative(const Expression& term) { return as_fraction(term).negative; }
+
+/// An expression as (+-1) * number * rest.
+struct Split {
+    bool negative = false;
+    Expression number = Expression::integer(1);
+    Expression rest = Expression::integer(1);
+};
+
+Split split(const Expression& expression) {
+    Split result;
+    if (expression.kind == Expression::Kind::negation) {
+        result = split(expression.arguments[0]);
+        result.negative = !result.negative;
+    } else if (expression.kind == Expression::Kind::number) {
+        result.number = expression;
+    } else if (expression.kind == Expression::Kind::product &&
+               expression.arguments[0].kind == Expression::Kind::number) {
+        result.number = expression.arguments[0];
+        result.rest =
+            Expression::product({expression.arguments.begin() + 1, expression.arguments.end()});
+    } else {
+        result.rest = expression;
+    }
+    return result;
+}
+
+/// The product of what is not 1.
+Expression product(std::vector<Expression> factors) {
+    const auto is_one = [](const Expression& factor) { return factor == Expression::integer(1); };
+    factors.erase(std::remove_if(factors.begin(), factors.end(), is_one), factors.end());
+    return Expression::product(std::move(factors));
+}
+
+Expression with_sign(bool negative, Expression expression) {
+    return negative ? Expression::negation(std::move(expression)) : expression;
+}
+
+/// The value of an Expression::Kind::number, where it is small.
+std::optional<Number> small_number(const Expression& expression) {
+    constexpr std::size_t most_digits = 18;
+    if (expression.numerator.size() > most_digits || expression.denominator.size() > most_digits)
+        return std::nullopt;
+    return Number(std::stol(expression.numerator)) / Number(std::stol(expression.denominator));
+}
+
+class Writer {
+public:
+    Writer(const Tableau& tableau, const Hamiltonian& H)
+        : H_(H), gradient_(gradient(H)), names_(stage_names(H, tableau.stages())) {
+        for (const NumberVector& row : tableau.A) A_.push_back(written(row));
+        for (const NumberVector& row : tableau.A_tilde) A_tilde_.push_back(written(row));
+        b_ = written(tableau.b);
+    }
+
+    [[nodiscard]] StageEquations equations();
+
+private:
+    [[nodiscard]] Expression written(const Number& number);
+    [[nodiscard]] Row written(const NumberVector& row);
+    [[nodiscard]] Expression term(const Number& coefficient, const Expression& coefficient_form,
+                                  const Expression& derivative);
+    [[nodiscard]] std::vector<Expression> terms(const Expression& derivative, const Row& row);
+    [[nodiscard]] Expression value(std::size_t variable, const Row& for_q, const Row& for_p);
+    [[nodiscard]] bool is_needed(const std::string& variable) const;
+
+    const Hamiltonian& H_;
+    Gradient gradient_;
+    std::vector<Names> names_;
+    std::vector<Row> A_, A_tilde_;
+    Row b_;
+    bool is_exact_ = true;
+};
+
+Expression Writer::written(const Number& number) {
+    if (auto form = number.closed_form()) return *std::move(form);
+    is_exact_ = false;
+    return Expression::decimal(number.decimal(digits));
+}
+
+Row Writer::written(const NumberVector& row) {
+    Row result{row, {}};
+    for (const Number& number : row)
+        result.written.push_back(is_zero(number) ? std::nullopt : std::optional(written(number)));
+    return result;
+}
+
+/// coefficient * derivative. A number in front of the derivative is multiplied with a rational or
+/// a decimal, and stands before any other coefficient.
+Expression Writer::term(const Number& coefficient, const Expression& coefficient_form,
+                        const Expression& derivative) {
+    const auto [negative, number, rest] = split(derivative);
+    const auto factor = small_number(number);
+    const bool multiplies = factor && (rational_text(coefficient) || !is_exact(coefficient));
+    return with_sign(negative, multiplies ? product({written(coefficient * *factor), rest})
+                                          : product({number, coefficient_form, rest}));
+}
+
+/// The terms of sum_j row_j derivative(Q^j, P^j). What is the same in all stages comes once, with
+/// the sum of the coefficients.
+std::vector<Expression> Writer::terms(const Expression& derivative, const Row& row) {
+    if (derivative == Expression::integer(0)) return {};
+    const std::set<std::string> symbols = symbols_in(derivative);
+    const std::vector<std::string> all = variables(H_);
+    const bool varies = std::any_of(all.begin(), all.end(), [&](const std::string& variable) {
+        return symbols.count(variable) != 0;
+    });
+    if (!varies) {
+        Number sum;
+        for (const Number& number : row.numbers) sum = sum + number;
+        if (is_zero(sum)) return {};
+        return {term(sum, written(sum), derivative)};
+    }
+    std::vector<Expression> result;
+    for (std::size_t j = 0; j < row.written.size(); ++j)
+        if (row.written[j])
+            result.push_back(term(row.numbers[j], *row.written[j], renamed(derivative, names_[j])));
+    return result;
+}
+
+/// q + h sum_j a_j dH/dp(Q^j, P^j), or p - h sum_j a~_j dH/dq(Q^j, P^j).
+Expression Writer::value(std::size_t variable, const Row& for_q, const Row& for_p) {
+    const std::size_t n = H_.degrees_of_freedom();
+    const bool is_q = variable < n;
+    const Expression start =
+        Expression::symbol(is_q ? H_.coordinates[variable] : H_.momenta[variable - n]);
+    std::vector<Expression> slopes = is_q ? terms(gradient_.by_momenta[variable], for_q)
+                                          : terms(gradient_.by_coordinates[variable - n], for_p);
+    if (slopes.empty()) return start;
+    const bool negative = std::all_of(slopes.begin(), slopes.end(), is_negative);
+    for (Expression& slope : slopes) slope = with_sign(negative, std::move(slope));
+    const auto [inner, number, rest] = split(Expression::sum(std::move(slopes)));
+    const Expression change = product({number, Expression::symbol("h"), rest});
+    return Expression::sum({start, with_sign((is_q == negative) != inner, change)});
+}
+
+bool Writer::is_needed(const std::string& variable) const {
+    return occurs_in(variable, gradient_.by_coordinates) ||
+           occurs_in(variable, gradient_.by_momenta);
+}
+
+/// The equations in an order in which each needs only those before it; fewer where there is none.
+std::vector<Equation> in_order(const std::vector<Equation>& equations) {
+    std::set<std::string> unknown;
+    for (const Equation& equation : equations) unknown.insert(equation.left);
+    std::vector<std::pair<const Equation*, std::set<std::string>>> rest;
+    for (const Equation& equation : equations)
+        rest.emplace_back(&equation, symbols_in(equation.right));
+    const auto is_ready = [&](const auto& entry) {
+        return std::none_of(entry.second.begin(), entry.second.end(),
+                            [&](const std::string& name) { return unknown.count(name) != 0; });
+    };
+    std::vector<Equation> result;
+    for (;;) {
+        const auto next = std::find_if(rest.begin(), rest.end(), is_ready);
+        if (next == rest.end()) return result;
+        unknown.erase(next->first->left);
+        result.push_back(*next->first);
+        rest.erase(next);
+    }
+}
+
+StageEquations Writer::equations() {
+    StageEquations result;
+    const std::vector<std::string> all = variables(H_);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        result.update.push_back({all[k], value(k, b_, b_)});
+        if (!is_needed(all[k])) continue;
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            result.stages.push_back({names_[i].at(all[k]), value(k, A_[i], A_tilde_[i])});
+    }
+    std::vector<Equation> ordered = in_order(result.stages);
+    result.is_explicit = ordered.size() == result.stages.size();
+    if (result.is_explicit) result.stages = std::move(ordered);
+    result.is_exact = is_exact_;
+    return result;
+}
+
+}  // namespace
+
+StageEquations stage_equations(const Tableau& tableau, const Hamiltonian& hamiltonian) {
+    return Writer(tableau, hamiltonian).equations();
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/equations/step_equations.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "generator/exact/galerkin.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/hamiltonian/quadratic.hpp"
+#include "generator/linear/generating_function.hpp"
+#include "generator/linear/one_step_map.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Written out by powers of h. Precondition: a number of the field.
+Expression written(const Number& number) {
+    auto form = number.expanded_form("h");
+    HVI_CHECK(form.has_value());
+    return *std::move(form);
+}
+
+MapEquations equations(const LinearMap& map) {
+    MapEquations result;
+    for (const NumberVector& row : map.matrix) {
+        result.matrix.emplace_back();
+        for (const Number& entry : row) result.matrix.back().push_back(written(entry));
+    }
+    for (const Number& entry : map.offset) result.offset.push_back(written(entry));
+    return result;
+}
+
+/// x^T S x/2 + g^T x + constant, term by term, in the variables' names.
+Expression polynomial(const QuadraticForm& form, const std::vector<std::string>& names) {
+    std::vector<Expression> terms;
+    const auto append = [&](const Number& coefficient, std::vector<Expression> variables) {
+        if (coefficient.is_zero()) return;
+        const Expression factor = written(coefficient);
+        if (variables.empty() || !(factor == Expression::integer(1)))
+            variables.insert(variables.begin(), factor);
+        terms.push_back(Expression::product(std::move(variables)));
+    };
+    const auto x = [&](std::size_t i) { return Expression::symbol(names[i]); };
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        append(form.S[i][i] / Number(2), {Expression::power(x(i), Expression::integer(2))});
+        for (std::size_t j = i + 1; j < names.size(); ++j) append(form.S[i][j], {x(i), x(j)});
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) append(form.g[i], {x(i)});
+    append(form.constant, {});
+    return Expression::sum(std::move(terms));
+}
+
+GeneratingEquations equations(const GeneratingFunction& function,
+                              const std::vector<std::string>& names) {
+    GeneratingEquations result;
+    result.discrete = polynomial(function.discrete, names);
+    if (function.exact) result.exact = polynomial(*function.exact, names);
+    result.gives_map = function.gives_map;
+    result.is_symmetric = function.is_symmetric;
+    result.order_of_difference = function.order_of_difference;
+    result.is_at_least = function.is_at_least;
+    return result;
+}
+
+bool has_closed_form(const Tableau& tableau) {
+    const auto is_closed = [](const NumberVector& row) {
+        return std::all_of(row.begin(), row.end(), is_exact);
+    };
+    return tableau.node_polynomial != nullptr ||
+           (is_closed(tableau.b) && std::all_of(tableau.A.begin(), tableau.A.end(), is_closed) &&
+            std::all_of(tableau.A_tilde.begin(), tableau.A_tilde.end(), is_closed));
+}
+
+[[noreturn]] void refuse_generating(const Hamiltonian& hamiltonian, const std::string& obstacle) {
+    const std::string help = "leave out --generating for the equations of the stages";
+    throw MathError("the generating function has a closed form for quadratic Hamiltonians only",
+                    Place{hamiltonian.source, hamiltonian.expression.range},
+                    obstacle.empty() ? help : obstacle + "; " + help);
+}
+
+/// With the map, and H_d^+ where it is asked for; or with the equations of the stages.
+StepEquations completed(StepEquations step, const Derivation& method,
+                        const Hamiltonian& hamiltonian, bool generating) {
+    const QuadraticProof proof = quadratic_form(hamiltonian, method.ground);
+    step.obstacle = proof.obstacle;
+    if (proof.form && !has_closed_form(method.tableau))
+        step.obstacle = "the coefficients of the method have no closed form";
+    if (!proof.form || !step.obstacle.empty()) {
+        if (generating) refuse_generating(hamiltonian, step.obstacle);
+        step.stages = stage_equations(method.tableau, hamiltonian);
+        return step;
+    }
+    step.map = equations(one_step_map(method.tableau, *proof.form, method.ground));
+    if (generating)
+        step.generating = equations(generating_function(method.tableau, *proof.form, method.ground),
+                                    variables(hamiltonian));
+    return step;
+}
+
+/// The values of both, and the names of what has none.
+void name_parameters(StepEquations& step, const Method& method, const Hamiltonian& hamiltonian) {
+    step.values = hamiltonian.parameters;
+    for (const Parameter& parameter : method.parameters) assign(step.values, parameter);
+    std::sort(step.values.begin(), step.values.end(),
+              [](const Parameter& a, const Parameter& b) { return a.name < b.name; });
+    std::set<std::string> names;
+    for (const auto& list : {parameter_names(method), parameter_names(hamiltonian)})
+        names.insert(list.begin(), list.end());
+    for (const Parameter& known : step.values) names.erase(known.name);
+    step.parameters.assign(names.begin(), names.end());
+}
+
+/// METHOD has the values of its own parameters.
+std::string origin_of(const Method& method, const Hamiltonian& hamiltonian) {
+    std::string text = method.origin + " " + hamiltonian.origin;
+    const std::vector<std::string> known = parameter_names(method);
+    for (const Parameter& parameter : hamiltonian.parameters)
+        if (std::find(known.begin(), known.end(), parameter.name) == known.end())
+            text += " --param \"" + parameter.name + "=" + to_text(parameter.value) + "\"";
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> variables(const StepEquations& step) {
+    std::vector<std::string> names = step.coordinates;
+    names.insert(names.end(), step.momenta.begin(), step.momenta.end());
+    return names;
+}
+
+StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,
+                             bool generating) {
+    StepEquations step;
+    step.name = method.name;
+    step.origin = origin_of(method, hamiltonian);
+    step.hamiltonian = hamiltonian.expression;
+    step.coordinates = hamiltonian.coordinates;
+    step.momenta = hamiltonian.momenta;
+    name_parameters(step, method, hamiltonian);
+    return on_new_ground([&](const Ground& ground) {
+        return completed(step, derive_on(ground, method), hamiltonian, generating);
+    });
+}
+
+}  // namespace hvi::gen

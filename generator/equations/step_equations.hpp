@@ -1,0 +1,56 @@
+// What one step of a method does to a Hamiltonian system, in formulas: what `scheme` prints.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/equations/stage_equations.hpp"
+#include "generator/read/hamiltonian.hpp"
+
+namespace hvi::gen {
+
+/// x -> matrix x + offset, x all coordinates and then all momenta: rational functions of h and the
+/// parameters.
+struct MapEquations {
+    std::vector<std::vector<Expression>> matrix;
+    std::vector<Expression> offset;
+};
+
+/// The generating function of type II of the map: H_d^+(q_0, p_1) is written in the names of the
+/// variables, coordinates for q_0 and momenta for p_1.
+struct GeneratingEquations {
+    Expression discrete;              ///< (4.19), from the stages
+    std::optional<Expression> exact;  ///< (4.1), where it has a closed form
+    bool gives_map = false;           ///< p_0 = D_1 H_d^+ and q_1 = D_2 H_d^+ (3.10) are the map
+    bool is_symmetric = false;        ///< its mixed second derivatives agree
+    int order_of_difference = 0;      ///< H_d^+ - H_d,exact^+ = O(h^k) for this k
+    bool is_at_least = false;         ///< and it may be larger
+};
+
+struct StepEquations {
+    std::string name;    ///< of the method; empty for one given by basis and nodes
+    std::string origin;  ///< METHOD and the Hamiltonian as the command line has them
+    Expression hamiltonian;
+    std::vector<std::string> coordinates, momenta;
+    std::vector<std::string> parameters;  ///< free symbols of H and of the method, sorted
+    std::vector<Parameter> values;        ///< of the others, sorted by name
+
+    std::optional<MapEquations> map;  ///< where H is quadratic
+    std::string obstacle;             ///< why there is none all the same
+    std::optional<GeneratingEquations> generating;
+    std::optional<StageEquations> stages;  ///< where there is no map
+};
+
+/// Coordinates, then momenta.
+[[nodiscard]] std::vector<std::string> variables(const StepEquations& step);
+
+/// The map of one step where H is quadratic (Leok & Zhang, (6.2) to (6.6)), with `generating` also
+/// its generating function; for any other H the equations of the stages (4.18). Throws what
+/// `derive` and `gradient` throw, and MathError for the generating function of another H.
+/// Precondition: their names go together (see check_together).
+[[nodiscard]] StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,
+                                           bool generating);
+
+}  // namespace hvi::gen

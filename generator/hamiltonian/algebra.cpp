@@ -1,0 +1,252 @@
+// From an expression to GiNaC's.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/hamiltonian/algebra.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <utility>
+
+#include "generator/exact/evaluate.hpp"
+#include "generator/read/names.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+using Kind = Expression::Kind;
+
+/// Limits on what is worth computing: beyond them a slip is likelier than a Hamiltonian.
+constexpr long most_exponent = 1000;
+constexpr double most_digits = 10000;
+constexpr double most_words_of_derivatives = 3e5;
+
+/// How many words an expression has, and all its first derivatives together have at most.
+struct Size {
+    double words = 1;
+    double derivatives = 0;
+};
+
+/// In the derivative of a product each factor stands once for each of the others.
+Size size(const Expression& expression) {
+    if (expression.kind == Kind::symbol) return {1, 1};
+    Size sum;
+    std::vector<Size> parts;
+    for (const Expression& argument : expression.arguments) {
+        parts.push_back(size(argument));
+        sum.words += parts.back().words;
+        sum.derivatives += parts.back().derivatives;
+    }
+    if (expression.kind == Kind::sum || expression.kind == Kind::negation) return sum;
+    for (const Size& part : parts)
+        if (part.derivatives > 0) sum.derivatives += sum.words;
+    return sum;
+}
+
+/// Decimal digits of the longest number in front of a term.
+double digits_in(const ex& expression) {
+    if (GiNaC::is_a<numeric>(expression)) {
+        const auto& number = GiNaC::ex_to<numeric>(expression);
+        return 0.30103 * (number.numer().int_length() + number.denom().int_length());
+    }
+    double most = 0;
+    if (!GiNaC::is_a<GiNaC::add>(expression) && !GiNaC::is_a<GiNaC::mul>(expression)) return most;
+    for (const ex& part : expression) most = std::max(most, digits_in(part));
+    return most;
+}
+
+ex applied(const std::string& function, const ex& argument) {
+    static const std::array<std::pair<std::string_view, ex (*)(const ex&)>, 11> functions{{
+        {"exp", [](const ex& x) -> ex { return GiNaC::exp(x); }},
+        {"log", [](const ex& x) -> ex { return GiNaC::log(x); }},
+        {"sin", [](const ex& x) -> ex { return GiNaC::sin(x); }},
+        {"cos", [](const ex& x) -> ex { return GiNaC::cos(x); }},
+        {"tan", [](const ex& x) -> ex { return GiNaC::tan(x); }},
+        {"asin", [](const ex& x) -> ex { return GiNaC::asin(x); }},
+        {"acos", [](const ex& x) -> ex { return GiNaC::acos(x); }},
+        {"atan", [](const ex& x) -> ex { return GiNaC::atan(x); }},
+        {"sinh", [](const ex& x) -> ex { return GiNaC::sinh(x); }},
+        {"cosh", [](const ex& x) -> ex { return GiNaC::cosh(x); }},
+        {"tanh", [](const ex& x) -> ex { return GiNaC::tanh(x); }},
+    }};
+    const auto* found = std::find_if(functions.begin(), functions.end(),
+                                     [&](const auto& entry) { return entry.first == function; });
+    HVI_CHECK(found != functions.end());
+    return found->second(argument);
+}
+
+/// Whether no symbol but pi and e occurs.
+bool is_number(const Expression& expression) {
+    bool number = true;
+    walk(expression, [&](const Expression& part) {
+        number = number && (part.kind != Kind::symbol || is_constant(part.name));
+        return number;
+    });
+    return number;
+}
+
+/// Refuses numbers in an expression that are not real, not defined or too large, with their places.
+void check_numbers(const Expression& expression, const std::shared_ptr<const Source>& source) {
+    walk(expression, [&](const Expression& part) {
+        if (part.kind == Kind::number || !is_number(part)) return true;
+        on_new_ground([&](const Ground& ground) { return evaluate_number(part, source, ground); });
+        return false;
+    });
+}
+
+/// GiNaC's expressions for ours.
+class Reader {
+public:
+    Reader(std::shared_ptr<const Source> source, const std::map<std::string, ex>& symbols)
+        : source_(std::move(source)), symbols_(symbols) {}
+
+    [[nodiscard]] ex read(const Expression& expression) const {
+        try {
+            return value(expression);
+        } catch (const Error&) { throw; } catch (const std::exception&) {
+            throw InputError("this has no value", place(expression));
+        }
+    }
+
+private:
+    [[nodiscard]] Place place(const Expression& expression) const {
+        return {source_, expression.range};
+    }
+
+    [[nodiscard]] ex value(const Expression& expression) const {
+        switch (expression.kind) {
+        case Kind::number:
+            return numeric(expression.numerator.c_str()) / numeric(expression.denominator.c_str());
+        case Kind::symbol: return symbol(expression.name);
+        case Kind::sum: return GiNaC::add(all(expression.arguments));
+        case Kind::product: return product(expression);
+        case Kind::negation: return -read(expression.arguments[0]);
+        case Kind::reciprocal: return 1 / not_zero(expression.arguments[0]);
+        case Kind::power: return power(expression);
+        case Kind::call: return call(expression);
+        }
+        HVI_CHECK(false && "every kind of expression has a value");
+        return {};
+    }
+
+    [[nodiscard]] ex symbol(const std::string& name) const {
+        if (name == "pi") return GiNaC::Pi;
+        if (name == "e") return GiNaC::exp(ex(1));
+        return symbols_.at(name);
+    }
+
+    [[nodiscard]] GiNaC::exvector all(const std::vector<Expression>& expressions) const {
+        GiNaC::exvector values;
+        for (const Expression& expression : expressions) values.push_back(read(expression));
+        return values;
+    }
+
+    [[nodiscard]] ex product(const Expression& expression) const {
+        GiNaC::exvector factors = all(expression.arguments);
+        double digits = 0;
+        for (const ex& factor : factors) digits += digits_in(factor);
+        if (digits > most_digits) refuse_size(expression);
+        return GiNaC::mul(std::move(factors));
+    }
+
+    [[nodiscard]] ex not_zero(const Expression& divisor) const {
+        ex result = read(divisor);
+        if (result.is_zero()) throw InputError("division by zero", place(divisor));
+        return result;
+    }
+
+    [[nodiscard]] ex power(const Expression& expression) const {
+        const Expression& base = expression.arguments[0];
+        const ex exponent = read(expression.arguments[1]);
+        if (base.kind == Kind::symbol && base.name == "e") return GiNaC::exp(exponent);
+        const bool is_number = GiNaC::is_a<numeric>(exponent);
+        const bool is_positive = exponent.info(GiNaC::info_flags::positive);
+        const ex raised = is_positive ? read(base) : not_zero(base);
+        if (is_number) check_exponent(raised, GiNaC::ex_to<numeric>(exponent), expression);
+        return raised_to(raised, exponent, expression);
+    }
+
+    [[nodiscard]] ex call(const Expression& expression) const {
+        const ex argument = read(expression.arguments[0]);
+        if (expression.name == "sqrt") return raised_to(argument, ex(1) / 2, expression);
+        return real(applied(expression.name, argument), expression);
+    }
+
+    [[nodiscard]] ex raised_to(const ex& base, const ex& exponent,
+                               const Expression& expression) const {
+        const bool counts = exponent.info(GiNaC::info_flags::integer);
+        if (base.info(GiNaC::info_flags::negative) && !counts) refuse_complex(expression);
+        return real(GiNaC::pow(base, exponent), expression);
+    }
+
+    void check_exponent(const ex& base, const numeric& exponent,
+                        const Expression& expression) const {
+        const numeric size = GiNaC::abs(exponent);
+        if (size > most_exponent || exponent.denom() > most_exponent)
+            refuse_size(expression.arguments[1]);
+        if (digits_in(base) * size.to_double() > most_digits) refuse_size(expression);
+    }
+
+    [[nodiscard]] ex real(ex value, const Expression& expression) const {
+        if (value.has(GiNaC::I)) refuse_complex(expression);
+        return value;
+    }
+
+    [[noreturn]] void refuse_complex(const Expression& expression) const {
+        throw MathError("this is not real", place(expression));
+    }
+
+    [[noreturn]] void refuse_size(const Expression& expression) const {
+        throw InputError("this is larger than any Hamiltonian needs", place(expression));
+    }
+
+    std::shared_ptr<const Source> source_;
+    const std::map<std::string, ex>& symbols_;
+};
+
+void check_size(const Expression& expression, const Place& whole) {
+    if (size(expression).derivatives <= most_words_of_derivatives) return;
+    throw InputError("the derivatives of this Hamiltonian are too long to be written out", whole);
+}
+
+/// As text that sorts as the number does.
+std::string padded(std::size_t number) {
+    std::ostringstream text;
+    text << std::setw(4) << std::setfill('0') << number;
+    return text.str();
+}
+
+}  // namespace
+
+Algebra::Algebra(const Hamiltonian& hamiltonian)
+    : whole_{hamiltonian.source, {0, hamiltonian.source->text.size()}} {
+    check_size(hamiltonian.expression, whole_);
+    std::map<std::string, ex> symbols;
+    check_numbers(hamiltonian.expression, hamiltonian.source);
+    for (const Parameter& parameter : hamiltonian.parameters) {
+        check_numbers(parameter.value, parameter.place.source);
+        symbols[parameter.name] = Reader(parameter.place.source, symbols).read(parameter.value);
+    }
+    const auto add = [&](const std::string& name, char kind, std::vector<GiNaC::symbol>& list) {
+        if (symbols.count(name) != 0) return;
+        ranks_[name] = kind + padded(list.size());
+        symbols[name] = list.emplace_back(name);
+    };
+    for (const std::string& name : parameter_names(hamiltonian)) add(name, '1', parameters_);
+    for (const std::string& name : hvi::gen::variables(hamiltonian)) add(name, '2', variables_);
+    hamiltonian_ = Reader(hamiltonian.source, symbols).read(hamiltonian.expression);
+}
+
+GiNaC::ex Algebra::derivative(const ex& expression, const GiNaC::symbol& variable) const {
+    try {
+        return expression.diff(variable);
+    } catch (const std::exception&) {
+        throw InputError("the derivative by `" + variable.get_name() + "` is not defined", whole_);
+    }
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,45 @@
+// A Hamiltonian in GiNaC's hands: the one place where expressions become GiNaC's, and come back.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/read/hamiltonian.hpp"
+
+namespace hvi::gen {
+
+/// H and its symbols. Parameters that have a value are replaced by it.
+class Algebra {
+public:
+    /// Throws InputError with its place for a division by zero, and where a number, a power or the
+    /// derivatives of H are larger than one can use; MathError with its place where a number is not
+    /// real.
+    explicit Algebra(const Hamiltonian& hamiltonian);
+
+    [[nodiscard]] const GiNaC::ex& hamiltonian() const { return hamiltonian_; }
+    /// Coordinates, then momenta.
+    [[nodiscard]] const std::vector<GiNaC::symbol>& variables() const { return variables_; }
+    /// Those without a value.
+    [[nodiscard]] const std::vector<GiNaC::symbol>& parameters() const { return parameters_; }
+
+    /// Throws InputError where it is not defined.
+    [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& expression,
+                                       const GiNaC::symbol& variable) const;
+
+    /// The expression as one would write it. NOTE: GiNaC orders terms, and the sign of a sum in a
+    /// power, by addresses in memory; here both depend on the expression alone.
+    [[nodiscard]] Expression written(const GiNaC::ex& expression) const;
+
+private:
+    Place whole_;
+    std::vector<GiNaC::symbol> variables_;
+    std::vector<GiNaC::symbol> parameters_;
+    std::map<std::string, std::string> ranks_;  ///< of symbols, by name: as text that sorts so
+    GiNaC::ex hamiltonian_;
+};
+
+}  // namespace hvi::gen

@@ -1,0 +1,23 @@
+// The derivatives of a Hamiltonian.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/read/hamiltonian.hpp"
+
+namespace hvi::gen {
+
+/// The right sides of Hamilton's equations up to the sign: q' = dH/dp, p' = -dH/dq.
+struct Gradient {
+    std::vector<Expression> by_coordinates;  ///< dH/dq_i
+    std::vector<Expression> by_momenta;      ///< dH/dp_i
+};
+
+/// The first derivatives, exact, as one would write them; parameters that have a value are replaced
+/// by it. The same H gives the same expressions. Throws InputError with its place for a division by
+/// zero, and where a number, a power or the derivatives are larger than one can use; MathError with
+/// its place where a number is not real.
+[[nodiscard]] Gradient gradient(const Hamiltonian& hamiltonian);
+
+}  // namespace hvi::gen

@@ -1,0 +1,52 @@
+// What the user said as a Hamiltonian: its expression, and which of its symbols are variables.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "generator/read/method.hpp"
+
+namespace hvi::gen {
+
+/// The most degrees of freedom that a Hamiltonian can have.
+constexpr std::size_t most_degrees_of_freedom = 64;
+
+/// H(q, p) as it was given, checked as far as words go: names of variables are free and differ, and
+/// nothing stands in H that cannot be differentiated. `t` and `[...]` are refused as to come.
+struct Hamiltonian {
+    Expression expression;
+    std::shared_ptr<const Source>
+        source;  ///< its text: the ranges in `expression` are ranges there
+    std::vector<std::string> coordinates;
+    std::vector<std::string> momenta;   ///< momenta[i] belongs to coordinates[i]
+    std::vector<Parameter> parameters;  ///< each a symbol of H that is no variable, no name twice
+    std::string origin;  ///< as the command line has it, without parameters; one line of ASCII
+
+    [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }
+};
+
+/// The Hamiltonian of `--hamiltonian`, `--coordinates` and `--momenta`. Without the last two its
+/// variables are q and p, or the pairs q1 and p1, q2 and p2, ... of which one at least occurs.
+/// Throws InputError. Precondition: both lists of names are given, or none.
+[[nodiscard]] Hamiltonian
+hamiltonian_from_text(std::shared_ptr<const Source> expression,
+                      const std::shared_ptr<const Source>& coordinates = nullptr,
+                      const std::shared_ptr<const Source>& momenta = nullptr);
+
+/// Coordinates, then momenta.
+[[nodiscard]] std::vector<std::string> variables(const Hamiltonian& hamiltonian);
+
+/// The symbols of H that are parameters, with a value or without, sorted.
+[[nodiscard]] std::vector<std::string> parameter_names(const Hamiltonian& hamiltonian);
+
+/// Throws InputError where a parameter of the method is called as a variable of H is. (A parameter
+/// of the same name in both is one parameter.)
+void check_together(const Method& method, const Hamiltonian& hamiltonian);
+
+/// Gives a value to a symbol wherever it occurs, in place of one that it has. Throws InputError
+/// when it is a variable, and when neither the method nor H has it.
+void set_parameter(Method& method, Hamiltonian& hamiltonian, Parameter parameter);
+
+}  // namespace hvi::gen

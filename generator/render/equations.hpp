@@ -1,0 +1,20 @@
+// The equations of a step, for people, papers and programs.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/equations/step_equations.hpp"
+
+namespace hvi::gen {
+
+/// For a terminal of 80 columns; q' is q at the end of the step.
+[[nodiscard]] std::string render_text(const StepEquations& step);
+
+/// The schema `hvi-scheme/1`.
+[[nodiscard]] std::string render_json(const StepEquations& step);
+
+/// A displayed formula to paste, for amsmath: from q_n to q_{n+1} as in Section 6 of the paper.
+[[nodiscard]] std::string render_latex(const StepEquations& step);
+
+}  // namespace hvi::gen

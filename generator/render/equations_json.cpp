@@ -1,0 +1,63 @@
+// The equations of a step as JSON, schema hvi-scheme/1.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <utility>
+
+#include "generator/render/equations.hpp"
+#include "generator/render/json_entry.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+Json texts(const std::vector<Expression>& expressions) {
+    Json json = Json::array();
+    for (const Expression& expression : expressions) json.push_back(to_text(expression));
+    return json;
+}
+
+Json matrix_json(const MapEquations& map) {
+    Json json = Json::array();
+    for (const std::vector<Expression>& row : map.matrix) json.push_back(texts(row));
+    return json;
+}
+
+Json stages_json(const StageEquations& equations) {
+    Json json = Json::array();
+    for (const Equation& stage : equations.stages)
+        json.push_back(stage.left + " = " + to_text(stage.right));
+    for (const Equation& update : equations.update)
+        json.push_back(update.left + "' = " + to_text(update.right));
+    return json;
+}
+
+Json generating_json(const GeneratingEquations& found) {
+    return {{"discrete", to_text(found.discrete)},
+            {"exact", found.exact ? Json(to_text(*found.exact)) : Json(nullptr)},
+            {"gives_map", found.gives_map},
+            {"symmetric", found.is_symmetric},
+            {"order_of_difference", found.order_of_difference},
+            {"is_at_least", found.is_at_least}};
+}
+
+}  // namespace
+
+std::string render_json(const StepEquations& step) {
+    Json values = Json::object();
+    for (const Parameter& known : step.values) values[known.name] = to_text(known.value);
+    Json json;
+    json["schema"] = "hvi-scheme/1";
+    json["name"] = step.name;
+    json["hamiltonian"] = to_text(step.hamiltonian);
+    json["variables"] = variables(step);
+    json["parameters"] = step.parameters;
+    json["values"] = std::move(values);
+    json["map"] = step.map ? matrix_json(*step.map) : Json(nullptr);
+    json["offset"] = step.map ? texts(step.map->offset) : Json(nullptr);
+    json["stages"] = step.stages ? stages_json(*step.stages) : Json(nullptr);
+    json["explicit"] = step.stages ? Json(step.stages->is_explicit) : Json(nullptr);
+    json["exact"] = !step.stages || step.stages->is_exact;
+    if (step.generating) json["generating"] = generating_json(*step.generating);
+    return json.dump(2) + "\n";
+}
+
+}  // namespace hvi::gen

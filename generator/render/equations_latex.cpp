@@ -1,0 +1,125 @@
+// The equations of a step as a displayed formula of LaTeX.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <map>
+
+#include "generator/render/equations.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::size_t longest_line = 160;  ///< of source, roughly; then a term starts a new line
+
+/// A variable at the beginning of the step, q_{n}, or at its end, q_{n+1}.
+std::string at(const std::string& variable, std::string_view time) {
+    std::string text = to_latex(Expression::symbol(variable));
+    const bool indexed = text.find("_{") != std::string::npos && text.back() == '}';
+    if (!indexed) return fmt::format("{}_{{{}}}", text, time);
+    text.pop_back();
+    return fmt::format("{},{}}}", text, time);
+}
+
+/// The same for all variables, as names for symbols.
+std::map<std::string, std::string> names_at(const std::vector<std::string>& variables,
+                                            std::string_view time) {
+    std::map<std::string, std::string> names;
+    for (const std::string& variable : variables) names[variable] = at(variable, time);
+    return names;
+}
+
+/// Terms of one sum, broken into lines where they get long.
+class Sum {
+public:
+    void add(const Expression& coefficient, const std::string& variable) {
+        if (coefficient == Expression::integer(0)) return;
+        const bool sum = coefficient.kind == Expression::Kind::sum;
+        std::string factor = to_latex(coefficient);
+        const bool negative = !sum && factor.front() == '-';
+        if (negative) factor.erase(0, 1);
+        if (variable.empty()) {
+            append(negative, factor);
+        } else if (factor == "1") {
+            append(negative, variable);
+        } else {
+            append(negative, (sum ? "\\left(" + factor + "\\right) " : factor + " ") + variable);
+        }
+    }
+
+    [[nodiscard]] std::string text() const { return text_.empty() ? "0" : text_; }
+
+private:
+    void append(bool negative, const std::string& term) {
+        if (text_.empty()) {
+            text_ = (negative ? "-" : "") + term;
+            return;
+        }
+        const std::size_t line = std::min(text_.rfind("\\\\\n"), text_.size());
+        const std::size_t length = line == text_.size() ? line : text_.size() - line;
+        text_ += length + term.size() > longest_line ? " \\\\\n&\\quad {}" : "";
+        text_ += (negative ? " - " : " + ") + term;
+    }
+
+    std::string text_;
+};
+
+std::string map_latex(const StepEquations& step) {
+    const std::vector<std::string> names = variables(step);
+    std::string lines;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        Sum sum;
+        for (std::size_t j = 0; j < names.size(); ++j)
+            sum.add(step.map->matrix[i][j], at(names[j], "n"));
+        sum.add(step.map->offset[i], "");
+        lines += fmt::format("{}{} &= {}", lines.empty() ? "" : ", \\\\\n", at(names[i], "n+1"),
+                             sum.text());
+    }
+    return lines;
+}
+
+std::string stages_latex(const StepEquations& step) {
+    const std::map<std::string, std::string> now = names_at(variables(step), "n");
+    std::string lines;
+    const auto append = [&](const std::string& left, const Expression& right) {
+        lines += fmt::format("{}{} &= {}", lines.empty() ? "" : ", \\\\\n", left,
+                             to_latex(renamed(right, now)));
+    };
+    for (const Equation& stage : step.stages->stages)
+        append(to_latex(Expression::symbol(stage.left)), stage.right);
+    for (const Equation& update : step.stages->update) append(at(update.left, "n+1"), update.right);
+    return lines;
+}
+
+/// H_d^+(q_n, p_{n+1}), term by term.
+std::string function_latex(const std::string& left, const Expression& function,
+                           const StepEquations& step) {
+    std::map<std::string, std::string> names = names_at(step.coordinates, "n");
+    names.merge(names_at(step.momenta, "n+1"));
+    const Expression shown = renamed(function, names);
+    Sum sum;
+    if (shown.kind == Expression::Kind::sum)
+        for (const Expression& term : shown.arguments) sum.add(term, "");
+    else
+        sum.add(shown, "");
+    return fmt::format(", \\\\\n{} &= {}", left, sum.text());
+}
+
+}  // namespace
+
+std::string render_latex(const StepEquations& step) {
+    std::string lines = step.map ? map_latex(step) : stages_latex(step);
+    std::string option;
+    if (step.generating) {
+        option = " --generating";
+        lines += function_latex("H_{d}^{+}", step.generating->discrete, step);
+        if (step.generating->exact)
+            lines += function_latex("H_{d,\\mathrm{exact}}^{+}", *step.generating->exact, step);
+    }
+    return fmt::format("% hvi-gen scheme {}{} --format latex\n"
+                       "% needs \\usepackage{{amsmath}}\n"
+                       "\\[\n\\begin{{aligned}}\n{}.\n\\end{{aligned}}\n\\]\n",
+                       step.origin, option, lines);
+}
+
+}  // namespace hvi::gen
