@@ -24,7 +24,7 @@ QuadraticForm without_border(const NumberMatrix& E) {
 std::vector<UncoupledPart> uncoupled_parts(const QuadraticForm& H) {
     const std::size_t n = H.degrees_of_freedom();
     const auto coupled = [&](std::size_t i, std::size_t j) {
-        return !H.S[i][j].is_zero() || !H.S[n + i][j].is_zero() ||
+        return !H.S[i][j].is_zero() || !H.S[i][n + j].is_zero() || !H.S[n + i][j].is_zero() ||
                !H.S[n + i][n + j].is_zero();
     };
     std::vector<UncoupledPart> parts;

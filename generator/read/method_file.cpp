@@ -8,6 +8,7 @@
 
 #include "generator/read/catalogue.hpp"
 #include "generator/read/check.hpp"
+#include "generator/read/file.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/toml_file.hpp"

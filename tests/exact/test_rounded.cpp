@@ -85,7 +85,7 @@ TEST_CASE("numbers agree or are proved to differ") {
 TEST_CASE("common decimal places") {
     const Precision bits = bits_for(16);
     const auto places = [&](const std::string& left, const std::string& right) {
-        return with_ground([&](const Ground& ground) {
+        return on_new_ground([&](const Ground& ground) {
             return common_places(read(left, ground), read(right, ground), bits);
         });
     };

@@ -73,7 +73,7 @@ inline constexpr const char* four_any = "4, 1, 0, 2, 1, 0, 0, 0; 1, 5, 1, 0, 0, 
 /// What `work` returns of a method's tableau, a Hamiltonian and the ground they are on.
 template <class Work>
 auto with_method(const Method& method, const std::string& hamiltonian, Work work) {
-    return with_ground([&](const Ground& new_ground) {
+    return on_new_ground([&](const Ground& new_ground) {
         const auto [tableau, ground] = derive_on(new_ground, method);
         return work(tableau, form_of(hamiltonian, ground), ground);
     });
