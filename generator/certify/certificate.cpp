@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "generator/certify/known.hpp"
+#include "generator/exact/galerkin.hpp"
 #include "generator/plan/stage_graph.hpp"
 
 namespace hvi::gen {
@@ -60,8 +62,8 @@ bool Certificate::is_proved() const {
 
 void set_signs(Certificate& certificate, const NodesAndMethod& given) {
     certificate.stages = given.c.size();
-    certificate.explicit_separable = is_explicit(given.method, true);
-    certificate.explicit_general = is_explicit(given.method, false);
+    certificate.coupled_separable = coupled_stages(given.method, true);
+    certificate.coupled_general = coupled_stages(given.method, false);
     certificate.negative_weights = negative(given.method);
     certificate.nodes_outside = outside(given.c);
 }
@@ -78,6 +80,16 @@ Certificate certify(const Tableau& tableau, int max_order) {
     result.parameters = tableau.parameters;
     set_signs(result, {tableau.c, partitioned_method(tableau)});
     set_oscillator(result, tableau);
+    result.known_as = known_names(tableau);
+    result.adjoint = known_adjoints(tableau);
+    return result;
+}
+
+Certificate certify(const Method& method, int max_order) {
+    Certificate result = certify(derive(method), max_order);
+    if (!result.parameters.empty()) {
+        result.exceptions = exceptions(method, result.orders.general, max_order);
+    }
     return result;
 }
 

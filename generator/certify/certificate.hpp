@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "generator/certify/exceptions.hpp"
 #include "generator/exact/given.hpp"
 #include "generator/exact/order.hpp"
 #include "generator/exact/oscillator.hpp"
 #include "generator/exact/properties.hpp"
 #include "generator/exact/stability.hpp"
 #include "generator/exact/tableau.hpp"
+#include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
 
@@ -43,8 +45,12 @@ struct Certificate : Properties {
     /// numbers that they can be, and is not proved; what fails, fails for all of them.
     bool within_digits = false;
 
-    bool explicit_separable = false;            ///< no stage equations for H = T(p) + U(q)
-    bool explicit_general = false;              ///< nor for any other H
+    std::vector<std::string> known_as;         ///< the named methods that it is
+    std::vector<std::string> adjoint;          ///< those that its adjoint is
+    std::vector<ExceptionalValue> exceptions;  ///< of a parameter: where the order is higher
+
+    /// The stage values that are solved for at once for H = T(p) + U(q), and for any H.
+    std::vector<std::vector<StageNode>> coupled_separable, coupled_general;
     std::vector<std::size_t> negative_weights;  ///< 1-based; empty with a free parameter
     std::vector<std::size_t> nodes_outside;     ///< of [0, 1]; the same
 
@@ -59,9 +65,13 @@ struct Certificate : Properties {
 /// The largest z = h omega up to which linear stability is looked at.
 inline constexpr long stability_limit = 20;
 
-/// Everything by computation from the coefficients, whatever they are said to be. Preconditions as
-/// for orders().
+/// Everything by computation from the coefficients, whatever they are said to be; but for its names
+/// and those of the adjoint, which are those of methods with the same nodes. Preconditions as for
+/// orders().
 [[nodiscard]] Certificate certify(const Tableau& tableau, int max_order);
+
+/// The same, with the exceptional values of a free parameter.
+[[nodiscard]] Certificate certify(const Method& method, int max_order);
 
 /// The same for coefficients that came from elsewhere; name and origin are left empty.
 [[nodiscard]] Certificate certify(const NodesAndMethod& given,

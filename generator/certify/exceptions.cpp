@@ -9,8 +9,8 @@ namespace hvi::gen {
 namespace {
 
 /// The order for a value of the parameter; empty where there is no method.
-std::optional<ExceptionalValue> exception_at(Method method, const std::string& name, const Number& value,
-                                      int max_order) {
+std::optional<ExceptionalValue> exception_at(Method method, const std::string& name,
+                                             const Number& value, int max_order) {
     const auto form = value.closed_form();
     if (!form) { return {}; }
     set_parameter(method, parse_parameter(std::make_shared<const Source>(
@@ -24,7 +24,7 @@ std::optional<ExceptionalValue> exception_at(Method method, const std::string& n
 }  // namespace
 
 std::vector<ExceptionalValue> exceptions(const Method& method, const OrderConditions& generic,
-                                  int max_order) {
+                                         int max_order) {
     std::vector<Number> residuals;
     for (const FailedCondition& failure : generic.failures) {
         residuals.push_back(failure.residual);

@@ -21,7 +21,7 @@ struct ExceptionalValue {
 /// by the value. Looked for where one parameter is free and the residuals are rational functions of
 /// it over Q; of the zeros those are left out at which there is no method, and those without a
 /// closed form. `generic` are the conditions of the method as it is.
-[[nodiscard]] std::vector<ExceptionalValue> exceptions(const Method& method,
-                                                const OrderConditions& generic, int max_order);
+[[nodiscard]] std::vector<ExceptionalValue>
+exceptions(const Method& method, const OrderConditions& generic, int max_order);
 
 }  // namespace hvi::gen

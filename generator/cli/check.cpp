@@ -39,7 +39,7 @@ void run(const CheckOptions& options) {
             audit(coefficients_of(*options.tableau, options.method), options.max_order);
         write(options, found.certificate, found);
     } else {
-        const Certificate certificate = certify(tableau_of(options.method), options.max_order);
+        const Certificate certificate = certify(method_of(options.method), options.max_order);
         write(options, certificate, certificate);
     }
 }

@@ -38,18 +38,19 @@ void set_parameters(const std::vector<std::string>& assignments, Set set) {
 
 }  // namespace
 
-Tableau tableau_of(const MethodOptions& options) {
+Method method_of(const MethodOptions& options) {
     Method method = read_method(options);
     set_parameters(options.parameters,
                    [&](Parameter parameter) { set_parameter(method, std::move(parameter)); });
-    return derive(method);
+    return method;
 }
+
+Tableau tableau_of(const MethodOptions& options) { return derive(method_of(options)); }
 
 Coefficients coefficients_of(const std::filesystem::path& file, const MethodOptions& options) {
     Coefficients coefficients = coefficients_from_file(file);
-    set_parameters(options.parameters, [&](Parameter parameter) {
-        set_parameter(coefficients, std::move(parameter));
-    });
+    set_parameters(options.parameters,
+                   [&](Parameter parameter) { set_parameter(coefficients, std::move(parameter)); });
     return coefficients;
 }
 

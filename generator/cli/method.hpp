@@ -9,7 +9,10 @@
 
 namespace hvi::gen {
 
-/// Reads the method, gives its parameters their values, and derives its tableau.
+/// Reads the method, and gives its parameters their values.
+[[nodiscard]] Method method_of(const MethodOptions& options);
+
+/// The same, and derives its tableau.
 [[nodiscard]] Tableau tableau_of(const MethodOptions& options);
 
 /// Reads a tableau in place of a method, and gives its parameters the same values.

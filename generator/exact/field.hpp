@@ -208,9 +208,9 @@ struct Simplified {
 /// The shortest of a few ways to write it (see closed_form.cpp).
 [[nodiscard]] Expression closed_form(const Element& argument);
 
-/// A rational function of a parameter as a paper prints it: numerator and denominator written out by
-/// falling powers of the parameter, with integers for coefficients that have no common divisor, and
-/// the leading one below positive; a polynomial by rising powers, term by term.
+/// A rational function of a parameter as a paper prints it: numerator and denominator written out
+/// by falling powers of the parameter, with integers for coefficients that have no common divisor,
+/// and the leading one below positive; a polynomial by rising powers, term by term.
 [[nodiscard]] Expression expanded_form(const Element& argument, const std::string& parameter);
 
 /// The sign of the first coefficient in a fixed order: of x and -x one has 1 and the other -1, also

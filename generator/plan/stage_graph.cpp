@@ -88,13 +88,24 @@ std::vector<bool> used(const StageGraph& graph, const PartitionedMethod& method)
 
 }  // namespace
 
-bool is_explicit(const PartitionedMethod& method, bool separable) {
+std::vector<std::vector<StageNode>> coupled_stages(const PartitionedMethod& method,
+                                                   bool separable) {
     const StageGraph graph({counts(method.A), counts(method.A_tilde), separable});
     const std::vector<bool> is_used = used(graph, method);
-    const auto all = components(graph.needs());
-    return std::all_of(all.begin(), all.end(), [&](const std::vector<std::size_t>& component) {
-        return component.size() == 1 || !is_used[component.front()];
-    });
+    std::vector<std::vector<StageNode>> groups;
+    for (const std::vector<std::size_t>& component : components(graph.needs())) {
+        if (component.size() == 1 || !is_used[component.front()]) { continue; }
+        std::vector<StageNode>& group = groups.emplace_back();
+        for (const std::size_t number : component) {
+            const StageNode node = graph.node(number);
+            if (node.kind == Node::Q || node.kind == Node::P) { group.push_back(node); }
+        }
+    }
+    return groups;
+}
+
+bool is_explicit(const PartitionedMethod& method, bool separable) {
+    return coupled_stages(method, separable).empty();
 }
 
 }  // namespace hvi::gen

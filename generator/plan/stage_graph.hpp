@@ -30,8 +30,13 @@ private:
     DependencyGraph needs_;
 };
 
-/// Whether a step of a method needs no solver, whatever H is, or for H = T(p) + U(q): whether no
-/// stage that it uses depends on itself. A coefficient that is not proved to be zero counts.
+/// The stage values Q and P that a step of a method must solve for at once, whatever H is, or for
+/// H = T(p) + U(q): in each group all depend on all. Values that the step does not use are left
+/// out; a coefficient that is not proved to be zero counts.
+[[nodiscard]] std::vector<std::vector<StageNode>> coupled_stages(const PartitionedMethod& method,
+                                                                 bool separable);
+
+/// Whether there are none, so that a step needs no solver.
 [[nodiscard]] bool is_explicit(const PartitionedMethod& method, bool separable);
 
 }  // namespace hvi::gen

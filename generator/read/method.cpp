@@ -174,9 +174,8 @@ std::vector<std::string> parameter_names(const Method& method) {
 }
 
 void assign(std::vector<Parameter>& parameters, Parameter parameter) {
-    const auto same = std::find_if(parameters.begin(), parameters.end(), [&](const auto& other) {
-        return other.name == parameter.name;
-    });
+    const auto same = std::find_if(parameters.begin(), parameters.end(),
+                                   [&](const auto& other) { return other.name == parameter.name; });
     if (same == parameters.end())
         parameters.push_back(std::move(parameter));
     else

@@ -3,6 +3,7 @@
 #include "generator/render/certificate_json.hpp"
 
 #include "generator/render/certificate.hpp"
+#include "generator/render/report.hpp"
 
 namespace hvi::gen {
 
@@ -72,6 +73,31 @@ Json stability_json(const Certificate& certificate) {
 
 }  // namespace
 
+namespace {
+
+Json coupled_json(const std::vector<std::vector<StageNode>>& groups) {
+    Json json = Json::array();
+    for (const auto& group : groups) {
+        Json names = Json::array();
+        for (const StageNode& node : group) { names.push_back(stage_name(node)); }
+        json.push_back(names);
+    }
+    return json;
+}
+
+Json exceptions_json(const std::vector<ExceptionalValue>& exceptions) {
+    Json json = Json::array();
+    for (const ExceptionalValue& value : exceptions) {
+        json.push_back({{"parameter", value.parameter},
+                        {"value", entry_json(value.value, digits)},
+                        {"order", value.order},
+                        {"order_is_at_least", value.is_at_least}});
+    }
+    return json;
+}
+
+}  // namespace
+
 Json certificate_json(const Certificate& certificate) {
     const OrderConditions& general = certificate.orders.general;
     Json json;
@@ -91,8 +117,13 @@ Json certificate_json(const Certificate& certificate) {
     json["conditions"] = general.conditions;
     json["failures"] = failures_json(general);
     json["error_constant"] = error_constant_json(general);
-    json["explicit"] = {{"separable", certificate.explicit_separable},
-                        {"general", certificate.explicit_general}};
+    json["exceptions"] = exceptions_json(certificate.exceptions);
+    json["known_as"] = certificate.known_as;
+    json["adjoint"] = certificate.adjoint;
+    json["explicit"] = {{"separable", certificate.coupled_separable.empty()},
+                        {"general", certificate.coupled_general.empty()}};
+    json["coupled"] = {{"separable", coupled_json(certificate.coupled_separable)},
+                       {"general", coupled_json(certificate.coupled_general)}};
     json["negative_weights"] = certificate.negative_weights;
     json["nodes_outside"] = certificate.nodes_outside;
     json["conserves"] = {{"linear", certificate.common_weights.holds},

@@ -62,8 +62,45 @@ std::string conserved(const Certificate& certificate) {
 }
 
 std::string explicit_text(const Certificate& certificate) {
-    if (certificate.explicit_general) { return "for every H"; }
-    return certificate.explicit_separable ? "for H = T(p) + U(q)" : "no";
+    if (certificate.coupled_general.empty()) { return "for every H"; }
+    return certificate.coupled_separable.empty() ? "for H = T(p) + U(q)" : "no";
+}
+
+/// `Q_2, Q_3, P_1`, with the first and the last of many: `Q_1 .. Q_8, P_1 .. P_8`.
+std::string group_text(const std::vector<StageNode>& group) {
+    std::string text;
+    for (const StageNode::Kind kind : {StageNode::Kind::Q, StageNode::Kind::P}) {
+        std::vector<std::string> names;
+        std::size_t first = 0, last = 0;
+        for (const StageNode& node : group) {
+            if (node.kind != kind) { continue; }
+            if (names.empty()) { first = node.index; }
+            last = node.index;
+            names.push_back(stage_name(node));
+        }
+        const bool is_run = names.size() > 3 && last - first + 1 == names.size();
+        if (is_run) { names = {names.front() + " .. " + names.back()}; }
+        for (const std::string& name : names) { text += (text.empty() ? "" : ", ") + name; }
+    }
+    return text;
+}
+
+void write_coupled(Report& report, std::string_view what,
+                   const std::vector<std::vector<StageNode>>& groups) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        report.line(i == 0 ? what : "", group_text(groups[i]) + " are solved for at once");
+    }
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void write_exceptions(Report& report, const std::vector<ExceptionalValue>& exceptions) {
+    for (const ExceptionalValue& value : exceptions) {
+        report.line("", fmt::format("{}{} at {} = {}", value.is_at_least ? "at least " : "",
+                                    value.order, value.parameter, value_text(value.value)));
+    }
 }
 
 std::string indices(const std::vector<std::size_t>& numbers, std::string_view letter) {
@@ -129,15 +166,21 @@ void write_oscillator(Report& report, const Certificate& certificate) {
 void write_certificate(Report& report, const Certificate& certificate) {
     const Orders& orders = certificate.orders;
     report.line("order", order_text(orders.general, certificate));
+    write_exceptions(report, certificate.exceptions);
     report.line("  separable", order_text(orders.separable, certificate));
     report.line("  Nystrom", order_text(orders.nystrom, certificate));
     write_failures(report, orders.general);
     report.blank();
     report.line("symplectic", yes_or_no(certificate.symplectic, certificate));
     report.line("self-adjoint", yes_or_no(certificate.symmetric, certificate));
+    if (!certificate.symmetric.holds && !certificate.adjoint.empty()) {
+        report.line("adjoint", joined(certificate.adjoint));
+    }
     report.line("A == A~", yes_or_no(certificate.runge_kutta, certificate));
     report.line("conserves", conserved(certificate));
     report.line("explicit", explicit_text(certificate));
+    write_coupled(report, "  separable", certificate.coupled_separable);
+    write_coupled(report, "  any H", certificate.coupled_general);
     if (!certificate.negative_weights.empty()) {
         report.line("negative", indices(certificate.negative_weights, "b"));
     }
@@ -152,6 +195,9 @@ void write_certificate(Report& report, const Certificate& certificate) {
 std::string render_text(const Certificate& certificate) {
     Report report;
     report.title(certificate.name.empty() ? certificate.origin : certificate.name);
+    if (certificate.name.empty() && !certificate.known_as.empty()) {
+        report.line("known as", joined(certificate.known_as));
+    }
     report.blank();
     write_certificate(report, certificate);
     report.title(certificate.is_proved() ? "All of it is proved."

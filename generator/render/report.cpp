@@ -46,4 +46,8 @@ std::string value_text(const Number& number) {
     return is_integer ? exact : fmt::format("{} = {}", exact, *entry.decimal);
 }
 
+std::string stage_name(const StageNode& node) {
+    return fmt::format("{}_{}", node.kind == StageNode::Kind::Q ? "Q" : "P", node.index + 1);
+}
+
 }  // namespace hvi::gen

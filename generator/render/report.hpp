@@ -33,6 +33,9 @@ private:
 /// The closed form and six digits, or these alone where it is not readable.
 [[nodiscard]] std::string value_text(const Number& number);
 
+/// `Q_1`, counted from 1.
+[[nodiscard]] std::string stage_name(const StageNode& node);
+
 /// All that a certificate says but for its title and its last line.
 void write_certificate(Report& report, const Certificate& certificate);
 

@@ -27,8 +27,8 @@ TEST_CASE("the classical Runge-Kutta method") {
     CHECK_FALSE(certificate.symmetric.holds);
     CHECK(certificate.runge_kutta.holds);
     CHECK(certificate.common_weights.holds);
-    CHECK(certificate.explicit_general);
-    CHECK(certificate.explicit_separable);
+    CHECK(certificate.coupled_general.empty());
+    CHECK(certificate.coupled_separable.empty());
     CHECK(certificate.is_proved());
     CHECK(certificate.origin == "--tableau t.json");
     CHECK(found.defect->i == 0);
@@ -71,7 +71,7 @@ TEST_CASE("Example 4.5 as it is printed is no symplectic method") {
     CHECK_FALSE(found.certificate.symplectic.holds);
     CHECK(found.certificate.runge_kutta.holds);
     CHECK(has_orders(found.certificate, 2, 2, 2));
-    CHECK_FALSE(found.certificate.explicit_separable);
+    CHECK_FALSE(found.certificate.coupled_separable.empty());
     CHECK(text(found.defect->residual) == "-1/4");
     // The trapezoidal rule is conjugate to the midpoint rule: on the oscillator its map has
     // determinant 1.
@@ -80,7 +80,7 @@ TEST_CASE("Example 4.5 as it is printed is no symplectic method") {
         audit_of(replaced(printed_example_4_5, R"("A_tilde": [[0, 0], ["1/2", "1/2"]])",
                           R"("A_tilde": [["1/2", 0], ["1/2", 0]])"));
     CHECK(right.certificate.symplectic.holds);
-    CHECK(right.certificate.explicit_separable);
+    CHECK(right.certificate.coupled_separable.empty());
 }
 
 TEST_CASE("decimals of a known method have its certificate, within their digits") {
