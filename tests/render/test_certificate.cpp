@@ -76,6 +76,30 @@ TEST_CASE("with a free parameter stability is a formula") {
     CHECK(json["linear_stability"]["half_trace"].is_string());
 }
 
+TEST_CASE("names, the adjoint, and the stages that couple") {
+    const Read left = certificate("radau-left:3");
+    CHECK(left["known_as"] == Read({"radau-left:3"}));
+    CHECK(left["adjoint"] == Read({"radau-right:3"}));
+    const Read lobatto = certificate("1, tau, tau^2 | 0, 1/2, 1");
+    CHECK(lobatto["known_as"] == Read({"lobatto:3", "newton-cotes:3", "clenshaw-curtis:3"}));
+    // The first row of A is zero, the last one b: Q_1 is given, Q_3 = q' needs what is solved for.
+    CHECK(lobatto["coupled"]["separable"] == Read::parse(R"([["Q_2", "P_1", "P_2", "P_3"]])"));
+    CHECK(lobatto["coupled"]["general"] == Read::parse(R"([["Q_2", "Q_3", "P_1", "P_2", "P_3"]])"));
+    CHECK(certificate("stormer-verlet")["coupled"]["separable"].empty());
+    CHECK(certificate("stormer-verlet")["coupled"]["general"].size() == 1);
+}
+
+TEST_CASE("values of a parameter that raise the order") {
+    const Read json = Read::parse(render_json(certify(any_method("1, tau | 0, w"), 4)));
+    CHECK(json["order"] == 2);
+    CHECK(json["exceptions"].size() == 1);
+    CHECK(json["exceptions"][0]["parameter"] == "w");
+    CHECK(json["exceptions"][0]["value"]["exact"] == "2/3");
+    CHECK(json["exceptions"][0]["order"] == 3);
+    CHECK(json["exceptions"][0]["order_is_at_least"] == false);
+    CHECK(certificate("gauss:2")["exceptions"].empty());
+}
+
 TEST_CASE("what rests on enclosures is not called proved") {
     const Read json = certificate("1, exp(tau^2) | 0, 1");
     CHECK(json["proved"] == false);
