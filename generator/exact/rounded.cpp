@@ -60,7 +60,7 @@ std::optional<long> power_of_ten_above(const Ball& ball) {
 Number unrounded(const Number& written, const DecimalDigits& digits,
                  std::optional<double> spacing) {
     const Number unit = power(Number(10), static_cast<unsigned>(std::abs(digits.last_place)));
-    const Number half = (digits.last_place < 0 ? Number(1) / unit : unit) / Number(1);
+    const Number half = (digits.last_place < 0 ? Number(1) / unit : unit) / Number(2);
     const Precision bits = bits_for(digits.significant);
     Ball ball = enclosure(written - half, bits);
     arb_union(ball.get(), ball.get(), enclosure(written + half, bits).get(), bits);
