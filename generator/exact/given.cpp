@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/exact/evaluate.hpp"
+#include "generator/exact/rational.hpp"
 #include "generator/exact/rounded.hpp"
 #include "generator/support/progress.hpp"
 
@@ -34,6 +35,16 @@ NodesAndMethod numbers(const Coefficients& coefficients, ToNumber to_number) {
     method.A = matrix(coefficients.A);
     method.A_tilde = coefficients.A_tilde ? matrix(*coefficients.A_tilde) : method.A;
     return result;
+}
+
+/// Numbers with free parameters have no enclosures, and so no sum with those that have nothing
+/// else.
+void check_is_exact(const Number& value, const Coefficient& entry) {
+    if (is_exact(value)) { return; }
+    throw InputError("a tableau with a free parameter and with numbers that have no closed form is "
+                     "not built yet",
+                     Place{entry.source, {0, entry.source->text.size()}},
+                     "give the parameter a value with --param");
 }
 
 /// Of doubles at the largest number, when the decimals may be doubles; see unrounded().
@@ -68,7 +79,11 @@ GivenTableau given_tableau(const Coefficients& coefficients, Ground ground) {
         return evaluate_number(entry.value, entry.source, ground);
     });
     result.parameters = ground.free_parameters();
-    if (result.parameters.empty()) {
+    if (!result.parameters.empty()) {
+        for_each_coefficient(coefficients, [&](const Coefficient& entry) {
+            check_is_exact(evaluate_number(entry.value, entry.source, ground), entry);
+        });
+    } else {
         for_each_coefficient(coefficients, [&](const Coefficient& entry) {
             if (!entry.rounded) { return; }
             ++result.rounded;

@@ -34,7 +34,8 @@ struct GivenTableau {
 
 /// Computes with what a file says, on the field of `ground`. NOTE: a free parameter has no
 /// enclosure, so that beside one every decimal is taken as exact. Throws as evaluate_number() does,
-/// and TooCoarse (see on_new_ground).
+/// InputError for a free parameter beside a number without a closed form, and TooCoarse (see
+/// on_new_ground).
 [[nodiscard]] GivenTableau given_tableau(const Coefficients& coefficients, Ground ground);
 
 }  // namespace hvi::gen

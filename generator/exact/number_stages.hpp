@@ -37,6 +37,7 @@ public:
 
     explicit NumberStages(PartitionedMethod method) : method_(std::move(method)) {}
 
+    [[nodiscard]] std::size_t count() const { return method_.stages(); }
     [[nodiscard]] Function one() const { return Function(method_.stages(), Number(1)); }
     [[nodiscard]] Function product(const Function& left, const Function& right) const;
     /// times sum_i b_i function_i - 1, with b~ for g.
@@ -63,6 +64,7 @@ public:
 
     BallStages(const PartitionedMethod& method, Precision bits);
 
+    [[nodiscard]] std::size_t count() const { return b_.size(); }
     [[nodiscard]] Function one() const;
     [[nodiscard]] Function product(const Function& left, const Function& right) const;
     [[nodiscard]] Scalar defect(Colour colour, const Function& function, long times) const;

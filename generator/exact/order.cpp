@@ -173,15 +173,19 @@ void list_representatives(OrderConditions& result, const FailedClasses& failed,
 template <class Stages, class Decide, class ToNumber>
 OrderConditions examine(const Stages& stages, Decide decide, ToNumber to_number, TreeFamily family,
                         int max_order) {
+    constexpr std::size_t most_values =
+        300'000;  // at the stages; the next ones are five times more
     TreeClasses classes(stages, family);
     OrderConditions result;
     FailedClasses failed;
-    while (failed.empty() && classes.vertices() < max_order) {
+    std::size_t values = 0;
+    while (failed.empty() && classes.vertices() < max_order && values <= most_values) {
         classes.grow();
+        values = classes.size() * static_cast<std::size_t>(stages.count());
         failed = failed_classes(stages, classes, decide, to_number, result.proved);
     }
     result.is_at_least = failed.empty();
-    result.order = failed.empty() ? max_order : classes.vertices() - 1;
+    result.order = classes.vertices() - (failed.empty() ? 0 : 1);
     result.conditions = tree_counts(family, classes.vertices());
     if (classes.vertices() > OrderConditions::most_listed_vertices) {
         list_representatives(result, failed, classes);

@@ -38,6 +38,13 @@ public:
     /// The number of vertices of the last trees.
     [[nodiscard]] int vertices() const { return static_cast<int>(generations_[0].size()); }
 
+    /// How many classes the last trees fall into.
+    [[nodiscard]] std::size_t size() const {
+        std::size_t result = 0;
+        for (const auto& generations : generations_) { result += generations.back().values.size(); }
+        return result;
+    }
+
     /// Goes on to trees with one vertex more.
     void grow() {
         if (vertices() != 0) { add_branches(); }

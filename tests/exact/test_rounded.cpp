@@ -116,6 +116,18 @@ TEST_CASE("coefficients are read in two ways") {
     CHECK(text(free.enclosed.method.b[0]) == "3333333333/10000000000");
 }
 
+TEST_CASE("a free parameter beside a number without a closed form is refused") {
+    const auto refused = [](const std::string& json) {
+        return refusal([&] { return given(json); });
+    };
+    const Refusal cube = refused(R"json({"A": [["w"]], "b": ["2^(1/3)"], "c": [0]})json");
+    CHECK(cube.status == 2);
+    CHECK(cube.marked == "[2^(1/3)]");
+    CHECK(cube.helps("--param"));
+    CHECK(refused(R"json({"A": [["w"]], "b": ["sqrt(2)"], "c": ["cos(w)"]})json").status == 0);
+    CHECK(refused(R"json({"A": [[1]], "b": ["2^(1/3)"], "c": [0]})json").status == 0);
+}
+
 TEST_CASE("within its digits a rounded method has its order and is symplectic") {
     const GivenTableau gauss = given(gauss_3);
     const Orders found = orders(gauss.rounded_method(), 8);
