@@ -52,7 +52,8 @@ inline std::string constant(const std::string& given) {
 }
 
 inline std::size_t terms(const std::string& text) {
-    return on_new_ground([&](const Ground& ground) { return function(text, ground).terms().size(); });
+    return on_new_ground(
+        [&](const Ground& ground) { return function(text, ground).terms().size(); });
 }
 
 }  // namespace hvi::gen

@@ -26,7 +26,8 @@ Coefficients coefficients(const RationalPolynomial& polynomial) {
 }
 
 std::vector<std::string> roots(const RationalPolynomial& polynomial) {
-    return on_new_ground([&](const Ground& ground) { return texts(real_roots(polynomial, ground)); });
+    return on_new_ground(
+        [&](const Ground& ground) { return texts(real_roots(polynomial, ground)); });
 }
 
 std::vector<std::string> decimal_roots(const RationalPolynomial& polynomial, int digits) {

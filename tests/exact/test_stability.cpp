@@ -444,7 +444,8 @@ TEST_CASE("rational, exact and enclosed coefficients give the same map") {
     const PartitionedMethod rational =
         runge_kutta({{"1/3", "-1/12"}, {"3/4", "1/4"}}, {"3/4", "1/4"});
     PartitionedMethod radical = rational;
-    radical.A[0][0] = on_new_ground([](const Ground& ground) { return read("1/3+sqrt(2)", ground); });
+    radical.A[0][0] =
+        on_new_ground([](const Ground& ground) { return read("1/3+sqrt(2)", ground); });
     PartitionedMethod back = radical;
     back.A[0][0] = radical.A[0][0];
     const OscillatorMap map = oscillator_map(rational);

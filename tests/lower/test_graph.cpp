@@ -64,9 +64,9 @@ Real difference(const Expression& f, const Values& at, const std::string& name) 
 
 /// `1+ 7* 1/ 1sqrt 0f`
 std::string text(const OperationCounts& counts) {
-    return std::to_string(counts.additions) + "+ " + std::to_string(counts.multiplications) +
-           "* " + std::to_string(counts.divisions) + "/ " + std::to_string(counts.square_roots) +
-           "sqrt " + std::to_string(counts.calls) + "f";
+    return std::to_string(counts.additions) + "+ " + std::to_string(counts.multiplications) + "* " +
+           std::to_string(counts.divisions) + "/ " + std::to_string(counts.square_roots) + "sqrt " +
+           std::to_string(counts.calls) + "f";
 }
 
 }  // namespace
