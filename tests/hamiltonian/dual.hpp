@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -39,7 +40,7 @@ inline Dual call(const std::string& name, Dual x) {
     if (name == "sinh") return chain(x, std::sinh(v), std::cosh(v));
     if (name == "cosh") return chain(x, std::cosh(v), std::sinh(v));
     if (name == "tanh") return chain(x, std::tanh(v), 1 / (std::cosh(v) * std::cosh(v)));
-    return {NAN, NAN};
+    return {std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::quiet_NaN()};
 }
 
 inline Dual power(Dual base, Dual exponent) {
@@ -81,7 +82,7 @@ inline Dual evaluate(const Expression& expression, const Point& point) {
     case Kind::power: return power(argument(0), argument(1));
     case Kind::call: return call(expression.name, argument(0));
     }
-    return {NAN, NAN};
+    return {std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::quiet_NaN()};
 }
 
 }  // namespace hvi::gen

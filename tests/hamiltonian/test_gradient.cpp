@@ -39,8 +39,9 @@ void check_values(const Hamiltonian& H, Real low = 0.1L, Real high = 0.9L) {
     const std::vector<std::string> names = variables(H);
     for (int trial = 0; trial < 10; ++trial) {
         Point point;
-        for (const std::string& name : names) point[name] = {between(random)};
-        for (const std::string& name : parameter_names(H)) point[name] = {between(random)};
+        for (const std::string& name : names) point[name] = {static_cast<Real>(between(random))};
+        for (const std::string& name : parameter_names(H))
+            point[name] = {static_cast<Real>(between(random))};
         for (const Parameter& known : H.parameters) point[known.name] = evaluate(known.value, {});
         for (std::size_t i = 0; i < names.size(); ++i) {
             const std::size_t n = H.degrees_of_freedom();
