@@ -104,8 +104,4 @@ std::vector<std::vector<StageNode>> coupled_stages(const PartitionedMethod& meth
     return groups;
 }
 
-bool is_explicit(const PartitionedMethod& method, bool separable) {
-    return coupled_stages(method, separable).empty();
-}
-
 }  // namespace hvi::gen

@@ -32,11 +32,9 @@ private:
 
 /// The stage values Q and P that a step of a method must solve for at once, whatever H is, or for
 /// H = T(p) + U(q): in each group all depend on all. Values that the step does not use are left
-/// out; a coefficient that is not proved to be zero counts.
+/// out; a coefficient that is not proved to be zero counts. Where there is no group a step needs no
+/// solver.
 [[nodiscard]] std::vector<std::vector<StageNode>> coupled_stages(const PartitionedMethod& method,
                                                                  bool separable);
-
-/// Whether there are none, so that a step needs no solver.
-[[nodiscard]] bool is_explicit(const PartitionedMethod& method, bool separable);
 
 }  // namespace hvi::gen

@@ -22,6 +22,10 @@ PartitionedMethod runge_kutta(const std::vector<std::vector<std::string>>& A,
     return result;
 }
 
+bool is_explicit(const PartitionedMethod& method, bool separable) {
+    return coupled_stages(method, separable).empty();
+}
+
 }  // namespace
 
 TEST_CASE("what Algorithm 4.3 gives is explicit as its scheme is") {
