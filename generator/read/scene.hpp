@@ -1,0 +1,66 @@
+// Scenes: a Hamiltonian with its numbers, and what one wants to know of its motion.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/read/hamiltonian.hpp"
+
+namespace hvi::gen {
+
+/// An expression with its name and where it stands. The ranges in it are ranges in its place's
+/// source.
+struct NamedExpression {
+    std::string name;
+    Expression expression;
+    Place place;  ///< of its whole text
+};
+
+/// What [run] asks for, where it says so.
+struct RunWishes {
+    std::shared_ptr<const Source> method;  ///< of a named method or family: `gauss:4`; or null
+    std::optional<NamedExpression> step;   ///< of parameters, pi and e
+    std::optional<NamedExpression> until;  ///< the same
+};
+
+/// A scene as it was given, checked as far as words go: every symbol is a variable, a parameter
+/// with a value, pi, e, or, in H and [exact], the time t; names are free and differ.
+struct Scene {
+    std::string name;         ///< the key `name`, else that of the file without its ending
+    std::string description;  ///< the key `description`: one line; or empty
+    Hamiltonian hamiltonian;  ///< no parameter of it has a value yet
+    std::vector<Parameter> parameters;        ///< all, in the order of the file
+    std::vector<NamedExpression> invariants;  ///< in the order of the file
+    std::vector<NamedExpression> initial;     ///< of the coordinates, then of the momenta
+    std::vector<NamedExpression> exact;       ///< the same, as functions of t; or empty
+    RunWishes run;
+};
+
+/// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
+/// line of the file.
+[[nodiscard]] Scene scene_from_file(const std::filesystem::path& path);
+
+/// The same for the text of such a file; the source's name is that of the file.
+[[nodiscard]] Scene scene_from_toml(const Source& file);
+
+/// The scene that the command line names: one that comes with the program (`kepler`), else that of
+/// the file. Throws InputError, with what may have been meant, where there is neither.
+[[nodiscard]] Scene find_scene(const std::string& name_or_file, const Place& place);
+
+/// Names and descriptions of the scenes that come with the program, by name.
+struct SceneEntry {
+    std::string_view name;
+    std::string description;
+};
+[[nodiscard]] std::vector<SceneEntry> scenes();
+
+/// Fixes the value of a parameter of the scene's Hamiltonian, initial values and the rest, or of
+/// the method's. Throws InputError as set_parameter() of a Hamiltonian does.
+void set_parameter(Method& method, Scene& scene, Parameter parameter);
+
+}  // namespace hvi::gen
