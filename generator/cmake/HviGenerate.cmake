@@ -3,18 +3,18 @@
 #
 #   hvi_generate(TARGET target HEADER file.hpp
 #                METHOD name | BASIS text NODES text | METHOD_FILE file.toml
-#                [SEPARABLE] [NAME class] [OPTIONS option...])
+#                [SCENE name | SCENE file.toml | SEPARABLE] [NAME class] [OPTIONS option...])
 #
 # Makes the INTERFACE library `target`, or adds to it: what links it can #include "file.hpp". The
-# methods and options are those of `hvi-gen stepper`; METHOD_FILE is relative to the directory of
-# the caller. OPTIONS takes any others, as in OPTIONS --param w=2.
+# methods and options are those of `hvi-gen stepper`; METHOD_FILE and the file of a scene are
+# relative to the directory of the caller. OPTIONS takes any others, as in OPTIONS --param w=2.
 #
 # The program is hvi::hvi-gen, or the one that HVI_GEN_EXECUTABLE names: set it when you compile for
 # another machine.
 
 function(hvi_generate)
     cmake_parse_arguments(PARSE_ARGV 0 arg
-        "SEPARABLE" "TARGET;HEADER;METHOD;BASIS;NODES;METHOD_FILE;NAME" "OPTIONS")
+        "SEPARABLE" "TARGET;HEADER;METHOD;BASIS;NODES;METHOD_FILE;SCENE;NAME" "OPTIONS")
     if(arg_UNPARSED_ARGUMENTS)
         message(FATAL_ERROR "hvi_generate: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
     endif()
@@ -38,6 +38,10 @@ function(hvi_generate)
         file(REAL_PATH "${arg_METHOD_FILE}" method_file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
         list(APPEND inputs "${method_file}")
     endif()
+    if(arg_SCENE MATCHES "[.]toml$")
+        file(REAL_PATH "${arg_SCENE}" scene BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
+        list(APPEND inputs "${scene}")
+    endif()
 
     if(HVI_GEN_EXECUTABLE)
         set(hvi_gen "${HVI_GEN_EXECUTABLE}")
@@ -55,7 +59,7 @@ function(hvi_generate)
     # NOTE: run where the caller stands, so that the header quotes METHOD_FILE as the caller wrote it.
     add_custom_command(
         OUTPUT "${header}"
-        COMMAND ${hvi_gen} stepper ${options} ${arg_OPTIONS} -o "${header}"
+        COMMAND ${hvi_gen} stepper ${options} ${arg_OPTIONS} ${arg_SCENE} -o "${header}"
         DEPENDS ${hvi_gen} ${inputs}
         WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
         COMMENT "Generating ${arg_HEADER}"

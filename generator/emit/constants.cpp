@@ -8,6 +8,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::string_view call = "rounded(";
+constexpr std::string_view qualified_call = "hvi::detail::rounded<Scalar>(";
 
 /// A format other than float always has the number: see check_range().
 const Dyadic& of(const Rounded& value, int bits) {
@@ -106,7 +107,16 @@ std::string initializer(const Constant& constant) {
     return text_of(constant.value);
 }
 
-bool are_rounded(std::string_view tables) { return tables.find(call) != std::string_view::npos; }
+std::string qualified_initializer(const Constant& constant) {
+    const std::string text = initializer(constant);
+    const bool is_call = text.substr(0, call.size()) == call;
+    return is_call ? std::string(qualified_call) + text.substr(call.size()) : text;
+}
+
+bool are_rounded(std::string_view tables) {
+    return tables.find(call) != std::string_view::npos ||
+           tables.find(qualified_call) != std::string_view::npos;
+}
 
 std::string with_rounding(const std::string& tables) {
     return are_rounded(tables) ? with_rounding_declared(tables) : tables;

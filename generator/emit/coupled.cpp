@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/header.hpp"
+#include "generator/emit/implicit_parts.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -7,19 +8,6 @@ namespace {
 using Kind = StageNode::Kind;
 
 constexpr auto& loop = "for (Index k = 0; k < s.at.q.size(); ++k) {{";
-
-std::string unknowns(const Block& block) {
-    std::string names;
-    for (const auto& [kind, letter] : {std::pair{Kind::Q, "Q"}, std::pair{Kind::P, "P"}}) {
-        for (const std::size_t i : block.of(kind)) {
-            names += fmt::format("{}{}_{}", names.empty() ? "" : ", ", letter, i + 1);
-        }
-    }
-    Writer writer(1);
-    writer.comment(fmt::format("The stage equations of {}, which are solved at once.", names),
-                   "/// ");
-    return writer.str();
-}
 
 std::string index_list(std::string_view name, const std::vector<std::size_t>& indices) {
     std::string list;
@@ -82,6 +70,19 @@ std::string size(const std::vector<std::size_t>& values, std::string_view letter
 std::string_view text(bool value) { return value ? "true" : "false"; }
 
 }  // namespace
+
+std::string unknowns(const Block& block) {
+    std::string names;
+    for (const auto& [kind, letter] : {std::pair{Kind::Q, "Q"}, std::pair{Kind::P, "P"}}) {
+        for (const std::size_t i : block.of(kind)) {
+            names += fmt::format("{}{}_{}", names.empty() ? "" : ", ", letter, i + 1);
+        }
+    }
+    Writer writer(1);
+    writer.comment(fmt::format("The stage equations of {}, which are solved at once.", names),
+                   "/// ");
+    return writer.str();
+}
 
 std::string coupled(const Scheme& scheme, const Block& block, std::string_view name) {
     const auto Q = block.of(Kind::Q);

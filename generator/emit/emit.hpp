@@ -4,14 +4,17 @@
 
 #include <string>
 
+#include "generator/emit/scene_code.hpp"
 #include "generator/exact/tableau.hpp"
 #include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
 
 struct EmitOptions {
-    std::string class_name;  ///< checked by check_class_name()
-    std::string command;     ///< the command line that writes the same header again
+    std::string class_name;               ///< checked by check_class_name()
+    std::string command;                  ///< the command line that writes the same header again
+    const LoweredScene* scene = nullptr;  ///< whose H it is; null: that of a class of the user
+    SceneWishes wishes = {};              ///< of the scene
 };
 
 /// The header: one class hvi::generated::CLASS_NAME. A function of its arguments and of the version

@@ -5,6 +5,7 @@
 #include "generator/emit/banner.hpp"
 #include "generator/emit/embedded.hpp"
 #include "generator/emit/header.hpp"
+#include "generator/emit/system_part.hpp"
 #include "generator/plan/equal.hpp"
 #include "generator/support/error.hpp"
 
@@ -194,11 +195,19 @@ std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
     HVI_CHECK(scheme.separable);
     const std::string weights = weights_text(scheme);
+    const SystemPart system = system_part(tableau, scheme, options);
+    const bool rounds = are_rounded(weights) || are_rounded(system.types);
     return fill("explicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"support", support(scheme, are_rounded(weights))},
-                                    {"name", options.class_name},
+                                    {"include", system.include},
+                                    {"support", support(scheme, rounds)},
+                                    {"purpose", system.purpose},
+                                    {"head", system.head},
+                                    {"name", system.class_name},
+                                    {"condition", system.condition},
+                                    {"types", system.types},
                                     {"parameter", parameter_text(scheme)},
-                                    {"construct", constructor(scheme, options.class_name)},
+                                    {"construct", system.construct},
+                                    {"alias", system.alias},
                                     {"begins", begins(scheme)},
                                     {"weights", weights},
                                     {"fits", fits_text(scheme)},

@@ -34,6 +34,9 @@ void table(Writer& writer, std::string_view name, const std::vector<std::vector<
 /// MathError as table() does.
 [[nodiscard]] std::string initializer(const Constant& constant);
 
+/// The same where rounded() is not declared.
+[[nodiscard]] std::string qualified_initializer(const Constant& constant);
+
 /// The text of tables, after the declaration of rounded() where they call it, or in any case.
 [[nodiscard]] std::string with_rounding(const std::string& tables);
 [[nodiscard]] std::string with_rounding_declared(const std::string& text);
@@ -65,8 +68,6 @@ void refuse_float(Writer& writer, const std::vector<Constant>& constants);
 [[nodiscard]] std::string parameter_text(const Scheme& scheme);
 /// The struct Functions, of which coefficients are quotients. Precondition: from_parameter.
 [[nodiscard]] std::string functions_of_parameter(const Scheme& scheme);
-/// The constructor, which takes the parameter if there is one.
-[[nodiscard]] std::string constructor(const Scheme& scheme, std::string_view class_name);
 /// What step() does first: there may be no method.
 [[nodiscard]] std::string begins(const Scheme& scheme);
 

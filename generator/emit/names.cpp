@@ -65,6 +65,11 @@ constexpr std::array<std::string_view, 7> taken_by_coefficients{
     "Coefficients", "Functions", "coefficients", "coefficients_", "status", "parameter", "at",
 };
 
+/// The same where a scene has functions of its own.
+constexpr std::array<std::string_view, 9> taken_by_scenes{
+    "dHdq", "dHdp", "d2Hdq2", "d2Hdqdp", "d2Hdp2", "energy", "initial", "begin", "Parameters",
+};
+
 bool is_identifier(std::string_view name) {
     return !name.empty() && !is_digit(name.front()) &&
            std::all_of(name.begin(), name.end(), [](char c) { return is_word(c) || c == '_'; });
@@ -75,17 +80,24 @@ bool is_reserved(std::string_view name) {
            (name.size() > 1 && name[0] == '_' && is_upper(name[1]));
 }
 
-/// `Coupled1` and the like are structs of the class, `M_PI` and the like may be macros.
+bool is_keyword(std::string_view name) {
+    static_assert(std::is_sorted(keywords.begin(), keywords.end()));
+    return std::binary_search(keywords.begin(), keywords.end(), name);
+}
+
+/// Whether it is that word and digits: `Coupled1` and the like are structs of the class.
+bool is_numbered(std::string_view name, std::string_view word) {
+    return name.substr(0, word.size()) == word &&
+           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(word.size()), name.end(),
+                       is_digit);
+}
+
 bool is_taken(std::string_view name) {
     const auto is_in = [&](const auto& names) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
-    if (is_in(taken) || is_in(taken_by_coefficients)) { return true; }
-    constexpr std::string_view coupled = "Coupled";
-    if (name.substr(0, coupled.size()) == coupled) {
-        return std::all_of(name.begin() + coupled.size(), name.end(), is_digit);
-    }
-    return false;
+    return is_in(taken) || is_in(taken_by_coefficients) || is_in(taken_by_scenes) ||
+           is_numbered(name, "Coupled");
 }
 
 }  // namespace
@@ -112,12 +124,11 @@ std::string file_name(std::string_view method) {
 }
 
 void check_class_name(std::string_view name, const std::optional<Place>& place) {
-    static_assert(std::is_sorted(keywords.begin(), keywords.end()));
     constexpr auto help = "an identifier like Gauss2, of letters, digits and single underscores";
     if (!is_identifier(name)) {
         throw InputError(fmt::format("'{}' cannot be the name of a class", name), place, help);
     }
-    if (std::binary_search(keywords.begin(), keywords.end(), name)) {
+    if (is_keyword(name)) {
         throw InputError(fmt::format("'{}' is a word of C++ itself", name), place, help);
     }
     if (is_reserved(name)) {
@@ -126,6 +137,20 @@ void check_class_name(std::string_view name, const std::optional<Place>& place) 
     if (is_taken(name)) {
         throw InputError(fmt::format("'{}' means something else in the header", name), place, help);
     }
+}
+
+void check_function_name(std::string_view name, const std::optional<Place>& place) {
+    const std::string help = fmt::format("take another name, such as {}_value", name);
+    if (is_keyword(name)) {
+        throw InputError(fmt::format("'{}' is a word of C++ itself", name), place, help);
+    }
+    if (is_taken(name) || is_numbered(name, "k")) {
+        throw InputError(fmt::format("'{}' means something else in the header", name), place, help);
+    }
+}
+
+std::string member_name(std::string_view name) {
+    return std::string(name) + (is_keyword(name) ? "_" : "");
 }
 
 }  // namespace hvi::gen

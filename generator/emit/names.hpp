@@ -20,4 +20,10 @@ namespace hvi::gen {
 /// identifier, no keyword, not reserved, and none of the names that the header itself uses.
 void check_class_name(std::string_view name, const std::optional<Place>& place);
 
+/// The same for a function that a stepper is to have besides its own.
+void check_function_name(std::string_view name, const std::optional<Place>& place);
+
+/// `mu` -> `mu`, `class` -> `class_`: a name of the user as that of a member of a struct.
+[[nodiscard]] std::string member_name(std::string_view name);
+
 }  // namespace hvi::gen

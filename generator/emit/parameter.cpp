@@ -311,22 +311,6 @@ std::string functions_of_parameter(const Scheme& scheme) {
     return are_rounded(parameter_text(scheme)) ? with_rounding_declared(text) : text;
 }
 
-std::string constructor(const Scheme& scheme, std::string_view class_name) {
-    Writer writer(1);
-    if (!scheme.from_parameter) {
-        writer.line("explicit {}(System system = System{{}})", class_name);
-        writer.line("    : system_(std::move(system)) {{}}");
-        return writer.str();
-    }
-    writer.comment(fmt::format("`parameter`: {}, for w = omega h of a basis that is fitted to the "
-                               "frequency omega and steps of size h. See status().",
-                               scheme.from_parameter->numbers.parameter),
-                   "/// ");
-    writer.line("{}(System system, Scalar parameter)", class_name);
-    writer.line("    : system_(std::move(system)), coefficients_(parameter) {{}}");
-    return writer.str();
-}
-
 std::string begins(const Scheme& scheme) {
     if (!scheme.from_parameter) { return {}; }
     return Writer(2)

@@ -46,6 +46,11 @@ using Roles = unsigned;
     return (roles & static_cast<unsigned>(role)) != 0;
 }
 
+/// Whether something depends on variables, so that it is computed at every evaluation.
+[[nodiscard]] constexpr bool varies(Roles roles) {
+    return (roles & ~static_cast<Roles>(Role::parameter)) != 0;
+}
+
 /// What a node computes. A sum has `terms`, ascending by node, at least two, and the first factor
 /// is positive; the other operations have `arguments`.
 struct Computation {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/kernel.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace hvi::gen {
@@ -11,7 +12,9 @@ void count_factor(OperationCounts& counts, const SmallFraction& factor) {
     if (!factor.size().is_one()) { ++counts.multiplications; }
 }
 
-void count(OperationCounts& counts, const Computation& computation) {
+void count(const Graph& graph, Kernel& kernel, Node node) {
+    OperationCounts& counts = kernel.counts;
+    const Computation& computation = graph.at(node);
     switch (computation.operation) {
     case Operation::constant:
     case Operation::input: break;
@@ -19,7 +22,12 @@ void count(OperationCounts& counts, const Computation& computation) {
         counts.additions += computation.terms.size() - 1;
         for (const Scaled& term : computation.terms) { count_factor(counts, term.factor); }
         break;
-    case Operation::product: ++counts.multiplications; break;
+    case Operation::product:
+        if (std::none_of(computation.arguments.begin(), computation.arguments.end(),
+                         [&](Node argument) { return is_divisor(graph, kernel, argument); })) {
+            ++counts.multiplications;
+        }
+        break;
     case Operation::inverse: ++counts.divisions; break;
     case Operation::inverse_square_root: ++counts.divisions; [[fallthrough]];
     case Operation::square_root: ++counts.square_roots; break;
@@ -28,34 +36,53 @@ void count(OperationCounts& counts, const Computation& computation) {
     }
 }
 
-bool varies(const Computation& computation) {
-    return (computation.roles & ~static_cast<unsigned>(Role::parameter)) != 0;
+template <class IsGiven>
+Kernel kernel(const Graph& graph, std::vector<Scaled> results, IsGiven is_given) {
+    Kernel kernel;
+    kernel.uses.resize(graph.size());
+    for (const Scaled& result : results) { ++kernel.uses[result.node]; }
+    for (auto node = static_cast<Node>(graph.size()); node-- > 0;) {
+        if (kernel.uses[node] == 0) { continue; }
+        const Computation& computation = graph.at(node);
+        if (is_given(computation)) {
+            kernel.given.push_back(node);
+            continue;
+        }
+        kernel.nodes.push_back(node);
+        for (const Scaled& term : computation.terms) { ++kernel.uses[term.node]; }
+        for (const Node argument : computation.arguments) { ++kernel.uses[argument]; }
+    }
+    std::reverse(kernel.given.begin(), kernel.given.end());
+    std::reverse(kernel.nodes.begin(), kernel.nodes.end());
+    for (const Node node : kernel.nodes) { count(graph, kernel, node); }
+    for (const Scaled& result : results) {
+        if (!graph.is_number(result)) { count_factor(kernel.counts, result.factor); }
+    }
+    kernel.results = std::move(results);
+    return kernel;
 }
 
 }  // namespace
 
 Kernel kernel(const Graph& graph, std::vector<Scaled> results) {
-    Kernel kernel;
-    kernel.uses.resize(graph.size());
-    for (const Scaled& result : results) {
-        ++kernel.uses[result.node];
-        count_factor(kernel.per_evaluation, result.factor);
-    }
-    for (auto node = static_cast<Node>(graph.size()); node-- > 0;) {
-        if (kernel.uses[node] == 0) { continue; }
-        const Computation& computation = graph.at(node);
-        // NOTE: what is computed once may be needed by it, but is not needed at each evaluation.
-        for (const Scaled& term : computation.terms) { ++kernel.uses[term.node]; }
-        for (const Node argument : computation.arguments) { ++kernel.uses[argument]; }
-    }
-    for (Node node = 0; node < graph.size(); ++node) {
-        const Computation& computation = graph.at(node);
-        if (kernel.uses[node] == 0 || computation.operation == Operation::input) { continue; }
-        (varies(computation) ? kernel.each : kernel.once).push_back(node);
-        if (varies(computation)) { count(kernel.per_evaluation, computation); }
-    }
-    kernel.results = std::move(results);
-    return kernel;
+    return kernel(graph, std::move(results), [](const Computation& computation) {
+        return computation.operation == Operation::input || !varies(computation.roles);
+    });
+}
+
+Kernel kernel_of_inputs(const Graph& graph, std::vector<Scaled> results) {
+    return kernel(graph, std::move(results), [](const Computation& computation) {
+        return computation.operation == Operation::input ||
+               computation.operation == Operation::constant;
+    });
+}
+
+bool is_divisor(const Graph& graph, const Kernel& kernel, Node node) {
+    const Operation operation = graph.at(node).operation;
+    const bool is_inverse =
+        operation == Operation::inverse || operation == Operation::inverse_square_root;
+    return is_inverse && kernel.uses[node] == 1 &&
+           std::binary_search(kernel.nodes.begin(), kernel.nodes.end(), node);
 }
 
 }  // namespace hvi::gen

@@ -17,16 +17,23 @@ struct OperationCounts {
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
-/// Straight-line code: nodes in an order in which they can be computed.
+/// Straight-line code: nodes in an order in which they can be computed from what is given.
 struct Kernel {
-    std::vector<Node> once;  ///< from parameters and constants: computed before all steps
-    std::vector<Node> each;  ///< from variables: computed at every evaluation
+    std::vector<Node> given;  ///< what the nodes and results use and do not compute, ascending
+    std::vector<Node> nodes;  ///< ascending
     std::vector<Scaled> results;
-    std::vector<std::size_t> uses;  ///< of each node of the graph, by other nodes and results
-    OperationCounts per_evaluation;
+    std::vector<std::size_t> uses;  ///< of each node of the graph, by these nodes and results
+    OperationCounts counts;         ///< of nodes and results
 };
 
-/// What these results need, and nothing else.
+/// What is computed at every evaluation. Given are the variables, and what does not depend on them:
+/// constants, parameters and what is made of these alone.
 [[nodiscard]] Kernel kernel(const Graph& graph, std::vector<Scaled> results);
+
+/// What is computed once, from inputs and constants.
+[[nodiscard]] Kernel kernel_of_inputs(const Graph& graph, std::vector<Scaled> results);
+
+/// Whether it is 1/b and used once: in a product with a it is the division a/b.
+[[nodiscard]] bool is_divisor(const Graph& graph, const Kernel& kernel, Node node);
 
 }  // namespace hvi::gen

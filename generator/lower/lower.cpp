@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 
 namespace hvi::gen {
 
@@ -18,13 +19,30 @@ std::optional<long> small_integer(const std::string& digits) {
     return fits ? std::optional(value) : std::nullopt;
 }
 
-bool varies(Roles roles) { return (roles & ~static_cast<unsigned>(Role::parameter)) != 0; }
+bool contains(const Expression& expression, const std::function<bool(const Expression&)>& is_one) {
+    return is_one(expression) ||
+           std::any_of(expression.arguments.begin(), expression.arguments.end(),
+                       [&](const Expression& argument) { return contains(argument, is_one); });
+}
+
+bool is_variable(const Expression& expression) {
+    return expression.kind == Kind::symbol && expression.name != "pi" && expression.name != "e";
+}
+
+/// Whether it is a number with more to it than sums, products and powers of numbers: one that is
+/// rounded once, as a whole.
+bool is_irrational_constant(const Expression& expression) {
+    return !contains(expression, is_variable) && contains(expression, [](const Expression& part) {
+        return part.kind == Kind::call || part.kind == Kind::symbol;
+    });
+}
 
 class Lowering {
 public:
     Lowering(Graph& graph, const Symbols& symbols) : graph_(graph), symbols_(symbols) {}
 
     Scaled operator()(const Expression& expression) {
+        if (is_irrational_constant(expression)) { return graph_.constant(expression); }
         switch (expression.kind) {
         case Kind::number: return number(expression);
         case Kind::symbol: return symbol(expression);

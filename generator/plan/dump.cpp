@@ -45,6 +45,12 @@ std::string lines(std::string_view letter, const std::vector<StageValue>& values
     return result;
 }
 
+std::string line(std::string_view name, const NumberVector& row) {
+    std::string result = fmt::format("{}:", name);
+    for (const Number& entry : row) { result += ' ' + text(entry); }
+    return result + '\n';
+}
+
 std::string line(const Block& block) {
     std::string result = block.coupled ? "solve" : "evaluate";
     for (const StageNode& node : block.nodes) {
@@ -59,10 +65,9 @@ std::string dump(const Scheme& scheme) {
     std::string result = scheme.separable ? "separable\n" : "general\n";
     result += lines("Q", scheme.positions);
     result += lines("P", scheme.momenta);
-    for (const auto& row : scheme.m) {
-        result += "m:";
-        for (const Number& entry : row) { result += ' ' + text(entry); }
-        result += '\n';
+    for (const NumberVector& row : scheme.m) { result += line("m", row); }
+    if (scheme.velocity_form) {
+        for (const NumberVector& row : scheme.velocity_form->n) { result += line("n", row); }
     }
     for (const Block& block : scheme.blocks) { result += line(block); }
     for (const Decision& decision : scheme.decisions) {

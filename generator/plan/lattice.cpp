@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/plan/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -85,6 +86,43 @@ RoundedCoefficients rounded(const Scheme& scheme) {
         for (std::size_t j = 0; j < (mirrored ? i + 1 : columns); ++j) {
             for (std::size_t f = 0; f < formats.size(); ++f) { round(i, j, f); }
         }
+    }
+    return result;
+}
+
+namespace {
+
+/// Rounds to multiples of 2^ulp, and says whether the results have no more bits than the format.
+bool round_in_format(RoundedVelocityForm& result, const VelocityForm& form, std::size_t f,
+                     int ulp) {
+    bool fits = true;
+    const auto checked = [&](const Dyadic& value) {
+        fits = fits && value.bits() <= formats[f].bits;
+        return value;
+    };
+    const auto on_lattice = [&](const Number& value) { return value.nearest_multiple(ulp); };
+    for (std::size_t i = 0; i < form.c.size(); ++i) {
+        result.c[i][f] = checked(on_lattice(form.c[i]));
+        (void)checked(one - *result.c[i][f]);
+        for (std::size_t j = 0; j <= i; ++j) {
+            const Dyadic difference = *result.c[i][f] - *result.c[j][f];
+            const bool is_zero_above = equal(form.n[j][i], 0);
+            const Dyadic below = is_zero_above ? difference : on_lattice(form.n[i][j]);
+            result.n[i][j][f] = checked(below);
+            result.n[j][i][f] = checked(below - difference);
+        }
+    }
+    return fits;
+}
+
+}  // namespace
+
+RoundedVelocityForm rounded(const VelocityForm& form) {
+    const std::size_t r = form.c.size();
+    RoundedVelocityForm result{std::vector<Rounded>(r), RoundedMatrix(r, std::vector<Rounded>(r))};
+    for (std::size_t f = 0; f < formats.size(); ++f) {
+        int ulp = -formats[f].bits;
+        while (!round_in_format(result, form, f, ulp)) { HVI_CHECK(++ulp <= 0); }
     }
     return result;
 }

@@ -52,4 +52,14 @@ struct RoundedCoefficients {
 /// and where m_ij depends on a parameter.
 [[nodiscard]] RoundedCoefficients rounded(const Scheme& scheme);
 
+/// c and n with n[i][j] - n[j][i] == c[i] - c[j] without rounding, in each format.
+struct RoundedVelocityForm {
+    std::vector<Rounded> c;
+    RoundedMatrix n;
+};
+
+/// Rounds c and the n_ij with i >= j to multiples of one power of two, the least with which these,
+/// 1 - c_i and n_ji = n_ij - (c_i - c_j) are numbers of the format. A zero stays one.
+[[nodiscard]] RoundedVelocityForm rounded(const VelocityForm& form);
+
 }  // namespace hvi::gen

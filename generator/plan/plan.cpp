@@ -9,6 +9,7 @@
 #include "generator/plan/equal.hpp"
 #include "generator/plan/graph.hpp"
 #include "generator/plan/stage_graph.hpp"
+#include "generator/plan/velocity_form.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -197,6 +198,22 @@ void set_kept(Scheme& scheme) {
     }
 }
 
+/// Fewer unknowns for H = p^T K p/2 + U(q).
+void eliminate_momenta(Scheme& scheme) {
+    if (scheme.is_explicit() || scheme.from_parameter) { return; }
+    VelocityForm form = velocity_form(scheme);
+    std::vector<Block> order = blocks(form);
+    const auto coupled = std::count_if(order.begin(), order.end(),
+                                       [](const Block& block) { return block.coupled; });
+    if (coupled != 1) { return; }
+    scheme.velocity_form = std::move(form);
+    scheme.blocks = std::move(order);
+    scheme.keeps_velocity = false;
+    scheme.decisions.push_back(
+        {"the momenta of the stages are eliminated",
+         "the kinetic energy is quadratic: the stages are solved for their positions alone"});
+}
+
 bool are_distinct(const NumberVector& c) {
     for (std::size_t i = 0; i < c.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
@@ -257,8 +274,8 @@ void set_extrapolation(Scheme& scheme, const Tableau& tableau) {
              "extrapolation would need coefficients for each value of the parameter"});
         return;
     }
-    const bool merged =
-        scheme.positions.size() != tableau.stages() || scheme.momenta.size() != tableau.stages();
+    const bool merged = scheme.positions.size() != tableau.stages() ||
+                        (!scheme.velocity_form && scheme.momenta.size() != tableau.stages());
     if (merged || !are_distinct(tableau.c)) {
         scheme.decisions.push_back(
             {"slopes at the start of the step are the starting values of the iteration",
@@ -361,6 +378,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_blocks(scheme);
     set_kept(scheme);
     set_from_parameter(scheme, tableau);
+    if (options.kinetic_is_quadratic) { eliminate_momenta(scheme); }
     set_extrapolation(scheme, tableau);
     return scheme;
 }

@@ -8,7 +8,8 @@
 namespace hvi::gen {
 
 struct PlanOptions {
-    bool separable = false;  ///< for H = T(p) + U(q) only
+    bool separable = false;             ///< for H = T(p) + U(q) only
+    bool kinetic_is_quadratic = false;  ///< and T = p^T K p/2 with constant K
 };
 
 /// Throws InputError when the tableau has free parameters in places that parametric() refuses.

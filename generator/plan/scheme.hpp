@@ -50,6 +50,20 @@ enum class Partner {
     undecided,  ///< neither: enclosures do not tell them apart
 };
 
+/// The stages of H = p^T K p/2 + U(q) without their momenta, for v = K p and W_j = h K Lp_j:
+///
+///     Q_i = q + h c_i v + sum_j n_ij W_j,    n_ij - n_ji = c_i - c_j,
+///     q at the end = q + h v + sum_j (1 - c_j) W_j.
+///
+/// Put (4.18d) into Lq_j = h b_j K P_j and that into (4.18c); with S = m diag(b) m^T there comes
+/// c_i = sum_j m_ij b_j and n_ij = c_i - S_ij, and S is symmetric. That condition makes a Nystrom
+/// method symplectic, whatever its weights (Hairer, Lubich & Wanner, Geometric Numerical
+/// Integration, Theorem IV.2.5 divided by the weights).
+struct VelocityForm {
+    NumberVector c;  ///< of the positions
+    NumberMatrix n;  ///< positions x positions
+};
+
 /// How the constructor of a stepper computes the coefficients that depend on a parameter. Places
 /// are those in `numbers`; they are empty where there is a constant.
 struct FromParameter {
@@ -80,8 +94,10 @@ struct Scheme {
     Partner partner = Partner::undecided;
     std::vector<StageValue> positions;
     std::vector<StageValue> momenta;
-    NumberMatrix m;               ///< positions x momenta
-    std::vector<Block> blocks;    ///< each needs only what stands before it
+    NumberMatrix m;             ///< positions x momenta
+    std::vector<Block> blocks;  ///< each needs only what stands before it
+    /// Where the momenta are eliminated: the blocks then have no P and no Lq.
+    std::optional<VelocityForm> velocity_form;
     bool keeps_force = false;     ///< the last force of a step is the first of the next
     bool keeps_velocity = false;  ///< the same of dH/dp
     /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.

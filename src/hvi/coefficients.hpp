@@ -19,4 +19,20 @@ template <class Scalar, std::size_t r, std::size_t s>
     return true;
 }
 
+/// n_ij - n_ji == c_i - c_j for all entries and without rounding: the condition for a Nystrom
+/// method to be symplectic, divided by its weights.
+template <class Scalar, std::size_t r>
+[[nodiscard]] constexpr bool symplectic(const Scalar (&c)[r], const Scalar (&n)[r][r]) {
+    for (std::size_t i = 0; i < r; ++i) {
+        for (std::size_t j = 0; j < r; ++j) {
+            const Scalar difference = c[i] - c[j];
+            if (n[i][j] - n[j][i] != difference || n[i][j] - difference != n[j][i] ||
+                n[j][i] + difference != n[i][j]) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace hvi::detail

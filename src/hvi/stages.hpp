@@ -1,13 +1,13 @@
-// What an implicit stepper works with and remembers.
+// The stages of an implicit stepper.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
 #include <cstddef>
 
-#include <hvi/compensated.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
+#include <hvi/step_memory.hpp>
 #include <hvi/system.hpp>
 #include <hvi/weights.hpp>
 
@@ -18,88 +18,38 @@ namespace hvi::detail {
 ///     Lq_j = h b_j dH/dp(Q_j, P_j),    Lp_i = -h b_i dH/dq(Q_i, P_i),
 ///     Q_i = q + (e_q + sum_j m_ij Lq_j),    P_j = p + (e_p + sum_i mt_ji Lp_i),
 ///
-/// with m_ij = a_ij/b_j, mt_ji = a~_ji/b_i and the remainder (e_q, e_p) of the sums so far, which
-/// enters the stages, not the update alone (Antonana, Makazaga & Murua). The method is symplectic
-/// when m_ij + mt_ji == 1, which holds exactly in every format.
-///
-/// Remainder, slopes and whatever else one step leaves for the next are bound to the state in which
-/// that step ended: begin() forgets them unless it is given these very bits.
+/// with m_ij = a_ij/b_j and mt_ji = a~_ji/b_i. The method is symplectic when m_ij + mt_ji == 1,
+/// which holds exactly in every format.
 template <class Vector, std::size_t positions, std::size_t momenta>
-struct Stages {
-    using Index = IndexOf<Vector>;
+struct Stages : StepMemory<Vector> {
     using Scalar = ScalarOf<Vector>;
 
-    State<Vector> at;         ///< where the step begins, afterwards where it ended
-    State<Vector> remainder;  ///< what rounding cut off from `at`
     std::array<Vector, positions> Q{}, Lp{};
     std::array<Vector, momenta> P{}, Lq{};
-    Vector slope{};        ///< see scratch()
-    State<Vector> change;  ///< of the stage values in one sweep: for each component, over stages
-    Index n{};             ///< dimension of q and of p
-    Scalar h = 0;
     std::array<Scalar, momenta> hb_q{};    ///< h b_j of Lq_j; see weigh()
     std::array<Scalar, positions> hb_p{};  ///< h b_i of Lp_i
-    Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
-    bool continues = false;  ///< the step begins, bit for bit, where the last one ended
 
-    /// Prepares a step of size h from x. Precondition: h != 0.
+    /// See StepMemory.
     [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size) {
-        if (!sums_are_exact_) { return Status(Status::Code::unsafe_arithmetic); }
-        if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
-        if (x.q.size() != x.p.size()) { return Status(Status::Code::dimension_mismatch); }
-        continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
-        h_before = continues ? h : 0;
-        h = step_size;
-        ended_ = false;
-        if (!continues) { start_at(x); }
-        return {};
+        const Status status = StepMemory<Vector>::begin(x, step_size);
+        if (!status.ok() || this->continues) { return status; }
+        for (Vector& v : Q) { fit(v, this->n); }
+        for (Vector& v : P) { fit(v, this->n); }
+        for (Vector& v : Lq) { fit(v, this->n); }
+        for (Vector& v : Lp) { fit(v, this->n); }
+        return status;
     }
 
     /// Sets hb_q and hb_p, for steppers whose weights are no powers of two.
     void weigh(const Scalar (&b_q)[momenta], const Scalar (&b_p)[positions]) {
-        if (h == weighed_) { return; }
-        hb_q = weights_of_step(h, b_q);
-        hb_p = weights_of_step(h, b_p);
-        weighed_ = h;
+        if (this->h == weighed_) { return; }
+        hb_q = weights_of_step(this->h, b_q);
+        hb_p = weights_of_step(this->h, b_p);
+        weighed_ = this->h;
     }
-
-    /// Adds the increment to `at.q`, or `at.p`, keeping what rounding cuts off.
-    static void add(Scalar& value, Scalar& cut_off, Scalar increment) {
-        const Sum<Scalar> sum = two_sum(value, cut_off + increment);
-        value = sum.value;
-        cut_off = sum.remainder;
-    }
-
-    /// Ends the step: x becomes `at`, unless that is not finite.
-    [[nodiscard]] Status end(State<Vector>& x, int iterations) {
-        if (!finite(at.q) || !finite(at.p)) { return Status(Status::Code::not_finite, iterations); }
-        x.q = at.q;
-        x.p = at.p;
-        ended_ = true;
-        return Status(Status::Code::ok, iterations);
-    }
-
-    void forget() { ended_ = false; }
 
 private:
-    void start_at(const State<Vector>& x) {
-        n = x.q.size();
-        at.q = x.q;
-        at.p = x.p;
-        for (Vector* v : {&remainder.q, &remainder.p, &change.q, &change.p, &slope}) { fit(*v, n); }
-        for (Vector& v : Q) { fit(v, n); }
-        for (Vector& v : P) { fit(v, n); }
-        for (Vector& v : Lq) { fit(v, n); }
-        for (Vector& v : Lp) { fit(v, n); }
-        for (Index k = 0; k < n; ++k) {
-            remainder.q[k] = 0;
-            remainder.p[k] = 0;
-        }
-    }
-
     Scalar weighed_ = 0;  ///< the step size of hb_q and hb_p
-    bool ended_ = false;  ///< `at` is where a step ended well
-    bool sums_are_exact_ = sums_are_exact<Scalar>();
 };
 
 }  // namespace hvi::detail

@@ -162,7 +162,7 @@ TEST_CASE("the force of the Kepler problem costs what it costs by hand") {
     Lowered f({"x", "y"}, {"px", "py"}, {"mu"});
     const Scaled U = f("-mu/sqrt(x^2+y^2)");
     const Kernel forces = kernel(f.graph, gradient(f.graph, U, {f.variables[0], f.variables[1]}));
-    CHECK(text(forces.per_evaluation) == "1+ 7* 1/ 1sqrt 0f");
+    CHECK(text(forces.counts) == "1+ 7* 1/ 1sqrt 0f");
 }
 
 TEST_CASE("forces between bodies are computed once for each pair") {
@@ -171,13 +171,26 @@ TEST_CASE("forces between bodies are computed once for each pair") {
                        "+m2*m3/sqrt((x2-x3)^2+(y2-y3)^2))");
     const Kernel forces = kernel(f.graph, gradient(f.graph, U, f.variables));
     // 3 pairs: 2 differences, 1 sum; 2 squares, r r, (r r) r, times G m m, 2 products; 6 sums of 2.
-    CHECK(text(forces.per_evaluation) == "15+ 21* 3/ 3sqrt 0f");
+    CHECK(text(forces.counts) == "15+ 21* 3/ 3sqrt 0f");
+}
+
+TEST_CASE("a quotient is one division, and a shared one is a product with the inverse") {
+    Lowered f({"x", "y", "z"}, {});
+    CHECK(text(kernel(f.graph, {f("y/(1+x^2)")}).counts) == "1+ 1* 1/ 0sqrt 0f");
+    CHECK(text(kernel(f.graph, {f("y/(1+x^2)"), f("z/(1+x^2)")}).counts) ==
+          "1+ 3* 1/ 0sqrt 0f");
+    CHECK(text(kernel(f.graph, {f("y/sqrt(x)")}).counts) == "0+ 0* 1/ 1sqrt 0f");
+    CHECK(text(kernel(f.graph, {f("x-x"), f("7")}).counts) == "0+ 0* 0/ 0sqrt 0f");
 }
 
 TEST_CASE("what depends on parameters alone is computed once") {
     Lowered f({"q"}, {"p"}, {"k", "m"});
     const Scaled H = f("p^2/(2*m)+k*sqrt(m)*q^2/2");
     const Kernel slopes = kernel(f.graph, gradient(f.graph, H, f.variables));
-    CHECK(text(slopes.per_evaluation) == "0+ 2* 0/ 0sqrt 0f");
-    CHECK(slopes.once.size() == 3);  // sqrt(m), k sqrt(m), 1/m
+    CHECK(text(slopes.counts) == "0+ 2* 0/ 0sqrt 0f");
+    // q, p, k sqrt(m) and 1/m; by the way there, sqrt(m).
+    CHECK(slopes.given.size() == 4);
+    const Kernel before = kernel_of_inputs(
+        f.graph, {{{1, 1}, slopes.given[2]}, {{1, 1}, slopes.given[3]}});
+    CHECK(text(before.counts) == "0+ 1* 1/ 1sqrt 0f");
 }

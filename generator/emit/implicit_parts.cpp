@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/implicit_parts.hpp"
+
+#include "generator/plan/lattice.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// NOTE: starting values need not be good to the last bit.
+RoundedMatrix nearest_or_small(const NumberMatrix& exact) {
+    RoundedMatrix values;
+    for (const NumberVector& row : exact) {
+        std::vector<Rounded>& rounded = values.emplace_back();
+        for (const Number& entry : row) { rounded.push_back(nearest_or_small(entry)); }
+    }
+    return values;
+}
+
+}  // namespace
+
+bool is_kept(const Scheme& scheme, const StageNode& slope) {
+    return slope.kind == StageNode::Kind::Lp
+               ? scheme.keeps_force &&
+                     scheme.positions[slope.index].place != StageValue::Place::inner
+               : scheme.keeps_velocity &&
+                     scheme.momenta[slope.index].place != StageValue::Place::inner;
+}
+
+std::vector<std::vector<Constant>> constants(std::string_view name, const NumberMatrix& exact,
+                                             const RoundedMatrix& values) {
+    std::vector<std::vector<Constant>> rows(exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        for (std::size_t j = 0; j < exact[i].size(); ++j) {
+            rows[i].push_back({fmt::format("{}_{},{}", name, i + 1, j + 1), values[i][j],
+                               exact_text(exact[i][j])});
+        }
+    }
+    return rows;
+}
+
+std::string extrapolation_text(const Scheme& scheme) {
+    Writer writer(1);
+    writer.comment("Slopes of the next step are about N times those of this one.");
+    table(writer, "N",
+          constants("N", *scheme.extrapolation, nearest_or_small(*scheme.extrapolation)));
+    return writer.str();
+}
+
+}  // namespace hvi::gen

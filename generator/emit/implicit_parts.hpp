@@ -1,0 +1,39 @@
+// The two forms of stage equations, as parts of one header.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/emit/header.hpp"
+
+namespace hvi::gen {
+
+/// See templates/implicit.hpp.in.
+struct ImplicitParts {
+    int format = 0;                    ///< of the calls into the runtime; see src/hvi/version.hpp
+    std::vector<std::string> runtime;  ///< headers of hvi that not every one includes
+    std::string steps, constants, predict, coupled, members;
+};
+
+/// Positions and momenta.
+[[nodiscard]] ImplicitParts pair_parts(const Scheme& scheme);
+
+/// Positions alone. Precondition: scheme.velocity_form.
+[[nodiscard]] ImplicitParts velocity_parts(const Scheme& scheme);
+
+// ---- what both are made of ----
+
+/// Whether the slope is at hand in `force_` or `velocity_`.
+[[nodiscard]] bool is_kept(const Scheme& scheme, const StageNode& slope);
+
+/// The table N of starting values.
+[[nodiscard]] std::string extrapolation_text(const Scheme& scheme);
+
+/// Entries of a matrix as constants of a table.
+[[nodiscard]] std::vector<std::vector<Constant>>
+constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix& values);
+
+/// "The stage equations of Q_1, P_1, which are solved at once."
+[[nodiscard]] std::string unknowns(const Block& block);
+
+}  // namespace hvi::gen

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/scene_code.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "generator/emit/header.hpp"
+#include "generator/emit/names.hpp"
+#include "generator/exact/evaluate.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// `m[3]` without its index.
+std::string base_of(const std::string& name) { return name.substr(0, name.find('[')); }
+
+/// A member of Parameters: a number, or an array with the values of m[1], m[2], ...
+struct ParameterMember {
+    std::string name;  // in C++
+    bool is_array;
+    std::vector<const Parameter*> parameters;
+};
+
+std::vector<ParameterMember> members_of(const std::vector<Parameter>& parameters) {
+    std::vector<ParameterMember> members;
+    for (const Parameter& parameter : parameters) {
+        const std::string base = base_of(parameter.name);
+        const bool is_array = base != parameter.name;
+        const bool goes_on = is_array && !members.empty() && members.back().is_array &&
+                             base_of(members.back().parameters.front()->name) == base;
+        if (!goes_on) { members.push_back({member_name(base), is_array, {}}); }
+        members.back().parameters.push_back(&parameter);
+    }
+    return members;
+}
+
+std::string list(const std::vector<std::string>& texts) {
+    std::string result;
+    for (const std::string& text : texts) { result += (result.empty() ? "" : ", ") + text; }
+    return result;
+}
+
+void write_member(Writer& writer, std::string_view doc, std::string_view name) {
+    writer.comment(doc, "/// ");
+    writer.open("[[nodiscard]] Scalar {}(const State& x) const {{", name)
+        .line("return system_.{}(x.q, x.p);", name)
+        .close()
+        .blank();
+}
+
+}  // namespace
+
+std::string initializer(const Expression& expression) {
+    const Rounded value = on_new_ground([&](const Ground& ground) {
+        return nearest(evaluate_number(expression, nullptr, ground));
+    });
+    const std::string name = to_text(expression);
+    return qualified_initializer(Constant{name, value, name});
+}
+
+NodeNames parameter_names(const LoweredScene& lowered) {
+    NodeNames names;
+    for (const ParameterMember& member : members_of(lowered.scene.parameters)) {
+        for (std::size_t i = 0; i < member.parameters.size(); ++i) {
+            const Node node = lowered.system.symbols.at(member.parameters[i]->name).node;
+            names[node] =
+                "parameters." + member.name + (member.is_array ? fmt::format("[{}]", i) : "");
+        }
+    }
+    return names;
+}
+
+std::string parameters_text(const LoweredScene& lowered) {
+    Writer writer(1);
+    writer.line("/// As the scene has them.").open("struct Parameters {{");
+    for (const ParameterMember& member : members_of(lowered.scene.parameters)) {
+        std::vector<std::string> values;
+        for (const Parameter* parameter : member.parameters) {
+            values.push_back(initializer(parameter->value));
+        }
+        if (member.is_array) {
+            writer.line("std::array<Scalar, {}> {}{{{{{}}}}};  // from {}", values.size(),
+                        member.name, list(values), member.parameters.front()->name);
+        } else {
+            writer.line("Scalar {} = {};  // {}", member.name, values.front(),
+                        to_text(member.parameters.front()->value));
+        }
+    }
+    return writer.close("};").str();
+}
+
+std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes) {
+    Writer writer(1);
+    if (!lowered.initial.empty()) {
+        writer.line("/// Where the scene begins.");
+        writer.open("[[nodiscard]] static State initial(const Parameters& parameters) {{")
+            .line("State x;")
+            .line("System::begin(parameters, x.q, x.p);")
+            .line("return x;")
+            .close();
+        writer.line("[[nodiscard]] static State initial() {{ return initial(Parameters{{}}); }}");
+        writer.blank();
+    }
+    if (wishes.energy) {
+        write_member(writer, "H = " + to_text(lowered.scene.hamiltonian.expression), "energy");
+    }
+    if (wishes.invariants) {
+        for (const NamedExpression& invariant : lowered.scene.invariants) {
+            write_member(writer, to_text(invariant.expression), invariant.name);
+        }
+    }
+    return writer.str();
+}
+
+void check_members(const Scene& scene, const SceneWishes& wishes) {
+    if (!wishes.invariants) { return; }
+    for (const NamedExpression& invariant : scene.invariants) {
+        check_function_name(invariant.name, invariant.place);
+    }
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,255 @@
+// The class System of a scene.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <set>
+
+#include "generator/emit/header.hpp"
+#include "generator/emit/scene_code.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using Results = std::vector<Scaled>;
+
+/// The names of what evaluations find: variables, members for what is made of parameters, and
+/// constants.
+class Given {
+public:
+    explicit Given(const LoweredScene& lowered) : lowered_(lowered), graph_(lowered.system.graph) {
+        const auto variables = [&](const std::vector<Node>& nodes, std::string_view letter) {
+            for (std::size_t k = 0; k < nodes.size(); ++k) {
+                names_[nodes[k]] = fmt::format("{}[{}]", letter, k);
+            }
+        };
+        variables(lowered.system.q, "q");
+        variables(lowered.system.p, "p");
+    }
+
+    /// Gives a name to everything that the kernel is given.
+    void name(const Kernel& kernel) {
+        name_constants(kernel);
+        for (const Node node : kernel.given) {
+            if (names_.count(node) != 0 || graph_.is_number({{1, 1}, node})) { continue; }
+            members_.push_back(node);
+            names_[node] = fmt::format("c{}_", members_.size());
+        }
+    }
+
+    void name_constants(const Kernel& kernel) {
+        for (const Node node : kernel.given) {
+            const bool is_constant = graph_.at(node).operation == Operation::constant;
+            if (!is_constant || names_.count(node) != 0 || graph_.is_number({{1, 1}, node})) {
+                continue;
+            }
+            constants_.push_back(node);
+            names_[node] = fmt::format("k{}", constants_.size());
+        }
+    }
+
+    /// What computes the members.
+    [[nodiscard]] Kernel setup() const {
+        Results results;
+        for (const Node node : members_) { results.push_back({{1, 1}, node}); }
+        return kernel_of_inputs(graph_, results);
+    }
+
+    /// The names at hand where there are parameters in place of members and variables.
+    [[nodiscard]] NodeNames of_inputs() const {
+        NodeNames names = parameter_names(lowered_);
+        for (const Node node : constants_) { names[node] = names_.at(node); }
+        return names;
+    }
+
+    [[nodiscard]] const NodeNames& names() const { return names_; }
+    [[nodiscard]] const std::vector<Node>& members() const { return members_; }
+    [[nodiscard]] const std::vector<Node>& constants() const { return constants_; }
+
+private:
+    const LoweredScene& lowered_;
+    const Graph& graph_;
+    NodeNames names_;
+    std::vector<Node> members_, constants_;
+};
+
+/// A function of (q, p), or of one of them.
+struct Function {
+    std::string_view name;
+    std::vector<std::string> targets;  ///< of the results; empty where the only one is returned
+    Kernel kernel;
+    bool has_q = true, has_p = true;  ///< among its arguments
+    std::string_view out;             ///< its last argument, if any
+};
+
+std::vector<std::string> components(std::string_view letter, std::size_t count) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < count; ++k) { names.push_back(fmt::format("{}[{}]", letter, k)); }
+    return names;
+}
+
+/// The entries that are not zero.
+Function hessian(const Graph& graph, std::string_view name, const HessianBlock& block) {
+    Function function;
+    function.name = name;
+    function.out = "Matrix& out";
+    Results results;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        for (std::size_t j = 0; j < block.size(); ++j) {
+            if (block[i][j].is_zero()) { continue; }
+            function.targets.push_back(fmt::format("out({}, {})", i, j));
+            results.push_back(block[i][j]);
+        }
+    }
+    function.kernel = kernel(graph, std::move(results));
+    return function;
+}
+
+std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
+                                const Scheme& scheme) {
+    const SystemGraph& system = lowered.system;
+    const bool separable = scheme.separable;
+    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
+    const auto value = [&](std::string_view name, const Scaled& result) {
+        return Function{name, {}, kernel(system.graph, {result}), true, true, ""};
+    };
+    std::vector<Function> result;
+    result.push_back(
+        {"dHdq", out, kernel(system.graph, system.dHdq), true, !separable, "Vector& out"});
+    result.push_back(
+        {"dHdp", out, kernel(system.graph, system.dHdp), !separable, true, "Vector& out"});
+    if (scheme.velocity_form) {
+        result.push_back({"inverse_mass", out, kernel(system.graph, lowered.structure.inverse_mass),
+                          false, true, "Vector& out"});
+    }
+    if (wishes.hessian) {
+        const Structure& second = lowered.structure;
+        result.push_back(hessian(system.graph, "d2Hdq2", second.qq));
+        if (!separable) { result.push_back(hessian(system.graph, "d2Hdqdp", second.qp)); }
+        result.push_back(hessian(system.graph, "d2Hdp2", second.pp));
+        if (separable) { result[2].has_p = result[3].has_q = false; }
+    }
+    if (wishes.energy) { result.push_back(value("energy", system.hamiltonian)); }
+    if (wishes.invariants) {
+        for (std::size_t i = 0; i < lowered.invariants.size(); ++i) {
+            result.push_back(value(lowered.scene.invariants[i].name, lowered.invariants[i]));
+        }
+    }
+    return result;
+}
+
+bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
+    return std::any_of(nodes.begin(), nodes.end(),
+                       [&](Node node) { return kernel.uses[node] != 0; });
+}
+
+/// `const Vector& q`, marked where the function does not look at it.
+std::string argument(bool is_used, std::string_view type_and_name) {
+    return fmt::format("{}{}", is_used ? "" : "[[maybe_unused]] ", type_and_name);
+}
+
+void write(Writer& writer, const LoweredScene& lowered, const NodeNames& names,
+           const Function& function) {
+    const SystemGraph& system = lowered.system;
+    std::vector<std::string> arguments;
+    if (function.has_q) {
+        arguments.push_back(argument(uses_any(function.kernel, system.q), "const Vector& q"));
+    }
+    if (function.has_p) {
+        arguments.push_back(argument(uses_any(function.kernel, system.p), "const Vector& p"));
+    }
+    if (!function.out.empty()) {
+        arguments.push_back(argument(!function.targets.empty(), function.out));
+    }
+    const bool is_matrix = function.out.substr(0, 6) == "Matrix";
+    if (is_matrix) { writer.line("template <class Matrix>"); }
+    writer.open("{} {}({}) const {{", function.out.empty() ? "[[nodiscard]] Scalar" : "void",
+                function.name, fmt::join(arguments, ", "));
+    const auto results = write_code(writer, system.graph, function.kernel, names);
+    if (function.out.empty()) { writer.line("return {};", results.front()); }
+    for (std::size_t k = 0; k < function.targets.size(); ++k) {
+        writer.line("{} = {};", function.targets[k], results[k]);
+    }
+    writer.close();
+}
+
+bool uses_parameters(const LoweredScene& lowered, const Kernel& kernel) {
+    const NodeNames names = parameter_names(lowered);
+    return std::any_of(kernel.given.begin(), kernel.given.end(),
+                       [&](Node node) { return names.count(node) != 0; });
+}
+
+void write_constructor(Writer& writer, const LoweredScene& lowered, const Given& given) {
+    const Kernel setup = given.setup();
+    writer.open("explicit System({}) {{",
+                argument(uses_parameters(lowered, setup), "const Parameters& parameters"));
+    const auto results = write_code(writer, lowered.system.graph, setup, given.of_inputs());
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        writer.line("c{}_ = {};", i + 1, results[i]);
+    }
+    writer.close();
+}
+
+void write_begin(Writer& writer, const LoweredScene& lowered, const Given& given,
+                 const Kernel& initial) {
+    writer.open("static void begin({}, Vector& q, Vector& p) {{",
+                argument(uses_parameters(lowered, initial), "const Parameters& parameters"));
+    const auto results = write_code(writer, lowered.system.graph, initial, given.of_inputs());
+    const std::size_t n = lowered.system.degrees_of_freedom();
+    for (std::size_t k = 0; k < 2 * n; ++k) {
+        writer.line("{}[{}] = {};", k < n ? "q" : "p", k % n, results[k]);
+    }
+    writer.close();
+}
+
+std::string data_text(const LoweredScene& lowered, const Given& given) {
+    Writer writer(1);
+    for (std::size_t i = 0; i < given.constants().size(); ++i) {
+        const Expression& value = lowered.system.graph.at(given.constants()[i]).constant;
+        writer.line("static constexpr Scalar k{} = {};  // {}", i + 1, initializer(value),
+                    to_text(value));
+    }
+    for (std::size_t i = 0; i < given.members().size(); ++i) {
+        writer.line("Scalar c{}_ = 0;", i + 1);
+    }
+    return writer.str();
+}
+
+std::string about(const Hamiltonian& H) {
+    return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(H.expression),
+                       fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
+}
+
+}  // namespace
+
+std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
+                        const Scheme& scheme) {
+    const std::vector<Function> all = functions(lowered, wishes, scheme);
+    const Kernel initial = kernel_of_inputs(lowered.system.graph, lowered.initial);
+    Given given(lowered);
+    for (const Function& function : all) { given.name(function.kernel); }
+    // NOTE: what computes members and initial data is given parameters, which have names, and
+    // constants, which get theirs here.
+    given.name_constants(given.setup());
+    given.name_constants(initial);
+
+    Writer writer(1);
+    writer.comment(about(lowered.scene.hamiltonian), "/// ");
+    writer.open("struct System {{");
+    writer.line("using Vector = std::array<Scalar, {}>;", lowered.system.degrees_of_freedom());
+    writer.blank();
+    write_constructor(writer, lowered, given);
+    for (const Function& function : all) {
+        writer.blank();
+        write(writer, lowered, given.names(), function);
+    }
+    if (!lowered.initial.empty()) {
+        writer.blank();
+        write_begin(writer, lowered, given, initial);
+    }
+    if (const std::string data = data_text(lowered, given); !data.empty()) {
+        writer.blank().insert(data);
+    }
+    return writer.close("};").str();
+}
+
+}  // namespace hvi::gen

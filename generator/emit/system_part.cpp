@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/system_part.hpp"
+
+#include <algorithm>
+
+#include "generator/emit/header.hpp"
+#include "generator/emit/text.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+// ---- a class of the user ----
+
+std::string purpose_for_users(const Scheme& scheme) {
+    Writer writer(0);
+    writer.comment(
+        fmt::format("{}`System` names its `Vector`, std::array<double, n> or one of Eigen, also of "
+                    "float, long double or __float128, and has const members {}.",
+                    scheme.separable ? "For H(q, p) = T(p) + U(q). " : "",
+                    scheme.separable ? "dHdq(q, out) = grad U and dHdp(p, out) = grad T"
+                                     : "dHdq(q, p, out) and dHdp(q, p, out)"),
+        "/// ");
+    if (!scheme.is_explicit()) {
+        writer.comment("`Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps "
+                       "that are not small against the fastest period.",
+                       "/// ");
+    }
+    return writer.str();
+}
+
+std::string constructor_for_users(const Scheme& scheme, std::string_view class_name) {
+    Writer writer(1);
+    if (!scheme.from_parameter) {
+        writer.line("explicit {}(System system = System{{}})", class_name);
+        writer.line("    : system_(std::move(system)) {{}}");
+        return writer.str();
+    }
+    writer.comment(fmt::format("`parameter`: {}, for w = omega h of a basis that is fitted to the "
+                               "frequency omega and steps of size h. See status().",
+                               scheme.from_parameter->numbers.parameter),
+                   "/// ");
+    writer.line("{}(System system, Scalar parameter)", class_name);
+    writer.line("    : system_(std::move(system)), coefficients_(parameter) {{}}");
+    return writer.str();
+}
+
+SystemPart for_users(const Scheme& scheme, const EmitOptions& options) {
+    SystemPart part;
+    part.include = scheme.is_explicit() ? "" : "#include <array>";
+    part.purpose = purpose_for_users(scheme);
+    part.head = scheme.is_explicit() ? "template <class System>"
+                                     : "template <class System, class Solver = hvi::FixedPoint>";
+    part.class_name = options.class_name;
+    part.condition = fmt::format("static_assert(hvi::detail::check_system<System, {}>());",
+                                 scheme.separable ? "true" : "false");
+    part.types = Writer(1)
+                     .line("using Vector = typename System::Vector;")
+                     .line("using Scalar = hvi::detail::ScalarOf<Vector>;")
+                     .str();
+    part.construct = constructor_for_users(scheme, options.class_name);
+    return part;
+}
+
+// ---- a scene ----
+
+std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options) {
+    const Scene& scene = options.scene->scene;
+    const std::string method =
+        tableau.name.empty() ? "a method of its own basis and nodes" : tableau.name;
+    Writer writer(0);
+    writer.comment(fmt::format("The scene {} with {}, computed in Scalar: float, double or long "
+                               "double.",
+                               scene.name, method),
+                   "/// ");
+    if (!scene.description.empty()) { writer.comment(scene.description, "/// "); }
+    return writer.str();
+}
+
+std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
+    const std::size_t n = options.scene->system.degrees_of_freedom();
+    Writer writer(1);
+    writer.line("using Scalar = Number;");
+    writer.line("using Vector = std::array<Scalar, {}>;", n);
+    writer.blank().insert(parameters_text(*options.scene));
+    writer.blank().insert(system_text(*options.scene, options.wishes, scheme));
+    if (!scheme.is_explicit()) {
+        writer.blank().line("using Solver = {};",
+                            options.wishes.hessian ? "hvi::Newton" : "hvi::FixedPoint");
+    }
+    return writer.blank().str();
+}
+
+/// NOTE: two constructors, since a default argument would need Parameters to be complete.
+std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& options,
+                                   std::string_view class_name) {
+    Writer writer(1);
+    const std::vector<Parameter>& parameters = options.scene->scene.parameters;
+    if (!scheme.from_parameter) {
+        writer.line("{0}() : {0}(Parameters{{}}) {{}}", class_name);
+        writer.line("explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
+                    class_name);
+        return writer.blank().insert(scene_members_text(*options.scene, options.wishes)).str();
+    }
+    const std::string& name = scheme.from_parameter->numbers.parameter;
+    const bool is_of_scene =
+        std::any_of(parameters.begin(), parameters.end(),
+                    [&](const Parameter& parameter) { return parameter.name == name; });
+    writer.comment(fmt::format("`{}`: for w = omega h of a basis that is fitted to the frequency "
+                               "omega and steps of size h. See status().",
+                               is_of_scene ? "parameters." + name : "parameter"),
+                   "/// ");
+    writer.line("{}(const Parameters& parameters{})", class_name,
+                is_of_scene ? "" : ", Scalar parameter");
+    writer.line("    : system_(parameters), coefficients_({}) {{}}",
+                is_of_scene ? "parameters." + name : "parameter");
+    return writer.blank().insert(scene_members_text(*options.scene, options.wishes)).str();
+}
+
+SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+    SystemPart part;
+    part.include = "#include <array>\n#include <cmath>";
+    part.purpose = purpose_for_scene(tableau, options);
+    part.class_name = "Basic" + options.class_name;
+    part.head = "template <class Number>";
+    part.condition = "static_assert(hvi::detail::is_standard<Number>,\n"
+                     "              \"hvi: a scene is computed in float, double or long double\");";
+    part.types = types_for_scene(scheme, options);
+    part.construct = constructors_for_scene(scheme, options, part.class_name);
+    part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
+    return part;
+}
+
+}  // namespace
+
+SystemPart system_part(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+    return options.scene == nullptr ? for_users(scheme, options)
+                                    : for_scene(tableau, scheme, options);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,261 @@
+// Stage equations of positions alone.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/implicit_parts.hpp"
+#include "generator/plan/equal.hpp"
+#include "generator/plan/lattice.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+namespace {
+
+using Kind = StageNode::Kind;
+using Place = StageValue::Place;
+
+/// A loop over the components of a vector; `s` is s_ in the stepper and s in its struct.
+void loop(Writer& writer, std::string_view s, const auto& lines) {
+    writer.open("for (Index k = 0; k < {}.at.q.size(); ++k) {{", s);
+    lines();
+    writer.close();
+}
+
+/// factor * what, where a factor of 1 and a term of 0 leave no trace.
+void add_term(std::string& sum, const Number& value, std::string_view factor,
+              std::string_view what) {
+    if (equal(value, 0)) { return; }
+    if (!sum.empty()) { sum += " + "; }
+    sum += equal(value, 1) ? std::string(what) : fmt::format("{} * {}", factor, what);
+}
+
+/// h c_i v + sum_j n_ij W_j, of `hv` = h v.
+std::string increment(const VelocityForm& form, std::size_t i, std::string_view s) {
+    std::string sum;
+    add_term(sum, form.c[i], fmt::format("c[{}]", i), "hv");
+    for (std::size_t j = 0; j < form.c.size(); ++j) {
+        add_term(sum, form.n[i][j], fmt::format("n[{}][{}]", i, j),
+                 fmt::format("{}.W[{}][k]", s, j));
+    }
+    return sum;
+}
+
+// ---- the coupled stages ----
+
+const Block& coupled_block(const Scheme& scheme) {
+    for (const Block& block : scheme.blocks) {
+        if (block.coupled) { return block; }
+    }
+    HVI_CHECK(false);
+    return scheme.blocks.front();
+}
+
+std::string positions_text(const VelocityForm& form, const std::vector<std::size_t>& Q) {
+    Writer writer(2);
+    loop(writer, "s", [&] {
+        writer.line("const Scalar q = s.at.q[k];");
+        writer.line("const Scalar e_q = s.remainder.q[k];");
+        writer.line("const Scalar hv = s.h * s.velocity[k];");
+        std::string change;
+        for (const std::size_t i : Q) {
+            writer.line("const Scalar Q_{} = q + (e_q + ({}));", i + 1, increment(form, i, "s"));
+            change += fmt::format("{}hvi::detail::abs(Q_{} - s.Q[{}][k])",
+                                  change.empty() ? "" : " + ", i + 1, i);
+        }
+        writer.line("s.change.q[k] = {};", change);
+        for (const std::size_t i : Q) { writer.line("s.Q[{}][k] = Q_{};", i, i + 1); }
+    });
+    return writer.str();
+}
+
+/// Lp_i and W_i from `slope`, which is dH/dq there.
+void write_force(Writer& writer, std::size_t i, std::string_view s, std::string_view system,
+                 std::string_view slope) {
+    loop(writer, s, [&] { writer.line("{0}.Lp[{1}][k] = -{0}.hb[{1}] * {2}[k];", s, i, slope); });
+    writer.line("{1}.inverse_mass({0}.Lp[{2}], {0}.W[{2}]);", s, system, i);
+    loop(writer, s, [&] { writer.line("{0}.W[{1}][k] *= {0}.h;", s, i); });
+}
+
+std::string forces_text(const std::vector<std::size_t>& Lp) {
+    Writer writer(2);
+    writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
+    for (const std::size_t i : Lp) {
+        writer.line("system.dHdq(s.Q[{}], slope);", i);
+        write_force(writer, i, "s", "system", "slope");
+    }
+    return writer.str();
+}
+
+std::string coupled_text(const Scheme& scheme) {
+    const Block& block = coupled_block(scheme);
+    const std::vector<std::size_t> Q = block.of(Kind::Q);
+    std::string size;
+    for (const std::string_view letter : {"Q", "W"}) {
+        for (const std::size_t i : Q) {
+            size += fmt::format("{}hvi::detail::abs(s.{}[{}][k])", size.empty() ? "" : " + ",
+                                letter, i);
+        }
+    }
+    std::string text =
+        fill("coupled_positions.hpp.in", {{"unknowns", unknowns(block)},
+                                          {"positions", positions_text(*scheme.velocity_form, Q)},
+                                          {"forces", forces_text(block.of(Kind::Lp))},
+                                          {"size", Writer(2).line("return {};", size).str()}});
+    text.pop_back();
+    return text;
+}
+
+// ---- step() ----
+
+void update_q(Writer& writer, const VelocityForm& form) {
+    std::string sum = "s_.h * s_.velocity[k]";
+    for (std::size_t j = 0; j < form.c.size(); ++j) {
+        add_term(sum, Number(1) - form.c[j], fmt::format("(1 - c[{}])", j),
+                 fmt::format("s_.W[{}][k]", j));
+    }
+    loop(writer, "s_", [&] { writer.line("s_.add(s_.at.q[k], s_.remainder.q[k], {});", sum); });
+}
+
+void update_p(Writer& writer, std::size_t stages) {
+    std::string sum;
+    for (std::size_t j = 0; j < stages; ++j) {
+        sum += fmt::format("{}s_.Lp[{}][k]", j == 0 ? "" : " + ", j);
+    }
+    loop(writer, "s_", [&] { writer.line("s_.add(s_.at.p[k], s_.remainder.p[k], {});", sum); });
+}
+
+/// Returns whether it was the position at the end of the step.
+bool evaluate_position(Writer& writer, const Scheme& scheme, std::size_t i) {
+    switch (scheme.positions[i].place) {
+    case Place::start: return false;
+    case Place::end: update_q(writer, *scheme.velocity_form); return true;
+    case Place::inner: break;
+    }
+    loop(writer, "s_", [&] {
+        writer.line("const Scalar hv = s_.h * s_.velocity[k];");
+        writer.line("s_.Q[{}][k] = s_.at.q[k] + (s_.remainder.q[k] + ({}));", i,
+                    increment(*scheme.velocity_form, i, "s_"));
+    });
+    return false;
+}
+
+void evaluate_force(Writer& writer, const Scheme& scheme, std::size_t i) {
+    const bool kept = is_kept(scheme, {Kind::Lp, i});
+    const Place place = scheme.positions[i].place;
+    const std::string at = place == Place::inner ? fmt::format("s_.Q[{}]", i) : "s_.at.q";
+    if (!kept || place == Place::end) {
+        writer.line("system_.dHdq({}, {});", at, kept ? "force_" : "s_.slope");
+    }
+    write_force(writer, i, "s_", "system_", kept ? "force_" : "s_.slope");
+}
+
+std::string steps_text(const Scheme& scheme) {
+    Writer writer(2);
+    writer.line("s_.weigh(b);").line("system_.dHdp(s_.at.p, s_.velocity);");
+    if (scheme.keeps_force) {
+        writer.open("if (!s_.continues) {{")
+            .line("hvi::detail::fit(force_, s_.n);")
+            .line("system_.dHdq(s_.at.q, force_);")
+            .close();
+    }
+    writer.line("predict();").blank();
+    bool q_is_done = false;
+    for (const Block& block : scheme.blocks) {
+        const StageNode& node = block.nodes.front();
+        if (block.coupled) {
+            writer.line("status = solver_.solve(Coupled{{system_, s_}});");
+            writer.line("if (!status.ok()) {{ return status; }}");
+        } else if (node.kind == Kind::Q) {
+            q_is_done = evaluate_position(writer, scheme, node.index) || q_is_done;
+        } else {
+            evaluate_force(writer, scheme, node.index);
+        }
+    }
+    writer.blank();
+    if (!q_is_done) { update_q(writer, *scheme.velocity_form); }
+    update_p(writer, scheme.positions.size());
+    return writer.line("return s_.end(x, status.iterations);").str();
+}
+
+// ---- starting values ----
+
+void extrapolate(Writer& writer, const std::vector<std::size_t>& unknown, std::size_t stages) {
+    writer.open("if (s_.h == s_.h_before) {{");
+    loop(writer, "s_", [&] {
+        for (std::size_t j = 0; j < stages; ++j) {
+            writer.line("const Scalar W_{} = s_.W[{}][k];", j + 1, j);
+        }
+        for (const std::size_t i : unknown) {
+            std::string sum;
+            for (std::size_t j = 0; j < stages; ++j) {
+                sum += fmt::format("{}N[{}][{}] * W_{}", j == 0 ? "" : " + ", i, j, j + 1);
+            }
+            writer.line("s_.W[{}][k] = {};", i, sum);
+        }
+    });
+    writer.line("return;").close();
+}
+
+std::string predict_text(const Scheme& scheme) {
+    const std::vector<std::size_t> unknown = coupled_block(scheme).of(Kind::Lp);
+    Writer writer(1);
+    writer.comment(scheme.extrapolation
+                       ? "Starting values: the polynomial through the forces of the last step, "
+                         "else forces as at the start of this one."
+                       : "Starting values: forces as at the start of the step.",
+                   "/// ");
+    writer.open("void predict() {{");
+    if (scheme.extrapolation) { extrapolate(writer, unknown, scheme.positions.size()); }
+    if (!scheme.keeps_force) { writer.line("system_.dHdq(s_.at.q, s_.slope);"); }
+    for (const std::size_t i : unknown) {
+        write_force(writer, i, "s_", "system_", scheme.keeps_force ? "force_" : "s_.slope");
+    }
+    return writer.close().str();
+}
+
+// ---- constants, members ----
+
+std::string constants_text(const Scheme& scheme) {
+    const VelocityForm& form = *scheme.velocity_form;
+    const RoundedVelocityForm values = rounded(form);
+    Writer writer(1);
+    writer.line("static constexpr std::size_t stages = {};", form.c.size()).blank();
+    table(writer, "b", weights(scheme.positions));
+    refuse_float(writer, weights(scheme.positions));
+    std::vector<Constant> c;
+    for (std::size_t i = 0; i < form.c.size(); ++i) {
+        c.push_back({fmt::format("c_{}", i + 1), values.c[i], exact_text(form.c[i])});
+    }
+    writer.blank().comment("The momenta are eliminated: n_ij = sum_k a_ik a~_kj/b_j, rounded with "
+                           "c so that n_ij - n_ji is c_i - c_j exactly.");
+    table(writer, "c", c);
+    table(writer, "n", constants("n", form.n, values.n));
+    writer.line("static_assert(hvi::detail::symplectic(c, n), \"the method is symplectic\");");
+    if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
+    return with_rounding(writer.str());
+}
+
+std::string members_text(const Scheme& scheme) {
+    Writer writer(1);
+    writer.line("System system_;");
+    writer.line("hvi::detail::VelocityStages<Vector, stages> s_;");
+    writer.line("typename Solver::template Iteration<Vector> solver_;");
+    if (scheme.keeps_force) {
+        writer.line("Vector force_{{}};  // dH/dq at s_.at.q, where the last step ended");
+    }
+    return writer.str();
+}
+
+}  // namespace
+
+ImplicitParts velocity_parts(const Scheme& scheme) {
+    HVI_CHECK(scheme.velocity_form && scheme.coupled_blocks() == 1);
+    ImplicitParts parts;
+    parts.format = 4;
+    parts.runtime = {"velocity_stages.hpp"};
+    parts.steps = steps_text(scheme);
+    parts.constants = constants_text(scheme);
+    parts.predict = predict_text(scheme);
+    parts.coupled = coupled_text(scheme);
+    parts.members = members_text(scheme);
+    return parts;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,34 @@
+// What a Hamiltonian is made of, as far as its graph proves it.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/lower/system.hpp"
+
+namespace hvi::gen {
+
+/// A block of the Hessian of H; a zero entry is proved to be one.
+using HessianBlock = std::vector<std::vector<Scaled>>;
+
+/// The second derivatives of H and what they tell. What is true here is proved: a graph computes by
+/// exact algebra. What is false may be true and hidden: sin(q)^2 + cos(q)^2.
+struct Structure {
+    HessianBlock qq, qp,
+        pp;  ///< qp[i][j] is the derivative by q_i and p_j; all in the system's graph
+
+    bool is_separable = false;          ///< H = T(p) + U(q)
+    bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix pp
+    std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
+    bool is_quadratic = false;          ///< all second derivatives are constant
+    bool is_linear_in_p = false;        ///< pp is zero, and not all else
+    bool is_linear_in_q = false;
+    /// Degrees of freedom that do not couple, each by its indices, by their smallest.
+    std::vector<std::vector<std::size_t>> components;
+    std::vector<std::size_t> cyclic;  ///< the q_i that do not occur, so that p_i stays
+};
+
+/// Adds the second derivatives to the graph.
+[[nodiscard]] Structure structure(SystemGraph& system);
+
+}  // namespace hvi::gen

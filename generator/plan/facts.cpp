@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/plan/facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/lower/kernel.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// `1 addition`, `7 multiplications`.
+std::string counted(std::size_t count, std::string_view thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string text(const OperationCounts& counts) {
+    std::string result;
+    const auto add = [&](std::size_t count, std::string_view thing) {
+        if (count > 0) { result += (result.empty() ? "" : ", ") + counted(count, thing); }
+    };
+    add(counts.additions, "addition");
+    add(counts.multiplications, "multiplication");
+    add(counts.divisions, "division");
+    add(counts.square_roots, "square root");
+    add(counts.calls, "call");
+    return result.empty() ? "nothing to compute" : result;
+}
+
+std::string kind_of(const Structure& found) {
+    if (found.is_quadratic) { return "H is quadratic: Hamilton's equations are linear"; }
+    if (found.is_linear_in_p && found.is_linear_in_q) { return "H is linear in q and in p"; }
+    if (found.is_linear_in_p) { return "H is linear in p: it has no Lagrangian"; }
+    if (found.is_linear_in_q) { return "H is linear in q"; }
+    if (found.kinetic_is_quadratic) {
+        return "H = T(p) + U(q), and T is quadratic with a constant matrix";
+    }
+    return found.is_separable ? "H = T(p) + U(q)" : "H is not seen to be T(p) + U(q)";
+}
+
+std::string names(const Hamiltonian& H, const std::vector<std::size_t>& degrees) {
+    std::string result;
+    for (const std::size_t i : degrees) {
+        result += (result.empty() ? "" : ", ") + H.coordinates[i];
+    }
+    return result;
+}
+
+struct Entries {
+    std::size_t all = 0, not_zero = 0, constant = 0;
+};
+
+Entries entries(const Graph& graph, const Structure& found) {
+    Entries result;
+    const auto look = [&](const HessianBlock& block) {
+        for (const std::vector<Scaled>& row : block) {
+            for (const Scaled& entry : row) {
+                ++result.all;
+                if (entry.is_zero()) { continue; }
+                ++result.not_zero;
+                if (!varies(graph.at(entry.node).roles)) { ++result.constant; }
+            }
+        }
+    };
+    look(found.qq);
+    look(found.qp);
+    look(found.qp);  // its transpose
+    look(found.pp);
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::string> facts(const LoweredScene& lowered) {
+    const Structure& found = lowered.structure;
+    const Hamiltonian& H = lowered.scene.hamiltonian;
+    std::vector<std::string> result{kind_of(found)};
+    if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
+    if (found.components.size() > 1) {
+        std::string groups;
+        for (const auto& component : found.components) {
+            groups += fmt::format("{}({})", groups.empty() ? "" : ", ", names(H, component));
+        }
+        result.push_back("these degrees of freedom do not couple: " + groups);
+    }
+    if (!found.cyclic.empty()) {
+        result.push_back(fmt::format("H does not depend on {}: the momenta are constant",
+                                     names(H, found.cyclic)));
+    }
+    const Entries second = entries(lowered.system.graph, found);
+    result.push_back(fmt::format("{} of {} second derivatives are not zero, {} constant",
+                                 second.not_zero, second.all, second.constant));
+    return result;
+}
+
+std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme) {
+    const SystemGraph& system = lowered.system;
+    const std::size_t n = system.degrees_of_freedom();
+    const auto operations = [&](const std::vector<Scaled>& results) {
+        return text(kernel(system.graph, results).counts);
+    };
+    std::size_t unknowns = 0;
+    for (const Block& block : scheme.blocks) {
+        if (!block.coupled) { continue; }
+        unknowns += n * (block.of(StageNode::Kind::Q).size() + block.of(StageNode::Kind::P).size());
+    }
+    std::vector<std::string> result;
+    result.push_back(
+        unknowns == 0 ? "no unknowns: nothing is solved for"
+                      : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
+    result.push_back("dH/dq once: " + operations(system.dHdq));
+    result.push_back("dH/dp once: " + operations(system.dHdp));
+    const std::size_t forces = scheme.forces_evaluated();
+    const std::size_t velocities = scheme.velocity_form ? 1 : scheme.velocities_evaluated();
+    result.push_back(fmt::format("{}: {} of dH/dq, {} of dH/dp",
+                                 unknowns == 0 ? "evaluations in a step"
+                                               : "evaluations in a step of one iteration",
+                                 forces, velocities));
+    return result;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,19 @@
+// What was found in a Hamiltonian, and what a step of a scheme costs, in words.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/lower/lowered_scene.hpp"
+#include "generator/plan/scheme.hpp"
+
+namespace hvi::gen {
+
+/// One line each, without a full stop: what is proved of H.
+[[nodiscard]] std::vector<std::string> facts(const LoweredScene& lowered);
+
+/// The same of the work: unknowns, evaluations and their operations.
+[[nodiscard]] std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme);
+
+}  // namespace hvi::gen

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/plan/velocity_form.hpp"
+
+#include "generator/plan/equal.hpp"
+#include "generator/plan/graph.hpp"
+
+namespace hvi::gen {
+
+VelocityForm velocity_form(const Scheme& scheme) {
+    const std::size_t r = scheme.positions.size();
+    const auto sum = [&](const auto& term) {
+        Number total;
+        for (std::size_t k = 0; k < scheme.momenta.size(); ++k) { total = total + term(k); }
+        return total;
+    };
+    const auto weighted = [&](std::size_t i, std::size_t k) {
+        return scheme.m[i][k] * scheme.momenta[k].weight;
+    };
+    VelocityForm form;
+    for (std::size_t i = 0; i < r; ++i) {
+        form.c.push_back(sum([&](std::size_t k) { return weighted(i, k); }));
+    }
+    form.n.assign(r, NumberVector(r));
+    for (std::size_t i = 0; i < r; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            const Number S = sum([&](std::size_t k) { return weighted(i, k) * scheme.m[j][k]; });
+            form.n[i][j] = form.c[i] - S;
+            form.n[j][i] = form.c[j] - S;
+        }
+    }
+    return form;
+}
+
+std::vector<Block> blocks(const VelocityForm& form) {
+    const std::size_t r = form.c.size();
+    DependencyGraph needs(2 * r);  // the positions, then the forces
+    for (std::size_t i = 0; i < r; ++i) {
+        for (std::size_t j = 0; j < r; ++j) {
+            if (!equal(form.n[i][j], 0)) { needs[i].push_back(r + j); }
+        }
+        needs[r + i].push_back(i);
+    }
+    std::vector<Block> result;
+    for (const auto& component : components(needs)) {
+        Block& block = result.emplace_back();
+        block.coupled = component.size() > 1;
+        for (const std::size_t v : component) {
+            block.nodes.push_back(v < r ? StageNode{StageNode::Kind::Q, v}
+                                        : StageNode{StageNode::Kind::Lp, v - r});
+        }
+    }
+    return result;
+}
+
+}  // namespace hvi::gen

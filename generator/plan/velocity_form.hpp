@@ -1,0 +1,16 @@
+// Elimination of the momenta.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/plan/scheme.hpp"
+
+namespace hvi::gen {
+
+/// The scheme for quadratic kinetic energy; see VelocityForm. Preconditions: it is separable and
+/// not explicit, depends on no parameter, and its weights add up to 1.
+[[nodiscard]] VelocityForm velocity_form(const Scheme& scheme);
+
+/// The order in which positions and forces are computed then.
+[[nodiscard]] std::vector<Block> blocks(const VelocityForm& form);
+
+}  // namespace hvi::gen

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+
+#include "generator/lower/structure.hpp"
+#include "tests/lower/evaluate.hpp"
+#include "tests/read/refusal.hpp"
+
+using namespace hvi::gen;
+
+namespace {
+
+struct Analysed {
+    SystemGraph system;
+    Structure found;
+};
+
+Analysed analysed(const std::string& H, const std::string& coordinates = "q",
+                  const std::string& momenta = "p") {
+    const Hamiltonian hamiltonian =
+        hamiltonian_from_text(source(H), source(coordinates), source(momenta));
+    Analysed result{system_graph(hamiltonian, parameter_names(hamiltonian)), {}};
+    result.found = structure(result.system);
+    return result;
+}
+
+using Groups = std::vector<std::vector<std::size_t>>;
+
+}  // namespace
+
+TEST_CASE("separable Hamiltonians, and those with quadratic kinetic energy") {
+    const Structure pendulum = analysed("p^2/(2*m)-cos(q)").found;
+    CHECK(pendulum.is_separable);
+    CHECK(pendulum.kinetic_is_quadratic);
+    CHECK_FALSE(pendulum.is_quadratic);
+
+    const Structure relativistic = analysed("sqrt(1+p^2)-cos(q)").found;
+    CHECK(relativistic.is_separable);
+    CHECK_FALSE(relativistic.kinetic_is_quadratic);
+
+    const Structure magnetic = analysed("(p-q)^2/2").found;
+    CHECK_FALSE(magnetic.is_separable);
+    CHECK_FALSE(magnetic.kinetic_is_quadratic);
+    CHECK(magnetic.is_quadratic);
+
+    // The mass depends on the place.
+    const Structure pendulums = analysed("p^2/(2*(1+q^2))").found;
+    CHECK_FALSE(pendulums.is_separable);
+    CHECK_FALSE(pendulums.kinetic_is_quadratic);
+}
+
+TEST_CASE("quadratic and degenerate Hamiltonians") {
+    CHECK(analysed("p^2/2+w^2*q^2/2").found.is_quadratic);
+    CHECK(analysed("q*p").found.is_quadratic);
+    CHECK_FALSE(analysed("p^2/2+q^3").found.is_quadratic);
+    CHECK(analysed("q*p").found.is_linear_in_p);
+    CHECK(analysed("q*p").found.is_linear_in_q);
+    CHECK(analysed("sin(q)*p").found.is_linear_in_p);
+    CHECK_FALSE(analysed("sin(q)*p").found.is_linear_in_q);
+    CHECK_FALSE(analysed("p^2/2").found.is_linear_in_p);
+}
+
+TEST_CASE("degrees of freedom that do not couple") {
+    const auto groups = [](const std::string& H) {
+        return analysed(H, "a, b, c", "pa, pb, pc").found.components;
+    };
+    CHECK(groups("(pa^2+pb^2+pc^2)/2+a^2+b^2+c^2") == Groups{{0}, {1}, {2}});
+    CHECK(groups("(pa^2+pb^2+pc^2)/2+a^2*c^2+b^2") == Groups{{0, 2}, {1}});
+    CHECK(groups("pa*pb+pb*c") == Groups{{0, 1, 2}});
+    CHECK(groups("pa*b+pc^2") == Groups{{0, 1}, {2}});
+}
+
+TEST_CASE("what H does not depend on") {
+    CHECK(analysed("p^2/2").found.cyclic == std::vector<std::size_t>{0});
+    CHECK(analysed("p^2/2+q-q").found.cyclic == std::vector<std::size_t>{0});
+    CHECK(analysed("p^2/2+q").found.cyclic.empty());
+}
+
+TEST_CASE("the inverse mass times the momenta, without what is linear in T") {
+    const Analysed coupled = analysed("pa^2/m+pa*pb+3*pb+cos(a-b)", "a, b", "pa, pb");
+    REQUIRE(coupled.found.kinetic_is_quadratic);
+    const Values at{{"m", 4}, {"pa", 5}, {"pb", 7}, {"a", 0}, {"b", 0}};
+    CHECK(value(coupled.system.graph, coupled.found.inverse_mass[0], at) == 2.0L * 5 / 4 + 7);
+    CHECK(value(coupled.system.graph, coupled.found.inverse_mass[1], at) == 5);
+    CHECK(value(coupled.system.graph, coupled.system.dHdp[1], at) == 5 + 3);
+}
