@@ -8,6 +8,7 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/read/catalogue.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -70,7 +71,12 @@ std::string methods() {
                  family_rows(node_families()));
 }
 
-std::string scenes() { return "Scenes\n  none in this version\n"; }
+std::string scene_table() {
+    Rows rows;
+    for (const SceneEntry& scene : scenes())
+        rows.push_back({std::string(scene.name), scene.description});
+    return table("Scenes: SCENE, as in hvi-gen scheme --method gauss:2 pendulum", rows);
+}
 
 }  // namespace
 
@@ -83,9 +89,9 @@ void run(const ListOptions& options) {
     else if (options.topic == "methods")
         text = methods();
     else if (options.topic == "scenes")
-        text = scenes();
+        text = scene_table();
     else
-        text = bases() + "\n" + nodes() + "\n" + methods() + "\n" + scenes();
+        text = bases() + "\n" + nodes() + "\n" + methods() + "\n" + scene_table();
     write_result({}, text);
 }
 

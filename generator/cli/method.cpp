@@ -7,6 +7,7 @@
 
 #include "generator/exact/galerkin.hpp"
 #include "generator/read/method.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -22,6 +23,16 @@ Method read_method(const MethodOptions& options) {
     const auto weights = options.weights ? source("--weights", *options.weights) : nullptr;
     return method_from_text(source("--basis", *options.basis), source("--nodes", *options.nodes),
                             weights);
+}
+
+/// Without the values of parameters.
+Hamiltonian read_hamiltonian(const SchemeOptions& options) {
+    const auto names = [](const std::string& option, const std::optional<std::string>& value) {
+        return value ? source(option, *value) : nullptr;
+    };
+    return hamiltonian_from_text(source("--hamiltonian", *options.hamiltonian),
+                                 names("--coordinates", options.coordinates),
+                                 names("--momenta", options.momenta));
 }
 
 /// Calls `set` for what each `--param` says.
@@ -56,17 +67,21 @@ Coefficients coefficients_of(const std::filesystem::path& file, const MethodOpti
 
 System read_system(const SchemeOptions& options) {
     Method method = read_method(options.method);
-    const auto names = [](const std::string& option, const std::optional<std::string>& value) {
-        return value ? source(option, *value) : nullptr;
-    };
-    Hamiltonian hamiltonian = hamiltonian_from_text(source("--hamiltonian", options.hamiltonian),
-                                                    names("--coordinates", options.coordinates),
-                                                    names("--momenta", options.momenta));
-    check_together(method, hamiltonian);
+    if (!options.scene) {
+        Hamiltonian hamiltonian = read_hamiltonian(options);
+        check_together(method, hamiltonian);
+        set_parameters(options.method.parameters, [&](Parameter parameter) {
+            set_parameter(method, hamiltonian, std::move(parameter));
+        });
+        return {std::move(method), std::move(hamiltonian)};
+    }
+    Scene scene =
+        find_scene(*options.scene, {source("SCENE", *options.scene), {0, options.scene->size()}});
+    check_together(method, scene.hamiltonian);
     set_parameters(options.method.parameters, [&](Parameter parameter) {
-        set_parameter(method, hamiltonian, std::move(parameter));
+        set_parameter(method, scene, std::move(parameter));
     });
-    return {std::move(method), std::move(hamiltonian)};
+    return {std::move(method), std::move(scene.hamiltonian)};
 }
 
 }  // namespace hvi::gen

@@ -31,7 +31,7 @@ constexpr std::array announced_commands = {
     std::pair{"run", "Integrate a scene (to come)"},
     std::pair{"report", "Compare methods on scenes (to come)"},
 };
-/// Options of `scheme` that `stepper` will have.
+/// Options of `scheme`, which stand in place of a scene, and which `stepper` will have.
 constexpr std::array hamiltonian_options = {"--hamiltonian", "--coordinates", "--momenta"};
 
 const std::vector<std::string_view> topics = {"", "bases", "nodes", "methods", "scenes"};
@@ -106,8 +106,8 @@ void describe(CLI::App& app) {
     CLI::App& scheme =
         *app.add_subcommand("scheme", "Print the equations of a step for a Hamiltonian");
     add_method(scheme);
-    add_value(scheme, "SCENE", "FILE", "A Hamiltonian system in TOML (to come)");
-    add_value(scheme, "--hamiltonian", "H", "H(q, p), as in \"p^2/2 + w^2*q^2/2\"");
+    add_value(scheme, "SCENE", "SCENE", "A system by name (`hvi-gen list scenes`), or in TOML");
+    add_value(scheme, "--hamiltonian", "H", "Or H(q, p, t), as in \"p^2/2 + w^2*q^2/2\"");
     add_value(scheme, "--coordinates", "NAMES", "Its coordinates (q, or q1, q2, ... in H)");
     add_value(scheme, "--momenta", "NAMES", "Their momenta (p, or p1, p2, ...)");
     add_flag(scheme, "--generating", "Also the generating function, of a quadratic H");
@@ -295,16 +295,20 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
 }
 
 SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
-    if (const auto scene = words.value("SCENE"))
-        to_come("the scheme of a scene", line.place({*scene}));
-
     SchemeOptions options;
+    options.scene = words.value("SCENE");
+    if (options.scene) {
+        for (const char* option : hamiltonian_options)
+            if (!words.values(option).empty())
+                throw InputError("a scene and " + std::string(option) + " exclude each other",
+                                 line.place({*options.scene}), "leave one of them out");
+    }
     options.method = method_options(words, line);
-    const auto hamiltonian = words.value("--hamiltonian");
-    if (!hamiltonian)
+    options.hamiltonian = words.value("--hamiltonian");
+    if (!options.scene && !options.hamiltonian)
         throw InputError("no Hamiltonian is given", line.end(),
-                         "for example --hamiltonian \"p^2/2 + w^2*q^2/2\"");
-    options.hamiltonian = *hamiltonian;
+                         "for example kepler, which `hvi-gen list scenes` shows, or --hamiltonian "
+                         "\"p^2/2 + w^2*q^2/2\"");
     options.coordinates = words.value("--coordinates");
     options.momenta = words.value("--momenta");
     if (options.coordinates && !options.momenta)

@@ -53,9 +53,10 @@ struct StepperOptions {
 struct SchemeOptions {
     enum class Format { text, json, latex };
 
-    MethodOptions method;  ///< its parameters are those of the Hamiltonian as well
-    std::string hamiltonian;
-    std::optional<std::string> coordinates, momenta;  ///< both or none
+    MethodOptions method;              ///< its parameters are those of the Hamiltonian as well
+    std::optional<std::string> scene;  ///< the name of one, or a file
+    std::optional<std::string> hamiltonian;           ///< where there is no scene
+    std::optional<std::string> coordinates, momenta;  ///< of it: both or none
     bool generating = false;                          ///< the generating function of type II too
     Format format = Format::text;
     std::optional<std::filesystem::path> output;

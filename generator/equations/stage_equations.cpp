@@ -35,7 +35,7 @@ bool occurs_in(const std::string& symbol, const std::vector<Expression>& express
     });
 }
 
-/// The ways to call the values of a variable in the stages, the best first, without the index.
+/// The ways to call the values of a variable in the stages, the best first, without an index.
 std::string stem(const std::string& variable, std::size_t attempt) {
     if (attempt > 0) {
         std::string result = variable;
@@ -47,11 +47,24 @@ std::string stem(const std::string& variable, std::size_t attempt) {
     return capital;
 }
 
-/// For each stage, the names of the variables' values there: Q_1 for q, but q_1 where H has Q or
-/// Q_1 already, and q_stage_1 where that is taken too.
+/// The name of a variable's value in a stage: Q_1, and X_1[3] of x[3].
+std::string name_in_stage(const std::string& variable, std::size_t stage, std::size_t attempt) {
+    const std::string name(without_index(variable));
+    return stem(name, attempt) + "_" + std::to_string(stage + 1) + variable.substr(name.size());
+}
+
+/// Coordinates, momenta, and the time where it occurs.
+std::vector<std::string> names_that_vary(const Hamiltonian& H) {
+    std::vector<std::string> names = variables(H);
+    if (depends_on_time(H)) names.push_back("t");
+    return names;
+}
+
+/// For each stage, the names of the values there of all that varies: Q_1 for q, but q_1 where H has
+/// Q or Q_1 already, and q_stage_1 where that is taken too.
 std::vector<Names> stage_names(const Hamiltonian& H, std::size_t stages) {
     std::set<std::string> taken = symbols_in(H.expression);
-    const std::vector<std::string> all = variables(H);
+    const std::vector<std::string> all = names_that_vary(H);
     taken.insert(all.begin(), all.end());
     for (std::size_t attempt = 0;; ++attempt) {
         std::vector<Names> names(stages);
@@ -59,7 +72,7 @@ std::vector<Names> stage_names(const Hamiltonian& H, std::size_t stages) {
         bool distinct = true;
         for (std::size_t i = 0; i < stages; ++i) {
             for (const std::string& variable : all) {
-                names[i][variable] = stem(variable, attempt) + "_" + std::to_string(i + 1);
+                names[i][variable] = name_in_stage(variable, i, attempt);
                 distinct = used.insert(names[i][variable]).second && distinct;
             }
         }
@@ -124,7 +137,10 @@ std::optional<Number> small_number(const Expression& expression) {
 class Writer {
 public:
     Writer(const Tableau& tableau, const Hamiltonian& H)
-        : H_(H), gradient_(gradient(H)), names_(stage_names(H, tableau.stages())) {
+        : H_(H),
+          gradient_(gradient(H)),
+          names_(stage_names(H, tableau.stages())),
+          nodes_(tableau.c) {
         for (const NumberVector& row : tableau.A) A_.push_back(written(row));
         for (const NumberVector& row : tableau.A_tilde) A_tilde_.push_back(written(row));
         b_ = written(tableau.b);
@@ -133,6 +149,7 @@ public:
     [[nodiscard]] StageEquations equations();
 
 private:
+    [[nodiscard]] Equation time(std::size_t stage);
     [[nodiscard]] Expression written(const Number& number);
     [[nodiscard]] Row written(const NumberVector& row);
     [[nodiscard]] Expression term(const Number& coefficient, const Expression& coefficient_form,
@@ -144,6 +161,7 @@ private:
     const Hamiltonian& H_;
     Gradient gradient_;
     std::vector<Names> names_;
+    NumberVector nodes_;
     std::vector<Row> A_, A_tilde_;
     Row b_;
     bool is_exact_ = true;
@@ -178,7 +196,7 @@ Expression Writer::term(const Number& coefficient, const Expression& coefficient
 std::vector<Expression> Writer::terms(const Expression& derivative, const Row& row) {
     if (derivative == Expression::integer(0)) return {};
     const std::set<std::string> symbols = symbols_in(derivative);
-    const std::vector<std::string> all = variables(H_);
+    const std::vector<std::string> all = names_that_vary(H_);
     const bool varies = std::any_of(all.begin(), all.end(), [&](const std::string& variable) {
         return symbols.count(variable) != 0;
     });
@@ -237,8 +255,22 @@ std::vector<Equation> in_order(const std::vector<Equation>& equations) {
     }
 }
 
+/// T_i = t + c_i h. An H that depends on time is one without, H(q, p, t) + e, with t as one more
+/// coordinate and e for its momentum. Then t' = 1, of which (4.18) makes t + h sum_j a_ij = t + c_i
+/// h in the stages, since constants are in the span of the basis; and nothing else depends on e.
+Equation Writer::time(std::size_t stage) {
+    const Expression now = Expression::symbol("t");
+    const Number& node = nodes_[stage];
+    return {names_[stage].at("t"),
+            is_zero(node)
+                ? now
+                : Expression::sum({now, product({written(node), Expression::symbol("h")})})};
+}
+
 StageEquations Writer::equations() {
     StageEquations result;
+    if (is_needed("t"))
+        for (std::size_t i = 0; i < names_.size(); ++i) result.stages.push_back(time(i));
     const std::vector<std::string> all = variables(H_);
     for (std::size_t k = 0; k < all.size(); ++k) {
         result.update.push_back({all[k], value(k, b_, b_)});

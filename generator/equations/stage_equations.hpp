@@ -16,8 +16,8 @@ struct Equation {
 };
 
 struct StageEquations {
-    /// Of the values that a derivative of H depends on, in each stage: `Q_1` of the variable q. In
-    /// an order in which they can be evaluated, when is_explicit.
+    /// Of the values that a derivative of H depends on, in each stage: `Q_1` of the variable q, and
+    /// `T_1` of the time. In an order in which they can be evaluated, when is_explicit.
     std::vector<Equation> stages;
     std::vector<Equation> update;  ///< of all variables at the end of the step, by their names
     bool is_explicit = false;      ///< whether the stages ask for nothing to be solved

@@ -75,6 +75,10 @@ bool has_closed_form(const Tableau& tableau) {
 
 [[noreturn]] void refuse_generating(const Hamiltonian& hamiltonian, const std::string& obstacle) {
     const std::string help = "leave out --generating for the equations of the stages";
+    if (depends_on_time(hamiltonian))
+        throw MathError("the generating function has a closed form only where H does not depend on "
+                        "the time `t`",
+                        Place{hamiltonian.source, hamiltonian.expression.range}, help);
     throw MathError("the generating function has a closed form for quadratic Hamiltonians only",
                     Place{hamiltonian.source, hamiltonian.expression.range},
                     obstacle.empty() ? help : obstacle + "; " + help);

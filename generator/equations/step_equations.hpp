@@ -47,7 +47,8 @@ struct StepEquations {
 [[nodiscard]] std::vector<std::string> variables(const StepEquations& step);
 
 /// The map of one step where H is quadratic (Leok & Zhang, (6.2) to (6.6)), with `generating` also
-/// its generating function; for any other H the equations of the stages (4.18). Throws what
+/// its generating function; for any other H, and for one that depends on time, the equations of the
+/// stages (4.18). Throws what
 /// `derive` and `gradient` throw, and MathError for the generating function of another H.
 /// Precondition: their names go together (see check_together).
 [[nodiscard]] StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,

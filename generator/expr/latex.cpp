@@ -62,11 +62,14 @@ std::vector<std::string_view> words_of(std::string_view name) {
     return whole ? std::vector{name} : words;
 }
 
-/// `w1` and `w_1` are w with an index, `w1_max` is w with two.
+/// `w1`, `w_1` and `w[1]` are w with an index, `w1_max` and `w_max[1]` are w with two. What stands
+/// in brackets comes first, as the digits do: X_2[1], like X1_2, is of x_1 in stage 2.
 std::string symbol_latex(std::string_view name) {
     if (name.find('{') != std::string_view::npos) return std::string(name);
-    const std::vector<std::string_view> words = words_of(name);
+    const std::size_t bracket = std::min(name.find('['), name.size());
+    const std::vector<std::string_view> words = words_of(name.substr(0, bracket));
     std::string indices;
+    if (bracket < name.size()) indices = name.substr(bracket + 1, name.size() - bracket - 2);
     for (std::size_t k = 1; k < words.size(); ++k)
         indices += (indices.empty() ? "" : ",") + word_latex(words[k]);
     return word_latex(words.front()) + (indices.empty() ? "" : "_{" + indices + "}");

@@ -237,6 +237,7 @@ Algebra::Algebra(const Hamiltonian& hamiltonian)
         symbols[name] = list.emplace_back(name);
     };
     for (const std::string& name : parameter_names(hamiltonian)) add(name, '1', parameters_);
+    if (depends_on_time(hamiltonian)) add("t", '1', parameters_);
     for (const std::string& name : hvi::gen::variables(hamiltonian)) add(name, '2', variables_);
     hamiltonian_ = Reader(hamiltonian.source, symbols).read(hamiltonian.expression);
 }

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const GiNaC::ex& hamiltonian() const { return hamiltonian_; }
     /// Coordinates, then momenta.
     [[nodiscard]] const std::vector<GiNaC::symbol>& variables() const { return variables_; }
-    /// Those without a value.
+    /// Those without a value, and the time where it occurs: by it nothing is differentiated.
     [[nodiscard]] const std::vector<GiNaC::symbol>& parameters() const { return parameters_; }
 
     /// Throws InputError where it is not defined.

@@ -158,6 +158,7 @@ QuadraticProof Proof::run() {
 }  // namespace
 
 QuadraticProof quadratic_form(const Hamiltonian& hamiltonian, const Ground& ground) {
+    if (depends_on_time(hamiltonian)) return {};
     const Progress::Stage stage("looking whether the Hamiltonian is quadratic");
     return Proof(hamiltonian, ground).run();
 }

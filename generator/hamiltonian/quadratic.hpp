@@ -20,7 +20,8 @@ struct QuadraticProof {
 
 /// The form has its coefficients on the field of `ground`. It is proved by exact algebra: the
 /// second derivatives of H are the same for all values of the variables. There is none where that
-/// is not so, cannot be proved (sqrt(q^4)), or where H has no value at q = p = 0 as it is written.
+/// is not so, cannot be proved (sqrt(q^4)), or where H has no value at q = p = 0 as it is written;
+/// and for an H that depends on time, which has another form at each time.
 /// Throws as `gradient` does.
 [[nodiscard]] QuadraticProof quadratic_form(const Hamiltonian& hamiltonian, const Ground& ground);
 

@@ -24,7 +24,6 @@ using Kind = JsonValue::Kind;
 /// NOTE: `tableau --method gauss:64 --format json` writes 3.2 MiB, and --digits 400 ten times that.
 constexpr std::size_t largest_file = 32 * 1024 * 1024;
 constexpr std::size_t longest_name = 64;
-constexpr std::size_t most_parameters = 64;
 constexpr std::string_view schema = "hvi-tableau/1";
 
 const std::vector<std::string_view> tableau_keys{

@@ -17,7 +17,6 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::size_t most_parameters = 64;
 constexpr const char* how_to_name =
     "name the variables: --coordinates \"x, y\" --momenta \"px, py\"";
 
@@ -29,53 +28,29 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What CONTRACT.md announces for many bodies, which the grammar does not have: `x[1..6]`.
-void refuse_indices(const std::shared_ptr<const Source>& source) {
-    const std::size_t bracket = source->text.find('[');
-    if (bracket == std::string::npos) return;
-    throw InputError("indexed variables, and sums over them, are announced, but not built yet",
-                     Place{source, {bracket, bracket + 1}}, "write them out: x1, x2, x3");
-}
-
-std::vector<std::string> names_in(const std::shared_ptr<const Source>& source,
-                                  std::string_view subject) {
-    refuse_indices(source);
-    std::vector<std::string> names;
-    const List list = parse_list(source);
-    for (const Item& item : list.items) {
-        const Place place = list.place(item.range);
-        const auto* expression = std::get_if<Expression>(&item.what);
-        if (expression == nullptr || expression->kind != Expression::Kind::symbol)
-            throw InputError(fmt::format("this is no name of {}", subject), place,
-                             "a name is a letter followed by letters, digits and `_`");
-        check_parameter_name(expression->name, place, subject);
-        if (contains(names, expression->name))
-            throw InputError(fmt::format("`{}` is named twice", expression->name), place);
-        names.push_back(expression->name);
-        if (names.size() > most_degrees_of_freedom)
+/// The names of one kind of variable.
+void declare(Vocabulary& vocabulary, const NameList& list, std::string_view subject) {
+    for (std::size_t k = 0; k < list.names.size(); ++k) {
+        vocabulary.declare(list.names[k], subject);
+        if (k == most_degrees_of_freedom)
             throw InputError(
                 fmt::format("there are more than {} degrees of freedom", most_degrees_of_freedom),
-                place);
+                list.names[k].place);
     }
+}
+
+std::vector<std::string> texts(const NameList& list) {
+    std::vector<std::string> names;
+    for (const DeclaredName& declared : list.names) names.push_back(declared.name);
     return names;
 }
 
-/// The variables that `--coordinates` and `--momenta` name.
-void name_variables(Hamiltonian& H, const std::shared_ptr<const Source>& coordinates,
-                    const std::shared_ptr<const Source>& momenta) {
-    H.coordinates = names_in(coordinates, "a coordinate");
-    H.momenta = names_in(momenta, "a momentum");
-    for (const Item& item : parse_list(momenta).items) {
-        const std::string& name = std::get<Expression>(item.what).name;
-        if (contains(H.coordinates, name))
-            throw InputError(fmt::format("`{}` is a coordinate already", name),
-                             Place{momenta, item.range});
-    }
-    if (H.momenta.size() != H.coordinates.size())
-        throw InputError(fmt::format("{} coordinate{} and {} moment{}", H.coordinates.size(),
-                                     H.coordinates.size() == 1 ? "" : "s", H.momenta.size(),
-                                     H.momenta.size() == 1 ? "um" : "a"),
-                         whole(momenta), "each coordinate has a momentum of its own");
+/// The same names, as if the whole text declared them.
+NameList placed(const std::vector<std::string>& names,
+                const std::shared_ptr<const Source>& source) {
+    NameList list{{}, whole(source)};
+    for (const std::string& name : names) list.names.push_back({name, list.place});
+    return list;
 }
 
 /// The k of `qk` and `pk`, as digits; empty for q and p themselves, nothing for other names.
@@ -121,24 +96,20 @@ void find_variables(Hamiltonian& H) {
     }
 }
 
-void check_symbol(const std::string& name, const Place& place) {
-    if (is_constant(name)) return;
-    if (name == "t")
-        throw InputError("a Hamiltonian that depends on the time `t` is announced, but not built "
-                         "yet",
-                         place);
-    check_parameter_name(name, place);
-}
-
 /// Whether what stands in H can stand there.
-void check_words(const Hamiltonian& H) {
+void check_words(const Hamiltonian& H, const Vocabulary& variables) {
+    check_functions(H.expression, H.source, "a Hamiltonian");
     walk(H.expression, [&](const Expression& part) {
+        if (part.kind != Expression::Kind::symbol) return true;
+        if (is_constant(part.name) || part.name == "t") return true;
         const Place place{H.source, part.range};
-        if (part.kind == Expression::Kind::symbol) check_symbol(part.name, place);
-        if (part.kind == Expression::Kind::call && (part.name == "roots" || part.name == "bspline"))
-            throw InputError(fmt::format("`{}` cannot stand in a Hamiltonian", part.name), place);
+        check_symbol_name(part.name, place);
+        variables.check_index(part.name, place);
         return true;
     });
+    if (parameter_names(H).size() > most_parameters)
+        throw InputError(fmt::format("there are more than {} parameters", most_parameters),
+                         whole(H.source));
 }
 
 /// Where a symbol stands in a list.
@@ -157,44 +128,60 @@ std::optional<Place> find_symbol(const List& list, const std::vector<std::string
     return place;
 }
 
-[[noreturn]] void refuse_unknown(const Method& method, const Hamiltonian& H,
-                                 const Parameter& parameter) {
-    if (contains(variables(H), parameter.name))
-        throw InputError(
-            fmt::format("`{}` is a variable of the Hamiltonian, and no parameter", parameter.name),
-            parameter.place);
-    std::vector<std::string> names = parameter_names(H);
-    for (const std::string& name : parameter_names(method)) names.push_back(name);
-    const std::string otherwise =
-        names.empty() ? "there are no parameters"
-                      : fmt::format("the parameters are {}", fmt::join(names, ", "));
-    throw InputError(
-        fmt::format("neither the Hamiltonian nor the method has a parameter `{}`", parameter.name),
-        parameter.place, did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));
+}  // namespace
+
+Vocabulary declared_variables(const NameList& coordinates, const NameList& momenta) {
+    Vocabulary vocabulary;
+    declare(vocabulary, coordinates, "a coordinate");
+    declare(vocabulary, momenta, "a momentum");
+    const std::size_t n = coordinates.names.size(), m = momenta.names.size();
+    if (m != n)
+        throw InputError(fmt::format("{} coordinate{} and {} moment{}", n, n == 1 ? "" : "s", m,
+                                     m == 1 ? "um" : "a"),
+                         momenta.place, "each coordinate has a momentum of its own");
+    return vocabulary;
 }
 
-}  // namespace
+void check_functions(const Expression& expression, const std::shared_ptr<const Source>& source,
+                     std::string_view subject) {
+    walk(expression, [&](const Expression& part) {
+        if (part.kind == Expression::Kind::call && (part.name == "roots" || part.name == "bspline"))
+            throw InputError(fmt::format("`{}` cannot stand in {}", part.name, subject),
+                             Place{source, part.range});
+        return true;
+    });
+}
+
+Hamiltonian hamiltonian_of(std::shared_ptr<const Source> expression, const NameList& coordinates,
+                           const NameList& momenta) {
+    const Vocabulary variables = declared_variables(coordinates, momenta);
+    Hamiltonian H;
+    H.source = std::move(expression);
+    H.expression = parse_indexed_expression(H.source);
+    H.coordinates = texts(coordinates);
+    H.momenta = texts(momenta);
+    check_words(H, variables);
+    return H;
+}
 
 Hamiltonian hamiltonian_from_text(std::shared_ptr<const Source> expression,
                                   const std::shared_ptr<const Source>& coordinates,
                                   const std::shared_ptr<const Source>& momenta) {
     HVI_CHECK((coordinates == nullptr) == (momenta == nullptr));
-    refuse_indices(expression);
     Hamiltonian H;
-    H.source = std::move(expression);
-    H.expression = parse_expression(H.source);
-    check_words(H);
-    H.origin = fmt::format("--hamiltonian \"{}\"", to_text(H.expression));
     if (coordinates != nullptr) {
-        name_variables(H, coordinates, momenta);
+        H = hamiltonian_of(std::move(expression), names_in(coordinates), names_in(momenta));
+    } else {
+        H.source = std::move(expression);
+        H.expression = parse_indexed_expression(H.source);
+        find_variables(H);
+        check_words(
+            H, declared_variables(placed(H.coordinates, H.source), placed(H.momenta, H.source)));
+    }
+    H.origin = fmt::format("--hamiltonian \"{}\"", to_text(H.expression));
+    if (coordinates != nullptr)
         H.origin += fmt::format(" --coordinates \"{}\" --momenta \"{}\"",
                                 fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
-    } else {
-        find_variables(H);
-    }
-    if (parameter_names(H).size() > most_parameters)
-        throw InputError(fmt::format("there are more than {} parameters", most_parameters),
-                         whole(H.source));
     return H;
 }
 
@@ -216,6 +203,15 @@ std::vector<std::string> parameter_names(const Hamiltonian& hamiltonian) {
     return {names.begin(), names.end()};
 }
 
+bool depends_on_time(const Hamiltonian& hamiltonian) {
+    bool found = false;
+    walk(hamiltonian.expression, [&](const Expression& part) {
+        found = found || (part.kind == Expression::Kind::symbol && part.name == "t");
+        return !found;
+    });
+    return found;
+}
+
 void check_together(const Method& method, const Hamiltonian& hamiltonian) {
     const std::vector<std::string> names = variables(hamiltonian);
     std::vector<const List*> lists{&method.basis, &method.nodes};
@@ -229,9 +225,27 @@ void check_together(const Method& method, const Hamiltonian& hamiltonian) {
 void set_parameter(Method& method, Hamiltonian& hamiltonian, Parameter parameter) {
     const bool in_hamiltonian = contains(parameter_names(hamiltonian), parameter.name);
     const bool in_method = contains(parameter_names(method), parameter.name);
-    if (!in_hamiltonian && !in_method) refuse_unknown(method, hamiltonian, parameter);
+    if (!in_hamiltonian && !in_method) {
+        std::vector<std::string> names = parameter_names(hamiltonian);
+        for (const std::string& name : parameter_names(method)) names.push_back(name);
+        refuse_parameter(parameter, hamiltonian, names);
+    }
     if (in_hamiltonian) assign(hamiltonian.parameters, parameter);
     if (in_method) set_parameter(method, std::move(parameter));
+}
+
+void refuse_parameter(const Parameter& parameter, const Hamiltonian& hamiltonian,
+                      const std::vector<std::string>& names) {
+    if (contains(variables(hamiltonian), parameter.name))
+        throw InputError(
+            fmt::format("`{}` is a variable of the Hamiltonian, and no parameter", parameter.name),
+            parameter.place);
+    const std::string otherwise =
+        names.empty() ? "there are no parameters"
+                      : fmt::format("the parameters are {}", fmt::join(names, ", "));
+    throw InputError(
+        fmt::format("neither the Hamiltonian nor the method has a parameter `{}`", parameter.name),
+        parameter.place, did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));
 }
 
 }  // namespace hvi::gen

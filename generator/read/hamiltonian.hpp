@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "generator/read/method.hpp"
+#include "generator/read/vocabulary.hpp"
 
 namespace hvi::gen {
 
 /// The most degrees of freedom that a Hamiltonian can have.
 constexpr std::size_t most_degrees_of_freedom = 64;
 
-/// H(q, p) as it was given, checked as far as words go: names of variables are free and differ, and
-/// nothing stands in H that cannot be differentiated. `t` and `[...]` are refused as to come.
+/// H(q, p) or H(q, p, t) as it was given, checked as far as words go: names of variables are free
+/// and differ, and nothing stands in H that cannot be differentiated. Sums are expanded, and an
+/// index is part of a name: `x[1]`.
 struct Hamiltonian {
     Expression expression;
     std::shared_ptr<const Source>
@@ -35,11 +37,27 @@ hamiltonian_from_text(std::shared_ptr<const Source> expression,
                       const std::shared_ptr<const Source>& coordinates = nullptr,
                       const std::shared_ptr<const Source>& momenta = nullptr);
 
+/// The same for variables whose names stand anywhere; `origin` is left empty.
+[[nodiscard]] Hamiltonian hamiltonian_of(std::shared_ptr<const Source> expression,
+                                         const NameList& coordinates, const NameList& momenta);
+
+/// The names of variables, declared. Throws InputError for names that are reserved or given twice,
+/// for too many, and where coordinates and momenta are no pairs.
+[[nodiscard]] Vocabulary declared_variables(const NameList& coordinates, const NameList& momenta);
+
+/// Throws InputError for what cannot stand in an expression of variables and parameters: `roots`,
+/// `bspline`. `subject` is what messages call it.
+void check_functions(const Expression& expression, const std::shared_ptr<const Source>& source,
+                     std::string_view subject);
+
 /// Coordinates, then momenta.
 [[nodiscard]] std::vector<std::string> variables(const Hamiltonian& hamiltonian);
 
 /// The symbols of H that are parameters, with a value or without, sorted.
 [[nodiscard]] std::vector<std::string> parameter_names(const Hamiltonian& hamiltonian);
+
+/// Whether the time `t` occurs in H.
+[[nodiscard]] bool depends_on_time(const Hamiltonian& hamiltonian);
 
 /// Throws InputError where a parameter of the method is called as a variable of H is. (A parameter
 /// of the same name in both is one parameter.)
@@ -48,5 +66,9 @@ void check_together(const Method& method, const Hamiltonian& hamiltonian);
 /// Gives a value to a symbol wherever it occurs, in place of one that it has. Throws InputError
 /// when it is a variable, and when neither the method nor H has it.
 void set_parameter(Method& method, Hamiltonian& hamiltonian, Parameter parameter);
+
+/// Throws InputError for a parameter that is none of `names`.
+[[noreturn]] void refuse_parameter(const Parameter& parameter, const Hamiltonian& hamiltonian,
+                                   const std::vector<std::string>& names);
 
 }  // namespace hvi::gen

@@ -18,8 +18,6 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::size_t most_parameters = 64;
-
 Place whole(const std::shared_ptr<const Source>& source) {
     return {source, {0, source->text.size()}};
 }
@@ -156,7 +154,7 @@ Parameter parse_parameter(std::shared_ptr<const Source> source) {
                          "write for example `w=2`");
     const Range name = trimmed(text, {0, sign});
     Parameter parameter{part(*source, name), {}, {source, name}};
-    check_parameter_name(parameter.name, parameter.place);
+    check_symbol_name(parameter.name, parameter.place);
     const Range value{sign + 1, text.size()};
     if (trimmed(text, value).begin == value.end)
         throw InputError("a value is missing after `=`", Place{source, {sign, sign + 1}});

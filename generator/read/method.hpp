@@ -13,6 +13,9 @@
 
 namespace hvi::gen {
 
+/// The most parameters that a method, a Hamiltonian or a scene can have.
+constexpr std::size_t most_parameters = 64;
+
 /// A value given to a free symbol of a method.
 struct Parameter {
     std::string name;

@@ -70,7 +70,8 @@ void set_parameters(const TomlFile& file, Method& method) {
 
 Method method_from_toml(const Source& source) {
     const TomlFile file(source);
-    file.check_keys("method file", {"name", "basis", "nodes", "weights", "parameters"});
+    file.check_keys(file.table(), "method file",
+                    {"name", "basis", "nodes", "weights", "parameters"});
     const std::string name = file.name();
     List basis = required_list(file, source, "basis");
     List nodes = required_list(file, source, "nodes");

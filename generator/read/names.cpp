@@ -39,11 +39,26 @@ bool is_name(const std::string& text) {
            std::all_of(text.begin(), text.end(), is_name_char);
 }
 
+/// Whether an index of 1 to 7 digits follows the name, written as the reader writes it.
+bool is_indexed(const std::string& name) {
+    const std::size_t bracket = name.find('[');
+    if (bracket == std::string::npos || name.back() != ']') return false;
+    std::string_view index = std::string_view(name).substr(bracket + 1);
+    index.remove_suffix(1);
+    if (index.substr(0, 1) == "-" && index != "-0") index.remove_prefix(1);
+    const bool short_number =
+        !index.empty() && index.size() <= 7 && std::all_of(index.begin(), index.end(), is_digit);
+    return short_number && (index == "0" || index.front() != '0');
+}
+
 }  // namespace
 
 bool is_constant(std::string_view name) { return name == "pi" || name == "e"; }
 
-bool is_reserved(std::string_view name) {
+std::string_view without_index(std::string_view name) { return name.substr(0, name.find('[')); }
+
+bool is_reserved(std::string_view indexed) {
+    const std::string_view name = without_index(indexed);
     return find_reserved(name) != nullptr || find_function(name) != nullptr;
 }
 
@@ -57,6 +72,11 @@ void check_parameter_name(const std::string& name, const Place& place, std::stri
     if (find_function(name) != nullptr)
         throw InputError(fmt::format("`{}` is reserved: it is a function", name), place,
                          fmt::format("take another name, such as `{}_value`", name));
+}
+
+void check_symbol_name(const std::string& name, const Place& place, std::string_view subject) {
+    check_parameter_name(is_indexed(name) ? std::string(without_index(name)) : name, place,
+                         subject);
 }
 
 void walk(const Expression& expression, const std::function<bool(const Expression&)>& visit) {

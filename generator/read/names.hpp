@@ -14,13 +14,21 @@ namespace hvi::gen {
 /// Whether it is `pi` or `e`.
 [[nodiscard]] bool is_constant(std::string_view name);
 
-/// Whether the name means something of its own: `pi`, `e`, `tau`, `t`, `h`, or a function.
+/// Whether the name means something of its own, with an index or without: `pi`, `e`, `tau`, `t`,
+/// `h`, or a function.
 [[nodiscard]] bool is_reserved(std::string_view name);
+
+/// The name without its index: `x` of `x[3]`.
+[[nodiscard]] std::string_view without_index(std::string_view name);
 
 /// Throws InputError at `place`, with a name to use instead, unless `name` is a letter followed by
 /// letters, digits and `_`, and is not reserved. `subject` is what it would name.
 void check_parameter_name(const std::string& name, const Place& place,
                           std::string_view subject = "a parameter");
+
+/// The same for a name that can have an index, a whole number: `x[3]`.
+void check_symbol_name(const std::string& name, const Place& place,
+                       std::string_view subject = "a parameter");
 
 /// Calls `visit` for the expression and everything in it. When `visit` returns false for an
 /// expression, what is inside it is left out.

@@ -359,7 +359,7 @@ std::vector<Name> Parser::names() {
     return names;
 }
 
-/// `x`, or `x[1..3]`.
+/// `x`, `x[1]`, or `x[1..3]`.
 void Parser::append_names(std::vector<Name>& names) {
     const Token token = take(Kind::name, "a name is wanted here");
     const std::string name = lexer_.text(token.range);
@@ -369,8 +369,11 @@ void Parser::append_names(std::vector<Name>& names) {
     }
     take();
     const long first = whole_number();
-    take(Kind::to, "`..` is wanted here, as in `x[1..3]`");
-    const long last = whole_number();
+    long last = first;
+    if (!next_.is(Kind::close_index)) {
+        take(Kind::to, "`..` is wanted here, as in `x[1..3]`");
+        last = whole_number();
+    }
     take(Kind::close_index, "`]` is wanted here");
     const Range range{token.range.begin, previous_.range.end};
     if (first > last) fail(range, "there is no such index");

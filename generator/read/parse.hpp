@@ -63,7 +63,8 @@ struct Name {
     Range range;
 };
 
-/// Reads a list of at least one name, separated by commas: `x, y[1..3]` for x, y[1], y[2], y[3].
+/// Reads a list of at least one name, separated by commas: `x, y[1..3], z[7]` for x, y[1], y[2],
+/// y[3], z[7].
 /// Throws InputError for any other text, and for more than 1000 names.
 [[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source);
 

@@ -40,10 +40,15 @@ TomlFile::TomlFile(const Source& file) : file_(file) {
     }
 }
 
-std::string TomlFile::line(toml::source_index number) const {
+std::size_t TomlFile::begin_of_line(toml::source_index number) const {
     std::size_t begin = 0;
     for (; number > 1 && begin < file_.text.size(); --number)
         begin = std::min(file_.text.find('\n', begin), file_.text.size() - 1) + 1;
+    return begin;
+}
+
+std::string TomlFile::line(toml::source_index number) const {
+    const std::size_t begin = begin_of_line(number);
     return file_.text.substr(begin, file_.text.find('\n', begin) - begin);
 }
 
@@ -59,8 +64,21 @@ Place TomlFile::place(const toml::source_region& region) const {
 }
 
 std::shared_ptr<const Source> TomlFile::source(const toml::node& node, std::string text) const {
+    toml::source_position at = node.source().begin;
+    if (text.find('\n') != std::string::npos) {
+        constexpr std::size_t quotes = 3;
+        std::size_t begin =
+            begin_of_line(at.line) + byte_of_column(line(at.line), at.column) + quotes;
+        if (file_.text.substr(std::min(begin, file_.text.size()), 1) == "\n") {
+            ++begin;
+            ++at.line;
+        }
+        const bool as_it_stands =
+            begin < file_.text.size() && file_.text.compare(begin, text.size(), text) == 0;
+        if (!as_it_stands) std::replace(text.begin(), text.end(), '\n', ' ');
+    }
     return std::make_shared<const Source>(
-        Source{fmt::format("{}:{}", file_.name, node.source().begin.line), std::move(text)});
+        Source{fmt::format("{}:{}", file_.name, at.line), std::move(text)});
 }
 
 std::string TomlFile::text(const toml::node& node) const {
@@ -80,8 +98,9 @@ std::string TomlFile::written_number(const toml::node& node) const {
     return text;
 }
 
-void TomlFile::check_keys(std::string_view what, const std::vector<std::string_view>& known) const {
-    for (const auto& [key, node] : table_) {
+void TomlFile::check_keys(const toml::table& table, std::string_view what,
+                          const std::vector<std::string_view>& known) const {
+    for (const auto& [key, node] : table) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
         throw InputError(
             fmt::format("a {} has no key `{}`", what, key.str()), place(key.source()),

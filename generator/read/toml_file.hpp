@@ -28,22 +28,25 @@ public:
     [[nodiscard]] Place place(const toml::source_region& region) const;
     [[nodiscard]] Place place(const toml::node& node) const { return place(node.source()); }
 
-    /// A text that stands in the file, under the name `FILE:LINE`.
+    /// A text that stands in the file, under the name `FILE:LINE`, where LINE is its first one. It
+    /// keeps its line breaks when it is lines of the file as they stand there.
     [[nodiscard]] std::shared_ptr<const Source> source(const toml::node& node,
                                                        std::string text) const;
 
     /// A string, or a number as it is written. Throws InputError for anything else.
     [[nodiscard]] std::string text(const toml::node& node) const;
 
-    /// Throws InputError, with what may have been meant, for a key that is not known in such a
-    /// file; `what` is `method file`.
-    void check_keys(std::string_view what, const std::vector<std::string_view>& known) const;
+    /// Throws InputError, with what may have been meant, for a key of the table that is not known
+    /// in such a one; `what` is `method file`.
+    void check_keys(const toml::table& table, std::string_view what,
+                    const std::vector<std::string_view>& known) const;
 
     /// The key `name`, or an empty text. It goes into comments, class names and titles, so it stays
     /// plain: throws InputError for other characters.
     [[nodiscard]] std::string name() const;
 
 private:
+    [[nodiscard]] std::size_t begin_of_line(toml::source_index number) const;
     [[nodiscard]] std::string line(toml::source_index number) const;
     [[nodiscard]] std::string written_number(const toml::node& node) const;
 

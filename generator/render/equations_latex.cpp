@@ -79,7 +79,8 @@ std::string map_latex(const StepEquations& step) {
 }
 
 std::string stages_latex(const StepEquations& step) {
-    const std::map<std::string, std::string> now = names_at(variables(step), "n");
+    std::map<std::string, std::string> now = names_at(variables(step), "n");
+    now["t"] = at("t", "n");
     std::string lines;
     const auto append = [&](const std::string& left, const Expression& right) {
         lines += fmt::format("{}{} &= {}", lines.empty() ? "" : ", \\\\\n", left,

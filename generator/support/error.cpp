@@ -91,8 +91,27 @@ std::string shown_name(std::string_view name) {
     return std::string(cut_mark) + columns.text(columns.size() - name_columns, columns.size());
 }
 
+/// The place within its line, where the text is lines of a file: `scene.toml:5` begins there.
+Place in_its_line(const Place& place) {
+    const auto& [name, text] = *place.source;
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    const bool in_file =
+        digits > 0 && name[digits - 1] == ':' && digits < name.size() && name.size() - digits < 9;
+    const std::size_t before = text.substr(0, place.range.begin).rfind('\n');
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (!in_file || (begin == 0 && end == text.size())) return place;
+    const auto breaks =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
+    const std::string number = std::to_string(std::stol(name.substr(digits)) + breaks);
+    return {std::make_shared<const Source>(
+                Source{name.substr(0, digits) + number, text.substr(begin, end - begin)}),
+            {place.range.begin - begin, std::min(place.range.end, end) - begin}};
+}
+
 /// The line with the user's text and the line with the caret below it.
-std::string place_lines(const Place& place) {
+std::string place_lines(const Place& whole) {
+    const Place place = in_its_line(whole);
     const Columns columns(place.source->text);
     const Range range = place.range;
     const std::size_t caret = columns.of_byte(range.begin);

@@ -26,8 +26,8 @@ struct Range {
     std::size_t end = 0;
 };
 
-/// A text that the user gave, with the name under which messages speak of it:
-/// `--basis`, or `method.toml:3`.
+/// A text that the user gave, with the name under which messages speak of it: `--basis`, or
+/// `method.toml:3` for what begins in line 3 of this file.
 struct Source {
     std::string name;
     std::string text;

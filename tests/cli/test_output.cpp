@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include <catch2/catch.hpp>
@@ -239,6 +240,75 @@ TEST_CASE("all of list is its parts") {
           "clenshaw-curtis:S", "fejer:S", "roots(P(tau))", "symplectic-euler", "midpoint",
           "adjoint-symplectic-euler", "stormer-verlet", "trig3"})
         CHECK(all.find("  " + name) != std::string::npos);
+}
+
+TEST_CASE("scenes are listed with what they are") {
+    const std::string text = hvi_gen({"list", "scenes"}).out;
+    CHECK(std::count(text.begin(), text.end(), '\n') == 11);
+    for (const std::string line :
+         {"  double-pendulum      Two pendulums, one hanging on the other; not separable\n",
+          "  kepler               A planet around a fixed sun, on an ellipse\n",
+          "  outer-solar-system   The Sun and the five outer planets, from 1994 on\n"})
+        CHECK(text.find(line) != std::string::npos);
+}
+
+TEST_CASE("scheme takes a scene by name, and by file") {
+    const Directory directory;
+    const std::string toml = contents(fs::path(HVI_SCENES) / "harmonic-oscillator.toml");
+    write(directory / "mine.toml", toml);
+    write(directory / "harmonic-oscillator", "this is no scene");  // the name wins
+    const auto printed = [&](const std::vector<std::string>& words) {
+        const Outcome outcome = hvi_gen(with({"scheme"}, words), directory.path());
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.err.empty());
+        return outcome.out;
+    };
+    const std::string given =
+        printed({"--method", "gauss:2", "--hamiltonian", "p^2/2+omega^2*q^2/2"});
+    CHECK(printed({"--method", "gauss:2", "harmonic-oscillator"}) == given);
+    CHECK(printed({"--method", "gauss:2", "mine.toml"}) == given);
+    CHECK(printed({"--method", "gauss:2", "./mine.toml"}) == given);
+    CHECK(printed({"mine.toml", "--method", "gauss:2"}) == given);
+    const std::string fixed = printed(
+        {"--method", "gauss:2", "--hamiltonian", "p^2/2+omega^2*q^2/2", "--param", "omega=2"});
+    CHECK(printed({"--method", "gauss:2", "mine.toml", "--param", "omega=2"}) == fixed);
+    // each option right before the scene, which it must leave alone
+    CHECK(printed({"--method", "gauss:2", "--param", "omega=2", "mine.toml"}) == fixed);
+    CHECK(printed({"--method", "gauss:2", "--format", "text", "mine.toml"}) == given);
+    CHECK(printed({"--method", "gauss:2", "-o", "out", "mine.toml"}).empty());
+    CHECK(contents(directory / "out") == given);
+    CHECK(printed({"--method", "gauss:2", "--output", "out", "mine.toml"}).empty());
+    CHECK(!printed({"--method", "gauss:2", "--generating", "mine.toml"}).empty());
+    const std::string trig = printed({"--nodes", "0, 1", "--basis", "1, tau", "mine.toml"});
+    CHECK(printed({"--basis", "1, tau", "--nodes", "0, 1", "mine.toml"}) == trig);
+    write(directory / "method.toml", "basis = \"1, tau\"\nnodes = \"0, 1\"\n");
+    CHECK(!printed({"--method-file", "method.toml", "mine.toml"}).empty());
+    CHECK(printed({"--method", "gauss:2", "--param", "ecc=1/3", "kepler"}) ==
+          printed({"--method", "gauss:2", "kepler"}));
+    const std::string json = printed({"--method", "gauss:2", "kepler", "--format", "json"});
+    CHECK(json.find("\"parameters\": [\n    \"mu\"\n  ]") != std::string::npos);
+    const std::string latex = printed({"--method", "gauss:2", "mine.toml", "--format", "latex"});
+    CHECK(latex.find("% hvi-gen scheme --method gauss:2 mine.toml --format latex\n") == 0);
+}
+
+TEST_CASE("scheme of what has indices, and of what depends on time") {
+    const std::vector<std::string> words = {"scheme",  "--method",  "gauss:2", "--coordinates",
+                                            "x[1..2]", "--momenta", "p[1..2]", "--hamiltonian"};
+    const std::string short_form =
+        same_every_time(with(words, {"sum(i=1..2, p[i]^2/(2*m[i])) + x[1]*x[2]"}));
+    const std::string long_form =
+        same_every_time(with(words, {"p[1]^2/(2*m[1]) + p[2]^2/(2*m[2]) + x[1]*x[2]"}));
+    CHECK(short_form == long_form);
+    CHECK(short_form.find("parameters    m[1], m[2]\n") != std::string::npos);
+    const std::string fixed = same_every_time(
+        with(words, {"sum(i=1..2, p[i]^2/(2*m[i])) + x[1]*x[2]", "--param", "m[1]=2"}));
+    CHECK(fixed.find("values        m[1] = 2\n") != std::string::npos);
+    const std::string driven = same_every_time(
+        {"scheme", "--method", "lobatto:3", "--hamiltonian", "p^2/2 + (1+cos(t))*q^2/2"});
+    CHECK(driven.find(" T_1 = t\n T_2 = t+h/2\n T_3 = t+h\n") != std::string::npos);
+    same_every_time({"scheme", "--method", "gauss:3", "outer-solar-system"});
+    same_every_time({"scheme", "--method", "gauss:3", "--format", "latex", "point-vortices"});
 }
 
 TEST_CASE("every form of METHOD is read") {

@@ -124,6 +124,61 @@ TEST_CASE("numbers are multiplied, and stand in front") {
     CHECK(lines("midpoint", "q*p^2 - 4*p")[0] == "Q_1 = q+h*(2*Q_1*P_1-4)/2");
 }
 
+TEST_CASE("the time is a coordinate of the extended system") {
+    for (const char* name : {"symplectic-euler", "midpoint", "stormer-verlet", "trig3", "gauss:2",
+                             "chebyshev:3", "lobatto:3", "gauss:6"}) {
+        for (const std::string H : {"p^2/2 + (1 + #)*q^2/2", "p^2/2 - cos(q)*cos(w*#)",
+                                    "p^2*(1+#^2)/2 + q*p*sin(#) + q^3", "p^2/2 + q*#", "p*# + q"}) {
+            const auto with = [&](const std::string& time) {
+                std::string text = H;
+                for (std::size_t at = 0; (at = text.find('#')) != std::string::npos;)
+                    text.replace(at, 1, time);
+                return text;
+            };
+            const Hamiltonian extended = hamiltonian(with("s") + " + r", "q, s", "p, r");
+            Point start = some_point(extended);
+            const auto expected = stepped(derive(method(name)), extended, start);
+            start["t"] = start.at("s");
+            for (const auto& [variable, value] :
+                 solved(equations(method(name), hamiltonian(with("t"), "q", "p")), start)) {
+                CAPTURE(name, H, variable);
+                CHECK(std::abs(value - expected.at(variable)) < 1e-17L);
+            }
+        }
+    }
+}
+
+TEST_CASE("the time in the stages, as one would write it") {
+    CHECK(lines("lobatto:3", "p^2/2 + q*t") ==
+          Lines{"T_1 = t", "T_2 = t+h/2", "T_3 = t+h", "P_1 = p-h*(T_1/6-T_2/6)",
+                "P_2 = p-h*(T_1/6+T_2/3)", "P_3 = p-h*(T_1/6+5*T_2/6)",
+                "q' = q+h*(P_1/6+2*P_2/3+P_3/6)", "p' = p-h*(T_1/6+2*T_2/3+T_3/6)"});
+    CHECK(lines("gauss:2", "p^2/2 + q^2*cos(t)")[0] == "T_1 = t+(1/2-sqrt(3)/6)*h");
+    CHECK(lines("midpoint", "p^2/2 + q*t*T_1")[0] == "t_1 = t+h/2");
+    CHECK(lines("midpoint", "p^2/2 + t^2") == lines("midpoint", "p^2/2"));
+    CHECK(equations(method("stormer-verlet"), hamiltonian("p^2/2 - cos(q-t)")).is_explicit);
+    CHECK(equations(method("gauss:6"), hamiltonian("p^3 + t")).is_exact ==
+          equations(method("gauss:6"), hamiltonian("p^3")).is_exact);
+}
+
+TEST_CASE("variables with an index") {
+    const StageEquations found =
+        equations(method("midpoint"),
+                  hamiltonian("sum(i=1..2, p[i]^2/m[i]) - cos(x[1]-x[2])", "x[1..2]", "p[1..2]"));
+    CHECK(lines(found) ==
+          Lines{"X_1[1] = x[1]+h*P_1[1]/m[1]", "X_1[2] = x[2]+h*P_1[2]/m[2]",
+                "P_1[1] = p[1]-h*sin(X_1[1]-X_1[2])/2", "P_1[2] = p[2]+h*sin(X_1[1]-X_1[2])/2",
+                "x[1]' = x[1]+2*h*P_1[1]/m[1]", "x[2]' = x[2]+2*h*P_1[2]/m[2]",
+                "p[1]' = p[1]-h*sin(X_1[1]-X_1[2])", "p[2]' = p[2]+h*sin(X_1[1]-X_1[2])"});
+    for (const std::string& line : lines(found)) {
+        const std::string right = line.substr(line.find('=') + 1);
+        CHECK(" " + to_text(parse_indexed_expression(source(right))) == right);
+    }
+    const StageEquations taken =
+        equations(method("midpoint"), hamiltonian("p[1]^3 + x[1]^3 + X_1[1]", "x[1]", "p[1]"));
+    CHECK(lines(taken)[0] == "x_1[1] = x[1]+3*h*p_1[1]^2/2");
+}
+
 TEST_CASE("names of stages keep clear of other names") {
     CHECK(lines("midpoint", "p^3 + q^3")[0] == "Q_1 = q+3*h*P_1^2/2");
     CHECK(lines("midpoint", "p^3 + q^3*Q_1")[0] == "q_1 = q+3*h*p_1^2/2");

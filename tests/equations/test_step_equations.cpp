@@ -93,6 +93,37 @@ TEST_CASE("other Hamiltonians have equations of stages") {
     CHECK(enclosed.obstacle.find("no closed form") != std::string::npos);
 }
 
+TEST_CASE("an H that depends on time has no constant map, be it quadratic in q and p") {
+    const StepEquations step =
+        step_equations(method("gauss:2"), hamiltonian("p^2/2 + (1+t)*q^2/2"), false);
+    CHECK_FALSE(step.map);
+    REQUIRE(step.stages);
+    CHECK(step.stages->stages[0].left == "T_1");
+    CHECK(step.obstacle.empty());
+    CHECK(step.parameters.empty());
+    const Refusal generating =
+        refusal([] { return step_equations(method("gauss:2"), hamiltonian("q*p + t"), true); });
+    CHECK(generating.status == 1);
+    CHECK(generating.says("does not depend on the time"));
+    CHECK(generating.marked == "[q*p + t]");
+}
+
+TEST_CASE("the map of variables with an index is that of others") {
+    const auto map = [](const std::string& H, const std::string& q, const std::string& p) {
+        const StepEquations step = step_equations(method("gauss:2"), hamiltonian(H, q, p), true);
+        REQUIRE(step.map);
+        std::string text = to_text(step.generating->discrete);
+        for (const auto& row : step.map->matrix)
+            for (const Expression& entry : row) text += " " + to_text(entry);
+        for (const char* part : {"[", "]"})
+            for (std::size_t at = 0; (at = text.find(part)) != std::string::npos;)
+                text.erase(at, 1);
+        return text;
+    };
+    CHECK(map("sum(i=1..2, p[i]^2/(2*m[i])) + k*x[1]*x[2]", "x[1..2]", "p[1..2]") ==
+          map("p1^2/(2*m1) + p2^2/(2*m2) + k*x1*x2", "x1, x2", "p1, p2"));
+}
+
 TEST_CASE("nodes without a closed form do not keep the map from having one") {
     const StepEquations gauss = step("gauss:6", "q*p");
     REQUIRE(gauss.map);

@@ -52,6 +52,12 @@ TEST_CASE("names") {
     CHECK(latex("omega") == R"(\omega)");
     CHECK(latex("w1") == "w_{1}");
     CHECK(latex("w_1") == "w_{1}");
+    CHECK(to_latex(Expression::symbol("w[1]")) == "w_{1}");
+    CHECK(to_latex(Expression::symbol("px[12]")) == "\\mathit{px}_{12}");
+    CHECK(to_latex(Expression::symbol("omega[2]")) == "\\omega_{2}");
+    CHECK(to_latex(Expression::symbol("x[-1]")) == "x_{-1}");
+    CHECK(to_latex(Expression::symbol("X_2[1]")) == "X_{1,2}");
+    CHECK(to_latex(Expression::symbol("X1_2")) == "X_{1,2}");
     CHECK(latex("ecc") == R"(\mathit{ecc})");
     CHECK(latex("omega_max") == R"(\omega_{\mathit{max}})");
     CHECK(latex("a_b_c") == "a_{b,c}");

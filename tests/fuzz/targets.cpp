@@ -9,6 +9,7 @@
 #include "generator/read/coefficients.hpp"
 #include "generator/read/hamiltonian.hpp"
 #include "generator/read/method.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen::fuzz {
 
@@ -42,7 +43,8 @@ void check_printing(const Expression& expression) {
     const std::string printed = to_text(expression);
     static_cast<void>(to_latex(expression));
     if (depth(expression) > 90 || printed.size() > 60000) return;
-    require(to_text(parse_expression(source(printed))) == printed, "printing changes a meaning");
+    require(to_text(parse_indexed_expression(source(printed))) == printed,
+            "printing changes a meaning");
 }
 
 /// Runs a reader; errors of the user's are a result like any other.
@@ -117,6 +119,28 @@ void coefficients(std::string_view bytes) {
         });
         static_cast<void>(parameter_names(result));
         require(result.origin.find('\n') == std::string::npos, "an origin of several lines");
+    });
+}
+
+void scene(std::string_view bytes) {
+    attempt([&] {
+        const Scene result = scene_from_toml({"fuzz.toml", std::string(bytes)});
+        const Hamiltonian& H = result.hamiltonian;
+        check_ranges(H.expression, *H.source);
+        check_printing(H.expression);
+        require(result.parameters.size() <= 64, "too many parameters");
+        require(result.initial.size() == 2 * H.degrees_of_freedom(), "not all initial values");
+        require(result.exact.empty() || result.exact.size() == result.initial.size(),
+                "not all exact solutions");
+        for (const auto* list : {&result.invariants, &result.initial, &result.exact}) {
+            for (const NamedExpression& entry : *list) {
+                check_ranges(entry.expression, *entry.place.source);
+                check_printing(entry.expression);
+            }
+        }
+        require(!result.name.empty(), "a scene without a name");
+        require((result.description + H.origin).find('\n') == std::string::npos,
+                "a description or an origin of several lines");
     });
 }
 

@@ -16,6 +16,7 @@ void name(std::string_view bytes);
 void parameter(std::string_view bytes);
 void method_file(std::string_view bytes);
 void coefficients(std::string_view bytes);
+void scene(std::string_view bytes);
 void hamiltonian(std::string_view bytes);  ///< H, coordinates and momenta, each on a line
 
 }  // namespace hvi::gen::fuzz

@@ -1,5 +1,6 @@
 // Every file of the corpus through its target: findings of the fuzzer stay fixed.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -34,6 +35,7 @@ TEST_CASE("lists") { replay("list", fuzz::list); }
 TEST_CASE("names") { replay("name", fuzz::name); }
 TEST_CASE("parameters") { replay("parameter", fuzz::parameter); }
 TEST_CASE("method files") { replay("method_file", fuzz::method_file); }
+TEST_CASE("scenes") { replay("scene", fuzz::scene); }
 TEST_CASE("coefficients") { replay("coefficients", fuzz::coefficients); }
 TEST_CASE("Hamiltonians") { replay("hamiltonian", fuzz::hamiltonian); }
 
@@ -49,6 +51,8 @@ TEST_CASE("inputs too large for the corpus") {
             CHECK_NOTHROW(fuzz::hamiltonian(text.substr(0, size)));
             CHECK_NOTHROW(fuzz::hamiltonian("x\n" + text.substr(0, size) + "\np"));
             CHECK_NOTHROW(fuzz::method_file("basis = \"" + text.substr(0, size) + "\"\nnodes = 0"));
+            CHECK_NOTHROW(fuzz::scene("coordinates = \"x\"\nmomenta = \"p\"\nhamiltonian = \"" +
+                                      text.substr(0, size) + "\"\n[initial]\nx = 1\np = 1"));
             CHECK_NOTHROW(fuzz::coefficients("{\"A\":[[\"" + text.substr(0, size) +
                                              "\"]],\"b\":[1],\"c\":[0]}"));
         }
@@ -68,6 +72,27 @@ TEST_CASE("method files with many lines, keys and elements") {
     std::string parameters = "basis = \"tau\"\nnodes = 0\n[parameters]\n";
     for (int k = 0; k < 50000; ++k) parameters += "w" + std::to_string(k) + " = 0.5\n";
     fuzz::method_file(parameters);
+}
+
+TEST_CASE("scenes with many names, values and words") {
+    const auto repeated = [](const std::string& piece, int times) {
+        std::string text;
+        for (int k = 0; k < times; ++k) {
+            const std::size_t mark = std::min(piece.find('#'), piece.size());
+            text += piece.substr(0, mark);
+            if (mark < piece.size()) text += std::to_string(k) + piece.substr(mark + 1);
+        }
+        return text;
+    };
+    const std::string system = "coordinates = \"x\"\nmomenta = \"p\"\nhamiltonian = \"x*p\"\n"
+                               "initial = {x = 1, p = 0}\n";
+    fuzz::scene("coordinates = [" + repeated("\"x#[1..999]\",", 20000) + "]\n");
+    fuzz::scene(system + "[parameters]\n" + repeated("a# = 0.5\n", 50000));
+    fuzz::scene(system + "[parameters]\na = [" + repeated("1,", 200000) + "]\n");
+    fuzz::scene(system + "[invariants]\n" + repeated("a# = \"sum(i=1..19000, x^i)\"\n", 20000));
+    fuzz::scene(system + "[run]\n" + repeated("a# = 1\n", 50000));
+    fuzz::scene("hamiltonian = \"\"\"" + repeated("\n", 500000) + "x*p\"\"\"\n" + system);
+    fuzz::scene(repeated("[[initial]]\n", 50000));
 }
 
 TEST_CASE("JSON with many values, keys and brackets") {

@@ -107,9 +107,9 @@ TEST_CASE("names of variables that cannot be") {
     CHECK(refused("x", "x, y", "p").says("2 coordinates and 1 momentum"));
     CHECK(refused("x", "x", "p, q").says("1 coordinate and 2 momenta"));
     CHECK(refused("x", "x, y", "p").name == "--momenta");
-    CHECK(refused("x", "2*x", "p").marked == "[2*x]");
-    CHECK(refused("x", "2", "p").says("no name of a coordinate"));
-    CHECK(refused("x", "x", "gauss:2").says("no name of a momentum"));
+    CHECK(refused("x", "2*x", "p").marked == "[2]*x");
+    CHECK(refused("x", "2", "p").says("a name is wanted here"));
+    CHECK(refused("x", "x", "gauss:2").marked == "gauss[:]2");
     CHECK(refused("x", "_x", "p").says("no name for a coordinate"));
     CHECK(refused("x", "", "p").status == 2);
     CHECK(refused("x", "x", ",").status == 2);
@@ -136,8 +136,8 @@ TEST_CASE("there are limits to what a Hamiltonian has") {
 }
 
 TEST_CASE("what cannot stand in a Hamiltonian") {
-    CHECK(refused("p^2 + cos(t)*q").marked == "p^2 + cos([t])*q");
-    CHECK(refused("t").says("announced, but not built yet"));
+    CHECK(refused("p^2 + cos(t[1])*q").marked == "p^2 + cos([t[1]])*q");
+    CHECK(refused("t").says("neither q and p"));
     CHECK(refused("p^2 + h*q").marked == "p^2 + [h]*q");
     CHECK(refused("q*tau").marked == "q*[tau]");
     CHECK(refused("q + roots(q)").marked == "q + [roots(q)]");
@@ -147,9 +147,39 @@ TEST_CASE("what cannot stand in a Hamiltonian") {
     CHECK(refused("gauss:2").status == 2);
     CHECK(refused("").status == 2);
     CHECK(refused("p^2 + (q").marked == "p^2 + [(]q");
-    CHECK(refused("sum(i=1..6, x[i])").says("announced, but not built yet"));
-    CHECK(refused("x", "x[1..6]", "p").marked == "x[[]1..6]");
+    CHECK(refused("q + pi[1]").helps("`pi_value`"));
     CHECK(refused("q + \xc3\x97").status == 2);
+}
+
+TEST_CASE("variables and parameters with an index") {
+    const Hamiltonian H = read("sum(i=1..2, p[i]^2/(2*m[i])) + k*x[1]*x[2]", "x[1..2]", "p[1..2]");
+    CHECK(to_text(H.expression) == "p[1]^2/(2*m[1])+p[2]^2/(2*m[2])+k*x[1]*x[2]");
+    CHECK(variables(H) == Names{"x[1]", "x[2]", "p[1]", "p[2]"});
+    CHECK(parameter_names(H) == Names{"k", "m[1]", "m[2]"});
+    CHECK(H.origin == "--hamiltonian \"" + to_text(H.expression) +
+                          "\" --coordinates \"x[1], x[2]\" --momenta \"p[1], p[2]\"");
+    const Hamiltonian again = read(to_text(H.expression), "x[1], x[2]", "p[1], p[2]");
+    CHECK(again.expression == H.expression);
+    CHECK(again.origin == H.origin);
+    CHECK(refused("x[3]", "x[1..2]", "p[1..2]").marked == "[x[3]]");
+    CHECK(refused("x[7]", "x[1..6]", "p[1..6]").help == "the indices of `x` are from 1 to 6");
+    CHECK(refused("x[7]", "x[1..2], x[5]", "p[1..3]").help == "the indices of `x` are 1, 2, 5");
+    CHECK(refused("x", "x[1..2]", "p[1..2]").what == "`x` wants an index");
+    CHECK(refused("q[1]*q").what == "`q` has no index");
+    CHECK(refused("sum(i=1..2, q[i]^2)").says("neither q and p"));
+    CHECK(refused("x[1]", "x[1], x[1..2]", "p[1..3]").marked == "x[1], [x[1..2]]");
+    CHECK(refused("x[1]", "pi[1..2]", "p[1..2]").says("reserved"));
+    CHECK(refused("x", "x, x[1]", "p, r").says("with an index and without"));
+}
+
+TEST_CASE("the time is neither a variable nor a parameter") {
+    const Hamiltonian H = read("p^2/2 - q*cos(w*t)");
+    CHECK(depends_on_time(H));
+    CHECK(variables(H) == Names{"q", "p"});
+    CHECK(parameter_names(H) == Names{"w"});
+    CHECK(!depends_on_time(read("q*p")));
+    CHECK(refused("x*t", "t", "p").says("it is the time"));
+    CHECK(refused_parameter("1, tau", "q*t", "t=1").says("it is the time"));
 }
 
 TEST_CASE("a parameter has its value wherever it occurs") {

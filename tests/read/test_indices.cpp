@@ -37,6 +37,7 @@ TEST_CASE("names with a range of indices are all of them") {
     CHECK(names("q") == Names{"q"});
     CHECK(names("x[1..3], y") == Names{"x[1]", "x[2]", "x[3]", "y"});
     CHECK(names(" x[0..0] ") == Names{"x[0]"});
+    CHECK(names("x[7], x[-1], y") == Names{"x[7]", "x[-1]", "y"});
     CHECK(names("x[1..1000]").size() == 1000);
 }
 

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 Expression expression(const std::string& text) {
-    return parse_expression(std::make_shared<const Source>(Source{"text", text}));
+    return parse_indexed_expression(std::make_shared<const Source>(Source{"text", text}));
 }
 
 StepEquations step(const std::string& H) {
@@ -243,6 +243,21 @@ TEST_CASE("names with an index of their own") {
     two.stages = stages;
     CHECK(contains(render_latex(two), "Q_{1,2} &= q_{1,n} + hP_{\\theta,3}, \\\\\n"
                                       "\\theta_{2,n+1} &= \\theta_{2,n} + hp_{\\theta,n}.\n"));
+}
+
+TEST_CASE("names with an index in brackets, and the time") {
+    StepEquations two = step("p[1]*px[2]*t");
+    two.coordinates = {"x[1]", "x[2]"};
+    two.momenta = {"p[1]", "px[2]"};
+    StageEquations stages;
+    stages.stages = {{"T_2", expression("t+h/2")}, {"X_2[1]", expression("x[1]+h*Px_2[2]*T_2")}};
+    stages.update = {{"px[2]", expression("px[2]+h*m[1]")}};
+    two.stages = stages;
+    CHECK(contains(render_latex(two), "T_{2} &= t_{n} + \\frac{h}{2}, \\\\\n"
+                                      "X_{1,2} &= x_{1,n} + h\\mathit{Px}_{2,2}T_{2}, \\\\\n"
+                                      "\\mathit{px}_{2,n+1} &= \\mathit{px}_{2,n} + hm_{1}.\n"));
+    CHECK(contains(render_text(two), " X_2[1] = x[1]+h*Px_2[2]*T_2\n"));
+    CHECK(contains(render_json(two), "\"px[2]' = px[2]+h*m[1]\""));
 }
 
 TEST_CASE("generating functions for papers") {

@@ -86,3 +86,18 @@ TEST_CASE("a broken invariant is a bug, and says so") {
         CHECK(message(error).find("report") != std::string::npos);
     }
 }
+
+TEST_CASE("of several lines of a file the one with the place is shown") {
+    const std::string text = "one\n  two\nthree";
+    const auto lines = [&](const std::string& name, Range range) {
+        const auto source = std::make_shared<const Source>(Source{name, text});
+        return message(InputError("what", Place{source, range}));
+    };
+    CHECK(lines("a.toml:9", {0, 3}) == "error: what\n  a.toml:9: one\n            ^~~\n");
+    CHECK(lines("a.toml:9", {6, 9}) == "error: what\n  a.toml:10:   two\n               ^~~\n");
+    CHECK(lines("a.toml:9", {6, 13}) == "error: what\n  a.toml:10:   two\n               ^~~\n");
+    CHECK(lines("a.toml:9", {10, 15}) == "error: what\n  a.toml:11: three\n             ^~~~~\n");
+    CHECK(lines("--basis", {6, 9}) ==
+          "error: what\n  --basis: one   two three\n                 ^~~\n");
+    CHECK(lines("b:123456789012345678901", {6, 9}).find("one   two") != std::string::npos);
+}

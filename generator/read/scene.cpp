@@ -1,0 +1,78 @@
+// Scenes by name, and the values of their parameters.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/read/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "generator/read/embedded.hpp"
+#include "generator/read/nearest.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// `kepler` of `kepler.toml`.
+std::string_view name_of(const EmbeddedFile& file) {
+    return file.name.substr(0, file.name.rfind('.'));
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+[[noreturn]] void refuse_unknown(const std::string& name, const Place& place) {
+    std::vector<std::string_view> names;
+    for (const EmbeddedFile& file : embedded_scenes()) names.push_back(name_of(file));
+    throw InputError(
+        fmt::format("there is no scene and no file `{}`", name), place,
+        did_you_mean(name, names, "`hvi-gen list scenes` shows those that come with the program"));
+}
+
+}  // namespace
+
+Scene find_scene(const std::string& name_or_file, const Place& place) {
+    for (const EmbeddedFile& file : embedded_scenes()) {
+        if (name_of(file) != name_or_file) continue;
+        Scene scene = scene_from_toml({std::string(file.name), std::string(file.text)});
+        scene.hamiltonian.origin = name_or_file;
+        return scene;
+    }
+    std::error_code ignored;
+    const auto status = std::filesystem::status(name_or_file, ignored);
+    if (status.type() == std::filesystem::file_type::not_found) refuse_unknown(name_or_file, place);
+    return scene_from_file(name_or_file);
+}
+
+std::vector<SceneEntry> scenes() {
+    std::vector<SceneEntry> entries;
+    for (const EmbeddedFile& file : embedded_scenes()) {
+        const Scene scene = scene_from_toml({std::string(file.name), std::string(file.text)});
+        entries.push_back({name_of(file), scene.description});
+    }
+    std::sort(entries.begin(), entries.end(), [](const SceneEntry& left, const SceneEntry& right) {
+        return left.name < right.name;
+    });
+    return entries;
+}
+
+void set_parameter(Method& method, Scene& scene, Parameter parameter) {
+    std::vector<std::string> names;
+    for (const Parameter& known : scene.parameters) names.push_back(known.name);
+    const std::vector<std::string> of_method = parameter_names(method);
+    const bool in_scene = contains(names, parameter.name);
+    const bool in_method = contains(of_method, parameter.name);
+    if (!in_scene && !in_method) {
+        names.insert(names.end(), of_method.begin(), of_method.end());
+        refuse_parameter(parameter, scene.hamiltonian, names);
+    }
+    if (in_scene) assign(scene.parameters, parameter);
+    if (contains(parameter_names(scene.hamiltonian), parameter.name))
+        assign(scene.hamiltonian.parameters, parameter);
+    if (in_method) set_parameter(method, std::move(parameter));
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,62 @@
+// Names that a user declares, and whether a symbol is one of them.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+/// A name where it is declared.
+struct DeclaredName {
+    std::string name;  ///< `x`, or with an index `x[3]`
+    Place place;
+};
+
+/// Names with the place of all of them.
+struct NameList {
+    std::vector<DeclaredName> names;
+    Place place;
+};
+
+/// The names in a text such as `x, y[1..3]`, as parse_names() reads them.
+[[nodiscard]] NameList names_in(const std::shared_ptr<const Source>& source);
+
+/// The names declared so far. What differs in the index only, like x[1] and x[2], has one subject.
+class Vocabulary {
+public:
+    /// `subject` is what it names: `a coordinate`. Throws InputError for a name that is reserved,
+    /// or is taken.
+    void declare(const DeclaredName& declared, std::string_view subject);
+
+    [[nodiscard]] bool contains(const std::string& name) const { return names_.count(name) != 0; }
+
+    /// The indices of x[1], x[2], ... as they were declared; of x alone one empty text; none where
+    /// `stem` names nothing.
+    [[nodiscard]] std::vector<std::string> indices(std::string_view stem) const;
+
+    /// Whether a stem has that subject.
+    [[nodiscard]] bool is(std::string_view subject, std::string_view stem) const;
+
+    /// Throws InputError for a symbol that has a declared name, but not its index: x[7] of x[1..6].
+    void check_index(const std::string& symbol, const Place& place) const;
+
+    /// Throws InputError for a symbol that is not declared; `help` where none resembles it.
+    void check(const std::string& symbol, const Place& place, std::string help) const;
+
+private:
+    struct Entry {
+        std::string subject;
+        std::vector<std::string> indices;
+    };
+    std::map<std::string, Entry, std::less<>> entries_;  ///< by name without an index
+    std::set<std::string> names_;
+};
+
+}  // namespace hvi::gen
