@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/method.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -26,13 +27,17 @@ Method read_method(const MethodOptions& options) {
 }
 
 /// Without the values of parameters.
-Hamiltonian read_hamiltonian(const SchemeOptions& options) {
+Hamiltonian read_hamiltonian(const SystemOptions& options) {
     const auto names = [](const std::string& option, const std::optional<std::string>& value) {
         return value ? source(option, *value) : nullptr;
     };
     return hamiltonian_from_text(source("--hamiltonian", *options.hamiltonian),
                                  names("--coordinates", options.coordinates),
                                  names("--momenta", options.momenta));
+}
+
+Scene read_scene(const std::string& name_or_file) {
+    return find_scene(name_or_file, {source("SCENE", name_or_file), {0, name_or_file.size()}});
 }
 
 /// Calls `set` for what each `--param` says.
@@ -65,23 +70,75 @@ Coefficients coefficients_of(const std::filesystem::path& file, const MethodOpti
     return coefficients;
 }
 
-System read_system(const SchemeOptions& options) {
-    Method method = read_method(options.method);
-    if (!options.scene) {
-        Hamiltonian hamiltonian = read_hamiltonian(options);
+System read_system(const MethodOptions& options, const SystemOptions& system) {
+    Method method = read_method(options);
+    if (!system.scene) {
+        Hamiltonian hamiltonian = read_hamiltonian(system);
         check_together(method, hamiltonian);
-        set_parameters(options.method.parameters, [&](Parameter parameter) {
+        set_parameters(options.parameters, [&](Parameter parameter) {
             set_parameter(method, hamiltonian, std::move(parameter));
         });
         return {std::move(method), std::move(hamiltonian)};
     }
-    Scene scene =
-        find_scene(*options.scene, {source("SCENE", *options.scene), {0, options.scene->size()}});
+    Scene scene = read_scene(*system.scene);
     check_together(method, scene.hamiltonian);
-    set_parameters(options.method.parameters, [&](Parameter parameter) {
+    set_parameters(options.parameters, [&](Parameter parameter) {
         set_parameter(method, scene, std::move(parameter));
     });
     return {std::move(method), std::move(scene.hamiltonian)};
+}
+
+namespace {
+
+/// A scene that is a Hamiltonian and nothing else. Its parameters have no values yet.
+Scene scene_of(Hamiltonian hamiltonian) {
+    Scene scene;
+    for (const std::string& name : parameter_names(hamiltonian)) {
+        scene.parameters.push_back({name, {}, {}});
+    }
+    scene.hamiltonian = std::move(hamiltonian);
+    return scene;
+}
+
+Method method_for(const MethodOptions& options, const Scene& scene) {
+    const bool is_given = options.name || options.basis || options.file;
+    if (is_given) return read_method(options);
+    if (scene.run.method == nullptr)
+        throw InputError("no method is given, and the scene names none", {},
+                         "for example --method gauss:4");
+    return named_method(scene.run.method);
+}
+
+bool has_parameter(const Method& method, const std::string& name) {
+    const std::vector<std::string> names = parameter_names(method);
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system) {
+    Scene scene = system.scene ? read_scene(*system.scene) : scene_of(read_hamiltonian(system));
+    Method method = method_for(options, scene);
+    check_together(method, scene.hamiltonian);
+    std::string defaults;
+    set_parameters(options.parameters, [&](Parameter parameter) {
+        if (!has_parameter(method, parameter.name)) defaults += parameter_option(parameter);
+        set_parameter(method, scene, std::move(parameter));
+    });
+    scene.hamiltonian.origin += defaults;
+    for (const Parameter& parameter : scene.parameters) {
+        if (parameter.place.source == nullptr)
+            throw InputError("the parameter `" + parameter.name + "` has no value", {},
+                             "give the value that it has where a program gives none: --param " +
+                                 parameter.name + "=1");
+    }
+    // What the method was derived with is fixed; the others are defaults.
+    const auto is_fixed = [&](const Parameter& parameter) {
+        return has_parameter(method, parameter.name);
+    };
+    const auto is_default = [&](const Parameter& parameter) { return !is_fixed(parameter); };
+    std::erase_if(scene.hamiltonian.parameters, is_default);
+    return {std::move(method), std::move(scene)};
 }
 
 }  // namespace hvi::gen

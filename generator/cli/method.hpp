@@ -5,7 +5,7 @@
 #include "generator/cli/options.hpp"
 #include "generator/exact/tableau.hpp"
 #include "generator/read/coefficients.hpp"
-#include "generator/read/hamiltonian.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -24,6 +24,16 @@ struct System {
     Method method;
     Hamiltonian hamiltonian;
 };
-[[nodiscard]] System read_system(const SchemeOptions& options);
+[[nodiscard]] System read_system(const MethodOptions& options, const SystemOptions& system);
+
+/// A method and a scene, read. A parameter that the method has too is fixed to its value; the
+/// values of the others are defaults. Of --hamiltonian each needs one by --param, and the scene
+/// then has neither a name nor initial data. A method that is not given is that of the scene's
+/// [run].
+struct MethodAndScene {
+    Method method;
+    Scene scene;
+};
+[[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
 
 }  // namespace hvi::gen

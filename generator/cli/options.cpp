@@ -5,6 +5,7 @@
 // place. It only refuses a last option without its value.
 #include "generator/cli/options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <sstream>
@@ -31,7 +32,7 @@ constexpr std::array announced_commands = {
     std::pair{"run", "Integrate a scene (to come)"},
     std::pair{"report", "Compare methods on scenes (to come)"},
 };
-/// Options of `scheme`, which stand in place of a scene, and which `stepper` will have.
+/// Options that stand in place of a scene.
 constexpr std::array hamiltonian_options = {"--hamiltonian", "--coordinates", "--momenta"};
 
 const std::vector<std::string_view> topics = {"", "bases", "nodes", "methods", "scenes"};
@@ -71,6 +72,13 @@ void add_method(CLI::App& command) {
     command.footer(std::string(method_help));
 }
 
+void add_system(CLI::App& command) {
+    add_value(command, "SCENE", "SCENE", "A system by name (`hvi-gen list scenes`), or in TOML");
+    add_value(command, "--hamiltonian", "H", "Or H(q, p, t), as in \"p^2/2 + w^2*q^2/2\"");
+    add_value(command, "--coordinates", "NAMES", "Its coordinates (q, or q1, q2, ... in H)");
+    add_value(command, "--momenta", "NAMES", "Their momenta (p, or p1, p2, ...)");
+}
+
 /// The grammar of the command line.
 void describe(CLI::App& app) {
     app.name("hvi-gen");
@@ -96,20 +104,19 @@ void describe(CLI::App& app) {
 
     CLI::App& stepper = *app.add_subcommand("stepper", "Write a method as a C++ header");
     add_method(stepper);
-    add_value(stepper, "SCENE", "FILE", "A Hamiltonian system in TOML (to come)");
-    add_flag(stepper, "--separable", "For H = T(p) + U(q)");
+    add_system(stepper);
+    add_flag(stepper, "--separable", "For a class of your own with H = T(p) + U(q)");
+    add_value(stepper, "--solver", "SOLVER", "Of stage equations: auto, fixed-point or newton");
+    add_flag(stepper, "--energy", "The class has a member energy(x)");
+    add_flag(stepper, "--invariants", "And one for each invariant of the scene");
     add_value(stepper, "--name", "NAME", "Name of the class");
     add_flag(stepper, "--explain", "Say what is solved and what is left out");
     add_value(stepper, "-o,--output", "FILE", "Write to this file");
-    for (const char* option : hamiltonian_options) add_value(stepper, option, "TEXT", "To come");
 
     CLI::App& scheme =
         *app.add_subcommand("scheme", "Print the equations of a step for a Hamiltonian");
     add_method(scheme);
-    add_value(scheme, "SCENE", "SCENE", "A system by name (`hvi-gen list scenes`), or in TOML");
-    add_value(scheme, "--hamiltonian", "H", "Or H(q, p, t), as in \"p^2/2 + w^2*q^2/2\"");
-    add_value(scheme, "--coordinates", "NAMES", "Its coordinates (q, or q1, q2, ... in H)");
-    add_value(scheme, "--momenta", "NAMES", "Their momenta (p, or p1, p2, ...)");
+    add_system(scheme);
     add_flag(scheme, "--generating", "Also the generating function, of a quadratic H");
     add_value(scheme, "--format", "FORMAT", "text, json or latex");
     add_value(scheme, "-o,--output", "FILE", "Write to this file");
@@ -279,15 +286,66 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
     return options;
 }
 
-StepperOptions stepper_options(const Words& words, const CommandLine& line) {
-    for (const char* option : hamiltonian_options)
-        if (!words.values(option).empty()) to_come(option, words.place(option));
-    if (const auto scene = words.value("SCENE"))
-        to_come("a stepper for a scene", line.place({*scene}));
+/// Empty where no system is named.
+std::optional<SystemOptions> system_options(const Words& words, const CommandLine& line) {
+    SystemOptions system;
+    system.scene = words.value("SCENE");
+    if (system.scene) {
+        for (const char* option : hamiltonian_options)
+            if (!words.values(option).empty())
+                throw InputError("a scene and " + std::string(option) + " exclude each other",
+                                 line.place({*system.scene}), "leave one of them out");
+    }
+    system.hamiltonian = words.value("--hamiltonian");
+    system.coordinates = words.value("--coordinates");
+    system.momenta = words.value("--momenta");
+    if (system.coordinates && !system.momenta)
+        throw InputError("--coordinates needs --momenta", words.place("--coordinates"));
+    if (system.momenta && !system.coordinates)
+        throw InputError("--momenta needs --coordinates", words.place("--momenta"));
+    if (system.scene || system.hamiltonian) return system;
+    if (system.coordinates)
+        throw InputError("--coordinates needs --hamiltonian", words.place("--coordinates"));
+    return {};
+}
 
+/// Whether a method is given; a scene may name one instead.
+bool names_method(const Words& words) {
+    return std::any_of(forms_of_method.begin(), forms_of_method.end(), [&](const auto& group) {
+        return std::any_of(group.begin(), group.end(), [&](const std::string& option) {
+            return !words.values(option).empty();
+        });
+    });
+}
+
+/// What only a system has.
+void check_system_flags(const Words& words, const StepperOptions& options) {
+    if (options.system && options.separable)
+        throw InputError("--separable is for a class of your own", words.place("--separable"),
+                         "whether the H of a scene is T(p) + U(q) is found out");
+    for (const char* flag : {"--energy", "--invariants"})
+        if (!options.system && words.flag(flag))
+            throw InputError(std::string(flag) + " needs a scene or --hamiltonian",
+                             words.place(flag));
+    if (!options.system && words.value("--solver"))
+        throw InputError("--solver needs a scene or --hamiltonian", words.place("--solver"),
+                         "the solver of a header for any H is an argument of its class");
+}
+
+StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     StepperOptions options;
-    options.method = method_options(words, line);
+    options.system = system_options(words, line);
+    const bool method_of_scene = options.system && options.system->scene && !names_method(words);
+    if (method_of_scene)
+        options.method.parameters = words.values("--param");
+    else
+        options.method = method_options(words, line);
     options.separable = words.flag("--separable");
+    options.solver = static_cast<StepperOptions::Solver>(
+        words.choice("--solver", {"auto", "fixed-point", "newton"}));
+    options.energy = words.flag("--energy");
+    options.invariants = words.flag("--invariants");
+    check_system_flags(words, options);
     options.name = words.value("--name");
     options.explain = words.flag("--explain");
     options.output = file_option(words, "--output");
@@ -296,25 +354,13 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
 
 SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
     SchemeOptions options;
-    options.scene = words.value("SCENE");
-    if (options.scene) {
-        for (const char* option : hamiltonian_options)
-            if (!words.values(option).empty())
-                throw InputError("a scene and " + std::string(option) + " exclude each other",
-                                 line.place({*options.scene}), "leave one of them out");
-    }
+    const auto system = system_options(words, line);
     options.method = method_options(words, line);
-    options.hamiltonian = words.value("--hamiltonian");
-    if (!options.scene && !options.hamiltonian)
+    if (!system)
         throw InputError("no Hamiltonian is given", line.end(),
                          "for example kepler, which `hvi-gen list scenes` shows, or --hamiltonian "
                          "\"p^2/2 + w^2*q^2/2\"");
-    options.coordinates = words.value("--coordinates");
-    options.momenta = words.value("--momenta");
-    if (options.coordinates && !options.momenta)
-        throw InputError("--coordinates needs --momenta", words.place("--coordinates"));
-    if (options.momenta && !options.coordinates)
-        throw InputError("--momenta needs --coordinates", words.place("--momenta"));
+    options.system = *system;
     options.generating = words.flag("--generating");
     options.format =
         static_cast<SchemeOptions::Format>(words.choice("--format", {"text", "json", "latex"}));

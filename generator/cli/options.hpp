@@ -42,9 +42,22 @@ struct CheckOptions {
     std::optional<std::filesystem::path> output;
 };
 
+/// A Hamiltonian, as text: `scene`, or `hamiltonian` with both names or none.
+struct SystemOptions {
+    std::optional<std::string> scene;  ///< the name of one, or a file
+    std::optional<std::string> hamiltonian;
+    std::optional<std::string> coordinates, momenta;
+};
+
 struct StepperOptions {
-    MethodOptions method;
-    bool separable = false;           ///< for H = T(p) + U(q)
+    enum class Solver { automatic, fixed_point, newton };
+
+    MethodOptions method;                 ///< empty where the scene is to name it
+    std::optional<SystemOptions> system;  ///< else that of a class of the user
+    bool separable = false;               ///< for H = T(p) + U(q) of such a class
+    Solver solver = Solver::automatic;
+    bool energy = false;              ///< as a member; of a system
+    bool invariants = false;          ///< the same
     std::optional<std::string> name;  ///< of the class
     bool explain = false;             ///< say on standard error what is solved and what left out
     std::optional<std::filesystem::path> output;
@@ -53,11 +66,9 @@ struct StepperOptions {
 struct SchemeOptions {
     enum class Format { text, json, latex };
 
-    MethodOptions method;              ///< its parameters are those of the Hamiltonian as well
-    std::optional<std::string> scene;  ///< the name of one, or a file
-    std::optional<std::string> hamiltonian;           ///< where there is no scene
-    std::optional<std::string> coordinates, momenta;  ///< of it: both or none
-    bool generating = false;                          ///< the generating function of type II too
+    MethodOptions method;  ///< its parameters are those of the Hamiltonian as well
+    SystemOptions system;
+    bool generating = false;  ///< the generating function of type II too
     Format format = Format::text;
     std::optional<std::filesystem::path> output;
 };

@@ -22,7 +22,7 @@ std::string rendered(const StepEquations& step, SchemeOptions::Format format) {
 }  // namespace
 
 void run(const SchemeOptions& options) {
-    const auto [method, hamiltonian] = read_system(options);
+    const auto [method, hamiltonian] = read_system(options.method, options.system);
     const StepEquations step = step_equations(method, hamiltonian, options.generating);
     write_result(options.output, rendered(step, options.format));
 }

@@ -1,4 +1,4 @@
-// `hvi-gen stepper`: a method as a C++ header.
+// `hvi-gen stepper`: a method as a C++ header, for any Hamiltonian or for that of a scene.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cstdio>
 #include <memory>
@@ -7,6 +7,9 @@
 #include "generator/cli/method.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/emit/names.hpp"
+#include "generator/exact/galerkin.hpp"
+#include "generator/exact/start.hpp"
+#include "generator/plan/facts.hpp"
 #include "generator/plan/plan.hpp"
 
 namespace hvi::gen {
@@ -18,6 +21,8 @@ void check_name(const std::string& name) {
         name, Place{std::make_shared<const Source>(Source{"--name", name}), {0, name.size()}});
 }
 
+// ---- for any Hamiltonian ----
+
 /// The command that writes the same header again, wherever to.
 std::string command(const Tableau& tableau, const StepperOptions& options) {
     std::string text = "hvi-gen stepper " + tableau.origin;
@@ -26,10 +31,7 @@ std::string command(const Tableau& tableau, const StepperOptions& options) {
     return text;
 }
 
-}  // namespace
-
-void run(const StepperOptions& options) {
-    if (options.name) check_name(*options.name);
+void write_method(const StepperOptions& options) {
     const Tableau tableau = tableau_of(options.method);
     const Scheme scheme = plan(tableau, {.separable = options.separable});
     const EmitOptions emitted = {.class_name = options.name.value_or(class_name(tableau.name)),
@@ -37,6 +39,72 @@ void run(const StepperOptions& options) {
     const std::string header = emit(tableau, scheme, emitted);
     if (options.explain) std::fputs(dump(scheme).c_str(), stderr);
     write_result(options.output, header);
+}
+
+// ---- for a scene ----
+
+std::string command(const Tableau& tableau, const Scene& scene, const StepperOptions& options) {
+    using Solver = StepperOptions::Solver;
+    std::string text = "hvi-gen stepper " + tableau.origin + " " + scene.hamiltonian.origin;
+    if (options.solver == Solver::fixed_point) text += " --solver fixed-point";
+    if (options.solver == Solver::newton) text += " --solver newton";
+    if (options.energy) text += " --energy";
+    if (options.invariants) text += " --invariants";
+    if (options.name) text += " --name " + *options.name;
+    return text;
+}
+
+void refuse_time(const Scene& scene) {
+    const Hamiltonian& H = scene.hamiltonian;
+    if (!depends_on_time(H)) return;
+    throw InputError("a stepper for an H that depends on the time is announced, but not built yet",
+                     Place{H.source, {0, H.source->text.size()}});
+}
+
+std::string explanation(const LoweredScene& lowered, const Scheme& scheme) {
+    std::string text = "found in H:\n";
+    for (const std::string& fact : facts(lowered)) text += "  " + fact + "\n";
+    text += "cost:\n";
+    for (const std::string& cost : costs(lowered, scheme)) text += "  " + cost + "\n";
+    text += "plan:\n";
+    for (const Decision& decision : scheme.decisions)
+        text += "  " + decision.what + ": " + decision.why + "\n";
+    return text;
+}
+
+void write_scene(const StepperOptions& options) {
+    const auto [method, scene] = read_scene(options.method, *options.system);
+    SceneWishes wishes{options.energy, options.invariants, false};
+    refuse_time(scene);
+    check_members(scene, wishes);
+    check_start(scene);
+
+    const Tableau tableau = derive(method);
+    const LoweredScene lowered = hvi::gen::lowered(scene);
+    const bool newton = options.solver == StepperOptions::Solver::newton;
+    const Scheme scheme =
+        plan(tableau, {.separable = lowered.structure.is_separable,
+                       .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic && !newton});
+    wishes.hessian = newton && !scheme.is_explicit();
+    const std::string name =
+        class_name(scene.name.empty() ? tableau.name : scene.name + "-" + tableau.name);
+    const EmitOptions emitted = {.class_name = options.name.value_or(name),
+                                 .command = command(tableau, scene, options),
+                                 .scene = &lowered,
+                                 .wishes = wishes};
+    const std::string header = emit(tableau, scheme, emitted);
+    if (options.explain) std::fputs(explanation(lowered, scheme).c_str(), stderr);
+    write_result(options.output, header);
+}
+
+}  // namespace
+
+void run(const StepperOptions& options) {
+    if (options.name) check_name(*options.name);
+    if (options.system)
+        write_scene(options);
+    else
+        write_method(options);
 }
 
 }  // namespace hvi::gen

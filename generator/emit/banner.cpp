@@ -2,6 +2,7 @@
 #include "generator/emit/banner.hpp"
 
 #include "generator/emit/text.hpp"
+#include "generator/plan/facts.hpp"
 #include "generator/support/version.hpp"
 
 namespace hvi::gen {
@@ -90,6 +91,16 @@ std::string choices_text(const Scheme& scheme) {
     return writer.str();
 }
 
+/// What was found in the H of a scene, and what it costs.
+std::string scene_text(const Scheme& scheme, const LoweredScene& lowered) {
+    Writer writer(0);
+    writer.line("//").comment("Found in H:").line("//");
+    for (const std::string& fact : facts(lowered)) { writer.comment(fact, "//     ", 4); }
+    writer.line("//").comment("Cost:").line("//");
+    for (const std::string& cost : costs(lowered, scheme)) { writer.comment(cost, "//     ", 4); }
+    return writer.str();
+}
+
 /// The command as one line that ends no comment and continues none.
 std::string one_line(std::string_view command) {
     std::string text;
@@ -101,11 +112,14 @@ std::string one_line(std::string_view command) {
 }  // namespace
 
 std::string banner(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
-    std::string text = fill("banner.hpp.in", {{"version", std::string(version)},
-                                              {"command", one_line(options.command)},
-                                              {"method", method_text(tableau, scheme)},
-                                              {"tableau", tableau_text(tableau, scheme)},
-                                              {"choices", choices_text(scheme)}});
+    std::string text = fill(
+        "banner.hpp.in",
+        {{"version", std::string(version)},
+         {"command", one_line(options.command)},
+         {"method", method_text(tableau, scheme)},
+         {"tableau", tableau_text(tableau, scheme)},
+         {"scene", options.scene == nullptr ? std::string() : scene_text(scheme, *options.scene)},
+         {"choices", choices_text(scheme)}});
     text.pop_back();
     return text;
 }

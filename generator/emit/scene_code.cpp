@@ -35,12 +35,6 @@ std::vector<ParameterMember> members_of(const std::vector<Parameter>& parameters
     return members;
 }
 
-std::string list(const std::vector<std::string>& texts) {
-    std::string result;
-    for (const std::string& text : texts) { result += (result.empty() ? "" : ", ") + text; }
-    return result;
-}
-
 void write_member(Writer& writer, std::string_view doc, std::string_view name) {
     writer.comment(doc, "/// ");
     writer.open("[[nodiscard]] Scalar {}(const State& x) const {{", name)
@@ -75,16 +69,17 @@ std::string parameters_text(const LoweredScene& lowered) {
     Writer writer(1);
     writer.line("/// As the scene has them.").open("struct Parameters {{");
     for (const ParameterMember& member : members_of(lowered.scene.parameters)) {
-        std::vector<std::string> values;
-        for (const Parameter* parameter : member.parameters) {
-            values.push_back(initializer(parameter->value));
-        }
+        const auto line = [&](const Parameter& parameter, std::string_view begin,
+                              std::string_view end) {
+            writer.line("{}{}{}  // {} = {}", begin, initializer(parameter.value), end,
+                        parameter.name, to_text(parameter.value));
+        };
         if (member.is_array) {
-            writer.line("std::array<Scalar, {}> {}{{{{{}}}}};  // from {}", values.size(),
-                        member.name, list(values), member.parameters.front()->name);
+            writer.open("std::array<Scalar, {}> {}{{{{", member.parameters.size(), member.name);
+            for (const Parameter* parameter : member.parameters) { line(*parameter, "", ","); }
+            writer.close("}};");
         } else {
-            writer.line("Scalar {} = {};  // {}", member.name, values.front(),
-                        to_text(member.parameters.front()->value));
+            line(*member.parameters.front(), fmt::format("Scalar {} = ", member.name), ";");
         }
     }
     return writer.close("};").str();

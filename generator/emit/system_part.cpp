@@ -68,10 +68,11 @@ std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options
     const Scene& scene = options.scene->scene;
     const std::string method =
         tableau.name.empty() ? "a method of its own basis and nodes" : tableau.name;
+    const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     Writer writer(0);
-    writer.comment(fmt::format("The scene {} with {}, computed in Scalar: float, double or long "
+    writer.comment(fmt::format("{} with {}, computed in Scalar: float, double or long "
                                "double.",
-                               scene.name, method),
+                               what, method),
                    "/// ");
     if (!scene.description.empty()) { writer.comment(scene.description, "/// "); }
     return writer.str();

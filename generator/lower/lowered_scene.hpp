@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 /// What steppers, diagnostics and the start of a run are made of.
 struct LoweredScene {
-    Scene scene;
+    Scene scene;         ///< without the parameters that are fixed
     SystemGraph system;  ///< the graph of everything here
     Structure structure;
     std::vector<Scaled> initial;     ///< coordinates, then momenta, of the parameters; or empty

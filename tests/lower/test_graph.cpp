@@ -177,8 +177,7 @@ TEST_CASE("forces between bodies are computed once for each pair") {
 TEST_CASE("a quotient is one division, and a shared one is a product with the inverse") {
     Lowered f({"x", "y", "z"}, {});
     CHECK(text(kernel(f.graph, {f("y/(1+x^2)")}).counts) == "1+ 1* 1/ 0sqrt 0f");
-    CHECK(text(kernel(f.graph, {f("y/(1+x^2)"), f("z/(1+x^2)")}).counts) ==
-          "1+ 3* 1/ 0sqrt 0f");
+    CHECK(text(kernel(f.graph, {f("y/(1+x^2)"), f("z/(1+x^2)")}).counts) == "1+ 3* 1/ 0sqrt 0f");
     CHECK(text(kernel(f.graph, {f("y/sqrt(x)")}).counts) == "0+ 0* 1/ 1sqrt 0f");
     CHECK(text(kernel(f.graph, {f("x-x"), f("7")}).counts) == "0+ 0* 0/ 0sqrt 0f");
 }
@@ -190,7 +189,7 @@ TEST_CASE("what depends on parameters alone is computed once") {
     CHECK(text(slopes.counts) == "0+ 2* 0/ 0sqrt 0f");
     // q, p, k sqrt(m) and 1/m; by the way there, sqrt(m).
     CHECK(slopes.given.size() == 4);
-    const Kernel before = kernel_of_inputs(
-        f.graph, {{{1, 1}, slopes.given[2]}, {{1, 1}, slopes.given[3]}});
+    const Kernel before =
+        kernel_of_inputs(f.graph, {{{1, 1}, slopes.given[2]}, {{1, 1}, slopes.given[3]}});
     CHECK(text(before.counts) == "0+ 1* 1/ 1sqrt 0f");
 }
