@@ -8,6 +8,7 @@
 
 #include "generator/exact/galerkin.hpp"
 #include "generator/read/method.hpp"
+#include "generator/read/names.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
@@ -109,6 +110,17 @@ Method method_for(const MethodOptions& options, const Scene& scene) {
     return named_method(scene.run.method);
 }
 
+/// Where a symbol of H stands first.
+Place first_place(const Hamiltonian& hamiltonian, const std::string& name) {
+    std::optional<Range> range;
+    walk(hamiltonian.expression, [&](const Expression& part) {
+        if (!range && part.kind == Expression::Kind::symbol && part.name == name)
+            range = part.range;
+        return !range;
+    });
+    return {hamiltonian.source, range.value_or(Range{})};
+}
+
 bool has_parameter(const Method& method, const std::string& name) {
     const std::vector<std::string> names = parameter_names(method);
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -128,7 +140,8 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
     scene.hamiltonian.origin += defaults;
     for (const Parameter& parameter : scene.parameters) {
         if (parameter.place.source == nullptr)
-            throw InputError("the parameter `" + parameter.name + "` has no value", {},
+            throw InputError("the parameter `" + parameter.name + "` has no value",
+                             first_place(scene.hamiltonian, parameter.name),
                              "give the value that it has where a program gives none: --param " +
                                  parameter.name + "=1");
     }

@@ -12,7 +12,8 @@ Ball value_of(const Parameter& parameter) {
     try {
         return value_at(parameter.value, {}, nullptr);
     } catch (const MathError& error) {
-        throw MathError("`" + parameter.name + "` has no value: " + error.what(), parameter.place);
+        throw MathError("in the value of `" + parameter.name + "` there is " + error.what(),
+                        parameter.place);
     }
 }
 
@@ -24,14 +25,20 @@ void check_start(const Scene& scene) {
     for (const Parameter& parameter : scene.parameters) {
         values[parameter.name] = value_of(parameter);
     }
-    SymbolValues at_start = values;
-    at_start["t"] = Ball();
-    for (const NamedExpression& initial : scene.initial) {
-        at_start[initial.name] = value_at(initial.expression, values, initial.place.source);
-    }
-    (void)value_at(scene.hamiltonian.expression, at_start, scene.hamiltonian.source);
-    for (const NamedExpression& invariant : scene.invariants) {
-        (void)value_at(invariant.expression, at_start, invariant.place.source);
+    const auto look = [](const NamedExpression& what, const SymbolValues& at) {
+        return value_at(what.expression, at, what.place.source);
+    };
+    try {
+        SymbolValues start = values;
+        for (const NamedExpression& initial : scene.initial) {
+            start[initial.name] = look(initial, values);
+        }
+        start["t"] = Ball();
+        (void)value_at(scene.hamiltonian.expression, start, scene.hamiltonian.source);
+        for (const NamedExpression& invariant : scene.invariants) { (void)look(invariant, start); }
+    } catch (const MathError& error) {
+        throw MathError(std::string("where the scene begins there is ") + error.what(),
+                        error.place(), "mend the initial data, or the values of parameters");
     }
 }
 

@@ -45,7 +45,7 @@ bool is_beyond_one(const Ball& x) {
 }
 
 const std::array<RealFunction, 12>& real_functions() {
-    constexpr std::string_view no_angle = "this is no sine or cosine of a real angle";
+    constexpr std::string_view no_angle = "an arcsine or arccosine of a number beyond 1";
     static const std::array<RealFunction, 12> table{{
         {"sqrt", [](const Ball& x) { return x.sign() < 0; }, "the square root of a negative number",
          compute<arb_sqrt>},

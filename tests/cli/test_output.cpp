@@ -338,11 +338,54 @@ TEST_CASE("every form of METHOD is read") {
     }
 }
 
-TEST_CASE("--param leaves the word behind it alone") {
-    const Outcome outcome = hvi_gen(
-        {"stepper", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--param", "w=1", "scene.toml"});
-    CHECK(outcome.status == 2);
-    CHECK(outcome.err.find("a stepper for a scene") != std::string::npos);
+TEST_CASE("no option of stepper swallows the scene behind it") {
+    const std::vector<std::vector<std::string>> lines = {
+        {"--param", "mu=2"}, {"--energy"},    {"--invariants"},       {"--solver", "newton"},
+        {"--explain"},       {"--name", "K"}, {"--method", "gauss:4"}};
+    for (const auto& options : lines) {
+        const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        const std::string name = options.front() == "--name" ? "K" : "KeplerGauss4";
+        CHECK(outcome.out.find("\nusing " + name + " = Basic" + name + "<double>;\n") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("a stepper of a scene has what was asked for and no more") {
+    const std::vector<std::string> words = {"stepper", "--method", "gauss:2", "kepler"};
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::string plain = hvi_gen(words).out;
+    CHECK(has(plain, "struct Parameters"));
+    CHECK(has(plain, "static State initial("));
+    CHECK_FALSE(has(plain, "energy("));
+    CHECK_FALSE(has(plain, "angular_momentum("));
+    CHECK_FALSE(has(plain, "d2Hdq2"));
+    const std::string all =
+        hvi_gen(with(words, {"--energy", "--invariants", "--solver", "newton"})).out;
+    CHECK(has(all, "Scalar energy(const State& x) const"));
+    CHECK(has(all, "Scalar angular_momentum(const State& x) const"));
+    CHECK(has(all, "d2Hdq2"));
+    CHECK(
+        has(hvi_gen({"stepper", "--method", "stormer-verlet", "kepler"}).out, "#ifndef HVI_STATE"));
+    const Outcome explained = hvi_gen(with(words, {"--explain"}));
+    CHECK(has(explained.err, "T is quadratic with a constant matrix"));
+    CHECK(has(explained.err, "4 unknowns are solved for in a step"));
+    CHECK(
+        has(explained.err, "dH/dq once: 1 addition, 7 multiplications, 1 division, 1 square root"));
+    CHECK(explained.out == plain);
+}
+
+TEST_CASE("every scene gives a header, the same every time, below 100 kB") {
+    for (const std::string scene :
+         {"double-pendulum", "fpu", "harmonic-oscillator", "henon-heiles", "kepler", "nonseparable",
+          "outer-solar-system", "pendulum", "point-vortices", "qp"}) {
+        const std::string header = same_every_time({"stepper", scene, "--energy", "--invariants"});
+        CHECK(header.size() < 100'000);
+        CHECK(header.find("hvi-gen stepper --method") != std::string::npos);
+    }
 }
 
 TEST_CASE("--digits is heard") {

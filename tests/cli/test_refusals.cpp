@@ -259,7 +259,19 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "run", {"run", "kepler"}},
         {2, "report", {"report", "kepler"}},
         {2, "scene.toml", {"stepper", "--method", "gauss:2", "scene.toml"}},
-        {2, "--hamiltonian", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2"}},
+        {2, "w", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+w*q"}},
+        {2, "--energy", {"stepper", "--method", "gauss:2", "--energy"}},
+        {2, "--invariants", {"stepper", "--method", "gauss:2", "--invariants"}},
+        {2, "--solver", {"stepper", "--method", "gauss:2", "--solver", "newton"}},
+        {2, "fast", {"stepper", "--method", "gauss:2", "--solver", "fast", "kepler"}},
+        {2, "--separable", {"stepper", "--method", "gauss:2", "--separable", "kepler"}},
+        {2, "keppler", {"stepper", "--method", "gauss:2", "keppler"}},
+        {2, "kepler", {"stepper", "kepler", "--hamiltonian", "q*p"}},
+        {2, "--coordinates", {"stepper", "--method", "gauss:2", "--coordinates", "q"}},
+        {2, "mass", {"stepper", "--param", "mass=2", "kepler"}},
+        {1, "(1 - ecc)", {"stepper", "--param", "ecc=1", "kepler"}},
+        {1, "sqrt(mu*(1 + ecc)/(1 - ecc))", {"stepper", "--param", "ecc=2", "kepler"}},
+        {1, "(2*m[i])", {"stepper", "--param", "m[3]=0", "outer-solar-system"}},
     };
     for (const Refusal& refusal : refusals) check_refused(refusal, refusal.words);
 }
