@@ -54,10 +54,10 @@ std::string command(const Tableau& tableau, const Scene& scene, const StepperOpt
     return text;
 }
 
-void refuse_time(const Scene& scene) {
+void refuse_time_with_newton(const Scene& scene) {
     const Hamiltonian& H = scene.hamiltonian;
     if (!depends_on_time(H)) return;
-    throw InputError("a stepper for an H that depends on the time is announced, but not built yet",
+    throw InputError("Newton's method for an H that depends on the time is not built yet",
                      Place{H.source, {0, H.source->text.size()}});
 }
 
@@ -75,15 +75,16 @@ std::string explanation(const LoweredScene& lowered, const Scheme& scheme) {
 void write_scene(const StepperOptions& options) {
     const auto [method, scene] = read_scene(options.method, *options.system);
     SceneWishes wishes{options.energy, options.invariants, false};
-    refuse_time(scene);
+    const bool newton = options.solver == StepperOptions::Solver::newton;
+    if (newton) refuse_time_with_newton(scene);
     check_members(scene, wishes);
     check_start(scene);
 
     const Tableau tableau = derive(method);
     const LoweredScene lowered = hvi::gen::lowered(scene);
-    const bool newton = options.solver == StepperOptions::Solver::newton;
     const Scheme scheme =
         plan(tableau, {.separable = lowered.structure.is_separable,
+                       .depends_on_time = lowered.system.time.has_value(),
                        .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic && !newton});
     wishes.hessian = newton && !scheme.is_explicit();
     const std::string name =

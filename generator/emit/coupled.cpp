@@ -67,6 +67,14 @@ std::string size(const std::vector<std::size_t>& values, std::string_view letter
     return Writer(3).line("return {};", sum).str();
 }
 
+/// Besides the system and the stages.
+std::string members(const Scheme& scheme) {
+    Writer writer(2);
+    if (scheme.from_parameter) { writer.line("const Coefficients& c;"); }
+    if (scheme.depends_on_time) { writer.line("const {}& clock;", clock_type(scheme)); }
+    return writer.str();
+}
+
 std::string_view text(bool value) { return value ? "true" : "false"; }
 
 }  // namespace
@@ -101,7 +109,7 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
          {"has_p", std::string(text(!P.empty()))},
          {"unknown_q", index_list("unknown_q", Lq)},
          {"unknown_p", index_list("unknown_p", Lp)},
-         {"member", varies ? "const Coefficients& c;" : ""},
+         {"member", members(scheme)},
          {"static", varies ? "" : "static constexpr "},
          {"const", varies ? " const" : ""},
          {"m", fmt::format("{}m", owner(scheme, "s"))},

@@ -69,7 +69,8 @@ void write(Writer& writer, const Scheme& scheme, const Move& move, bool first_of
         writer.close();
     };
     const auto evaluate = [&](std::string_view at) {
-        writer.line("system_.{}({}, {});", names.gradient, at, slope);
+        writer.line("system_.{}({}, {}{});", names.gradient, at,
+                    move.kick ? stage_time(scheme, move.index, "s_") : "", slope);
     };
     if (!keeps || moved_other) {
         evaluate(moved_other ? std::string(names.other) : other_start);
@@ -130,6 +131,7 @@ std::string weights_text(const Scheme& scheme) {
     };
     write("b_p", scheme.positions);
     write("b_q", scheme.momenta);
+    if (scheme.depends_on_time) { writer.insert(times_text(scheme)); }
     return with_rounding(writer.str());
 }
 
@@ -167,6 +169,11 @@ std::string support(const Scheme& scheme, bool with_rounded) {
             names.push_back(name);
         }
     }
+    if (scheme.depends_on_time) {
+        for (const std::string_view name : {"arithmetic.hpp", "compensated.hpp", "clock.hpp"}) {
+            names.push_back(name);
+        }
+    }
     std::string text;
     for (const std::string_view name : names) {
         text += (text.empty() ? "" : "\n") + copy_of(name);
@@ -178,6 +185,7 @@ std::string members_text(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
     if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
+    if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
     writer.line("Vector q_{{}}, p_{{}}, slope_{{}};");
     if (scheme.keeps_force) {
         writer.line("Vector force_{{}};  // dH/dq where the last step ended, at q_");
@@ -197,24 +205,28 @@ std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
     const std::string weights = weights_text(scheme);
     const SystemPart system = system_part(tableau, scheme, options);
     const bool rounds = are_rounded(weights) || are_rounded(system.types);
-    return fill("explicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"include", system.include},
-                                    {"support", support(scheme, rounds)},
-                                    {"purpose", system.purpose},
-                                    {"head", system.head},
-                                    {"name", system.class_name},
-                                    {"condition", system.condition},
-                                    {"types", system.types},
-                                    {"parameter", parameter_text(scheme)},
-                                    {"construct", system.construct},
-                                    {"alias", system.alias},
-                                    {"begins", begins(scheme)},
-                                    {"weights", weights},
-                                    {"fits", fits_text(scheme)},
-                                    {"moves", moves_text(scheme)},
-                                    {"ends", ends_text(scheme)},
-                                    {"forget", keeps(scheme) ? "known_ = false;" : ""},
-                                    {"members", members_text(scheme)}});
+    return fill("explicit.hpp.in",
+                {{"banner", banner(tableau, scheme, options)},
+                 {"include", system.include},
+                 {"support", support(scheme, rounds)},
+                 {"purpose", system.purpose},
+                 {"head", system.head},
+                 {"name", system.class_name},
+                 {"condition", system.condition},
+                 {"types", system.types},
+                 {"parameter", parameter_text(scheme)},
+                 {"construct", system.construct},
+                 {"alias", system.alias},
+                 {"begins", begins(scheme)},
+                 {"weights", weights},
+                 {"fits", fits_text(scheme)},
+                 {"moves", moves_text(scheme)},
+                 {"ends", ends_text(scheme)},
+                 {"state", system.state},
+                 {"clock", clock_begins(scheme)},
+                 {"status", scheme.depends_on_time ? "clock_.end(x.t, Status{})" : "{}"},
+                 {"forget", keeps(scheme) ? "known_ = false;" : ""},
+                 {"members", members_text(scheme)}});
 }
 
 }  // namespace hvi::gen

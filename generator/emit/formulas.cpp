@@ -86,8 +86,38 @@ std::string momentum_sum(const Scheme& scheme, std::size_t j, std::string_view s
     return stage("p", sum(terms));
 }
 
+std::string stage_time(const Scheme& scheme, std::size_t i, std::string_view s) {
+    if (!scheme.depends_on_time) { return {}; }
+    return fmt::format("{}.t[{}], ", s == "s_" ? "clock_" : "clock", i);
+}
+
+std::string_view start_time(const Scheme& scheme) {
+    return scheme.depends_on_time ? "clock_.start, " : "";
+}
+
+std::string clock_type(const Scheme& scheme) {
+    return fmt::format("hvi::detail::Clock<Scalar, {}>", scheme.positions.size());
+}
+
+std::string clock_begins(const Scheme& scheme) {
+    return scheme.depends_on_time ? "if (!clock_.begin(x.t, h, c)) { reset(); }" : "";
+}
+
+std::string times_text(const Scheme& scheme) {
+    std::vector<Constant> c;
+    for (std::size_t i = 0; i < scheme.c.size(); ++i) {
+        c.push_back({fmt::format("c_{}", i + 1), nearest(scheme.c[i]), exact_text(scheme.c[i])});
+    }
+    Writer writer(1);
+    table(writer, "c", c);
+    return writer.str();
+}
+
 std::string evaluate_velocity(const Scheme& scheme, std::size_t j, std::string_view s) {
-    if (!scheme.separable) { return fmt::format("dHdp({0}.Q[{1}], {0}.P[{1}], slope);", s, j); }
+    if (!scheme.separable) {
+        return fmt::format("dHdp({0}.Q[{1}], {0}.P[{1}], {2}slope);", s, j,
+                           stage_time(scheme, j, s));
+    }
     if (scheme.momenta[j].place == StageValue::Place::inner) {
         return fmt::format("dHdp({}.P[{}], slope);", s, j);
     }
@@ -95,11 +125,14 @@ std::string evaluate_velocity(const Scheme& scheme, std::size_t j, std::string_v
 }
 
 std::string evaluate_force(const Scheme& scheme, std::size_t i, std::string_view s) {
-    if (!scheme.separable) { return fmt::format("dHdq({0}.Q[{1}], {0}.P[{1}], slope);", s, i); }
-    if (scheme.positions[i].place == StageValue::Place::inner) {
-        return fmt::format("dHdq({}.Q[{}], slope);", s, i);
+    const std::string time = stage_time(scheme, i, s);
+    if (!scheme.separable) {
+        return fmt::format("dHdq({0}.Q[{1}], {0}.P[{1}], {2}slope);", s, i, time);
     }
-    return fmt::format("dHdq({}.at.q, slope);", s);
+    if (scheme.positions[i].place == StageValue::Place::inner) {
+        return fmt::format("dHdq({}.Q[{}], {}slope);", s, i, time);
+    }
+    return fmt::format("dHdq({}.at.q, {}slope);", s, time);
 }
 
 std::string velocity_factor(const Scheme& scheme, std::size_t j, std::string_view s) {

@@ -75,6 +75,20 @@ void refuse_float(Writer& writer, const std::vector<Constant>& constants);
 [[nodiscard]] std::string position_sum(const Scheme& scheme, std::size_t i, std::string_view s);
 [[nodiscard]] std::string momentum_sum(const Scheme& scheme, std::size_t j, std::string_view s);
 
+/// The time as the first argument behind (q, p), `clock_.t[0], `, of the position or stage i; empty
+/// where H does not depend on it. And the same at the start of the step.
+[[nodiscard]] std::string stage_time(const Scheme& scheme, std::size_t i, std::string_view s);
+[[nodiscard]] std::string_view start_time(const Scheme& scheme);
+
+/// The type of the stepper's clock.
+[[nodiscard]] std::string clock_type(const Scheme& scheme);
+
+/// What step() does with it before anything else.
+[[nodiscard]] std::string clock_begins(const Scheme& scheme);
+
+/// The table of the c_i of scheme.c.
+[[nodiscard]] std::string times_text(const Scheme& scheme);
+
 /// The call of the system, without its name, that puts the slope without its factor into `slope`.
 [[nodiscard]] std::string evaluate_velocity(const Scheme& scheme, std::size_t j,
                                             std::string_view s);

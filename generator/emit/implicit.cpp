@@ -27,6 +27,7 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
     const SystemPart system = system_part(tableau, scheme, options);
     ImplicitParts parts = scheme.velocity_form ? velocity_parts(scheme) : pair_parts(scheme);
+    if (scheme.depends_on_time) { parts.runtime.push_back("clock.hpp"); }
     parts.runtime.push_back(options.wishes.hessian ? "newton.hpp" : "fixed_point.hpp");
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                     {"format", std::to_string(parts.format)},
@@ -39,7 +40,9 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                                     {"types", system.types},
                                     {"parameter", parameter_text(scheme)},
                                     {"construct", system.construct},
+                                    {"state", system.state},
                                     {"begins", begins(scheme)},
+                                    {"clock", clock_begins(scheme)},
                                     {"steps", parts.steps},
                                     {"constants", parts.constants},
                                     {"predict", parts.predict},

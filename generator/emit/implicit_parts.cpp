@@ -39,6 +39,16 @@ std::vector<std::vector<Constant>> constants(std::string_view name, const Number
     return rows;
 }
 
+std::string coupled_arguments(const Scheme& scheme) {
+    return fmt::format("system_, {}{}", scheme.from_parameter ? "coefficients_, " : "",
+                       scheme.depends_on_time ? "clock_, " : "");
+}
+
+std::string end_of_step(const Scheme& scheme, std::string_view iterations) {
+    const std::string end = fmt::format("s_.end(x, {})", iterations);
+    return scheme.depends_on_time ? fmt::format("clock_.end(x.t, {})", end) : end;
+}
+
 std::string extrapolation_text(const Scheme& scheme) {
     Writer writer(1);
     writer.comment("Slopes of the next step are about N times those of this one.");

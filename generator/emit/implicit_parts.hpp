@@ -26,6 +26,12 @@ struct ImplicitParts {
 /// Whether the slope is at hand in `force_` or `velocity_`.
 [[nodiscard]] bool is_kept(const Scheme& scheme, const StageNode& slope);
 
+/// What a struct of stage equations is made with, before s_: `system_, `.
+[[nodiscard]] std::string coupled_arguments(const Scheme& scheme);
+
+/// The last expression of step(): the status.
+[[nodiscard]] std::string end_of_step(const Scheme& scheme, std::string_view iterations);
+
 /// The table N of starting values.
 [[nodiscard]] std::string extrapolation_text(const Scheme& scheme);
 

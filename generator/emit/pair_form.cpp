@@ -103,18 +103,18 @@ void evaluate_slope(Writer& writer, const Scheme& scheme, const StageNode& node)
     }
     const std::string_view slope = is_force ? "force_" : "velocity_";
     if (value.place == Place::end) {
-        writer.line("system_.{}(s_.at.{}, {});", is_force ? "dHdq" : "dHdp", is_force ? "q" : "p",
-                    slope);
+        writer.line("system_.{}(s_.at.{}, {}{});", is_force ? "dHdq" : "dHdp", is_force ? "q" : "p",
+                    is_force ? stage_time(scheme, node.index, "s_") : "", slope);
     }
     writer.open(loop).line("s_.{}[{}][k] = {} * {}[k];", letter, node.index, factor, slope).close();
 }
 
 void begin_kept(Writer& writer, bool keeps, std::string_view gradient, std::string_view y,
-                std::string_view slope) {
+                std::string_view time, std::string_view slope) {
     if (!keeps) { return; }
     writer.open("if (!s_.continues) {{")
         .line("hvi::detail::fit({}, s_.n);", slope)
-        .line("system_.{}(s_.at.{}, {});", gradient, y, slope)
+        .line("system_.{}(s_.at.{}, {}{});", gradient, y, time, slope)
         .close();
 }
 
@@ -135,8 +135,8 @@ std::string steps_text(const Scheme& scheme) {
         writer.line("s_.weigh({0}{1}, {0}{2});", owner(scheme, "s_"), weights_q(scheme),
                     weights_p(scheme));
     }
-    begin_kept(writer, scheme.keeps_force, "dHdq", "q", "force_");
-    begin_kept(writer, scheme.keeps_velocity, "dHdp", "p", "velocity_");
+    begin_kept(writer, scheme.keeps_force, "dHdq", "q", start_time(scheme), "force_");
+    begin_kept(writer, scheme.keeps_velocity, "dHdp", "p", "", "velocity_");
     writer.line("if constexpr (Solver::takes_starting_values) {{ predict(); }}").blank();
     if (evaluates_slopes(scheme)) { writer.line("auto&& slope = hvi::detail::scratch(s_.slope);"); }
     const bool several = scheme.coupled_blocks() > 1;
@@ -145,8 +145,8 @@ std::string steps_text(const Scheme& scheme) {
     for (const Block& block : scheme.blocks) {
         if (block.coupled) {
             const std::string solver = several ? fmt::format("solver_[{}]", number) : "solver_";
-            writer.line("status = {}.solve({}{{{}}});", solver, coupled_name(scheme, number++),
-                        scheme.from_parameter ? "system_, coefficients_, s_" : "system_, s_");
+            writer.line("status = {}.solve({}{{{}s_}});", solver, coupled_name(scheme, number++),
+                        coupled_arguments(scheme));
             writer.line("if (!status.ok()) {{ return status; }}");
             if (several) { writer.line("iterations += status.iterations;"); }
             continue;
@@ -160,7 +160,7 @@ std::string steps_text(const Scheme& scheme) {
     }
     writer.blank();
     updates.rest();
-    writer.line("return s_.end(x, {});", several ? "iterations" : "status.iterations");
+    writer.line("return {};", end_of_step(scheme, several ? "iterations" : "status.iterations"));
     return writer.str();
 }
 
@@ -217,8 +217,8 @@ void constant(Writer& writer, const Scheme& scheme, const std::vector<Slope>& sl
     const bool is_force = letter == "Lp";
     const bool kept = is_force && scheme.keeps_force;
     if (!kept) {
-        writer.line("system_.{}({}, slope);", is_force ? "dHdq" : "dHdp",
-                    scheme.separable ? "s_.at.q" : "s_.at.q, s_.at.p");
+        writer.line("system_.{}({}, {}slope);", is_force ? "dHdq" : "dHdp",
+                    scheme.separable ? "s_.at.q" : "s_.at.q, s_.at.p", start_time(scheme));
     }
     writer.open(loop);
     for (const std::size_t i : indices) {
@@ -277,6 +277,7 @@ std::string constants_text(const Scheme& scheme) {
     }
     writer.line("static_assert(hvi::detail::complementary(m, {}), \"the method is symplectic\");",
                 scheme.one_tableau() ? "m" : "mt");
+    if (scheme.depends_on_time) { writer.blank().insert(times_text(scheme)); }
     if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
     return with_rounding(writer.str());
 }
@@ -296,6 +297,7 @@ std::string members_text(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
     if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
+    if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
     writer.line("hvi::detail::Stages<Vector, {}, {}> s_;", scheme.positions.size(),
                 scheme.momenta.size());
     constexpr std::string_view solver = "typename Solver::template Iteration<Vector>";
@@ -317,7 +319,7 @@ std::string members_text(const Scheme& scheme) {
 
 ImplicitParts pair_parts(const Scheme& scheme) {
     ImplicitParts parts;
-    parts.format = scheme.from_parameter ? 3 : 2;
+    parts.format = scheme.depends_on_time ? 4 : scheme.from_parameter ? 3 : 2;
     parts.runtime = {"stages.hpp"};
     if (scheme.from_parameter) { parts.runtime.push_back("parameter.hpp"); }
     parts.steps = steps_text(scheme);

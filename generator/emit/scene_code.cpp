@@ -35,10 +35,11 @@ std::vector<ParameterMember> members_of(const std::vector<Parameter>& parameters
     return members;
 }
 
-void write_member(Writer& writer, std::string_view doc, std::string_view name) {
+void write_member(Writer& writer, std::string_view doc, std::string_view name,
+                  std::string_view arguments) {
     writer.comment(doc, "/// ");
     writer.open("[[nodiscard]] Scalar {}(const State& x) const {{", name)
-        .line("return system_.{}(x.q, x.p);", name)
+        .line("return system_.{}({});", name, arguments)
         .close()
         .blank();
 }
@@ -98,11 +99,12 @@ std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& w
         writer.blank();
     }
     if (wishes.energy) {
-        write_member(writer, "H = " + to_text(lowered.scene.hamiltonian.expression), "energy");
+        write_member(writer, "H = " + to_text(lowered.scene.hamiltonian.expression), "energy",
+                     lowered.system.time ? "x.q, x.p, x.t" : "x.q, x.p");
     }
     if (wishes.invariants) {
         for (const NamedExpression& invariant : lowered.scene.invariants) {
-            write_member(writer, to_text(invariant.expression), invariant.name);
+            write_member(writer, to_text(invariant.expression), invariant.name, "x.q, x.p");
         }
     }
     return writer.str();

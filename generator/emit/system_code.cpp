@@ -24,6 +24,7 @@ public:
         };
         variables(lowered.system.q, "q");
         variables(lowered.system.p, "p");
+        if (lowered.system.time) { names_[*lowered.system.time] = "t"; }
     }
 
     /// Gives a name to everything that the kernel is given.
@@ -79,6 +80,7 @@ struct Function {
     Kernel kernel;
     bool has_q = true, has_p = true;  ///< among its arguments
     std::string_view out;             ///< its last argument, if any
+    bool has_time = false;            ///< among its arguments, before that
 };
 
 std::vector<std::string> components(std::string_view letter, std::size_t count) {
@@ -117,6 +119,8 @@ std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& 
         {"dHdq", out, kernel(system.graph, system.dHdq), true, !separable, "Vector& out"});
     result.push_back(
         {"dHdp", out, kernel(system.graph, system.dHdp), !separable, true, "Vector& out"});
+    result[0].has_time = scheme.depends_on_time;
+    result[1].has_time = scheme.depends_on_time && !separable;
     if (scheme.velocity_form) {
         result.push_back({"inverse_mass", out, kernel(system.graph, lowered.structure.inverse_mass),
                           false, true, "Vector& out"});
@@ -128,7 +132,10 @@ std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& 
         result.push_back(hessian(system.graph, "d2Hdp2", second.pp));
         if (separable) { result[2].has_p = result[3].has_q = false; }
     }
-    if (wishes.energy) { result.push_back(value("energy", system.hamiltonian)); }
+    if (wishes.energy) {
+        result.push_back(value("energy", system.hamiltonian));
+        result.back().has_time = scheme.depends_on_time;
+    }
     if (wishes.invariants) {
         for (std::size_t i = 0; i < lowered.invariants.size(); ++i) {
             result.push_back(value(lowered.scene.invariants[i].name, lowered.invariants[i]));
@@ -156,6 +163,9 @@ void write(Writer& writer, const LoweredScene& lowered, const NodeNames& names,
     }
     if (function.has_p) {
         arguments.push_back(argument(uses_any(function.kernel, system.p), "const Vector& p"));
+    }
+    if (function.has_time) {
+        arguments.push_back(argument(uses_any(function.kernel, {*system.time}), "Scalar t"));
     }
     if (!function.out.empty()) {
         arguments.push_back(argument(!function.targets.empty(), function.out));

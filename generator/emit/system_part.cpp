@@ -58,6 +58,7 @@ SystemPart for_users(const Scheme& scheme, const EmitOptions& options) {
                      .line("using Vector = typename System::Vector;")
                      .line("using Scalar = hvi::detail::ScalarOf<Vector>;")
                      .str();
+    part.state = "hvi::State<Vector>";
     part.construct = constructor_for_users(scheme, options.class_name);
     return part;
 }
@@ -127,6 +128,7 @@ SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOpt
     part.condition = "static_assert(hvi::detail::is_standard<Number>,\n"
                      "              \"hvi: a scene is computed in float, double or long double\");";
     part.types = types_for_scene(scheme, options);
+    part.state = scheme.depends_on_time ? "hvi::TimedState<Vector>" : "hvi::State<Vector>";
     part.construct = constructors_for_scene(scheme, options, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;

@@ -17,6 +17,7 @@ struct SystemPart {
     std::string class_name;  ///< of the template
     std::string condition;   ///< a static_assert
     std::string types;       ///< public ones up to Vector and Scalar, and the scene's System
+    std::string state;       ///< type of the state
     std::string construct;   ///< constructors, and members that are not of every stepper
     std::string alias;       ///< what follows the class; may be empty
 };

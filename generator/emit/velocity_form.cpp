@@ -73,11 +73,11 @@ void write_force(Writer& writer, std::size_t i, std::string_view s, std::string_
     loop(writer, s, [&] { writer.line("{0}.W[{1}][k] *= {0}.h;", s, i); });
 }
 
-std::string forces_text(const std::vector<std::size_t>& Lp) {
+std::string forces_text(const Scheme& scheme, const std::vector<std::size_t>& Lp) {
     Writer writer(2);
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
     for (const std::size_t i : Lp) {
-        writer.line("system.dHdq(s.Q[{}], slope);", i);
+        writer.line("system.dHdq(s.Q[{}], {}slope);", i, stage_time(scheme, i, "s"));
         write_force(writer, i, "s", "system", "slope");
     }
     return writer.str();
@@ -94,10 +94,13 @@ std::string coupled_text(const Scheme& scheme) {
         }
     }
     std::string text =
-        fill("coupled_positions.hpp.in", {{"unknowns", unknowns(block)},
-                                          {"positions", positions_text(*scheme.velocity_form, Q)},
-                                          {"forces", forces_text(block.of(Kind::Lp))},
-                                          {"size", Writer(2).line("return {};", size).str()}});
+        fill("coupled_positions.hpp.in",
+             {{"unknowns", unknowns(block)},
+              {"member",
+               scheme.depends_on_time ? fmt::format("const {}& clock;", clock_type(scheme)) : ""},
+              {"positions", positions_text(*scheme.velocity_form, Q)},
+              {"forces", forces_text(scheme, block.of(Kind::Lp))},
+              {"size", Writer(2).line("return {};", size).str()}});
     text.pop_back();
     return text;
 }
@@ -141,7 +144,8 @@ void evaluate_force(Writer& writer, const Scheme& scheme, std::size_t i) {
     const Place place = scheme.positions[i].place;
     const std::string at = place == Place::inner ? fmt::format("s_.Q[{}]", i) : "s_.at.q";
     if (!kept || place == Place::end) {
-        writer.line("system_.dHdq({}, {});", at, kept ? "force_" : "s_.slope");
+        writer.line("system_.dHdq({}, {}{});", at, stage_time(scheme, i, "s_"),
+                    kept ? "force_" : "s_.slope");
     }
     write_force(writer, i, "s_", "system_", kept ? "force_" : "s_.slope");
 }
@@ -152,7 +156,7 @@ std::string steps_text(const Scheme& scheme) {
     if (scheme.keeps_force) {
         writer.open("if (!s_.continues) {{")
             .line("hvi::detail::fit(force_, s_.n);")
-            .line("system_.dHdq(s_.at.q, force_);")
+            .line("system_.dHdq(s_.at.q, {}force_);", start_time(scheme))
             .close();
     }
     writer.line("predict();").blank();
@@ -160,7 +164,7 @@ std::string steps_text(const Scheme& scheme) {
     for (const Block& block : scheme.blocks) {
         const StageNode& node = block.nodes.front();
         if (block.coupled) {
-            writer.line("status = solver_.solve(Coupled{{system_, s_}});");
+            writer.line("status = solver_.solve(Coupled{{{}s_}});", coupled_arguments(scheme));
             writer.line("if (!status.ok()) {{ return status; }}");
         } else if (node.kind == Kind::Q) {
             q_is_done = evaluate_position(writer, scheme, node.index) || q_is_done;
@@ -171,7 +175,7 @@ std::string steps_text(const Scheme& scheme) {
     writer.blank();
     if (!q_is_done) { update_q(writer, *scheme.velocity_form); }
     update_p(writer, scheme.positions.size());
-    return writer.line("return s_.end(x, status.iterations);").str();
+    return writer.line("return {};", end_of_step(scheme, "status.iterations")).str();
 }
 
 // ---- starting values ----
@@ -203,7 +207,9 @@ std::string predict_text(const Scheme& scheme) {
                    "/// ");
     writer.open("void predict() {{");
     if (scheme.extrapolation) { extrapolate(writer, unknown, scheme.positions.size()); }
-    if (!scheme.keeps_force) { writer.line("system_.dHdq(s_.at.q, s_.slope);"); }
+    if (!scheme.keeps_force) {
+        writer.line("system_.dHdq(s_.at.q, {}s_.slope);", start_time(scheme));
+    }
     for (const std::size_t i : unknown) {
         write_force(writer, i, "s_", "system_", scheme.keeps_force ? "force_" : "s_.slope");
     }
@@ -235,6 +241,7 @@ std::string constants_text(const Scheme& scheme) {
 std::string members_text(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
+    if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
     writer.line("hvi::detail::VelocityStages<Vector, stages> s_;");
     writer.line("typename Solver::template Iteration<Vector> solver_;");
     if (scheme.keeps_force) {

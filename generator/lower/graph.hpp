@@ -38,7 +38,7 @@ enum class Operation {
 };
 
 /// What an input is, and so what a node depends on.
-enum class Role : unsigned { parameter = 1, coordinate = 2, momentum = 4 };
+enum class Role : unsigned { parameter = 1, coordinate = 2, momentum = 4, time = 8 };
 
 /// A set of roles.
 using Roles = unsigned;

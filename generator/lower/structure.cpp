@@ -85,7 +85,8 @@ Structure structure(SystemGraph& system) {
     }
     const Graph& graph = system.graph;
     found.is_separable = !depends_on(graph, system.dHdq, Role::momentum) &&
-                         !depends_on(graph, system.dHdp, Role::coordinate);
+                         !depends_on(graph, system.dHdp, Role::coordinate) &&
+                         !depends_on(graph, system.dHdp, Role::time);
     const bool pp_constant = is_constant(graph, found.pp);
     found.kinetic_is_quadratic = found.is_separable && pp_constant;
     if (found.kinetic_is_quadratic) { found.inverse_mass = product(system, found.pp); }

@@ -17,7 +17,7 @@ struct Structure {
     HessianBlock qq, qp,
         pp;  ///< qp[i][j] is the derivative by q_i and p_j; all in the system's graph
 
-    bool is_separable = false;          ///< H = T(p) + U(q)
+    bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
     bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix pp
     std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
     bool is_quadratic = false;          ///< all second derivatives are constant

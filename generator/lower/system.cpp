@@ -19,6 +19,7 @@ SystemGraph system_graph(const Hamiltonian& hamiltonian,
     for (const std::string& name : hamiltonian.momenta) {
         system.p.push_back(input(name, Role::momentum));
     }
+    if (depends_on_time(hamiltonian)) { system.time = input("t", Role::time); }
     for (const std::string& name : parameters) { input(name, Role::parameter); }
     for (const Parameter& fixed : hamiltonian.parameters) {
         system.symbols[fixed.name] = lower(system.graph, fixed.value, {});

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "generator/lower/graph.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/read/hamiltonian.hpp"
@@ -12,8 +14,9 @@ namespace hvi::gen {
 /// have in common is one node.
 struct SystemGraph {
     Graph graph;
-    Symbols symbols;         ///< of variables and parameters, for more expressions of them
-    std::vector<Node> q, p;  ///< inputs, in the order of the Hamiltonian's names
+    Symbols symbols;           ///< of variables and parameters, for more expressions of them
+    std::optional<Node> time;  ///< the input t, where H depends on it
+    std::vector<Node> q, p;    ///< inputs, in the order of the Hamiltonian's names
     Scaled hamiltonian;
     std::vector<Scaled> dHdq, dHdp;
 

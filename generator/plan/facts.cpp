@@ -85,6 +85,7 @@ std::vector<std::string> facts(const LoweredScene& lowered) {
         }
         result.push_back("these degrees of freedom do not couple: " + groups);
     }
+    if (lowered.system.time) { result.emplace_back("H depends on the time"); }
     if (!found.cyclic.empty()) {
         result.push_back(fmt::format("H does not depend on {}: the momenta are constant",
                                      names(H, found.cyclic)));

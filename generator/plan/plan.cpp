@@ -198,13 +198,25 @@ void set_kept(Scheme& scheme) {
     }
 }
 
+/// The time is a coordinate with velocity 1, so that (4.18c) gives T_i = t + h sum_j a_ij.
+void set_times(Scheme& scheme) {
+    if (scheme.from_parameter) {
+        throw InputError("a method with a free parameter for an H that depends on the time is not "
+                         "built yet",
+                         {}, "give the parameter a value by --param");
+    }
+    scheme.depends_on_time = true;
+    scheme.c = position_times(scheme);
+    scheme.decisions.push_back({"the state has a time", "H depends on it"});
+}
+
 /// Fewer unknowns for H = p^T K p/2 + U(q).
 void eliminate_momenta(Scheme& scheme) {
     if (scheme.is_explicit() || scheme.from_parameter) { return; }
     VelocityForm form = velocity_form(scheme);
     std::vector<Block> order = blocks(form);
-    const auto coupled = std::count_if(order.begin(), order.end(),
-                                       [](const Block& block) { return block.coupled; });
+    const auto coupled =
+        std::count_if(order.begin(), order.end(), [](const Block& block) { return block.coupled; });
     if (coupled != 1) { return; }
     scheme.velocity_form = std::move(form);
     scheme.blocks = std::move(order);
@@ -378,6 +390,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_blocks(scheme);
     set_kept(scheme);
     set_from_parameter(scheme, tableau);
+    if (options.depends_on_time) { set_times(scheme); }
     if (options.kinetic_is_quadratic) { eliminate_momenta(scheme); }
     set_extrapolation(scheme, tableau);
     return scheme;

@@ -90,10 +90,12 @@ struct Decision {
 ///
 /// with i over `positions`, j over `momenta`, and the order in which they are computed.
 struct Scheme {
-    bool separable = false;  ///< H = T(p) + U(q): Lq_j needs P_j alone, Lp_i needs Q_i
+    bool separable = false;        ///< H = T(p) + U(q): Lq_j needs P_j alone, Lp_i needs Q_i
+    bool depends_on_time = false;  ///< so does dH/dq, and where it is not separable dH/dp
     Partner partner = Partner::undecided;
     std::vector<StageValue> positions;
     std::vector<StageValue> momenta;
+    NumberVector c;             ///< where H depends on time: T_i = t + c_i h of the positions
     NumberMatrix m;             ///< positions x momenta
     std::vector<Block> blocks;  ///< each needs only what stands before it
     /// Where the momenta are eliminated: the blocks then have no P and no Lq.

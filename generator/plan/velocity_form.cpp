@@ -6,24 +6,36 @@
 
 namespace hvi::gen {
 
+namespace {
+
+Number weighted(const Scheme& scheme, std::size_t i, std::size_t k) {
+    return scheme.m[i][k] * scheme.momenta[k].weight;
+}
+
+/// Over the momenta.
+Number sum(const Scheme& scheme, const auto& term) {
+    Number total;
+    for (std::size_t k = 0; k < scheme.momenta.size(); ++k) { total = total + term(k); }
+    return total;
+}
+
+}  // namespace
+
+NumberVector position_times(const Scheme& scheme) {
+    NumberVector c;
+    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
+        c.push_back(sum(scheme, [&](std::size_t k) { return weighted(scheme, i, k); }));
+    }
+    return c;
+}
+
 VelocityForm velocity_form(const Scheme& scheme) {
     const std::size_t r = scheme.positions.size();
-    const auto sum = [&](const auto& term) {
-        Number total;
-        for (std::size_t k = 0; k < scheme.momenta.size(); ++k) { total = total + term(k); }
-        return total;
-    };
-    const auto weighted = [&](std::size_t i, std::size_t k) {
-        return scheme.m[i][k] * scheme.momenta[k].weight;
-    };
-    VelocityForm form;
-    for (std::size_t i = 0; i < r; ++i) {
-        form.c.push_back(sum([&](std::size_t k) { return weighted(i, k); }));
-    }
-    form.n.assign(r, NumberVector(r));
+    VelocityForm form{position_times(scheme), NumberMatrix(r, NumberVector(r))};
     for (std::size_t i = 0; i < r; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
-            const Number S = sum([&](std::size_t k) { return weighted(i, k) * scheme.m[j][k]; });
+            const Number S =
+                sum(scheme, [&](std::size_t k) { return weighted(scheme, i, k) * scheme.m[j][k]; });
             form.n[i][j] = form.c[i] - S;
             form.n[j][i] = form.c[j] - S;
         }

@@ -6,6 +6,9 @@
 
 namespace hvi::gen {
 
+/// The c_i = sum_j m_ij b_j of the positions.
+[[nodiscard]] NumberVector position_times(const Scheme& scheme);
+
 /// The scheme for quadratic kinetic energy; see VelocityForm. Preconditions: it is separable and
 /// not explicit, depends on no parameter, and its weights add up to 1.
 [[nodiscard]] VelocityForm velocity_form(const Scheme& scheme);

@@ -1,0 +1,131 @@
+// Hamiltonians that depend on the time.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+#include <hvi/generic_stepper.hpp>
+#include <scene/driven_gauss.hpp>
+#include <scene/driven_lobatto.hpp>
+#include <scene/driven_verlet.hpp>
+#include <scene/shaken_gauss.hpp>
+#include <scene/shaken_trig3.hpp>
+
+#include "scenes.hpp"
+
+using namespace hvi::generated;
+
+namespace {
+
+using Table = hvi::GenericStepper<double>::Vector;
+using Oracle = hvi::GenericStepper<double>;
+
+const double pi = std::acos(-1.0);
+const double outer = (pi - 2) / (2 * pi);
+const double root = std::sqrt(3.0) / 6;
+const hvi::Coefficients<double> gauss{{0.5, 0.5},
+                                      {{0.25, 0.25 - root}, {0.25 + root, 0.25}},
+                                      {{0.25, 0.25 - root}, {0.25 + root, 0.25}}};
+const hvi::Coefficients<double> lobatto{
+    {1.0 / 6, 2.0 / 3, 1.0 / 6},
+    {{0, 0, 0}, {5.0 / 24, 1.0 / 3, -1.0 / 24}, {1.0 / 6, 2.0 / 3, 1.0 / 6}},
+    {{1.0 / 6, -1.0 / 6, 0}, {1.0 / 6, 1.0 / 3, 0}, {1.0 / 6, 5.0 / 6, 0}}};
+const hvi::Coefficients<double> verlet{{0.5, 0.5}, {{0, 0}, {0.5, 0.5}}, {{0.5, 0}, {0.5, 0}}};
+const hvi::Coefficients<double> trig{
+    {outer, 2 / pi, outer},
+    {{0, 0, 0}, {0.25, 1 / pi, (pi - 4) / (4 * pi)}, {outer, 2 / pi, outer}},
+    {{outer, (pi - 4) / (pi * pi - 2 * pi), 0}, {outer, 1 / pi, 0}, {outer, 1 / (pi - 2), 0}}};
+
+// The autonomous systems of twice the dimension: s is a coordinate, H + e their Hamiltonian.
+
+/// H = p^2/2 - cos(q) - a q cos(w t), a = 1/2, w = 2/3.
+Oracle driven(const hvi::Coefficients<double>& method) {
+    return {method,
+            [](const Table& q, const Table&, Table& out) {
+                out = {std::sin(q[0]) - 0.5 * std::cos(2 * q[1] / 3),
+                       q[0] * std::sin(2 * q[1] / 3) / 3};
+            },
+            [](const Table&, const Table& p, Table& out) {
+                out = {p[0], 1.0};
+            }};
+}
+
+/// H = (p - a sin(t))^2/2 + q^4/4, a = 1/2.
+Oracle shaken(const hvi::Coefficients<double>& method) {
+    return {method,
+            [](const Table& q, const Table& p, Table& out) {
+                out = {q[0] * q[0] * q[0], -(p[0] - 0.5 * std::sin(q[1])) * 0.5 * std::cos(q[1])};
+            },
+            [](const Table& q, const Table& p, Table& out) {
+                out = {p[0] - 0.5 * std::sin(q[1]), 1.0};
+            }};
+}
+
+template <class Stepper>
+void compare(const Oracle& oracle, double h) {
+    Stepper stepper;
+    typename Stepper::State x;
+    x.q = {1.0};
+    x.p = {0.25};
+    x.t = 0.5;
+    Oracle::State y{{1.0, 0.5}, {0.25, 0.0}};
+    for (int i = 0; i < 300; ++i) {
+        REQUIRE(stepper.step(x, h).ok());
+        REQUIRE(oracle.step(y, h).ok());
+
+        REQUIRE(std::abs(x.q[0] - y.q[0]) + std::abs(x.p[0] - y.p[0]) < 1e-11);
+        REQUIRE(std::abs(x.t - y.q[1]) < 1e-12);
+    }
+    CHECK(x.t == 0.5 + 300 * h);  // compensated
+}
+
+template <class Stepper>
+void keeps_its_promises() {
+    Stepper stepper;
+    typename Stepper::State x;
+    x.q = {1.0};
+    x.p = {0.25};
+    for (int i = 0; i < 3; ++i) { REQUIRE(stepper.step(x, 0.1).ok()); }
+    typename Stepper::State edited = x;
+    edited.t += 1.0;
+    typename Stepper::State fresh = edited;
+    REQUIRE(stepper.step(edited, 0.1).ok());
+    REQUIRE(Stepper().step(fresh, 0.1).ok());
+    CHECK(edited.q == fresh.q);
+    CHECK(edited.p == fresh.p);
+    CHECK(edited.t == fresh.t);
+
+    typename Stepper::State lost = x;
+    lost.t = std::numeric_limits<double>::infinity();
+    CHECK_FALSE(stepper.step(lost, 0.1).ok());
+    CHECK(lost.q == x.q);
+    CHECK(lost.p == x.p);
+    const typename Stepper::State before = x;
+    REQUIRE(stepper.step(x, 0.0).ok());
+    CHECK(x.t == before.t);
+    CHECK_FALSE(stepper.step(x, std::numeric_limits<double>::quiet_NaN()).ok());
+    CHECK(x.t == before.t);
+}
+
+}  // namespace
+
+TEST_CASE("steps in time agree with those of the autonomous system of twice the dimension") {
+    compare<DrivenGauss>(driven(gauss), 0.1);
+    compare<DrivenLobatto>(driven(lobatto), 0.1);
+    compare<DrivenVerlet>(driven(verlet), 0.1);
+    compare<ShakenGauss>(shaken(gauss), 0.1);
+    compare<ShakenTrig3>(shaken(trig), 0.1);
+}
+
+TEST_CASE("the time belongs to the state") {
+    keeps_its_promises<DrivenGauss>();
+    keeps_its_promises<DrivenLobatto>();
+    keeps_its_promises<DrivenVerlet>();
+    keeps_its_promises<ShakenGauss>();
+}
+
+TEST_CASE("the energy at a time") {
+    DrivenGauss::State x;
+    x.q = {2.0};
+    x.p = {1.0};
+    x.t = 3.0;
+    CHECK(DrivenGauss().energy(x) ==
+          Approx(0.5 - std::cos(2.0) - 0.5 * 2.0 * std::cos(2.0)).epsilon(1e-15));
+}
