@@ -61,6 +61,12 @@ void refuse_time_with_newton(const Scene& scene) {
                      Place{H.source, {0, H.source->text.size()}});
 }
 
+/// Whether the step is computed as a matrix: where that is not asked to be otherwise.
+bool is_tabulated(const LoweredScene& lowered, StepperOptions::Solver solver) {
+    return solver == StepperOptions::Solver::automatic && lowered.structure.is_quadratic &&
+           lowered.system.degrees_of_freedom() == 1 && !lowered.system.time;
+}
+
 std::string explanation(const LoweredScene& lowered, const Scheme& scheme) {
     std::string text = "found in H:\n";
     for (const std::string& fact : facts(lowered)) text += "  " + fact + "\n";
@@ -85,6 +91,7 @@ void write_scene(const StepperOptions& options) {
     const Scheme scheme =
         plan(tableau, {.separable = lowered.structure.is_separable,
                        .depends_on_time = lowered.system.time.has_value(),
+                       .is_tabulated = is_tabulated(lowered, options.solver),
                        .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic && !newton});
     wishes.hessian = newton && !scheme.is_explicit();
     const std::string name =

@@ -1,4 +1,4 @@
-// The two kinds of headers, and the pieces that they share.
+// The kinds of headers, and the pieces that they share.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,6 +14,8 @@ namespace hvi::gen {
 
 [[nodiscard]] std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
                                         const EmitOptions& options);
+[[nodiscard]] std::string emit_linear(const Tableau& tableau, const Scheme& scheme,
+                                      const EmitOptions& options);
 [[nodiscard]] std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                                         const EmitOptions& options);
 

@@ -17,6 +17,14 @@ RoundedMatrix nearest_or_small(const NumberMatrix& exact) {
     return values;
 }
 
+NumberMatrix complement(const NumberMatrix& m) {
+    NumberMatrix mt(m.front().size(), NumberVector(m.size()));
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        for (std::size_t j = 0; j < m[i].size(); ++j) { mt[j][i] = Number(1) - m[i][j]; }
+    }
+    return mt;
+}
+
 }  // namespace
 
 bool is_kept(const Scheme& scheme, const StageNode& slope) {
@@ -47,6 +55,30 @@ std::string coupled_arguments(const Scheme& scheme) {
 std::string end_of_step(const Scheme& scheme, std::string_view iterations) {
     const std::string end = fmt::format("s_.end(x, {})", iterations);
     return scheme.depends_on_time ? fmt::format("clock_.end(x.t, {})", end) : end;
+}
+
+std::string coefficients_text(const Scheme& scheme) {
+    const RoundedCoefficients coefficients = rounded(scheme);
+    Writer writer(1);
+    table(writer, weights_p(scheme), weights(scheme.positions));
+    refuse_float(writer, weights(scheme.positions));
+    if (weights_q(scheme) != weights_p(scheme)) {
+        table(writer, weights_q(scheme), weights(scheme.momenta));
+        refuse_float(writer, weights(scheme.momenta));
+    }
+    writer.blank().comment(
+        scheme.one_tableau()
+            ? "m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij."
+            : "m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.");
+    const auto m = constants("m", scheme.m, coefficients.m);
+    table(writer, "m", m);
+    for (const auto& row : m) { refuse_float(writer, row); }
+    if (!scheme.one_tableau()) {
+        table(writer, "mt", constants("mt", complement(scheme.m), coefficients.mt));
+    }
+    writer.line("static_assert(hvi::detail::complementary(m, {}), \"the method is symplectic\");",
+                table_mt(scheme));
+    return writer.str();
 }
 
 std::string extrapolation_text(const Scheme& scheme) {

@@ -39,6 +39,9 @@ struct ImplicitParts {
 [[nodiscard]] std::vector<std::vector<Constant>>
 constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix& values);
 
+/// The weights and the tables m and mt, as lines of the class.
+[[nodiscard]] std::string coefficients_text(const Scheme& scheme);
+
 /// "The stage equations of Q_1, P_1, which are solved at once."
 [[nodiscard]] std::string unknowns(const Block& block);
 

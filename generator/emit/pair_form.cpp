@@ -247,36 +247,10 @@ std::string predict_text(const Scheme& scheme) {
 
 // ---- constants, members ----
 
-NumberMatrix complement(const NumberMatrix& m) {
-    NumberMatrix mt(m.front().size(), NumberVector(m.size()));
-    for (std::size_t i = 0; i < m.size(); ++i) {
-        for (std::size_t j = 0; j < m[i].size(); ++j) { mt[j][i] = Number(1) - m[i][j]; }
-    }
-    return mt;
-}
-
 std::string constants_text(const Scheme& scheme) {
     if (scheme.from_parameter) { return functions_of_parameter(scheme); }
-    const RoundedCoefficients coefficients = rounded(scheme);
     Writer writer(1);
-    table(writer, weights_p(scheme), weights(scheme.positions));
-    refuse_float(writer, weights(scheme.positions));
-    if (weights_q(scheme) != weights_p(scheme)) {
-        table(writer, weights_q(scheme), weights(scheme.momenta));
-        refuse_float(writer, weights(scheme.momenta));
-    }
-    writer.blank().comment(
-        scheme.one_tableau()
-            ? "m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij."
-            : "m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.");
-    const auto m = constants("m", scheme.m, coefficients.m);
-    table(writer, "m", m);
-    for (const auto& row : m) { refuse_float(writer, row); }
-    if (!scheme.one_tableau()) {
-        table(writer, "mt", constants("mt", complement(scheme.m), coefficients.mt));
-    }
-    writer.line("static_assert(hvi::detail::complementary(m, {}), \"the method is symplectic\");",
-                scheme.one_tableau() ? "m" : "mt");
+    writer.insert(coefficients_text(scheme));
     if (scheme.depends_on_time) { writer.blank().insert(times_text(scheme)); }
     if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
     return with_rounding(writer.str());

@@ -106,24 +106,22 @@ Function hessian(const Graph& graph, std::string_view name, const HessianBlock& 
     return function;
 }
 
-std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
-                                const Scheme& scheme) {
+/// What steps evaluate.
+std::vector<Function> slopes(const LoweredScene& lowered, const SceneWishes& wishes,
+                             const Scheme& scheme) {
     const SystemGraph& system = lowered.system;
     const bool separable = scheme.separable;
     const std::vector<std::string> out = components("out", system.degrees_of_freedom());
-    const auto value = [&](std::string_view name, const Scaled& result) {
-        return Function{name, {}, kernel(system.graph, {result}), true, true, ""};
+    const auto vector = [&](std::string_view name, const std::vector<Scaled>& results, bool has_q,
+                            bool has_p) {
+        return Function{name, out, kernel(system.graph, results), has_q, has_p, "Vector& out"};
     };
-    std::vector<Function> result;
-    result.push_back(
-        {"dHdq", out, kernel(system.graph, system.dHdq), true, !separable, "Vector& out"});
-    result.push_back(
-        {"dHdp", out, kernel(system.graph, system.dHdp), !separable, true, "Vector& out"});
+    std::vector<Function> result{vector("dHdq", system.dHdq, true, !separable),
+                                 vector("dHdp", system.dHdp, !separable, true)};
     result[0].has_time = scheme.depends_on_time;
     result[1].has_time = scheme.depends_on_time && !separable;
     if (scheme.velocity_form) {
-        result.push_back({"inverse_mass", out, kernel(system.graph, lowered.structure.inverse_mass),
-                          false, true, "Vector& out"});
+        result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
     }
     if (wishes.hessian) {
         const Structure& second = lowered.structure;
@@ -132,8 +130,26 @@ std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& 
         result.push_back(hessian(system.graph, "d2Hdp2", second.pp));
         if (separable) { result[2].has_p = result[3].has_q = false; }
     }
+    return result;
+}
+
+/// The constants of H = qq q^2/2 + qp q p + pp p^2/2 + by_q q + by_p p.
+Function quadratic(const LoweredScene& lowered) {
+    const Structure& found = lowered.structure;
+    const Results results{found.qq[0][0], found.qp[0][0], found.pp[0][0], found.by_q[0],
+                          found.by_p[0]};
+    return {"quadratic", {}, kernel(lowered.system.graph, results), false, false, ""};
+}
+
+std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
+                                const Scheme& scheme) {
+    const auto value = [&](std::string_view name, const Scaled& result) {
+        return Function{name, {}, kernel(lowered.system.graph, {result}), true, true, ""};
+    };
+    std::vector<Function> result = scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)}
+                                                       : slopes(lowered, wishes, scheme);
     if (wishes.energy) {
-        result.push_back(value("energy", system.hamiltonian));
+        result.push_back(value("energy", lowered.system.hamiltonian));
         result.back().has_time = scheme.depends_on_time;
     }
     if (wishes.invariants) {
@@ -172,10 +188,16 @@ void write(Writer& writer, const LoweredScene& lowered, const NodeNames& names,
     }
     const bool is_matrix = function.out.substr(0, 6) == "Matrix";
     if (is_matrix) { writer.line("template <class Matrix>"); }
-    writer.open("{} {}({}) const {{", function.out.empty() ? "[[nodiscard]] Scalar" : "void",
+    const bool is_value = function.out.empty();
+    const bool is_number = function.kernel.results.size() == 1;
+    writer.open("{} {}({}) const {{",
+                !is_value   ? "void"
+                : is_number ? "[[nodiscard]] Scalar"
+                            : "[[nodiscard]] hvi::detail::Quadratic<Scalar>",
                 function.name, fmt::join(arguments, ", "));
     const auto results = write_code(writer, system.graph, function.kernel, names);
-    if (function.out.empty()) { writer.line("return {};", results.front()); }
+    if (is_value && is_number) { writer.line("return {};", results.front()); }
+    if (is_value && !is_number) { writer.line("return {{{}}};", fmt::join(results, ", ")); }
     for (std::size_t k = 0; k < function.targets.size(); ++k) {
         writer.line("{} = {};", function.targets[k], results[k]);
     }

@@ -86,7 +86,7 @@ std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
     writer.line("using Vector = std::array<Scalar, {}>;", n);
     writer.blank().insert(parameters_text(*options.scene));
     writer.blank().insert(system_text(*options.scene, options.wishes, scheme));
-    if (!scheme.is_explicit()) {
+    if (!scheme.is_explicit() && !scheme.is_tabulated) {
         writer.blank().line("using Solver = {};",
                             options.wishes.hessian ? "hvi::Newton" : "hvi::FixedPoint");
     }

@@ -73,6 +73,33 @@ std::vector<Scaled> product(SystemGraph& system, const Matrix& K) {
     return result;
 }
 
+/// What is left of the slopes without the second derivatives times the variables. NOTE: where that
+/// is not seen to be constant H does not pass for quadratic.
+void set_linear_part(Structure& found, SystemGraph& system) {
+    Graph& graph = system.graph;
+    const auto rest = [&](const Scaled& slope, const auto& second_by_q, const auto& second_by_p) {
+        std::vector<Scaled> terms{slope};
+        for (std::size_t j = 0; j < system.q.size(); ++j) {
+            const auto subtract = [&](const Scaled& factor, Node variable) {
+                terms.push_back(graph.times({-1, 1}, graph.product(factor, {{1, 1}, variable})));
+            };
+            subtract(second_by_q(j), system.q[j]);
+            subtract(second_by_p(j), system.p[j]);
+        }
+        const Scaled result = graph.sum(std::move(terms));
+        found.is_quadratic = found.is_quadratic && !varies(graph.at(result.node).roles);
+        return result;
+    };
+    for (std::size_t i = 0; i < system.q.size(); ++i) {
+        found.by_q.push_back(rest(
+            system.dHdq[i], [&](std::size_t j) { return found.qq[i][j]; },
+            [&](std::size_t j) { return found.qp[i][j]; }));
+        found.by_p.push_back(rest(
+            system.dHdp[i], [&](std::size_t j) { return found.qp[j][i]; },
+            [&](std::size_t j) { return found.pp[i][j]; }));
+    }
+}
+
 }  // namespace
 
 Structure structure(SystemGraph& system) {
@@ -92,6 +119,7 @@ Structure structure(SystemGraph& system) {
     if (found.kinetic_is_quadratic) { found.inverse_mass = product(system, found.pp); }
     found.is_quadratic =
         pp_constant && is_constant(graph, found.qp) && is_constant(graph, found.qq);
+    if (found.is_quadratic) { set_linear_part(found, system); }
     found.is_linear_in_p = is_zero(found.pp);
     found.is_linear_in_q = is_zero(found.qq);
     found.components = components(found);

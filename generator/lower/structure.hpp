@@ -21,6 +21,7 @@ struct Structure {
     bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix pp
     std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
     bool is_quadratic = false;          ///< all second derivatives are constant
+    std::vector<Scaled> by_q, by_p;     ///< then the first derivatives at q = p = 0
     bool is_linear_in_p = false;        ///< pp is zero, and not all else
     bool is_linear_in_q = false;
     /// Degrees of freedom that do not couple, each by its indices, by their smallest.

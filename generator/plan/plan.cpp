@@ -198,6 +198,15 @@ void set_kept(Scheme& scheme) {
     }
 }
 
+/// The map of one step is linear.
+void tabulate(Scheme& scheme) {
+    scheme.is_tabulated = true;
+    scheme.decisions = {
+        {"no solver", "H is quadratic: a step is a matrix times a vector, computed when h changes"},
+        {"no compensated summation", "rounding is that of one product a step; --solver fixed-point "
+                                     "iterates with compensation"}};
+}
+
 /// The time is a coordinate with velocity 1, so that (4.18c) gives T_i = t + h sum_j a_ij.
 void set_times(Scheme& scheme) {
     if (scheme.from_parameter) {
@@ -390,6 +399,10 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_blocks(scheme);
     set_kept(scheme);
     set_from_parameter(scheme, tableau);
+    if (options.is_tabulated && !scheme.from_parameter) {
+        tabulate(scheme);
+        return scheme;
+    }
     if (options.depends_on_time) { set_times(scheme); }
     if (options.kinetic_is_quadratic) { eliminate_momenta(scheme); }
     set_extrapolation(scheme, tableau);

@@ -10,6 +10,7 @@ namespace hvi::gen {
 struct PlanOptions {
     bool separable = false;             ///< for H = T(p) + U(q) only
     bool depends_on_time = false;       ///< H = H(q, p, t); if it is separable U(q, t)
+    bool is_tabulated = false;          ///< H is quadratic, of one degree of freedom
     bool kinetic_is_quadratic = false;  ///< and T = p^T K p/2 with constant K
 };
 

@@ -1,6 +1,9 @@
 // The weights of one step.
 // SPDX-License-Identifier: MIT
-#pragma once
+//
+// NOTE: needs the standard library alone; see state.hpp.
+#ifndef HVI_WEIGHTS_HPP
+#define HVI_WEIGHTS_HPP
 
 #include <array>
 #include <cstddef>
@@ -74,3 +77,5 @@ template <class Scalar, std::size_t n>
 }
 
 }  // namespace hvi::detail
+
+#endif  // HVI_WEIGHTS_HPP

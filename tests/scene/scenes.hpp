@@ -56,7 +56,11 @@ bool same_bits(const State& a, const State& b) {
 /// dH/dq and dH/dp of a system of either kind.
 template <class System, class Vector>
 void gradient(const System& system, const Vector& q, const Vector& p, Vector& dq, Vector& dp) {
-    if constexpr (requires { system.dHdq(q, dq); }) {
+    if constexpr (requires { system.quadratic(); }) {
+        const auto H = system.quadratic();
+        dq[0] = H.qq * q[0] + H.qp * p[0] + H.by_q;
+        dp[0] = H.qp * q[0] + H.pp * p[0] + H.by_p;
+    } else if constexpr (requires { system.dHdq(q, dq); }) {
         system.dHdq(q, dq);
         system.dHdp(p, dp);
     } else {

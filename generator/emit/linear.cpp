@@ -1,0 +1,29 @@
+// Headers for quadratic Hamiltonians of one degree of freedom.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/banner.hpp"
+#include "generator/emit/implicit_parts.hpp"
+#include "generator/emit/system_part.hpp"
+
+namespace hvi::gen {
+
+std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+    const SystemPart system = system_part(tableau, scheme, options);
+    const Structure& found = options.scene->structure;
+    const bool is_shifted = !found.by_q.front().is_zero() || !found.by_p.front().is_zero();
+    return fill("linear.hpp.in", {{"banner", banner(tableau, scheme, options)},
+                                  {"format", "4"},
+                                  {"include", system.include},
+                                  {"purpose", system.purpose},
+                                  {"head", system.head},
+                                  {"name", system.class_name},
+                                  {"condition", system.condition},
+                                  {"types", system.types},
+                                  {"construct", system.construct},
+                                  {"constants", with_rounding(coefficients_text(scheme))},
+                                  {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme),
+                                                         weights_q(scheme), weights_p(scheme))},
+                                  {"shifted", is_shifted ? "true" : "false"},
+                                  {"alias", system.alias}});
+}
+
+}  // namespace hvi::gen
