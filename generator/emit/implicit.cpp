@@ -26,7 +26,13 @@ std::string includes(std::vector<std::string> names) {
 std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
     const SystemPart system = system_part(tableau, scheme, options);
-    ImplicitParts parts = scheme.velocity_form ? velocity_parts(scheme) : pair_parts(scheme);
+    const Curve* const curve = options.wishes.curve ? &*options.wishes.curve : nullptr;
+    ImplicitParts parts =
+        scheme.velocity_form ? velocity_parts(scheme, curve) : pair_parts(scheme, curve);
+    if (curve != nullptr) {
+        parts.format = 5;
+        parts.runtime.push_back("curve.hpp");
+    }
     parts.runtime.push_back(options.wishes.hessian ? "newton.hpp" : "fixed_point.hpp");
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                     {"format", std::to_string(parts.format)},
@@ -39,6 +45,7 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                                     {"types", system.types},
                                     {"parameter", parameter_text(scheme)},
                                     {"construct", system.construct},
+                                    {"curve", parts.curve},
                                     {"begins", begins(scheme)},
                                     {"steps", parts.steps},
                                     {"constants", parts.constants},
