@@ -109,6 +109,7 @@ void describe(CLI::App& app) {
     add_value(stepper, "--solver", "SOLVER", "Of stage equations: auto, fixed-point or newton");
     add_flag(stepper, "--energy", "The class has a member energy(x)");
     add_flag(stepper, "--invariants", "And one for each invariant of the scene");
+    add_flag(stepper, "--dense", "And one for positions within the last step");
     add_value(stepper, "--name", "NAME", "Name of the class");
     add_flag(stepper, "--explain", "Say what is solved and what is left out");
     add_value(stepper, "-o,--output", "FILE", "Write to this file");
@@ -323,7 +324,7 @@ void check_system_flags(const Words& words, const StepperOptions& options) {
     if (options.system && options.separable)
         throw InputError("--separable is for a class of your own", words.place("--separable"),
                          "whether the H of a scene is T(p) + U(q) is found out");
-    for (const char* flag : {"--energy", "--invariants"})
+    for (const char* flag : {"--energy", "--invariants", "--dense"})
         if (!options.system && words.flag(flag))
             throw InputError(std::string(flag) + " needs a scene or --hamiltonian",
                              words.place(flag));
@@ -345,6 +346,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
         words.choice("--solver", {"auto", "fixed-point", "newton"}));
     options.energy = words.flag("--energy");
     options.invariants = words.flag("--invariants");
+    options.dense = words.flag("--dense");
     check_system_flags(words, options);
     options.name = words.value("--name");
     options.explain = words.flag("--explain");

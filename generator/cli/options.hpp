@@ -58,6 +58,7 @@ struct StepperOptions {
     Solver solver = Solver::automatic;
     bool energy = false;              ///< as a member; of a system
     bool invariants = false;          ///< the same
+    bool dense = false;               ///< the curve of a step, the same
     std::optional<std::string> name;  ///< of the class
     bool explain = false;             ///< say on standard error what is solved and what left out
     std::optional<std::filesystem::path> output;

@@ -50,6 +50,7 @@ std::string command(const Tableau& tableau, const Scene& scene, const StepperOpt
     if (options.solver == Solver::newton) text += " --solver newton";
     if (options.energy) text += " --energy";
     if (options.invariants) text += " --invariants";
+    if (options.dense) text += " --dense";
     if (options.name) text += " --name " + *options.name;
     return text;
 }
@@ -61,10 +62,11 @@ void refuse_time_with_newton(const Scene& scene) {
                      Place{H.source, {0, H.source->text.size()}});
 }
 
-/// Whether the step is computed as a matrix: where that is not asked to be otherwise.
-bool is_tabulated(const LoweredScene& lowered, StepperOptions::Solver solver) {
-    return solver == StepperOptions::Solver::automatic && lowered.structure.is_quadratic &&
-           lowered.system.degrees_of_freedom() == 1 && !lowered.system.time;
+/// Whether a step is a matrix times a vector: unless a solver is asked for, or what only one has.
+bool is_tabulated(const LoweredScene& lowered, const StepperOptions& options) {
+    return options.solver == StepperOptions::Solver::automatic && !options.dense &&
+           lowered.structure.is_quadratic && lowered.system.degrees_of_freedom() == 1 &&
+           !lowered.system.time;
 }
 
 std::string explanation(const LoweredScene& lowered, const Scheme& scheme) {
@@ -78,22 +80,46 @@ std::string explanation(const LoweredScene& lowered, const Scheme& scheme) {
     return text;
 }
 
+/// The method, and the curve of its steps where that is asked for.
+struct MethodAndCurve {
+    Tableau tableau;
+    std::optional<Curve> curve;
+};
+
+MethodAndCurve derive(const Method& method, bool dense) {
+    return on_new_ground([&](const Ground& ground) {
+        const Derivation derivation = derive_on(ground, method);
+        return MethodAndCurve{derivation.tableau,
+                              dense ? std::optional(curve(method, derivation)) : std::nullopt};
+    });
+}
+
+void refuse_curve_without_equations(const Method& method) {
+    const List& basis = method.basis;
+    throw InputError("--dense for a step without equations to solve is announced, but not built "
+                     "yet",
+                     basis.place({0, basis.source->text.size()}),
+                     "methods that solve equations have it, as gauss:2");
+}
+
 void write_scene(const StepperOptions& options) {
     const auto [method, scene] = read_scene(options.method, *options.system);
-    SceneWishes wishes{options.energy, options.invariants, false};
+    SceneWishes wishes{options.energy, options.invariants, false, {}};
     const bool newton = options.solver == StepperOptions::Solver::newton;
     if (newton) refuse_time_with_newton(scene);
     check_members(scene, wishes);
     check_start(scene);
 
-    const Tableau tableau = derive(method);
+    const auto [tableau, curve] = derive(method, options.dense);
     const LoweredScene lowered = hvi::gen::lowered(scene);
     const Scheme scheme =
         plan(tableau, {.separable = lowered.structure.is_separable,
                        .depends_on_time = lowered.system.time.has_value(),
-                       .is_tabulated = is_tabulated(lowered, options.solver),
+                       .is_tabulated = is_tabulated(lowered, options),
                        .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic && !newton});
     wishes.hessian = newton && !scheme.is_explicit();
+    wishes.curve = curve;
+    if (options.dense && scheme.is_explicit()) refuse_curve_without_equations(method);
     const std::string name =
         class_name(scene.name.empty() ? tableau.name : scene.name + "-" + tableau.name);
     const EmitOptions emitted = {.class_name = options.name.value_or(name),

@@ -26,8 +26,14 @@ std::string includes(std::vector<std::string> names) {
 std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
     const SystemPart system = system_part(tableau, scheme, options);
-    ImplicitParts parts = scheme.velocity_form ? velocity_parts(scheme) : pair_parts(scheme);
+    const Curve* const curve = options.wishes.curve ? &*options.wishes.curve : nullptr;
+    ImplicitParts parts =
+        scheme.velocity_form ? velocity_parts(scheme, curve) : pair_parts(scheme, curve);
     if (scheme.depends_on_time) { parts.runtime.push_back("clock.hpp"); }
+    if (curve != nullptr) {
+        parts.format = 4;
+        parts.runtime.push_back("curve.hpp");
+    }
     parts.runtime.push_back(options.wishes.hessian ? "newton.hpp" : "fixed_point.hpp");
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                     {"format", std::to_string(parts.format)},
@@ -41,6 +47,7 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                                     {"parameter", parameter_text(scheme)},
                                     {"construct", system.construct},
                                     {"state", system.state},
+                                    {"curve", parts.curve},
                                     {"begins", begins(scheme)},
                                     {"clock", clock_begins(scheme)},
                                     {"steps", parts.steps},

@@ -13,13 +13,14 @@ struct ImplicitParts {
     int format = 0;                    ///< of the calls into the runtime; see src/hvi/version.hpp
     std::vector<std::string> runtime;  ///< headers of hvi that not every one includes
     std::string steps, constants, predict, coupled, members;
+    std::string curve;  ///< empty where none is asked for
 };
 
-/// Positions and momenta.
-[[nodiscard]] ImplicitParts pair_parts(const Scheme& scheme);
+/// Positions and momenta. `curve` is null where none is asked for.
+[[nodiscard]] ImplicitParts pair_parts(const Scheme& scheme, const Curve* curve);
 
 /// Positions alone. Precondition: scheme.velocity_form.
-[[nodiscard]] ImplicitParts velocity_parts(const Scheme& scheme);
+[[nodiscard]] ImplicitParts velocity_parts(const Scheme& scheme, const Curve* curve);
 
 // ---- what both are made of ----
 
@@ -41,6 +42,15 @@ constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix&
 
 /// The weights and the tables m and mt, as lines of the class.
 [[nodiscard]] std::string coefficients_text(const Scheme& scheme);
+
+/// The table `curve`: by how much the curve departs from its chord, for each of the slopes that the
+/// step keeps. Empty for a straight line.
+[[nodiscard]] std::string curve_table(const Scheme& scheme, const Curve& curve);
+
+/// The member position(tau). `chord` is the increment of the step, and `slope` the name of the
+/// slopes that the table is for.
+[[nodiscard]] std::string curve_text(const Scheme& scheme, const Curve& curve,
+                                     std::string_view chord, std::string_view slope);
 
 /// "The stage equations of Q_1, P_1, which are solved at once."
 [[nodiscard]] std::string unknowns(const Block& block);

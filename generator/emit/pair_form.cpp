@@ -18,6 +18,14 @@ std::string coupled_name(const Scheme& scheme, std::size_t number) {
 
 // ---- step() ----
 
+std::string sum_of_slopes(std::string_view slope, std::size_t count) {
+    std::string sum;
+    for (std::size_t i = 0; i < count; ++i) {
+        sum += fmt::format("{}s_.{}[{}][k]", i == 0 ? "" : " + ", slope, i);
+    }
+    return sum;
+}
+
 /// The sums that end the step, each of which may be needed before all slopes are known.
 class Updates {
 public:
@@ -48,11 +56,8 @@ private:
     void q_line() { line("q", "Lq", scheme_.momenta.size()); }
     void p_line() { line("p", "Lp", scheme_.positions.size()); }
     void line(std::string_view y, std::string_view slope, std::size_t count) {
-        std::string sum;
-        for (std::size_t i = 0; i < count; ++i) {
-            sum += fmt::format("{}s_.{}[{}][k]", i == 0 ? "" : " + ", slope, i);
-        }
-        writer_.line("s_.add(s_.at.{0}[k], s_.remainder.{0}[k], {1});", y, sum);
+        writer_.line("s_.add(s_.at.{0}[k], s_.remainder.{0}[k], {1});", y,
+                     sum_of_slopes(slope, count));
     }
 
     Writer& writer_;
@@ -247,12 +252,13 @@ std::string predict_text(const Scheme& scheme) {
 
 // ---- constants, members ----
 
-std::string constants_text(const Scheme& scheme) {
+std::string constants_text(const Scheme& scheme, const Curve* curve) {
     if (scheme.from_parameter) { return functions_of_parameter(scheme); }
     Writer writer(1);
     writer.insert(coefficients_text(scheme));
     if (scheme.depends_on_time) { writer.blank().insert(times_text(scheme)); }
     if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
+    if (curve != nullptr) { writer.insert(curve_table(scheme, *curve)); }
     return with_rounding(writer.str());
 }
 
@@ -291,16 +297,19 @@ std::string members_text(const Scheme& scheme) {
 
 }  // namespace
 
-ImplicitParts pair_parts(const Scheme& scheme) {
+ImplicitParts pair_parts(const Scheme& scheme, const Curve* curve) {
     ImplicitParts parts;
     parts.format = scheme.depends_on_time ? 4 : scheme.from_parameter ? 3 : 2;
     parts.runtime = {"stages.hpp"};
     if (scheme.from_parameter) { parts.runtime.push_back("parameter.hpp"); }
     parts.steps = steps_text(scheme);
-    parts.constants = constants_text(scheme);
+    parts.constants = constants_text(scheme, curve);
     parts.predict = predict_text(scheme);
     parts.coupled = coupled_text(scheme);
     parts.members = members_text(scheme);
+    if (curve != nullptr) {
+        parts.curve = curve_text(scheme, *curve, sum_of_slopes("Lq", scheme.momenta.size()), "Lq");
+    }
     return parts;
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "generator/emit/kernel_code.hpp"
+#include "generator/exact/curve.hpp"
 #include "generator/lower/lowered_scene.hpp"
 #include "generator/plan/scheme.hpp"
 
@@ -16,7 +18,8 @@ namespace hvi::gen {
 struct SceneWishes {
     bool energy = false;
     bool invariants = false;
-    bool hessian = false;  ///< for a solver that takes it
+    bool hessian = false;        ///< for a solver that takes it
+    std::optional<Curve> curve;  ///< of the last step, as a member
 };
 
 /// Throws InputError where an invariant that is asked for is called as something else that each

@@ -107,13 +107,20 @@ std::string coupled_text(const Scheme& scheme) {
 
 // ---- step() ----
 
-void update_q(Writer& writer, const VelocityForm& form) {
+/// h v + sum_j (1 - c_j) W_j.
+std::string increment_of_step(const VelocityForm& form) {
     std::string sum = "s_.h * s_.velocity[k]";
     for (std::size_t j = 0; j < form.c.size(); ++j) {
         add_term(sum, Number(1) - form.c[j], fmt::format("(1 - c[{}])", j),
                  fmt::format("s_.W[{}][k]", j));
     }
-    loop(writer, "s_", [&] { writer.line("s_.add(s_.at.q[k], s_.remainder.q[k], {});", sum); });
+    return sum;
+}
+
+void update_q(Writer& writer, const VelocityForm& form) {
+    loop(writer, "s_", [&] {
+        writer.line("s_.add(s_.at.q[k], s_.remainder.q[k], {});", increment_of_step(form));
+    });
 }
 
 void update_p(Writer& writer, std::size_t stages) {
@@ -218,7 +225,7 @@ std::string predict_text(const Scheme& scheme) {
 
 // ---- constants, members ----
 
-std::string constants_text(const Scheme& scheme) {
+std::string constants_text(const Scheme& scheme, const Curve* curve) {
     const VelocityForm& form = *scheme.velocity_form;
     const RoundedVelocityForm values = rounded(form);
     Writer writer(1);
@@ -235,6 +242,7 @@ std::string constants_text(const Scheme& scheme) {
     table(writer, "n", constants("n", form.n, values.n));
     writer.line("static_assert(hvi::detail::symplectic(c, n), \"the method is symplectic\");");
     if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
+    if (curve != nullptr) { writer.insert(curve_table(scheme, *curve)); }
     return with_rounding(writer.str());
 }
 
@@ -252,16 +260,19 @@ std::string members_text(const Scheme& scheme) {
 
 }  // namespace
 
-ImplicitParts velocity_parts(const Scheme& scheme) {
+ImplicitParts velocity_parts(const Scheme& scheme, const Curve* curve) {
     HVI_CHECK(scheme.velocity_form && scheme.coupled_blocks() == 1);
     ImplicitParts parts;
     parts.format = 4;
     parts.runtime = {"velocity_stages.hpp"};
     parts.steps = steps_text(scheme);
-    parts.constants = constants_text(scheme);
+    parts.constants = constants_text(scheme, curve);
     parts.predict = predict_text(scheme);
     parts.coupled = coupled_text(scheme);
     parts.members = members_text(scheme);
+    if (curve != nullptr) {
+        parts.curve = curve_text(scheme, *curve, increment_of_step(*scheme.velocity_form), "W");
+    }
     return parts;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 #include "generator/lower/derivative.hpp"
 
@@ -73,31 +74,65 @@ std::vector<Scaled> product(SystemGraph& system, const Matrix& K) {
     return result;
 }
 
-/// What is left of the slopes without the second derivatives times the variables. NOTE: where that
-/// is not seen to be constant H does not pass for quadratic.
-void set_linear_part(Structure& found, SystemGraph& system) {
-    Graph& graph = system.graph;
-    const auto rest = [&](const Scaled& slope, const auto& second_by_q, const auto& second_by_p) {
-        std::vector<Scaled> terms{slope};
-        for (std::size_t j = 0; j < system.q.size(); ++j) {
-            const auto subtract = [&](const Scaled& factor, Node variable) {
-                terms.push_back(graph.times({-1, 1}, graph.product(factor, {{1, 1}, variable})));
-            };
-            subtract(second_by_q(j), system.q[j]);
-            subtract(second_by_p(j), system.p[j]);
-        }
-        const Scaled result = graph.sum(std::move(terms));
-        found.is_quadratic = found.is_quadratic && !varies(graph.at(result.node).roles);
-        return result;
-    };
-    for (std::size_t i = 0; i < system.q.size(); ++i) {
-        found.by_q.push_back(rest(
-            system.dHdq[i], [&](std::size_t j) { return found.qq[i][j]; },
-            [&](std::size_t j) { return found.qp[i][j]; }));
-        found.by_p.push_back(rest(
-            system.dHdp[i], [&](std::size_t j) { return found.qp[j][i]; },
-            [&](std::size_t j) { return found.pp[i][j]; }));
+/// The value of something where all variables are 0, in the same graph.
+class AtOrigin {
+public:
+    explicit AtOrigin(Graph& graph) : graph_(graph) {}
+
+    /// Empty where that is a division by zero.
+    [[nodiscard]] std::optional<Scaled> operator()(const Scaled& a) {
+        const auto value = at(a.node);
+        return value ? std::optional(graph_.times(a.factor, *value)) : std::nullopt;
     }
+
+private:
+    [[nodiscard]] std::optional<Scaled> at(Node node) {
+        // NOTE: a copy, since the graph grows.
+        const Computation computation = graph_.at(node);
+        if (!varies(computation.roles)) { return Scaled{{1, 1}, node}; }
+        if (computation.operation == Operation::input) { return Graph::number(0); }
+        std::vector<Scaled> arguments;
+        for (const Scaled& term : computation.terms) {
+            const auto value = (*this)(term);
+            if (!value) { return std::nullopt; }
+            arguments.push_back(*value);
+        }
+        for (const Node argument : computation.arguments) {
+            const auto value = at(argument);
+            if (!value) { return std::nullopt; }
+            arguments.push_back(*value);
+        }
+        return made_of(computation, arguments);
+    }
+
+    [[nodiscard]] std::optional<Scaled> made_of(const Computation& computation,
+                                                const std::vector<Scaled>& arguments) {
+        switch (computation.operation) {
+        case Operation::sum: return graph_.sum(arguments);
+        case Operation::product: return graph_.product(arguments[0], arguments[1]);
+        case Operation::square_root: return graph_.half_power(arguments[0], 1);
+        case Operation::power: return graph_.power(arguments[0], arguments[1]);
+        case Operation::call: return graph_.call(computation.name, arguments[0]);
+        default: break;
+        }
+        if (arguments[0].is_zero()) { return std::nullopt; }
+        return graph_.half_power(arguments[0],
+                                 computation.operation == Operation::inverse ? -2 : -1);
+    }
+
+    Graph& graph_;
+};
+
+/// NOTE: where a slope has no value at the origin as it is written H does not pass for quadratic.
+void set_linear_part(Structure& found, SystemGraph& system) {
+    AtOrigin at_origin(system.graph);
+    const auto add = [&](std::vector<Scaled>& values, const Scaled& slope) {
+        const auto value = at_origin(slope);
+        found.is_quadratic = found.is_quadratic && value;
+        values.push_back(value.value_or(Graph::number(0)));
+    };
+    for (const Scaled& slope : system.dHdq) { add(found.by_q, slope); }
+    for (const Scaled& slope : system.dHdp) { add(found.by_p, slope); }
 }
 
 }  // namespace

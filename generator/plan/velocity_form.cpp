@@ -21,10 +21,18 @@ Number sum(const Scheme& scheme, const auto& term) {
 
 }  // namespace
 
+// NOTE: where enclosures stand for numbers without a closed form, that a row of m is zeros or ones
+// is known, and sums over it are not seen to be.
+
 NumberVector position_times(const Scheme& scheme) {
     NumberVector c;
     for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-        c.push_back(sum(scheme, [&](std::size_t k) { return weighted(scheme, i, k); }));
+        switch (scheme.positions[i].place) {
+        case StageValue::Place::start: c.emplace_back(0); break;
+        case StageValue::Place::end: c.emplace_back(1); break;
+        case StageValue::Place::inner:
+            c.push_back(sum(scheme, [&](std::size_t k) { return weighted(scheme, i, k); }));
+        }
     }
     return c;
 }
@@ -32,12 +40,22 @@ NumberVector position_times(const Scheme& scheme) {
 VelocityForm velocity_form(const Scheme& scheme) {
     const std::size_t r = scheme.positions.size();
     VelocityForm form{position_times(scheme), NumberMatrix(r, NumberVector(r))};
+    const auto S = [&](std::size_t i, std::size_t j) {
+        const auto is_at = [&](std::size_t k, StageValue::Place place) {
+            return scheme.positions[k].place == place;
+        };
+        if (is_at(i, StageValue::Place::start) || is_at(j, StageValue::Place::start)) {
+            return Number(0);
+        }
+        if (is_at(i, StageValue::Place::end)) { return form.c[j]; }
+        if (is_at(j, StageValue::Place::end)) { return form.c[i]; }
+        return sum(scheme, [&](std::size_t k) { return weighted(scheme, i, k) * scheme.m[j][k]; });
+    };
     for (std::size_t i = 0; i < r; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
-            const Number S =
-                sum(scheme, [&](std::size_t k) { return weighted(scheme, i, k) * scheme.m[j][k]; });
-            form.n[i][j] = form.c[i] - S;
-            form.n[j][i] = form.c[j] - S;
+            const Number S_ij = S(i, j);
+            form.n[i][j] = form.c[i] - S_ij;
+            form.n[j][i] = form.c[j] - S_ij;
         }
     }
     return form;

@@ -59,6 +59,9 @@ struct StepMemory {
 
     void forget() { ended_ = false; }
 
+    /// Whether `at`, `h` and the slopes are those of a step that went well.
+    [[nodiscard]] bool has_ended() const { return ended_; }
+
 private:
     void start_at(const State<Vector>& x) {
         n = x.q.size();

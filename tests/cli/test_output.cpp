@@ -340,8 +340,8 @@ TEST_CASE("every form of METHOD is read") {
 
 TEST_CASE("no option of stepper swallows the scene behind it") {
     const std::vector<std::vector<std::string>> lines = {
-        {"--param", "mu=2"}, {"--energy"},    {"--invariants"},       {"--solver", "newton"},
-        {"--explain"},       {"--name", "K"}, {"--method", "gauss:4"}};
+        {"--param", "mu=2"},    {"--energy"},  {"--invariants"}, {"--dense"},
+        {"--solver", "newton"}, {"--explain"}, {"--name", "K"},  {"--method", "gauss:4"}};
     for (const auto& options : lines) {
         const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
         INFO(outcome.err);
@@ -363,11 +363,18 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK_FALSE(has(plain, "energy("));
     CHECK_FALSE(has(plain, "angular_momentum("));
     CHECK_FALSE(has(plain, "d2Hdq2"));
+    CHECK_FALSE(has(plain, "position("));
+    CHECK_FALSE(has(plain, "curve"));
     const std::string all =
         hvi_gen(with(words, {"--energy", "--invariants", "--solver", "newton"})).out;
     CHECK(has(all, "Scalar energy(const State& x) const"));
     CHECK(has(all, "Scalar angular_momentum(const State& x) const"));
     CHECK(has(all, "d2Hdq2"));
+    CHECK_FALSE(has(all, "position("));
+    const std::string dense = same_every_time(with(words, {"--dense"}));
+    CHECK(has(dense, "Vector position(Scalar tau) const"));
+    CHECK(has(dense, "it is O(h^3) away"));
+    CHECK(has(dense, "hvi-gen stepper --method gauss:2 kepler --dense\n"));
     CHECK(
         has(hvi_gen({"stepper", "--method", "stormer-verlet", "kepler"}).out, "#ifndef HVI_STATE"));
     const Outcome explained = hvi_gen(with(words, {"--explain"}));

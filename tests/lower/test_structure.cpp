@@ -59,6 +59,15 @@ TEST_CASE("quadratic and degenerate Hamiltonians") {
     CHECK_FALSE(analysed("p^2/2").found.is_linear_in_p);
 }
 
+TEST_CASE("the first derivatives of a quadratic H at the origin") {
+    const Analysed shifted = analysed("(p-q-a)^2/2+3*q+p*q");
+    REQUIRE(shifted.found.is_quadratic);
+    const Values at{{"a", 2}, {"p", 5}, {"q", 7}};
+    CHECK(value(shifted.system.graph, shifted.found.by_q[0], at) == 2 + 3);
+    CHECK(value(shifted.system.graph, shifted.found.by_p[0], at) == -2);
+    CHECK(analysed("q*p").found.by_q[0].is_zero());
+}
+
 TEST_CASE("degrees of freedom that do not couple") {
     const auto groups = [](const std::string& H) {
         return analysed(H, "a, b, c", "pa, pb, pc").found.components;

@@ -1,0 +1,297 @@
+// Positions within a step: the curve of the paper, computed again from the tableau, and its order.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <hvi/generic_stepper.hpp>
+#include <scene/dense_chebyshev_3_nonseparable.hpp>
+#include <scene/dense_chebyshev_3_pendulum.hpp>
+#include <scene/dense_gauss_2_nonseparable.hpp>
+#include <scene/dense_gauss_2_pendulum.hpp>
+#include <scene/dense_gauss_3_nonseparable.hpp>
+#include <scene/dense_gauss_3_pendulum.hpp>
+#include <scene/dense_gauss_8_nonseparable.hpp>
+#include <scene/dense_gauss_8_pendulum.hpp>
+#include <scene/dense_lobatto_3_nonseparable.hpp>
+#include <scene/dense_lobatto_3_pendulum.hpp>
+#include <scene/dense_lobatto_4_kepler.hpp>
+#include <scene/dense_mass_matrix.hpp>
+#include <scene/dense_midpoint_nonseparable.hpp>
+#include <scene/dense_midpoint_pendulum.hpp>
+#include <scene/dense_mixed.hpp>
+#include <scene/dense_pairs_of_mass_matrix.hpp>
+#include <scene/dense_trig3_nonseparable.hpp>
+#include <scene/dense_trig3_pendulum.hpp>
+
+#include "scenes.hpp"
+
+using namespace hvi::generated;
+
+namespace {
+
+// ---- the paper's formulas ----
+
+/// A tableau, and the integrals over [0, tau] of its functions phi_j.
+struct Table {
+    std::vector<double> c;
+    hvi::Coefficients<double> of;
+    std::function<double(std::size_t j, double tau)> integral;
+};
+
+/// Of the polynomials that are 1 at c_j and 0 at the other nodes, by Simpson's rule, which is exact
+/// for up to four nodes.
+auto of_polynomials(const std::vector<double>& c) {
+    return [c](std::size_t j, double tau) {
+        const auto phi = [&](double x) {
+            double product = 1.0;
+            for (std::size_t i = 0; i < c.size(); ++i) {
+                if (i != j) { product *= (x - c[i]) / (c[j] - c[i]); }
+            }
+            return product;
+        };
+        return tau / 6 * (phi(0.0) + 4 * phi(tau / 2) + phi(tau));
+    };
+}
+
+const double r3 = std::sqrt(3.0);
+const double pi = std::acos(-1.0);
+const double outer = (pi - 2) / (2 * pi);
+const Table gauss_2{{0.5 - r3 / 6, 0.5 + r3 / 6},
+                    {{0.5, 0.5},
+                     {{0.25, 0.25 - r3 / 6}, {0.25 + r3 / 6, 0.25}},
+                     {{0.25, 0.25 - r3 / 6}, {0.25 + r3 / 6, 0.25}}},
+                    of_polynomials({0.5 - r3 / 6, 0.5 + r3 / 6})};
+const Table lobatto_3{{0, 0.5, 1},
+                      {{1.0 / 6, 2.0 / 3, 1.0 / 6},
+                       {{0, 0, 0}, {5.0 / 24, 1.0 / 3, -1.0 / 24}, {1.0 / 6, 2.0 / 3, 1.0 / 6}},
+                       {{1.0 / 6, -1.0 / 6, 0}, {1.0 / 6, 1.0 / 3, 0}, {1.0 / 6, 5.0 / 6, 0}}},
+                      of_polynomials({0, 0.5, 1})};
+/// Example 4.6: phi is (1 + cos - sin)/2, sin, (1 - cos - sin)/2 of pi tau.
+const Table trig3{
+    {0, 0.5, 1},
+    {{outer, 2 / pi, outer},
+     {{0, 0, 0}, {0.25, 1 / pi, (pi - 4) / (4 * pi)}, {outer, 2 / pi, outer}},
+     {{outer, (pi - 4) / (pi * pi - 2 * pi), 0}, {outer, 1 / pi, 0}, {outer, 1 / (pi - 2), 0}}},
+    [](std::size_t j, double tau) {
+        const double of_sin = (1 - std::cos(pi * tau)) / pi;
+        const double of_cos = std::sin(pi * tau) / pi;
+        return j == 1 ? of_sin : (tau + (j == 0 ? of_cos : -of_cos) - of_sin) / 2;
+    }};
+
+/// The equations of (4.18) for one degree of freedom, iterated until they stand still.
+template <class Stepper>
+struct Stages {
+    Stages(const Table& table, const typename Stepper::State& x, double h) {
+        const std::size_t s = table.c.size();
+        const typename Stepper::System system{typename Stepper::Parameters{}};
+        Q.assign(s, x.q);
+        velocity.assign(s, {});
+        std::vector<typename Stepper::Vector> P(s, x.p), force(s);
+        for (int sweep = 0; sweep < 200; ++sweep) {
+            for (std::size_t i = 0; i < s; ++i) {
+                scenes::gradient(system, Q[i], P[i], force[i], velocity[i]);
+            }
+            for (std::size_t i = 0; i < s; ++i) {
+                Q[i] = x.q;
+                P[i] = x.p;
+                for (std::size_t j = 0; j < s; ++j) {
+                    Q[i][0] += h * table.of.A[i][j] * velocity[j][0];
+                    P[i][0] -= h * table.of.A_tilde[i][j] * force[j][0];
+                }
+            }
+        }
+    }
+
+    std::vector<typename Stepper::Vector> Q, velocity;
+};
+
+/// q_d(tau h) = q_0 + h sum_j integral_0^tau phi_j * dH/dp(Q_j, P_j), and Q_i at c_i.
+template <class Stepper>
+void compare_with_the_paper(const Table& table, typename Stepper::State x, double h) {
+    Stepper stepper;
+    const typename Stepper::State start = x;
+    const Stages<Stepper> stages(table, x, h);
+    REQUIRE(stepper.step(x, h).ok());
+    for (std::size_t i = 0; i < table.c.size(); ++i) {
+        CHECK(std::abs(stepper.position(table.c[i])[0] - stages.Q[i][0]) < 3e-15);
+    }
+    for (const double tau : {0.03, 0.25, 0.4, 0.77, 0.99}) {
+        double q = start.q[0];
+        for (std::size_t j = 0; j < table.c.size(); ++j) {
+            q += h * table.integral(j, tau) * stages.velocity[j][0];
+        }
+        CHECK(std::abs(stepper.position(tau)[0] - q) < 3e-15);
+    }
+}
+
+// ---- the exact solution ----
+
+/// By the classical Runge-Kutta method in many small steps, which shares nothing with ours.
+template <class Stepper>
+typename Stepper::State flow(typename Stepper::State x, double time) {
+    const typename Stepper::System system{typename Stepper::Parameters{}};
+    constexpr int steps = 400;
+    const double h = time / steps;
+    using State = typename Stepper::State;
+    const auto slope = [&](const State& at) {
+        State result;
+        scenes::gradient(system, at.q, at.p, result.p, result.q);
+        for (double& p : result.p) { p = -p; }
+        return result;
+    };
+    const auto moved = [](State at, double factor, const State& by) {
+        for (std::size_t k = 0; k < at.q.size(); ++k) {
+            at.q[k] += factor * by.q[k];
+            at.p[k] += factor * by.p[k];
+        }
+        return at;
+    };
+    for (int i = 0; i < steps; ++i) {
+        const State k1 = slope(x);
+        const State k2 = slope(moved(x, h / 2, k1));
+        const State k3 = slope(moved(x, h / 2, k2));
+        const State k4 = slope(moved(x, h, k3));
+        x = moved(moved(x, h / 6, k1), h / 3, k2);
+        x = moved(moved(x, h / 3, k3), h / 6, k4);
+    }
+    return x;
+}
+
+/// The largest error within one step.
+template <class Stepper>
+double error(const typename Stepper::State& start, double h) {
+    Stepper stepper;
+    typename Stepper::State x = start;
+    REQUIRE(stepper.step(x, h).ok());
+    double largest = 0.0;
+    for (int i = 1; i < 16; ++i) {
+        const double tau = i / 16.0;
+        largest = std::max(
+            largest, scenes::distance(stepper.position(tau), flow<Stepper>(start, tau * h).q));
+    }
+    return largest;
+}
+
+/// The exponent of h in the error of one step.
+template <class Stepper>
+double exponent(double h) {
+    const typename Stepper::State start{{-0.3}, {-0.5}};
+    return std::log2(error<Stepper>(start, h) / error<Stepper>(start, h / 2));
+}
+
+// ---- promises ----
+
+template <class Stepper>
+constexpr bool has_position = requires(const Stepper& stepper) {
+    stepper.position(0.5);
+};
+
+template <class Stepper>
+void check_ends(typename Stepper::State x, double h, double bound) {
+    Stepper stepper;
+    CHECK(std::isnan(stepper.position(0.5)[0]));
+    for (int i = 0; i < 50; ++i) {
+        const typename Stepper::State start = x;
+        REQUIRE(stepper.step(x, i % 7 == 6 ? -h : h).ok());
+        CHECK(scenes::distance(stepper.position(0.0), start.q) <= bound);
+        CHECK(stepper.position(1.0) == x.q);
+        CHECK(stepper.position(0.3) == stepper.position(0.3));
+    }
+    const typename Stepper::Vector middle = stepper.position(0.5);
+    REQUIRE(stepper.step(x, 0.0).ok());
+    REQUIRE_FALSE(stepper.step(x, std::numeric_limits<double>::infinity()).ok());
+    CHECK(stepper.position(0.5) == middle);
+
+    typename Stepper::State lost = x;
+    lost.p[0] = std::numeric_limits<double>::quiet_NaN();
+    REQUIRE_FALSE(stepper.step(lost, h).ok());
+    for (const double q : stepper.position(0.5)) { CHECK(std::isnan(q)); }
+    REQUIRE(stepper.step(x, h).ok());
+    CHECK_FALSE(std::isnan(stepper.position(0.5)[0]));
+    stepper.reset();
+    CHECK(std::isnan(stepper.position(0.5)[0]));
+}
+
+}  // namespace
+
+TEST_CASE("positions within a step are on the curve of the paper") {
+    compare_with_the_paper<DensePendulumGauss2>(gauss_2, {{0.7}, {0.4}}, 0.3);
+    compare_with_the_paper<DenseNonseparableGauss2>(gauss_2, {{0.7}, {0.4}}, 0.2);
+    compare_with_the_paper<DensePendulumLobatto3>(lobatto_3, {{0.7}, {0.4}}, -0.3);
+    compare_with_the_paper<DenseNonseparableLobatto3>(lobatto_3, {{0.7}, {0.4}}, 0.2);
+    compare_with_the_paper<DensePendulumTrig3>(trig3, {{0.7}, {0.4}}, 0.3);
+    compare_with_the_paper<DenseNonseparableTrig3>(trig3, {{0.7}, {0.4}}, 0.2);
+}
+
+TEST_CASE("the curve ends where the step does, and there is none without a step") {
+    check_ends<DensePendulumMidpoint>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DensePendulumGauss3>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DensePendulumGauss8>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DenseNonseparableLobatto3>({{-3.0}, {0.0}}, 0.02, 2e-15);
+    check_ends<DenseNonseparableGauss8>({{-3.0}, {0.0}}, 0.02, 2e-15);
+    check_ends<DenseKeplerLobatto4>(DenseKeplerLobatto4::initial(), 0.01, 2e-15);
+    check_ends<DensePendulumTrig3>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DenseMixed>({{-3.0}, {0.0}}, 0.02, 2e-15);
+    check_ends<DensePairsOfMassMatrix>({{0.5, -0.25}, {0.125, 1.0}}, 0.1, 2e-15);
+}
+
+TEST_CASE("the error within a step is O(h^(order+1)), and of no higher power") {
+    const auto is_near = [](int expected) { return Approx(expected).margin(0.2); };
+    CHECK(exponent<DensePendulumMidpoint>(0.05) == is_near(2));
+    CHECK(exponent<DenseNonseparableMidpoint>(0.05) == is_near(2));
+    CHECK(exponent<DensePendulumGauss2>(0.05) == is_near(3));
+    CHECK(exponent<DenseNonseparableGauss2>(0.05) == is_near(3));
+    CHECK(exponent<DensePendulumGauss3>(0.05) == is_near(4));
+    CHECK(exponent<DenseNonseparableGauss3>(0.05) == is_near(4));
+    CHECK(exponent<DensePendulumLobatto3>(0.05) == is_near(3));
+    CHECK(exponent<DenseNonseparableLobatto3>(0.05) == is_near(3));
+    CHECK(exponent<DensePendulumChebyshev3>(0.05) == is_near(3));
+    CHECK(exponent<DenseNonseparableChebyshev3>(0.05) == is_near(3));
+    CHECK(exponent<DensePendulumTrig3>(0.05) == is_near(2));
+    CHECK(exponent<DenseNonseparableTrig3>(0.05) == is_near(2));
+}
+
+TEST_CASE("eight stages give the solution within a long step to round-off") {
+    CHECK(error<DensePendulumGauss8>({{0.7}, {0.4}}, 0.2) < 1e-14);
+    CHECK(error<DenseNonseparableGauss8>({{0.7}, {0.4}}, 0.1) < 1e-14);
+}
+
+TEST_CASE("the curve is the same with and without momenta in the stages") {
+    DenseMassMatrix eliminated;
+    DensePairsOfMassMatrix pairs;
+    DenseMassMatrix::State x{{0.5, -0.25}, {0.125, 1.0}};
+    DensePairsOfMassMatrix::State y{{0.5, -0.25}, {0.125, 1.0}};
+    REQUIRE(eliminated.step(x, 0.2).ok());
+    REQUIRE(pairs.step(y, 0.2).ok());
+    for (const double tau : {0.1, 0.5, 0.8}) {
+        CHECK(scenes::distance(eliminated.position(tau), pairs.position(tau)) < 1e-13);
+    }
+}
+
+TEST_CASE("float and long double have the curve too") {
+    BasicDensePendulumGauss8<float> single;
+    BasicDensePendulumGauss8<long double> extended;
+    DensePendulumGauss8 stepper;
+    BasicDensePendulumGauss8<float>::State x{{0.75F}, {0.5F}};
+    BasicDensePendulumGauss8<long double>::State y{{0.75L}, {0.5L}};
+    DensePendulumGauss8::State z{{0.75}, {0.5}};
+    REQUIRE(single.step(x, 0.125F).ok());
+    REQUIRE(extended.step(y, 0.125L).ok());
+    REQUIRE(stepper.step(z, 0.125).ok());
+    CHECK(single.position(1.0F) == x.q);
+    CHECK(extended.position(1.0L) == y.q);
+    CHECK(std::abs(single.position(0.25F)[0] - static_cast<float>(stepper.position(0.25)[0])) <
+          2e-7F);
+    CHECK(std::abs(static_cast<double>(extended.position(0.25L)[0]) - stepper.position(0.25)[0]) <
+          1e-15);
+}
+
+TEST_CASE("without --dense there is no position") {
+    CHECK(has_position<DensePendulumGauss3>);
+    CHECK_FALSE(has_position<Pendulum>);
+    CHECK_FALSE(has_position<Nonseparable>);
+}
