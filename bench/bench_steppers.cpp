@@ -1,15 +1,9 @@
 // Generated steppers against loops written by hand and against the table-driven stepper.
 // SPDX-License-Identifier: MIT
-//
-// The program times everything in one run, takes the medians of several repetitions in random
-// order, and prints their ratios last, so that a slow or busy machine matters little.
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <cstdio>
-#include <map>
-#include <string>
 #include <vector>
 
 #include <hvi/generated/gauss_2.hpp>
@@ -19,6 +13,7 @@
 
 #include "by_hand.hpp"
 #include "problems.hpp"
+#include "report.hpp"
 
 namespace {
 
@@ -117,49 +112,12 @@ void gauss_from_table(benchmark::State& state) {
 }
 BENCHMARK(gauss_from_table);
 
-/// Prints as usual and keeps the medians.
-class Medians : public benchmark::ConsoleReporter {
-public:
-    void ReportRuns(const std::vector<Run>& runs) override {
-        ConsoleReporter::ReportRuns(runs);
-        for (const Run& run : runs) {
-            if (run.aggregate_name == "median") {
-                medians_[run.run_name.function_name] = run.GetAdjustedCPUTime();
-            }
-        }
-    }
-
-    void print_ratio(const std::string& what, const std::string& by, const char* wanted) const {
-        const auto numerator = medians_.find(what);
-        const auto denominator = medians_.find(by);
-        if (numerator == medians_.end() || denominator == medians_.end()) { return; }
-        std::printf("%-28s / %-28s = %6.2f   (%s)\n", what.c_str(), by.c_str(),
-                    numerator->second / denominator->second, wanted);
-    }
-
-private:
-    std::map<std::string, double> medians_;
-};
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::vector<std::string> words(argv, argv + argc);
-    words.insert(words.begin() + 1,
-                 {"--benchmark_repetitions=9", "--benchmark_enable_random_interleaving=true",
-                  "--benchmark_min_time=0.1", "--benchmark_report_aggregates_only=true"});
-    std::vector<char*> arguments;
-    for (std::string& word : words) { arguments.push_back(word.data()); }
-    int count = static_cast<int>(arguments.size());
-    benchmark::Initialize(&count, arguments.data());
-    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) { return 2; }
-
-    Medians medians;
-    benchmark::RunSpecifiedBenchmarks(&medians);
-    std::printf("\nRatios of median times:\n");
-    medians.print_ratio("verlet_generated", "verlet_by_hand", "at most 1.1");
-    medians.print_ratio("gauss_generated", "gauss_by_hand", "at most 1.2");
-    medians.print_ratio("gauss_from_table", "gauss_generated", "at least 4");
-    medians.print_ratio("gauss_from_table", "gauss_generated_separable", "at least 4");
-    return 0;
+    return bench::time_all(argc, argv,
+                           {{"verlet_generated", "verlet_by_hand", "at most 1.1"},
+                            {"gauss_generated", "gauss_by_hand", "at most 1.2"},
+                            {"gauss_from_table", "gauss_generated", "at least 4"},
+                            {"gauss_from_table", "gauss_generated_separable", "at least 4"}});
 }
