@@ -47,10 +47,12 @@ void write_member(Writer& writer, std::string_view doc, std::string_view name,
 }  // namespace
 
 std::string initializer(const Expression& expression) {
-    const Rounded value = on_new_ground([&](const Ground& ground) {
-        return nearest(evaluate_number(expression, nullptr, ground));
-    });
+    // NOTE: read again, so that an error points into a text that stands for the number alone.
     const std::string name = to_text(expression);
+    const auto text = std::make_shared<const Source>(Source{"number", name});
+    const Rounded value = on_new_ground([&](const Ground& ground) {
+        return nearest(evaluate_number(parse_expression(text), text, ground));
+    });
     return qualified_initializer(Constant{name, value, name});
 }
 

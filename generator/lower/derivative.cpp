@@ -70,8 +70,43 @@ private:
         const std::vector<Node>& arguments = computation.arguments;
         for (std::size_t k = 0; k < arguments.size(); ++k) {
             if (!is_active_[arguments[k]]) { continue; }
-            give(arguments[k], graph_.product(share, partial(computation, {{1, 1}, node}, k)));
+            const Scaled derivative = partial(computation, {{1, 1}, node}, k);
+            for (const Scaled& part : parts(share)) {
+                give(arguments[k], graph_.product(part, derivative));
+            }
         }
+    }
+
+    /// A share, or the terms of one that is a short polynomial: multiplied out, like terms of y^2/2
+    /// - y^3/3 come together, which y (1/2 - y/3) - y^2/3 hides.
+    [[nodiscard]] std::vector<Scaled> parts(const Scaled& share) const {
+        constexpr std::size_t most = 3;
+        const Computation& computation = graph_.at(share.node);
+        const std::vector<Scaled>& terms = computation.terms;
+        const bool is_polynomial = !terms.empty() && terms.size() <= most &&
+                                   std::all_of(terms.begin(), terms.end(), [&](const Scaled& term) {
+                                       return is_monomial(term.node);
+                                   });
+        if (!is_polynomial) { return {share}; }
+        std::vector<Scaled> result;
+        for (const Scaled& term : terms) {
+            const auto factor = share.factor * term.factor;
+            if (!factor) { return {share}; }
+            result.push_back({*factor, term.node});
+        }
+        return result;
+    }
+
+    /// A number, an input, or a product of two.
+    [[nodiscard]] bool is_monomial(Node node) const {
+        const auto is_input = [&](Node factor) {
+            return graph_.at(factor).operation == Operation::input;
+        };
+        const Computation& computation = graph_.at(node);
+        const std::vector<Node>& factors = computation.arguments;
+        return graph_.is_number({{1, 1}, node}) || is_input(node) ||
+               (computation.operation == Operation::product &&
+                std::all_of(factors.begin(), factors.end(), is_input));
     }
 
     /// By argument number k.

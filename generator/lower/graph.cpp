@@ -141,10 +141,13 @@ Scaled Graph::root(const Scaled& a, Operation operation) {
 
 Scaled Graph::half_power(const Scaled& a, long twice_exponent) {
     if (twice_exponent == 0) { return number(1); }
+    if (a.is_zero() && twice_exponent > 0) { return number(0); }
     const bool is_whole = twice_exponent % 2 == 0;
     if (twice_exponent < 0) {
-        return is_whole ? whole_power(inverse(a), -twice_exponent / 2)
-                        : whole_power(root(a, Operation::inverse_square_root), -twice_exponent);
+        if (is_whole) { return whole_power(inverse(a), -twice_exponent / 2); }
+        if (twice_exponent == -1) { return root(a, Operation::inverse_square_root); }
+        // NOTE: not a power of 1/sqrt(a), which takes one product more, and waits for the division.
+        return inverse(half_power(a, -twice_exponent));
     }
     const Scaled power = whole_power(a, twice_exponent / 2);
     return is_whole ? power : product(power, root(a, Operation::square_root));

@@ -82,7 +82,7 @@ public:
     [[nodiscard]] Scaled product(const Scaled& a, const Scaled& b);
     [[nodiscard]] Scaled times(const SmallFraction& factor, const Scaled& a);
     [[nodiscard]] Scaled inverse(const Scaled& a);
-    /// a^(twice_exponent/2), by products of a, of 1/a or of 1/sqrt(a).
+    /// a^(twice_exponent/2), by products of a, 1/a and sqrt(a).
     [[nodiscard]] Scaled half_power(const Scaled& a, long twice_exponent);
     [[nodiscard]] Scaled power(const Scaled& base, const Scaled& exponent);
     /// Precondition: a function of one argument of expr/functions.hpp other than roots.

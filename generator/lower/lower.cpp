@@ -39,7 +39,8 @@ bool is_irrational_constant(const Expression& expression) {
 
 class Lowering {
 public:
-    Lowering(Graph& graph, const Symbols& symbols) : graph_(graph), symbols_(symbols) {}
+    Lowering(Graph& graph, const Symbols& symbols, const std::shared_ptr<const Source>& source)
+        : graph_(graph), symbols_(symbols), source_(source) {}
 
     Scaled operator()(const Expression& expression) {
         if (is_irrational_constant(expression)) { return graph_.constant(expression); }
@@ -104,8 +105,15 @@ private:
         } else if (expression.kind == Kind::reciprocal) {
             collect(expression.arguments.front(), !is_below, above, below);
         } else {
-            (is_below ? below : above).push_back((*this)(expression));
+            const Scaled factor = (*this)(expression);
+            if (is_below) { refuse_zero(factor, expression); }
+            (is_below ? below : above).push_back(factor);
         }
+    }
+
+    void refuse_zero(const Scaled& divisor, const Expression& expression) const {
+        if (!divisor.is_zero()) { return; }
+        throw InputError("a division by zero", Place{source_, expression.range});
     }
 
     /// Those of equal roles first, the fewer first.
@@ -133,6 +141,7 @@ private:
         }
         const Scaled base = (*this)(written_base);
         const SmallFraction value = exponent.factor;
+        if (graph_.is_number(exponent) && value.above < 0) { refuse_zero(base, written_base); }
         const bool is_half =
             graph_.is_number(exponent) && value.below <= 2 && value.size().above <= most;
         return is_half ? graph_.half_power(base, 2 * value.above / value.below)
@@ -143,12 +152,14 @@ private:
 
     Graph& graph_;
     const Symbols& symbols_;
+    const std::shared_ptr<const Source>& source_;
 };
 
 }  // namespace
 
-Scaled lower(Graph& graph, const Expression& expression, const Symbols& symbols) {
-    return Lowering(graph, symbols)(expression);
+Scaled lower(Graph& graph, const Expression& expression, const Symbols& symbols,
+             const std::shared_ptr<const Source>& source) {
+    return Lowering(graph, symbols, source)(expression);
 }
 
 }  // namespace hvi::gen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include "generator/lower/graph.hpp"
@@ -15,8 +16,9 @@ using Symbols = std::map<std::string, Scaled>;
 /// The expression in the graph. What depends on parameters alone is multiplied and added up apart
 /// from the rest, so that it can be computed once for all steps; there is one division for all
 /// denominators in a product that depend on variables. Preconditions: every symbol but pi and e is
-/// one of `symbols`; neither roots nor bspline is called; nothing is divided by a zero that is
-/// written as a number.
-[[nodiscard]] Scaled lower(Graph& graph, const Expression& expression, const Symbols& symbols);
+/// one of `symbols`; neither roots nor bspline is called. Throws InputError, with its place in
+/// `source`, for a division by what is seen to be zero.
+[[nodiscard]] Scaled lower(Graph& graph, const Expression& expression, const Symbols& symbols,
+                           const std::shared_ptr<const Source>& source);
 
 }  // namespace hvi::gen

@@ -23,7 +23,8 @@ LoweredScene lowered(const Scene& scene) {
     const auto all = [&](const std::vector<NamedExpression>& expressions) {
         std::vector<Scaled> values;
         for (const NamedExpression& each : expressions) {
-            values.push_back(lower(result.system.graph, each.expression, result.system.symbols));
+            values.push_back(lower(result.system.graph, each.expression, result.system.symbols,
+                                   each.place.source));
         }
         return values;
     };

@@ -19,7 +19,7 @@ struct LoweredScene {
     std::vector<Scaled> invariants;  ///< in the order of the scene
 };
 
-/// Preconditions: those of lower().
+/// Throws InputError as lower() does. Preconditions: those of lower().
 [[nodiscard]] LoweredScene lowered(const Scene& scene);
 
 }  // namespace hvi::gen

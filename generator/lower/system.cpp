@@ -22,9 +22,10 @@ SystemGraph system_graph(const Hamiltonian& hamiltonian,
     if (depends_on_time(hamiltonian)) { system.time = input("t", Role::time); }
     for (const std::string& name : parameters) { input(name, Role::parameter); }
     for (const Parameter& fixed : hamiltonian.parameters) {
-        system.symbols[fixed.name] = lower(system.graph, fixed.value, {});
+        system.symbols[fixed.name] = lower(system.graph, fixed.value, {}, fixed.place.source);
     }
-    system.hamiltonian = lower(system.graph, hamiltonian.expression, system.symbols);
+    system.hamiltonian =
+        lower(system.graph, hamiltonian.expression, system.symbols, hamiltonian.source);
 
     std::vector<Node> variables = system.q;
     variables.insert(variables.end(), system.p.begin(), system.p.end());

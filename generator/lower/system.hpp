@@ -24,7 +24,7 @@ struct SystemGraph {
 };
 
 /// A parameter that has a value is replaced by it; `parameters` are the inputs among the others.
-/// Preconditions: those of lower().
+/// Throws InputError as lower() does. Preconditions: those of lower().
 [[nodiscard]] SystemGraph system_graph(const Hamiltonian& hamiltonian,
                                        const std::vector<std::string>& parameters);
 

@@ -260,6 +260,8 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "report", {"report", "kepler"}},
         {2, "scene.toml", {"stepper", "--method", "gauss:2", "scene.toml"}},
         {2, "w", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+w*q"}},
+        {2, "(q-q)", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+1/(q-q)"}},
+        {1, "log(-1)", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2+log(-1)*q"}},
         {2, "--energy", {"stepper", "--method", "gauss:2", "--energy"}},
         {2, "--invariants", {"stepper", "--method", "gauss:2", "--invariants"}},
         {2, "--dense", {"stepper", "--method", "gauss:2", "--dense"}},

@@ -29,7 +29,8 @@ struct Lowered {
     }
 
     Scaled operator()(const std::string& text) {
-        return lower(graph, parse_expression(source(text)), symbols);
+        const auto whole = source(text);
+        return lower(graph, parse_expression(whole), symbols, whole);
     }
 
 private:
@@ -157,12 +158,20 @@ TEST_CASE("second derivatives are symmetric, and derivatives of first ones") {
           Approx(static_cast<double>(slope)).epsilon(1e-5));
 }
 
-// By hand: r2 = x x + y y, r = 1/sqrt(r2), r3 = mu r r r; x r3, y r3, with mu r or r r shared.
+// By hand: r2 = x x + y y, f = mu/(r2 sqrt(r2)); x f, y f.
 TEST_CASE("the force of the Kepler problem costs what it costs by hand") {
     Lowered f({"x", "y"}, {"px", "py"}, {"mu"});
     const Scaled U = f("-mu/sqrt(x^2+y^2)");
     const Kernel forces = kernel(f.graph, gradient(f.graph, U, {f.variables[0], f.variables[1]}));
-    CHECK(text(forces.counts) == "1+ 7* 1/ 1sqrt 0f");
+    CHECK(text(forces.counts) == "1+ 5* 1/ 1sqrt 0f");
+}
+
+// By hand: x + 2 x y, y + x^2 - y^2.
+TEST_CASE("the force of Henon and Heiles is a short polynomial") {
+    Lowered f({"x", "y"}, {});
+    const Scaled U = f("(x^2+y^2)/2+x^2*y-y^3/3");
+    const Kernel forces = kernel(f.graph, gradient(f.graph, U, f.variables));
+    CHECK(text(forces.counts) == "3+ 4* 0/ 0sqrt 0f");
 }
 
 TEST_CASE("forces between bodies are computed once for each pair") {
@@ -170,8 +179,21 @@ TEST_CASE("forces between bodies are computed once for each pair") {
     const Scaled U = f("-G*(m1*m2/sqrt((x1-x2)^2+(y1-y2)^2)+m1*m3/sqrt((x1-x3)^2+(y1-y3)^2)"
                        "+m2*m3/sqrt((x2-x3)^2+(y2-y3)^2))");
     const Kernel forces = kernel(f.graph, gradient(f.graph, U, f.variables));
-    // 3 pairs: 2 differences, 1 sum; 2 squares, r r, (r r) r, times G m m, 2 products; 6 sums of 2.
-    CHECK(text(forces.counts) == "15+ 21* 3/ 3sqrt 0f");
+    // 3 pairs: 2 differences, 1 sum; 2 squares, f = G m m/(r2 sqrt(r2)), 2 products; 6 sums of 2.
+    CHECK(text(forces.counts) == "15+ 15* 3/ 3sqrt 0f");
+}
+
+TEST_CASE("a division by what is seen to be zero, with its place") {
+    for (const auto& [text, marked] :
+         {std::pair{"p^2+1/(q-q)", "p^2+1/[(q-q)]"}, std::pair{"q/(2-2)", "q/[(2-2)]"},
+          std::pair{"1+(q-q)^(-2)", "1+[(q-q)]^(-2)"},
+          std::pair{"sqrt(m*0)^(-1)", "[sqrt(m*0)]^(-1)"}}) {
+        Lowered f({"q"}, {"p"}, {"m"});
+        const Refusal error = refusal([&] { return f(text); });
+        CHECK(error.status == 2);
+        CHECK(error.says("a division by zero"));
+        CHECK(error.marked == marked);
+    }
 }
 
 TEST_CASE("a quotient is one division, and a shared one is a product with the inverse") {

@@ -280,10 +280,14 @@ template <class Vector>
     constexpr std::size_t words = (bytes + 7) / 8;
     std::uint64_t difference = 0;
     for (IndexOf<Vector> k = 0; k < a.size(); ++k) {
+        // NOTE: of copies, since g++ keeps what is copied here in registers of integers, and the
+        // next step would wait for it to come back.
+        const Scalar x = a[k];
+        const Scalar y = b[k];
         std::uint64_t left[words] = {};
         std::uint64_t right[words] = {};
-        std::memcpy(left, &a[k], bytes);
-        std::memcpy(right, &b[k], bytes);
+        std::memcpy(left, &x, bytes);
+        std::memcpy(right, &y, bytes);
         for (std::size_t i = 0; i < words; ++i) { difference |= left[i] ^ right[i]; }
     }
     return difference == 0;
@@ -291,9 +295,11 @@ template <class Vector>
 
 template <class Vector>
 [[nodiscard]] bool finite(const Vector& v) {
-    bool all = true;
-    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { all &= is_finite(v[k]); }
-    return all;
+    // NOTE: x - x is 0, or no number where x is infinite or none. One test of the sum is cheaper
+    // than one of each component.
+    ScalarOf<Vector> sum = 0;
+    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { sum += v[k] - v[k]; }
+    return sum == 0;
 }
 
 }  // namespace hvi::detail
