@@ -189,7 +189,8 @@ TEST_CASE("a division by what is seen to be zero, with its place") {
           std::pair{"1+(q-q)^(-2)", "1+[(q-q)]^(-2)"},
           std::pair{"sqrt(m*0)^(-1)", "[sqrt(m*0)]^(-1)"}}) {
         Lowered f({"q"}, {"p"}, {"m"});
-        const Refusal error = refusal([&] { return f(text); });
+        const std::string given = text;
+        const Refusal error = refusal([&] { return f(given); });
         CHECK(error.status == 2);
         CHECK(error.says("a division by zero"));
         CHECK(error.marked == marked);
