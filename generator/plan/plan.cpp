@@ -399,7 +399,8 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_blocks(scheme);
     set_kept(scheme);
     set_from_parameter(scheme, tableau);
-    if (options.is_tabulated && !scheme.from_parameter) {
+    // NOTE: kicks and drifts are shears as well, and need the standard library alone.
+    if (options.is_tabulated && !scheme.is_explicit() && !scheme.from_parameter) {
         tabulate(scheme);
         return scheme;
     }
