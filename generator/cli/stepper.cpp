@@ -62,7 +62,7 @@ void refuse_time_with_newton(const Scene& scene) {
                      Place{H.source, {0, H.source->text.size()}});
 }
 
-/// Whether a step is a matrix times a vector: unless a solver is asked for, or what only one has.
+/// Whether a step is one linear map: unless a solver is asked for, or what only one has.
 bool is_tabulated(const LoweredScene& lowered, const StepperOptions& options) {
     return options.solver == StepperOptions::Solver::automatic && !options.dense &&
            lowered.structure.is_quadratic && lowered.system.degrees_of_freedom() == 1 &&

@@ -202,9 +202,10 @@ void set_kept(Scheme& scheme) {
 void tabulate(Scheme& scheme) {
     scheme.is_tabulated = true;
     scheme.decisions = {
-        {"no solver", "H is quadratic: a step is a matrix times a vector, computed when h changes"},
-        {"no compensated summation", "rounding is that of one product a step; --solver fixed-point "
-                                     "iterates with compensation"}};
+        {"no solver",
+         "H is quadratic: a step is a product of three shears, computed when h changes"},
+        {"no compensated summation",
+         "the shears are symplectic however they round; --solver fixed-point iterates with it"}};
 }
 
 /// The time is a coordinate with velocity 1, so that (4.18c) gives T_i = t + h sum_j a_ij.

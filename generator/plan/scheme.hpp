@@ -100,7 +100,7 @@ struct Scheme {
     std::vector<Block> blocks;  ///< each needs only what stands before it
     /// Where the momenta are eliminated: the blocks then have no P and no Lq.
     std::optional<VelocityForm> velocity_form;
-    bool is_tabulated = false;    ///< a step is a matrix times a vector, and nothing is solved
+    bool is_tabulated = false;    ///< a step is one linear map, and nothing is solved
     bool keeps_force = false;     ///< the last force of a step is the first of the next
     bool keeps_velocity = false;  ///< the same of dH/dp
     /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.

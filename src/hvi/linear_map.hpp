@@ -1,4 +1,4 @@
-// The step of a quadratic Hamiltonian of one degree of freedom as a matrix.
+// The step of a quadratic Hamiltonian of one degree of freedom as one linear map.
 // SPDX-License-Identifier: MIT
 //
 // NOTE: needs the standard library alone; see state.hpp.

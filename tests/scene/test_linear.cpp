@@ -1,4 +1,4 @@
-// Quadratic Hamiltonians of one degree of freedom: a step is a matrix times a vector.
+// Quadratic Hamiltonians of one degree of freedom: a step is one linear map.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 #include <scene/iterated_shifted.hpp>

@@ -16,28 +16,14 @@
 #include <scene/verlet_kepler.hpp>
 
 #include "scenes.hpp"
+#include "tests/run/printed_tableaux.hpp"
 
 using namespace hvi::generated;
+using namespace printed;
 
 double end_in_second_unit();
 
 namespace {
-
-const double pi = std::acos(-1.0);
-
-const hvi::Coefficients<double> gauss{
-    {0.5, 0.5},
-    {{0.25, 0.25 - std::sqrt(3.0) / 6}, {0.25 + std::sqrt(3.0) / 6, 0.25}},
-    {{0.25, 0.25 - std::sqrt(3.0) / 6}, {0.25 + std::sqrt(3.0) / 6, 0.25}}};
-const hvi::Coefficients<double> lobatto{
-    {1.0 / 6, 2.0 / 3, 1.0 / 6},
-    {{0, 0, 0}, {5.0 / 24, 1.0 / 3, -1.0 / 24}, {1.0 / 6, 2.0 / 3, 1.0 / 6}},
-    {{1.0 / 6, -1.0 / 6, 0}, {1.0 / 6, 1.0 / 3, 0}, {1.0 / 6, 5.0 / 6, 0}}};
-const double outer = (pi - 2) / (2 * pi);
-const hvi::Coefficients<double> trig{
-    {outer, 2 / pi, outer},
-    {{0, 0, 0}, {0.25, 1 / pi, (pi - 4) / (4 * pi)}, {outer, 2 / pi, outer}},
-    {{outer, (pi - 4) / (pi * pi - 2 * pi), 0}, {outer, 1 / pi, 0}, {outer, 1 / (pi - 2), 0}}};
 
 /// The formulas as the paper prints them, with the scene's own H.
 template <class Stepper>

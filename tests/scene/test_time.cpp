@@ -9,29 +9,15 @@
 #include <scene/shaken_trig3.hpp>
 
 #include "scenes.hpp"
+#include "tests/run/printed_tableaux.hpp"
 
 using namespace hvi::generated;
+using namespace printed;
 
 namespace {
 
 using Table = hvi::GenericStepper<double>::Vector;
 using Oracle = hvi::GenericStepper<double>;
-
-const double pi = std::acos(-1.0);
-const double outer = (pi - 2) / (2 * pi);
-const double root = std::sqrt(3.0) / 6;
-const hvi::Coefficients<double> gauss{{0.5, 0.5},
-                                      {{0.25, 0.25 - root}, {0.25 + root, 0.25}},
-                                      {{0.25, 0.25 - root}, {0.25 + root, 0.25}}};
-const hvi::Coefficients<double> lobatto{
-    {1.0 / 6, 2.0 / 3, 1.0 / 6},
-    {{0, 0, 0}, {5.0 / 24, 1.0 / 3, -1.0 / 24}, {1.0 / 6, 2.0 / 3, 1.0 / 6}},
-    {{1.0 / 6, -1.0 / 6, 0}, {1.0 / 6, 1.0 / 3, 0}, {1.0 / 6, 5.0 / 6, 0}}};
-const hvi::Coefficients<double> verlet{{0.5, 0.5}, {{0, 0}, {0.5, 0.5}}, {{0.5, 0}, {0.5, 0}}};
-const hvi::Coefficients<double> trig{
-    {outer, 2 / pi, outer},
-    {{0, 0, 0}, {0.25, 1 / pi, (pi - 4) / (4 * pi)}, {outer, 2 / pi, outer}},
-    {{outer, (pi - 4) / (pi * pi - 2 * pi), 0}, {outer, 1 / pi, 0}, {outer, 1 / (pi - 2), 0}}};
 
 // The autonomous systems of twice the dimension: s is a coordinate, H + e their Hamiltonian.
 
