@@ -106,7 +106,7 @@ void describe(CLI::App& app) {
     add_method(stepper);
     add_system(stepper);
     add_flag(stepper, "--separable", "For a class of your own with H = T(p) + U(q)");
-    add_value(stepper, "--solver", "SOLVER", "Of stage equations: auto, fixed-point or newton");
+    add_value(stepper, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
     add_flag(stepper, "--energy", "The class has a member energy(x)");
     add_flag(stepper, "--invariants", "And one for each invariant of the scene");
     add_flag(stepper, "--dense", "And one for positions within the last step");
@@ -342,8 +342,10 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     else
         options.method = method_options(words, line);
     options.separable = words.flag("--separable");
-    options.solver = static_cast<StepperOptions::Solver>(
-        words.choice("--solver", {"auto", "fixed-point", "newton"}));
+    constexpr std::array solvers{Solver::automatic, Solver::fixed_point, Solver::newton,
+                                 Solver::newton_taylor};
+    options.solver =
+        solvers.at(words.choice("--solver", {"auto", "fixed-point", "newton", "newton-taylor"}));
     options.energy = words.flag("--energy");
     options.invariants = words.flag("--invariants");
     options.dense = words.flag("--dense");

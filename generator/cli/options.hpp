@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
+#include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
 
@@ -50,17 +51,15 @@ struct SystemOptions {
 };
 
 struct StepperOptions {
-    enum class Solver { automatic, fixed_point, newton };
-
     MethodOptions method;                 ///< empty where the scene is to name it
     std::optional<SystemOptions> system;  ///< else that of a class of the user
     bool separable = false;               ///< for H = T(p) + U(q) of such a class
-    Solver solver = Solver::automatic;
-    bool energy = false;              ///< as a member; of a system
-    bool invariants = false;          ///< the same
-    bool dense = false;               ///< the curve of a step, the same
-    std::optional<std::string> name;  ///< of the class
-    bool explain = false;             ///< say on standard error what is solved and what left out
+    Solver solver = Solver::automatic;    ///< of a system
+    bool energy = false;                  ///< as a member; of a system
+    bool invariants = false;              ///< the same
+    bool dense = false;                   ///< the curve of a step, the same
+    std::optional<std::string> name;      ///< of the class
+    bool explain = false;  ///< say on standard error what is solved and what left out
     std::optional<std::filesystem::path> output;
 };
 

@@ -44,10 +44,10 @@ void write_method(const StepperOptions& options) {
 // ---- for a scene ----
 
 std::string command(const Tableau& tableau, const Scene& scene, const StepperOptions& options) {
-    using Solver = StepperOptions::Solver;
     std::string text = "hvi-gen stepper " + tableau.origin + " " + scene.hamiltonian.origin;
     if (options.solver == Solver::fixed_point) text += " --solver fixed-point";
     if (options.solver == Solver::newton) text += " --solver newton";
+    if (options.solver == Solver::newton_taylor) text += " --solver newton-taylor";
     if (options.energy) text += " --energy";
     if (options.invariants) text += " --invariants";
     if (options.dense) text += " --dense";
@@ -55,16 +55,25 @@ std::string command(const Tableau& tableau, const Scene& scene, const StepperOpt
     return text;
 }
 
-void refuse_time_with_newton(const Scene& scene) {
-    const Hamiltonian& H = scene.hamiltonian;
-    if (!depends_on_time(H)) return;
-    throw InputError("Newton's method for an H that depends on the time is not built yet",
-                     Place{H.source, {0, H.source->text.size()}});
+/// What is wished for and not built.
+void check_solver(const Scheme& scheme, const Scene& scene) {
+    if (scheme.is_explicit() || scheme.velocity_form) return;
+    const Source& H = *scene.hamiltonian.source;
+    const Place place{scene.hamiltonian.source, {0, H.text.size()}};
+    if (scheme.solver == Solver::newton && scheme.depends_on_time)
+        throw InputError(
+            "Newton's method for an H that depends on the time is built only where T is quadratic "
+            "and U depends on q and t",
+            place);
+    if (scheme.solver == Solver::newton_taylor)
+        throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
+                         "quadratic T",
+                         place, "--solver newton takes any H");
 }
 
 /// Whether a step is one linear map: unless a solver is asked for, or what only one has.
 bool is_tabulated(const LoweredScene& lowered, const StepperOptions& options) {
-    return options.solver == StepperOptions::Solver::automatic && !options.dense &&
+    return options.solver == Solver::automatic && !options.dense &&
            lowered.structure.is_quadratic && lowered.system.degrees_of_freedom() == 1 &&
            !lowered.system.time;
 }
@@ -104,9 +113,7 @@ void refuse_curve_without_equations(const Method& method) {
 
 void write_scene(const StepperOptions& options) {
     const auto [method, scene] = read_scene(options.method, *options.system);
-    SceneWishes wishes{options.energy, options.invariants, false, {}};
-    const bool newton = options.solver == StepperOptions::Solver::newton;
-    if (newton) refuse_time_with_newton(scene);
+    SceneWishes wishes{options.energy, options.invariants, {}};
     check_members(scene, wishes);
     check_start(scene);
 
@@ -116,8 +123,9 @@ void write_scene(const StepperOptions& options) {
         plan(tableau, {.separable = lowered.structure.is_separable,
                        .depends_on_time = lowered.system.time.has_value(),
                        .is_tabulated = is_tabulated(lowered, options),
-                       .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic && !newton});
-    wishes.hessian = newton && !scheme.is_explicit();
+                       .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic,
+                       .solver = options.solver});
+    check_solver(scheme, scene);
     wishes.curve = curve;
     if (options.dense && scheme.is_explicit()) refuse_curve_without_equations(method);
     const std::string name =

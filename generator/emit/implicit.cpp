@@ -21,6 +21,18 @@ std::string includes(std::vector<std::string> names) {
     return writer.str();
 }
 
+std::vector<std::string> solver_headers(const Scheme& scheme) {
+    const std::string newton = scheme.velocity_form ? "newton_positions.hpp" : "newton_pairs.hpp";
+    switch (scheme.solver) {
+    case Solver::of_user:
+    case Solver::fixed_point: break;
+    case Solver::newton: return {newton};
+    case Solver::newton_taylor: return {"newton_taylor.hpp"};
+    case Solver::automatic: return {"automatic.hpp", newton};
+    }
+    return {"fixed_point.hpp"};
+}
+
 }  // namespace
 
 std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
@@ -34,7 +46,8 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
         parts.format = 4;
         parts.runtime.push_back("curve.hpp");
     }
-    parts.runtime.push_back(options.wishes.hessian ? "newton.hpp" : "fixed_point.hpp");
+    if (scheme.solver == Solver::automatic || scheme.takes_newton()) { parts.format = 5; }
+    for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                     {"format", std::to_string(parts.format)},
                                     {"name", system.class_name},

@@ -52,6 +52,9 @@ constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix&
 [[nodiscard]] std::string curve_text(const Scheme& scheme, const Curve& curve,
                                      std::string_view chord, std::string_view slope);
 
+/// `struct Modes` of the equations of Newton's method.
+[[nodiscard]] std::string modes_text(const Scheme& scheme);
+
 /// "The stage equations of Q_1, P_1, which are solved at once."
 [[nodiscard]] std::string unknowns(const Block& block);
 

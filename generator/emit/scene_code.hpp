@@ -18,7 +18,6 @@ namespace hvi::gen {
 struct SceneWishes {
     bool energy = false;
     bool invariants = false;
-    bool hessian = false;        ///< for a solver that takes it
     std::optional<Curve> curve;  ///< of the last step, as a member
 };
 

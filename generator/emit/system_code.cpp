@@ -81,6 +81,7 @@ struct Function {
     bool has_q = true, has_p = true;  ///< among its arguments
     std::string_view out;             ///< its last argument, if any
     bool has_time = false;            ///< among its arguments, before that
+    bool is_mirrored = false;         ///< out is a matrix of which the lower half is computed
 };
 
 std::vector<std::string> components(std::string_view letter, std::size_t count) {
@@ -89,16 +90,18 @@ std::vector<std::string> components(std::string_view letter, std::size_t count) 
     return names;
 }
 
-/// The entries that are not zero.
-Function hessian(const Graph& graph, std::string_view name, const HessianBlock& block) {
+/// The entries that are not zero; those of a symmetric block are computed once.
+Function hessian(const Graph& graph, std::string_view name, const HessianBlock& block,
+                 bool is_symmetric) {
     Function function;
     function.name = name;
     function.out = "Matrix& out";
     Results results;
     for (std::size_t i = 0; i < block.size(); ++i) {
-        for (std::size_t j = 0; j < block.size(); ++j) {
+        for (std::size_t j = 0; j < (is_symmetric ? i + 1 : block.size()); ++j) {
             if (block[i][j].is_zero()) { continue; }
             function.targets.push_back(fmt::format("out({}, {})", i, j));
+            function.is_mirrored = function.is_mirrored || (is_symmetric && i != j);
             results.push_back(block[i][j]);
         }
     }
@@ -106,9 +109,23 @@ Function hessian(const Graph& graph, std::string_view name, const HessianBlock& 
     return function;
 }
 
+/// Adds what Newton's method evaluates.
+void second_derivatives(std::vector<Function>& functions, const LoweredScene& lowered,
+                        const Scheme& scheme) {
+    const Graph& graph = lowered.system.graph;
+    const Structure& second = lowered.structure;
+    Function qq = hessian(graph, "d2Hdq2", second.qq, true);
+    qq.has_p = !scheme.separable;
+    qq.has_time = scheme.depends_on_time;
+    functions.push_back(std::move(qq));
+    if (scheme.velocity_form) { return; }
+    if (!scheme.separable) { functions.push_back(hessian(graph, "d2Hdqdp", second.qp, false)); }
+    functions.push_back(hessian(graph, "d2Hdp2", second.pp, true));
+    functions.back().has_q = !scheme.separable;
+}
+
 /// What steps evaluate.
-std::vector<Function> slopes(const LoweredScene& lowered, const SceneWishes& wishes,
-                             const Scheme& scheme) {
+std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) {
     const SystemGraph& system = lowered.system;
     const bool separable = scheme.separable;
     const std::vector<std::string> out = components("out", system.degrees_of_freedom());
@@ -123,13 +140,7 @@ std::vector<Function> slopes(const LoweredScene& lowered, const SceneWishes& wis
     if (scheme.velocity_form) {
         result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
     }
-    if (wishes.hessian) {
-        const Structure& second = lowered.structure;
-        result.push_back(hessian(system.graph, "d2Hdq2", second.qq));
-        if (!separable) { result.push_back(hessian(system.graph, "d2Hdqdp", second.qp)); }
-        result.push_back(hessian(system.graph, "d2Hdp2", second.pp));
-        if (separable) { result[2].has_p = result[3].has_q = false; }
-    }
+    if (scheme.takes_newton()) { second_derivatives(result, lowered, scheme); }
     return result;
 }
 
@@ -146,8 +157,8 @@ std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& 
     const auto value = [&](std::string_view name, const Scaled& result) {
         return Function{name, {}, kernel(lowered.system.graph, {result}), true, true, ""};
     };
-    std::vector<Function> result = scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)}
-                                                       : slopes(lowered, wishes, scheme);
+    std::vector<Function> result =
+        scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)} : slopes(lowered, scheme);
     if (wishes.energy) {
         result.push_back(value("energy", lowered.system.hamiltonian));
         result.back().has_time = scheme.depends_on_time;
@@ -168,6 +179,11 @@ bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
 /// `const Vector& q`, marked where the function does not look at it.
 std::string argument(bool is_used, std::string_view type_and_name) {
     return fmt::format("{}{}", is_used ? "" : "[[maybe_unused]] ", type_and_name);
+}
+
+void mirror(Writer& writer, std::size_t n) {
+    writer.open("for (std::size_t i = 1; i < {}; ++i) {{", n);
+    writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
 }
 
 void write(Writer& writer, const LoweredScene& lowered, const NodeNames& names,
@@ -201,6 +217,7 @@ void write(Writer& writer, const LoweredScene& lowered, const NodeNames& names,
     for (std::size_t k = 0; k < function.targets.size(); ++k) {
         writer.line("{} = {};", function.targets[k], results[k]);
     }
+    if (function.is_mirrored) { mirror(writer, system.degrees_of_freedom()); }
     writer.close();
 }
 

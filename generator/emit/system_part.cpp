@@ -79,6 +79,20 @@ std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options
     return writer.str();
 }
 
+std::string solver_type(const Scheme& scheme) {
+    const std::string newton =
+        scheme.velocity_form ? "hvi::NewtonOfPositions" : "hvi::NewtonOfPairs";
+    switch (scheme.solver) {
+    case Solver::of_user: break;
+    case Solver::fixed_point: return "hvi::FixedPoint";
+    case Solver::newton: return newton;
+    case Solver::newton_taylor: return "hvi::NewtonTaylor";
+    case Solver::automatic: return fmt::format("hvi::Automatic<{}>", newton);
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
 std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
     const std::size_t n = options.scene->system.degrees_of_freedom();
     Writer writer(1);
@@ -87,8 +101,7 @@ std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
     writer.blank().insert(parameters_text(*options.scene));
     writer.blank().insert(system_text(*options.scene, options.wishes, scheme));
     if (!scheme.is_explicit() && !scheme.is_tabulated) {
-        writer.blank().line("using Solver = {};",
-                            options.wishes.hessian ? "hvi::Newton" : "hvi::FixedPoint");
+        writer.blank().line("using Solver = {};", solver_type(scheme));
     }
     return writer.blank().str();
 }

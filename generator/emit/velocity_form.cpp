@@ -65,12 +65,18 @@ std::string positions_text(const VelocityForm& form, const std::vector<std::size
     return writer.str();
 }
 
+/// W_i from Lp_i.
+void write_velocity(Writer& writer, std::string_view i, std::string_view s,
+                    std::string_view system) {
+    writer.line("{1}.inverse_mass({0}.Lp[{2}], {0}.W[{2}]);", s, system, i);
+    loop(writer, s, [&] { writer.line("{0}.W[{1}][k] *= {0}.h;", s, i); });
+}
+
 /// Lp_i and W_i from `slope`, which is dH/dq there.
 void write_force(Writer& writer, std::size_t i, std::string_view s, std::string_view system,
                  std::string_view slope) {
     loop(writer, s, [&] { writer.line("{0}.Lp[{1}][k] = -{0}.hb[{1}] * {2}[k];", s, i, slope); });
-    writer.line("{1}.inverse_mass({0}.Lp[{2}], {0}.W[{2}]);", s, system, i);
-    loop(writer, s, [&] { writer.line("{0}.W[{1}][k] *= {0}.h;", s, i); });
+    write_velocity(writer, std::to_string(i), s, system);
 }
 
 std::string forces_text(const Scheme& scheme, const std::vector<std::size_t>& Lp) {
@@ -80,6 +86,30 @@ std::string forces_text(const Scheme& scheme, const std::vector<std::size_t>& Lp
         writer.line("system.dHdq(s.Q[{}], {}slope);", i, stage_time(scheme, i, "s"));
         write_force(writer, i, "s", "system", "slope");
     }
+    return writer.str();
+}
+
+/// See hvi::detail::PositionEquations.
+std::string newton_text(const Scheme& scheme, const std::vector<std::size_t>& unknown) {
+    Writer writer(2);
+    writer.line("static constexpr std::array<std::size_t, {}> unknown{{{}}};", unknown.size(),
+                fmt::join(unknown, ", "));
+    writer.line("static constexpr Scalar coefficient(std::size_t i, std::size_t j) {{ return "
+                "n[i][j]; }}");
+    writer.insert(modes_text(scheme)).blank();
+    writer.comment("W_j = h K Lp_j.", "/// ").open("void drifts() {{");
+    writer.open("for (const std::size_t j : unknown) {{");
+    write_velocity(writer, "j", "s", "system");
+    writer.close().close().blank();
+    const std::string_view start = scheme.depends_on_time ? "clock.start, " : "";
+    writer.line("void force_at_start(Vector& out) const {{ system.dHdq(s.at.q, {}out); }}", start);
+    writer.line("template <class Matrix>");
+    writer.line("void hessian_at_start(Matrix& out) const {{ system.d2Hdq2(s.at.q, {}out); }}",
+                start);
+    writer.line("template <class Matrix>");
+    writer.line(
+        "void hessian(std::size_t i, Matrix& out) const {{ system.d2Hdq2(s.Q[i], {}out); }}",
+        scheme.depends_on_time ? "clock.t[i], " : "");
     return writer.str();
 }
 
@@ -100,7 +130,8 @@ std::string coupled_text(const Scheme& scheme) {
                scheme.depends_on_time ? fmt::format("const {}& clock;", clock_type(scheme)) : ""},
               {"positions", positions_text(*scheme.velocity_form, Q)},
               {"forces", forces_text(scheme, block.of(Kind::Lp))},
-              {"size", Writer(2).line("return {};", size).str()}});
+              {"size", Writer(2).line("return {};", size).str()},
+              {"newton", scheme.takes_newton() ? newton_text(scheme, Q) : ""}});
     text.pop_back();
     return text;
 }
@@ -166,7 +197,7 @@ std::string steps_text(const Scheme& scheme) {
             .line("system_.dHdq(s_.at.q, {}force_);", start_time(scheme))
             .close();
     }
-    writer.line("predict();").blank();
+    writer.line("if constexpr (Solver::takes_starting_values) {{ predict(); }}").blank();
     bool q_is_done = false;
     for (const Block& block : scheme.blocks) {
         const StageNode& node = block.nodes.front();

@@ -64,6 +64,10 @@ private:
     void hand_down(Node node, const Scaled& share) {
         // NOTE: a copy, since the graph grows.
         const Computation computation = graph_.at(node);
+        if (const auto power = graph_.half_power_at(node)) {
+            give(power->base.node, graph_.product(share, of_half_power(*power)));
+            return;
+        }
         for (const Scaled& term : computation.terms) {
             give(term.node, graph_.times(term.factor, share));
         }
@@ -78,15 +82,18 @@ private:
     }
 
     /// A share, or the terms of one that is a short polynomial: multiplied out, like terms of y^2/2
-    /// - y^3/3 come together, which y (1/2 - y/3) - y^2/3 hides.
+    /// - y^3/3 come together, which y (1/2 - y/3) - y^2/3 hides. NOTE: not a sum of inputs alone: x
+    /// - y is the distance of two bodies, and c x - c y would lose its digits.
     [[nodiscard]] std::vector<Scaled> parts(const Scaled& share) const {
         constexpr std::size_t most = 3;
         const Computation& computation = graph_.at(share.node);
         const std::vector<Scaled>& terms = computation.terms;
-        const bool is_polynomial = !terms.empty() && terms.size() <= most &&
-                                   std::all_of(terms.begin(), terms.end(), [&](const Scaled& term) {
-                                       return is_monomial(term.node);
-                                   });
+        const bool is_polynomial =
+            !terms.empty() && terms.size() <= most &&
+            !std::all_of(terms.begin(), terms.end(),
+                         [&](const Scaled& term) { return is_input(term.node); }) &&
+            std::all_of(terms.begin(), terms.end(),
+                        [&](const Scaled& term) { return is_monomial(term.node); });
         if (!is_polynomial) { return {share}; }
         std::vector<Scaled> result;
         for (const Scaled& term : terms) {
@@ -99,14 +106,16 @@ private:
 
     /// A number, an input, or a product of two.
     [[nodiscard]] bool is_monomial(Node node) const {
-        const auto is_input = [&](Node factor) {
-            return graph_.at(factor).operation == Operation::input;
-        };
         const Computation& computation = graph_.at(node);
         const std::vector<Node>& factors = computation.arguments;
         return graph_.is_number({{1, 1}, node}) || is_input(node) ||
                (computation.operation == Operation::product &&
-                std::all_of(factors.begin(), factors.end(), is_input));
+                std::all_of(factors.begin(), factors.end(),
+                            [&](Node factor) { return is_input(factor); }));
+    }
+
+    [[nodiscard]] bool is_input(Node node) const {
+        return graph_.at(node).operation == Operation::input;
     }
 
     /// By argument number k.
@@ -122,6 +131,14 @@ private:
         case Operation::power: return k == 0 ? of_base(a, b) : of_exponent(a, value);
         default: return derivative(graph_, computation.name, a, value);
         }
+    }
+
+    /// By the node of the base. NOTE: the rule of products would give two terms, of which the graph
+    /// does not see that they are one.
+    [[nodiscard]] Scaled of_half_power(const HalfPower& power) {
+        const Scaled less = graph_.half_power(power.base, power.twice_exponent - 2);
+        return graph_.product(graph_.times({power.twice_exponent, 2}, less),
+                              {power.base.factor, graph_.number(1).node});
     }
 
     [[nodiscard]] Scaled of_base(const Scaled& base, const Scaled& exponent) {

@@ -146,11 +146,33 @@ Scaled Graph::half_power(const Scaled& a, long twice_exponent) {
     if (twice_exponent < 0) {
         if (is_whole) { return whole_power(inverse(a), -twice_exponent / 2); }
         if (twice_exponent == -1) { return root(a, Operation::inverse_square_root); }
-        // NOTE: not a power of 1/sqrt(a), which takes one product more, and waits for the division.
-        return inverse(half_power(a, -twice_exponent));
+        return remember_half_power(negative_half_power(a, twice_exponent), a, twice_exponent);
     }
     const Scaled power = whole_power(a, twice_exponent / 2);
-    return is_whole ? power : product(power, root(a, Operation::square_root));
+    if (is_whole) { return power; }
+    return remember_half_power(product(power, root(a, Operation::square_root)), a, twice_exponent);
+}
+
+Scaled Graph::negative_half_power(const Scaled& a, long twice_exponent) {
+    if (twice_exponent == -5) {
+        // The derivative of a^(-3/2), which is at hand then: no further division.
+        const Scaled cube = half_power(a, -3);
+        return product(product(cube, cube), half_power(a, 1));
+    }
+    // NOTE: not a power of 1/sqrt(a), which takes one product more, and waits for the division.
+    return inverse(half_power(a, -twice_exponent));
+}
+
+Scaled Graph::remember_half_power(const Scaled& power, const Scaled& a, long twice_exponent) {
+    if (power.factor == SmallFraction{1, 1}) {
+        half_powers_.emplace(power.node, HalfPower{a, twice_exponent});
+    }
+    return power;
+}
+
+std::optional<HalfPower> Graph::half_power_at(Node node) const {
+    const auto found = half_powers_.find(node);
+    return found == half_powers_.end() ? std::nullopt : std::optional(found->second);
 }
 
 Scaled Graph::whole_power(const Scaled& base, long exponent) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -62,6 +63,12 @@ struct Computation {
     Roles roles = 0;      ///< of the inputs that it depends on
 };
 
+/// base^(twice_exponent/2).
+struct HalfPower {
+    Scaled base;
+    long twice_exponent;
+};
+
 /// Nodes made by algebra: equal computations are one node, numbers are folded, 0, 1 and like terms
 /// vanish, x - y and y - x are one node but for their sign, and powers are products of shared
 /// squares. The same calls make the same graph.
@@ -88,6 +95,9 @@ public:
     /// Precondition: a function of one argument of expr/functions.hpp other than roots.
     [[nodiscard]] Scaled call(const std::string& function, const Scaled& argument);
 
+    /// What half_power() made this node of, for odd exponents.
+    [[nodiscard]] std::optional<HalfPower> half_power_at(Node node) const;
+
     [[nodiscard]] bool is_number(const Scaled& a) const { return a.node == one; }
 
 private:
@@ -97,11 +107,14 @@ private:
     /// The node of a scaled one, its factor multiplied in.
     [[nodiscard]] Node whole(const Scaled& a);
     [[nodiscard]] Scaled root(const Scaled& a, Operation operation);
+    [[nodiscard]] Scaled negative_half_power(const Scaled& a, long twice_exponent);
+    Scaled remember_half_power(const Scaled& power, const Scaled& a, long twice_exponent);
     [[nodiscard]] Scaled whole_power(const Scaled& base, long exponent);
 
     using Key = std::tuple<Operation, std::vector<Scaled>, std::vector<Node>, std::string>;
     std::vector<Computation> computations_;
     std::map<Key, Node> numbers_;
+    std::map<Node, HalfPower> half_powers_;
 };
 
 }  // namespace hvi::gen

@@ -12,6 +12,7 @@ struct PlanOptions {
     bool depends_on_time = false;       ///< H = H(q, p, t); if it is separable U(q, t)
     bool is_tabulated = false;          ///< H is quadratic, of one degree of freedom
     bool kinetic_is_quadratic = false;  ///< and T = p^T K p/2 with constant K
+    Solver solver = Solver::of_user;    ///< what is wished for
 };
 
 /// Throws InputError when the tableau has free parameters in places that parametric() refuses.

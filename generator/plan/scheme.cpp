@@ -13,6 +13,10 @@ std::vector<std::size_t> Block::of(StageNode::Kind kind) const {
     return indices;
 }
 
+bool Scheme::takes_newton() const {
+    return solver == Solver::newton || solver == Solver::automatic;
+}
+
 bool Scheme::is_explicit() const { return coupled_blocks() == 0; }
 
 std::size_t Scheme::coupled_blocks() const {

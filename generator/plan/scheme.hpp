@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/exact/modes.hpp"
 #include "generator/exact/number.hpp"
 #include "generator/exact/parametric.hpp"
 #include "generator/exact/tableau.hpp"
@@ -78,6 +79,15 @@ struct FromParameter {
     std::vector<std::vector<std::optional<Ratio>>> m;
 };
 
+/// Who solves the stage equations.
+enum class Solver {
+    of_user,        ///< an argument of the class
+    fixed_point,    ///< hvi::FixedPoint
+    newton,         ///< hvi::NewtonOfPositions where momenta are eliminated, else NewtonOfPairs
+    newton_taylor,  ///< hvi::NewtonTaylor
+    automatic,      ///< hvi::Automatic: fixed points while they contract, else Newton's method
+};
+
 /// A choice, and why.
 struct Decision {
     std::string what;
@@ -100,6 +110,9 @@ struct Scheme {
     std::vector<Block> blocks;  ///< each needs only what stands before it
     /// Where the momenta are eliminated: the blocks then have no P and no Lq.
     std::optional<VelocityForm> velocity_form;
+    Solver solver = Solver::of_user;
+    /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
+    std::optional<RealModes> modes;
     bool is_tabulated = false;    ///< a step is one linear map, and nothing is solved
     bool keeps_force = false;     ///< the last force of a step is the first of the next
     bool keeps_velocity = false;  ///< the same of dH/dp
@@ -110,6 +123,8 @@ struct Scheme {
 
     /// One table of coefficients serves for Q and for P.
     [[nodiscard]] bool one_tableau() const { return partner == Partner::same; }
+    /// Newton's method may be called for.
+    [[nodiscard]] bool takes_newton() const;
     /// No equations to solve: kicks and drifts in turn.
     [[nodiscard]] bool is_explicit() const;
     [[nodiscard]] std::size_t coupled_blocks() const;

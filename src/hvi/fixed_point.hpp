@@ -19,13 +19,14 @@ struct FixedPoint {
     public:
         /// Partitioned sweeps, each new value used at once: P from Lp, Lq from dHdp, Q from Lq, Lp
         /// from dHdq. For separable H one of them contracts as much as two sweeps of Jacobi's.
-        /// Precondition: Lq and Lp hold starting values; for separable H Lp does.
+        /// Precondition: Lq and Lp hold starting values; for separable H Lp does. Gives up after
+        /// `most` iterations.
         template <class Coupled>
-        [[nodiscard]] Status solve(Coupled coupled) {
+        [[nodiscard]] Status solve(Coupled coupled, int most = most_iterations) {
             if constexpr (!Coupled::separable) { coupled.positions(); }
             round_off_.begin(coupled.s.n);
             sweep(coupled);  // what it changes is measured against values of no meaning
-            for (int iteration = 2; iteration <= most_iterations; ++iteration) {
+            for (int iteration = 2; iteration <= most; ++iteration) {
                 coupled.forces();
                 sweep(coupled);
                 switch (judge(coupled)) {
@@ -41,7 +42,7 @@ struct FixedPoint {
                                   iteration);
                 }
             }
-            return Status(Status::Code::not_converged, most_iterations);
+            return Status(Status::Code::not_converged, most);
         }
 
     private:

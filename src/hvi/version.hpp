@@ -10,9 +10,9 @@ inline constexpr int version_patch = 0;
 
 /// Generated headers name the format of their calls into the runtime; these are understood. In 3
 /// there came methods with a parameter, in 4 stages without momenta, the time,
-/// steps as shears, and the curve of a step.
+/// steps as shears, and the curve of a step, in 5 the solvers of scenes.
 inline constexpr int oldest_format = 2;
-inline constexpr int newest_format = 4;
+inline constexpr int newest_format = 5;
 
 [[nodiscard]] constexpr bool supports_format(int format) {
     return oldest_format <= format && format <= newest_format;

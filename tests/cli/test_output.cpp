@@ -362,15 +362,19 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK(has(plain, "static State initial("));
     CHECK_FALSE(has(plain, "energy("));
     CHECK_FALSE(has(plain, "angular_momentum("));
-    CHECK_FALSE(has(plain, "d2Hdq2"));
+    CHECK(has(plain, "using Solver = hvi::Automatic<hvi::NewtonOfPositions>;"));
     CHECK_FALSE(has(plain, "position("));
     CHECK_FALSE(has(plain, "curve"));
     const std::string all =
         hvi_gen(with(words, {"--energy", "--invariants", "--solver", "newton"})).out;
     CHECK(has(all, "Scalar energy(const State& x) const"));
     CHECK(has(all, "Scalar angular_momentum(const State& x) const"));
-    CHECK(has(all, "d2Hdq2"));
+    CHECK(has(all, "using Solver = hvi::NewtonOfPositions;"));
     CHECK_FALSE(has(all, "position("));
+    const std::string fixed = same_every_time(with(words, {"--solver", "fixed-point"}));
+    CHECK(has(fixed, "using Solver = hvi::FixedPoint;"));
+    CHECK_FALSE(has(fixed, "d2Hdq2"));
+    CHECK_FALSE(has(fixed, "Modes"));
     const std::string dense = same_every_time(with(words, {"--dense"}));
     CHECK(has(dense, "Vector position(Scalar tau) const"));
     CHECK(has(dense, "it is O(h^3) away"));

@@ -200,3 +200,46 @@ TEST_CASE("a parameter that cancels is no argument") {
     CHECK_FALSE(scheme.from_parameter);
     CHECK(scheme.extrapolation);
 }
+
+TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~") {
+    const auto modes = [](const char* method) {
+        return plan(named(method),
+                    {.separable = true, .kinetic_is_quadratic = true, .solver = Solver::newton})
+            .modes;
+    };
+    // Gauss 2: roots of x^2 - x/12 + 1/144, as A A~ = A^2 and A has the eigenvalues of the Pade
+    // approximant (2,2) of exp, (3 +- i sqrt(3))/12.
+    const auto gauss = modes("gauss:2");
+    REQUIRE(gauss);
+    CHECK(gauss->real_ones == 0);
+    CHECK(gauss->real_parts[0] == Approx(1.0 / 24).epsilon(1e-15));
+    CHECK(gauss->imaginary_parts[0] == Approx(std::sqrt(3.0) / 24).epsilon(1e-15));
+    // Lobatto: published with 40 digits elsewhere; nodes 0 and 1 are not solved for.
+    const auto lobatto = modes("lobatto:3");
+    REQUIRE(lobatto);
+    CHECK(lobatto->real_ones == 1);
+    CHECK(lobatto->real_parts == std::vector<double>{1.0 / 24});
+    const auto lobatto_4 = modes("lobatto:4");
+    REQUIRE(lobatto_4);
+    CHECK(lobatto_4->real_parts[0] == Approx(1.0 / 60).epsilon(1e-15));
+    CHECK(lobatto_4->imaginary_parts[0] == Approx(1.0 / 60).epsilon(1e-15));
+    CHECK(modes("gauss:8")->imaginary_parts.size() == 4);
+    CHECK(modes("gauss:3")->real_ones == 1);
+}
+
+TEST_CASE("who solves the equations") {
+    const auto scheme = [](const char* method, bool quadratic, bool in_time, Solver solver) {
+        return plan(named(method), {.separable = quadratic,
+                                    .depends_on_time = in_time,
+                                    .kinetic_is_quadratic = quadratic,
+                                    .solver = solver});
+    };
+    CHECK(scheme("gauss:2", true, false, Solver::automatic).takes_newton());
+    CHECK(scheme("gauss:2", false, false, Solver::automatic).takes_newton());
+    CHECK(scheme("gauss:2", true, true, Solver::automatic).takes_newton());
+    CHECK(scheme("gauss:2", false, true, Solver::automatic).solver == Solver::fixed_point);
+    CHECK_FALSE(scheme("gauss:2", true, false, Solver::fixed_point).takes_newton());
+    CHECK_FALSE(scheme("gauss:2", true, false, Solver::fixed_point).modes);
+    CHECK_FALSE(scheme("gauss:2", false, false, Solver::newton).modes);
+    CHECK_FALSE(scheme("stormer-verlet", true, false, Solver::automatic).takes_newton());
+}

@@ -1,0 +1,229 @@
+// Newton's method for the slopes of positions and momenta.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include <hvi/arithmetic.hpp>
+#include <hvi/dense.hpp>
+#include <hvi/newton_loop.hpp>
+#include <hvi/scalar.hpp>
+#include <hvi/state.hpp>
+#include <hvi/system.hpp>
+
+namespace hvi {
+namespace detail {
+
+/// The equations of a NewtonLoop whose unknowns are the slopes Lq and Lp. `Algebra` is what it
+/// computes with: the n x n matrices Hqq, Hqp and Hpp, which clear() sets to zero and the system
+/// fills, and the Jacobian, entry by entry, with set_identity(), factorise() and solve(b).
+template <class Vector, class Algebra>
+class PairEquations {
+public:
+    /// Makes room; true where there was not enough.
+    template <class Coupled>
+    [[nodiscard]] bool fit(IndexOf<Vector> dimension) {
+        const std::size_t size = unknowns<Coupled>() * static_cast<std::size_t>(dimension);
+        if (slopes_.size() == size) { return false; }
+        n_ = static_cast<std::size_t>(dimension);
+        algebra_.resize(n_, size);
+        for (std::vector<Scalar>* v : {&slopes_, &correction_}) { v->resize(size); }
+        return true;
+    }
+
+    template <class Coupled>
+    void begin(Coupled& coupled) {
+        slopes_.assign(slopes_.size(), Scalar(0));
+        scatter(coupled);
+        coupled.momenta();
+        coupled.positions();
+    }
+
+    template <class Coupled>
+    [[nodiscard]] bool factorise_start(const Coupled& coupled) {
+        return factorise(coupled);
+    }
+
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        algebra_.set_identity();
+        std::size_t row = 0;
+        for (const std::size_t j : Coupled::unknown_q) { velocity_rows(coupled, j, row++); }
+        for (const std::size_t i : Coupled::unknown_p) { force_rows(coupled, i, row++); }
+        return algebra_.factorise();
+    }
+
+    /// Whether J was, or should have been.
+    [[nodiscard]] bool is_finite() const { return algebra_.is_finite(); }
+
+    /// L -= J^-1 (L - slopes at the stages of L).
+    ///
+    /// NOTE: the corrected slopes are what the step adds up, not gradients evaluated at the
+    /// corrected stages: those would carry the rounding of the stages times (h omega)^2.
+    template <class Coupled>
+    void correct(Coupled& coupled) {
+        coupled.velocities();
+        coupled.forces();
+        gather(coupled, correction_);
+        for (std::size_t i = 0; i < slopes_.size(); ++i) {
+            correction_[i] = slopes_[i] - correction_[i];
+        }
+        algebra_.solve(correction_.data());
+        for (std::size_t i = 0; i < slopes_.size(); ++i) { slopes_[i] -= correction_[i]; }
+        scatter(coupled);
+        coupled.momenta();
+        coupled.positions();
+        measure(coupled);
+    }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+
+    template <class Coupled>
+    static constexpr std::size_t unknowns() {
+        return Coupled::unknown_q.size() + Coupled::unknown_p.size();
+    }
+
+    template <class Coupled>
+    void measure(Coupled& coupled) {
+        auto& change = coupled.s.change;
+        for (std::size_t k = 0; k < n_; ++k) {
+            at(change.q, k) = 0;
+            at(change.p, k) = 0;
+            for (std::size_t i = 0; i < unknowns<Coupled>(); ++i) {
+                Vector& changes = i < Coupled::unknown_q.size() ? change.q : change.p;
+                at(changes, k) += abs(correction_[i * n_ + k]);
+            }
+        }
+    }
+
+    /// Derivatives of Lq_j - h b_j dH/dp(Q_j, P_j).
+    template <class Coupled>
+    void velocity_rows(const Coupled& coupled, std::size_t j, std::size_t row) {
+        const auto& s = coupled.s;
+        algebra_.clear();
+        if constexpr (Coupled::separable) {
+            coupled.system.d2Hdp2(s.P[j], algebra_.Hpp);
+        } else {
+            coupled.system.d2Hdp2(s.Q[j], s.P[j], algebra_.Hpp);
+            coupled.system.d2Hdqdp(s.Q[j], s.P[j], algebra_.Hqp);
+        }
+        const Scalar hb = s.h * coupled.weight_q(j);
+        std::size_t column = 0;
+        for (const std::size_t i : Coupled::unknown_q) {
+            if constexpr (!Coupled::separable) {
+                const Scalar factor = -hb * coupled.coefficient_q(j, i);
+                add(row, column, [&](std::size_t k, std::size_t l) {
+                    return factor * entry(algebra_.Hqp, l, k);
+                });
+            }
+            static_cast<void>(i);
+            ++column;
+        }
+        for (const std::size_t i : Coupled::unknown_p) {
+            const Scalar factor = -hb * coupled.coefficient_p(j, i);
+            add(row, column++,
+                [&](std::size_t k, std::size_t l) { return factor * entry(algebra_.Hpp, k, l); });
+        }
+    }
+
+    /// Derivatives of Lp_i + h b_i dH/dq(Q_i, P_i).
+    template <class Coupled>
+    void force_rows(const Coupled& coupled, std::size_t i, std::size_t row) {
+        const auto& s = coupled.s;
+        algebra_.clear();
+        if constexpr (Coupled::separable) {
+            coupled.system.d2Hdq2(s.Q[i], algebra_.Hqq);
+        } else {
+            coupled.system.d2Hdq2(s.Q[i], s.P[i], algebra_.Hqq);
+            coupled.system.d2Hdqdp(s.Q[i], s.P[i], algebra_.Hqp);
+        }
+        const Scalar hb = s.h * coupled.weight_p(i);
+        std::size_t column = 0;
+        for (const std::size_t j : Coupled::unknown_q) {
+            const Scalar factor = hb * coupled.coefficient_q(i, j);
+            add(row, column++,
+                [&](std::size_t k, std::size_t l) { return factor * entry(algebra_.Hqq, k, l); });
+        }
+        for (const std::size_t j : Coupled::unknown_p) {
+            if constexpr (!Coupled::separable) {
+                const Scalar factor = hb * coupled.coefficient_p(i, j);
+                add(row, column, [&](std::size_t k, std::size_t l) {
+                    return factor * entry(algebra_.Hqp, k, l);
+                });
+            }
+            static_cast<void>(j);
+            ++column;
+        }
+    }
+
+    /// Adds entry(k, l) to a block of J.
+    template <class Entry>
+    void add(std::size_t row, std::size_t column, Entry entry_of) {
+        for (std::size_t k = 0; k < n_; ++k) {
+            for (std::size_t l = 0; l < n_; ++l) {
+                algebra_.jacobian(row * n_ + k, column * n_ + l) += entry_of(k, l);
+            }
+        }
+    }
+
+    template <class Matrix>
+    [[nodiscard]] static Scalar entry(const Matrix& matrix, std::size_t k, std::size_t l) {
+        using Index = typename Algebra::Index;
+        return matrix(static_cast<Index>(k), static_cast<Index>(l));
+    }
+
+    template <class Coupled>
+    void gather(const Coupled& coupled, std::vector<Scalar>& slopes) const {
+        std::size_t offset = 0;
+        const auto take = [&](const Vector& slope) {
+            for (std::size_t k = 0; k < n_; ++k) { slopes[offset++] = at(slope, k); }
+        };
+        for (const std::size_t j : Coupled::unknown_q) { take(coupled.s.Lq[j]); }
+        for (const std::size_t i : Coupled::unknown_p) { take(coupled.s.Lp[i]); }
+    }
+
+    template <class Coupled>
+    void scatter(Coupled& coupled) const {
+        std::size_t offset = 0;
+        const auto put = [&](Vector& slope) {
+            for (std::size_t k = 0; k < n_; ++k) { at(slope, k) = slopes_[offset++]; }
+        };
+        for (const std::size_t j : Coupled::unknown_q) { put(coupled.s.Lq[j]); }
+        for (const std::size_t i : Coupled::unknown_p) { put(coupled.s.Lp[i]); }
+    }
+
+    template <class AnyVector>
+    [[nodiscard]] static decltype(auto) at(AnyVector& v, std::size_t k) {
+        return v[static_cast<IndexOf<std::decay_t<AnyVector>>>(k)];
+    }
+
+    Algebra algebra_;
+    std::vector<Scalar> slopes_, correction_;
+    std::size_t n_ = 0;
+};
+
+}  // namespace detail
+
+/// Solver policy of steppers of scenes, whose second derivatives take any matrix.
+struct NewtonOfPairs {
+    static constexpr bool takes_starting_values = false;
+
+    template <class Vector>
+    class Iteration {
+    public:
+        template <class Coupled>
+        [[nodiscard]] Status solve(Coupled coupled) {
+            if (equations_.template fit<Coupled>(coupled.s.n)) { loop_.forget(); }
+            return loop_.run(coupled, equations_);
+        }
+
+    private:
+        detail::PairEquations<Vector, detail::DenseAlgebra<detail::ScalarOf<Vector>>> equations_;
+        detail::NewtonLoop<Vector> loop_;
+    };
+};
+
+}  // namespace hvi

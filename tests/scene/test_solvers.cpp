@@ -1,0 +1,268 @@
+// The solvers of scenes against each other, and where fixed points do not contract.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <catch2/catch.hpp>
+#include <hvi/newton.hpp>
+#include <scene/auto_double_pendulum.hpp>
+#include <scene/auto_kepler.hpp>
+#include <scene/auto_stiff.hpp>
+#include <scene/driven_gauss.hpp>
+#include <scene/fixed_double_pendulum.hpp>
+#include <scene/fixed_driven.hpp>
+#include <scene/fixed_kepler.hpp>
+#include <scene/fixed_stiff.hpp>
+#include <scene/gauss_4_separable.hpp>
+#include <scene/lobatto_3_kepler.hpp>
+#include <scene/newton_barrier.hpp>
+#include <scene/newton_driven.hpp>
+#include <scene/newton_fpu.hpp>
+#include <scene/newton_kepler.hpp>
+#include <scene/newton_lobatto_kepler.hpp>
+#include <scene/newton_magnet.hpp>
+#include <scene/newton_springs.hpp>
+#include <scene/newton_springs_lobatto.hpp>
+#include <scene/newton_stiff.hpp>
+
+#include "scenes.hpp"
+
+using namespace hvi::generated;
+
+namespace {
+
+/// H = p1^2/(2 m) + p1 p2/4 + p2^2/2 + k (q1 - q2)^2/2 + q1^4/4, m = 2, for hvi::Newton of the
+/// runtime, which takes a user's class and solves for pairs.
+struct Stiff {
+    using Vector = std::array<double, 2>;
+    double k = 0;
+
+    void dHdq(const Vector& q, Vector& out) const {
+        out = {k * (q[0] - q[1]) + q[0] * q[0] * q[0], k * (q[1] - q[0])};
+    }
+    void dHdp(const Vector& p, Vector& out) const { out = {p[0] / 2 + p[1] / 4, p[0] / 4 + p[1]}; }
+    void d2Hdq2(const Vector& q, Eigen::MatrixXd& out) const {
+        out << k + 3 * q[0] * q[0], -k, -k, k;
+    }
+    void d2Hdp2(const Vector&, Eigen::MatrixXd& out) const { out << 0.5, 0.25, 0.25, 1; }
+};
+
+/// Of so many steps; fails where one does.
+template <class Stepper>
+double iterations_per_step(Stepper& stepper, typename Stepper::State& x, double h, int steps) {
+    int iterations = 0;
+    for (int i = 0; i < steps; ++i) {
+        const hvi::Status status = stepper.step(x, h);
+        REQUIRE(status.ok());
+        iterations += status.iterations;
+    }
+    return static_cast<double>(iterations) / steps;
+}
+
+template <class A, class B>
+void go_the_same_way(double h, int steps, double tolerance) {
+    A a;
+    B b;
+    typename A::State x = A::initial();
+    typename B::State y;
+    y.q = x.q;
+    y.p = x.p;
+    for (int i = 0; i < steps; ++i) {
+        REQUIRE(a.step(x, h).ok());
+        REQUIRE(b.step(y, h).ok());
+        REQUIRE(scenes::distance_of_states(x, y) < tolerance);
+    }
+}
+
+template <class A, class B>
+void go_the_same_way_in_time(double h, int steps, double tolerance) {
+    A a;
+    B b;
+    typename A::State x;
+    x.q = {1.0};
+    x.p = {0.25};
+    x.t = 0.5;
+    typename B::State y;
+    y.q = x.q;
+    y.p = x.p;
+    y.t = x.t;
+    for (int i = 0; i < steps; ++i) {
+        REQUIRE(a.step(x, h).ok());
+        REQUIRE(b.step(y, h).ok());
+        REQUIRE(scenes::distance_of_states(x, y) < tolerance);
+    }
+}
+
+/// Each step with factors of its own.
+template <class Stepper>
+int most_iterations_of_fresh_steps() {
+    typename Stepper::State x{{1.0, 0.5, -0.25}, {0.0, 1.0, 0.5}};
+    int most = 0;
+    for (int i = 0; i < 100; ++i) {
+        const hvi::Status status = Stepper().step(x, 0.1);
+        REQUIRE(status.ok());
+        most = std::max(most, status.iterations);
+    }
+    return most;
+}
+
+/// The mean energy error over the last tenth of a run.
+template <class Stepper>
+double late_energy_error(double h, int steps) {
+    Stepper stepper;
+    auto x = Stepper::initial();
+    const double energy = stepper.energy(x);
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        if (!stepper.step(x, h).ok()) { return std::numeric_limits<double>::infinity(); }
+        if (i >= steps - steps / 10) { sum += stepper.energy(x) / energy - 1; }
+    }
+    return sum / (steps / 10);
+}
+
+}  // namespace
+
+TEST_CASE("Newton's method ends where fixed points do") {
+    go_the_same_way<FixedKepler, NewtonKepler>(0.05, 200, 1e-12);
+    go_the_same_way<Lobatto3Kepler, NewtonLobattoKepler>(0.01, 200, 1e-12);
+    go_the_same_way<FixedDoublePendulum, AutoDoublePendulum>(0.01, 200, 1e-12);
+    go_the_same_way_in_time<FixedDriven, NewtonDriven>(0.1, 300, 1e-12);
+}
+
+TEST_CASE("a stiff step agrees with that of hvi::Newton for any H") {
+    for (const double k : {1.0, 1e4, 1e8}) {
+        NewtonStiff::Parameters parameters;
+        parameters.k = k;
+        NewtonStiff stepper(parameters);
+        Gauss4Separable<Stiff, hvi::Newton> other{Stiff{k}};
+        NewtonStiff::State x{{1.0, 1.0}, {0.5, -0.25}};
+        hvi::State<Stiff::Vector> y{x.q, x.p};
+        for (int i = 0; i < 20; ++i) {
+            REQUIRE(stepper.step(x, 0.1).ok());
+            REQUIRE(other.step(y, 0.1).ok());
+            // NOTE: momenta are as large as sqrt(k) times what rounding moves positions by.
+            REQUIRE(scenes::distance(x.q, y.q) < 1e-11);
+            REQUIRE(scenes::distance(x.p, y.p) < 1e-13 * (1 + std::sqrt(k)));
+        }
+    }
+}
+
+TEST_CASE("decoupled equations are solved at once where the forces are linear") {
+    // The second or third iteration sees that nothing moves any more. With a wrong basis there are
+    // more, the last ones with all of J.
+    CHECK(most_iterations_of_fresh_steps<NewtonSprings>() <= 3);
+    CHECK(most_iterations_of_fresh_steps<NewtonSpringsLobatto>() <= 3);
+
+    // Rounding is magnified by the stiffness; to see that nothing falls any more takes longer.
+    for (const double k : {1e3, 1e6, 1e9}) {
+        NewtonSprings::Parameters parameters;
+        parameters.k = k;
+        NewtonSprings stiff(parameters);
+        NewtonSprings::State z{{1.0, 0.5, -0.25}, {0.0, 1.0, 0.5}};
+        CHECK(iterations_per_step(stiff, z, 0.1, 200) <= 6);
+    }
+}
+
+TEST_CASE("auto goes on where fixed points give up, and does not without need") {
+    FixedStiff::Parameters fixed_parameters;
+    AutoStiff::Parameters auto_parameters;
+    fixed_parameters.k = auto_parameters.k = 1e6;
+    FixedStiff fixed(fixed_parameters);
+    FixedStiff::State x{{1.0, 1.0}, {0.5, -0.25}};
+    const FixedStiff::State before = x;
+    CHECK(fixed.step(x, 0.1).code() == hvi::Status::Code::not_converged);
+    CHECK(scenes::same_bits(x, before));
+
+    AutoStiff stepper(auto_parameters);
+    AutoStiff::State y{before.q, before.p};
+    const double energy = stepper.energy(y);
+    CHECK(iterations_per_step(stepper, y, 0.1, 500) <= 8);
+    CHECK(stepper.energy(y) == Approx(energy).epsilon(1e-3));
+
+    FixedKepler planet;
+    AutoKepler same_planet;
+    FixedKepler::State u = FixedKepler::initial();
+    AutoKepler::State v = AutoKepler::initial();
+    for (int i = 0; i < 500; ++i) {
+        const hvi::Status expected = planet.step(u, 0.05);
+        const hvi::Status status = same_planet.step(v, 0.05);
+        REQUIRE((expected.ok() && status.ok()));
+        REQUIRE(status.iterations == expected.iterations);
+    }
+    CHECK(scenes::distance_of_states(u, v) == 0);
+}
+
+TEST_CASE("auto for pairs of positions and momenta") {
+    FixedDoublePendulum fixed;
+    FixedDoublePendulum::State x = FixedDoublePendulum::initial();
+    bool fails = false;
+    for (int i = 0; i < 40 && !fails; ++i) { fails = !fixed.step(x, 0.6).ok(); }
+    CHECK(fails);
+    AutoDoublePendulum stepper;
+    AutoDoublePendulum::State y = AutoDoublePendulum::initial();
+    for (int i = 0; i < 40; ++i) { REQUIRE(stepper.step(y, 0.6).ok()); }
+}
+
+TEST_CASE("pairs are solved at once where H is quadratic, mixed terms and all") {
+    NewtonMagnet::State x{{1.0, 0.5}, {0.0, 1.0}};
+    const double energy = NewtonMagnet().energy(x);
+    for (int i = 0; i < 100; ++i) {
+        const hvi::Status status = NewtonMagnet().step(x, 0.1);
+        REQUIRE(status.ok());
+        REQUIRE(status.iterations <= 12);
+    }
+    CHECK(NewtonMagnet().energy(x) == Approx(energy).epsilon(1e-10));
+}
+
+TEST_CASE("the first correction needs H near the start alone") {
+    // q + h c v is far out where the root has no value.
+    NewtonBarrier stepper;
+    NewtonBarrier::State x{{1.0}, {-1e3}};
+    const double energy = stepper.energy(x);
+    CHECK(iterations_per_step(stepper, x, 0.1, 200) <= 8);
+    CHECK(stepper.energy(x) == Approx(energy).epsilon(1e-3));
+}
+
+TEST_CASE("the energy does not drift with decoupled equations either") {
+    const double h = 0.05;
+    const int steps = 100000;
+    CHECK(std::abs(late_energy_error<NewtonKepler>(h, steps) -
+                   late_energy_error<FixedKepler>(h, steps)) < 2e-13);
+}
+
+TEST_CASE("stiff springs: omega h up to 1e7") {
+    for (const double omega : {50.0, 1e3, 1e5, 1e8}) {
+        NewtonFpu::Parameters parameters;
+        parameters.omega = omega;
+        NewtonFpu stepper(parameters);
+        NewtonFpu::State x = NewtonFpu::initial(parameters);
+        const double energy = stepper.energy(x);
+        CHECK(iterations_per_step(stepper, x, 0.1, 1000) <= 10);
+        CHECK(stepper.energy(x) == Approx(energy).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("a step that Newton's method cannot do leaves the state and says why") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    NewtonKepler stepper;
+    NewtonKepler::State x = NewtonKepler::initial();
+    REQUIRE(stepper.step(x, 0.05).ok());
+
+    NewtonKepler::State lost{{nan, 0.0}, {0.0, 1.0}};
+    const NewtonKepler::State lost_before = lost;
+    CHECK(stepper.step(lost, 0.05).code() == hvi::Status::Code::not_finite);
+    CHECK(scenes::same_bits(lost, lost_before));
+
+    NewtonKepler::State collision{{0.0, 0.0}, {0.0, 1.0}};
+    CHECK(stepper.step(collision, 0.05).code() == hvi::Status::Code::not_finite);
+
+    const NewtonKepler::State before = x;
+    CHECK_FALSE(stepper.step(x, 1e200).ok());
+    CHECK(scenes::same_bits(x, before));
+    REQUIRE(stepper.step(x, 0.05).ok());
+
+    // What failed has left nothing behind.
+    NewtonKepler::State fresh = before;
+    REQUIRE(NewtonKepler().step(fresh, 0.05).ok());
+    CHECK(scenes::same_bits(x, fresh));
+}
