@@ -28,10 +28,11 @@ public:
     }
 
     /// Gives a name to everything that the kernel is given.
-    void name(const Kernel& kernel) {
+    void name(const Kernel& kernel, const NodeNames& named = {}) {
         name_constants(kernel);
         for (const Node node : kernel.given) {
-            if (names_.count(node) != 0 || graph_.is_number({{1, 1}, node})) { continue; }
+            const bool has_name = names_.count(node) != 0 || named.count(node) != 0;
+            if (has_name || graph_.is_number({{1, 1}, node})) { continue; }
             members_.push_back(node);
             names_[node] = fmt::format("c{}_", members_.size());
         }
@@ -79,10 +80,21 @@ struct Function {
     std::vector<std::string> targets;  ///< of the results; empty where the only one is returned
     Kernel kernel;
     bool has_q = true, has_p = true;  ///< among its arguments
-    std::string_view out;             ///< its last argument, if any
+    std::string out;                  ///< its last argument, if any
     bool has_time = false;            ///< among its arguments, before that
     bool is_mirrored = false;         ///< out is a matrix of which the lower half is computed
+    NodeNames names = {};             ///< of what it alone is given
 };
+
+bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
+    return std::any_of(nodes.begin(), nodes.end(),
+                       [&](Node node) { return kernel.uses[node] != 0; });
+}
+
+/// `const Vector& q`, marked where the function does not look at it.
+std::string argument(bool is_used, std::string_view type_and_name) {
+    return fmt::format("{}{}", is_used ? "" : "[[maybe_unused]] ", type_and_name);
+}
 
 std::vector<std::string> components(std::string_view letter, std::size_t count) {
     std::vector<std::string> names;
@@ -124,6 +136,39 @@ void second_derivatives(std::vector<Function>& functions, const LoweredScene& lo
     functions.back().has_q = !scheme.separable;
 }
 
+/// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
+void tangents(std::vector<Function>& functions, const LoweredScene& lowered) {
+    const SystemGraph& system = lowered.system;
+    const Structure& second = lowered.structure;
+    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
+    Function along{"d2Hdq2", out,   kernel_of_direction(system.graph, second.qq_along),
+                   true,     false, ""};
+    Function slope{"dHdq", out, {}, true, false, ""};
+    slope.has_time = system.time.has_value();
+    for (std::size_t k = 0; k < second.direction.size(); ++k) {
+        along.names[second.direction[k]] = fmt::format("v[{}]", k);
+    }
+    Results results = system.dHdq;
+    for (const Node node : along.kernel.given) {
+        const bool is_position = std::count(system.q.begin(), system.q.end(), node) != 0;
+        if (is_position || along.names.count(node) != 0 || !varies(system.graph.at(node).roles)) {
+            continue;
+        }
+        const std::string place = fmt::format("at[{}]", slope.targets.size() - out.size());
+        along.names[node] = place;
+        slope.targets.push_back(place);
+        results.push_back({{1, 1}, node});
+    }
+    slope.kernel = kernel(system.graph, std::move(results));
+    const bool is_constant = slope.targets.size() == out.size();
+    slope.out = "Vector& out, " + argument(!is_constant, "Tangent& at");
+    along.out = argument(!is_constant, "const Tangent& at") + ", " +
+                argument(uses_any(along.kernel, second.direction), "const Vector& v") +
+                ", Vector& out";
+    functions.push_back(std::move(slope));
+    functions.push_back(std::move(along));
+}
+
 /// What steps evaluate.
 std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) {
     const SystemGraph& system = lowered.system;
@@ -141,6 +186,7 @@ std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) 
         result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
     }
     if (scheme.takes_newton()) { second_derivatives(result, lowered, scheme); }
+    if (scheme.solver == Solver::newton_taylor) { tangents(result, lowered); }
     return result;
 }
 
@@ -171,24 +217,14 @@ std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& 
     return result;
 }
 
-bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
-    return std::any_of(nodes.begin(), nodes.end(),
-                       [&](Node node) { return kernel.uses[node] != 0; });
-}
-
-/// `const Vector& q`, marked where the function does not look at it.
-std::string argument(bool is_used, std::string_view type_and_name) {
-    return fmt::format("{}{}", is_used ? "" : "[[maybe_unused]] ", type_and_name);
-}
-
 void mirror(Writer& writer, std::size_t n) {
     writer.open("for (std::size_t i = 1; i < {}; ++i) {{", n);
     writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
 }
 
-void write(Writer& writer, const LoweredScene& lowered, const NodeNames& names,
-           const Function& function) {
+void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const Function& function) {
     const SystemGraph& system = lowered.system;
+    for (const auto& [node, name] : function.names) { names[node] = name; }
     std::vector<std::string> arguments;
     if (function.has_q) {
         arguments.push_back(argument(uses_any(function.kernel, system.q), "const Vector& q"));
@@ -263,6 +299,18 @@ std::string data_text(const LoweredScene& lowered, const Given& given) {
     return writer.str();
 }
 
+/// NOTE: an array of none would do, were it not that compilers warn of it.
+std::size_t size_of_tangent(const std::vector<Function>& functions) {
+    std::size_t size = 1;
+    for (const Function& function : functions) {
+        size = std::max(
+            size, static_cast<std::size_t>(std::count_if(
+                      function.targets.begin(), function.targets.end(),
+                      [](const std::string& target) { return target.substr(0, 2) == "at"; })));
+    }
+    return size;
+}
+
 std::string about(const Hamiltonian& H) {
     return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(H.expression),
                        fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
@@ -275,7 +323,7 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
     const std::vector<Function> all = functions(lowered, wishes, scheme);
     const Kernel initial = kernel_of_inputs(lowered.system.graph, lowered.initial);
     Given given(lowered);
-    for (const Function& function : all) { given.name(function.kernel); }
+    for (const Function& function : all) { given.name(function.kernel, function.names); }
     // NOTE: what computes members and initial data is given parameters, which have names, and
     // constants, which get theirs here.
     given.name_constants(given.setup());
@@ -285,6 +333,9 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
     writer.comment(about(lowered.scene.hamiltonian), "/// ");
     writer.open("struct System {{");
     writer.line("using Vector = std::array<Scalar, {}>;", lowered.system.degrees_of_freedom());
+    if (scheme.solver == Solver::newton_taylor) {
+        writer.line("using Tangent = std::array<Scalar, {}>;", size_of_tangent(all));
+    }
     writer.blank();
     write_constructor(writer, lowered, given);
     for (const Function& function : all) {

@@ -113,6 +113,39 @@ std::string newton_text(const Scheme& scheme, const std::vector<std::size_t>& un
     return writer.str();
 }
 
+/// See hvi::NewtonTaylor.
+std::string taylor_text(const Scheme& scheme, const std::vector<std::size_t>& unknown) {
+    Writer writer(2);
+    const std::string time = scheme.depends_on_time ? "clock.t[j], " : "";
+    writer.line("static constexpr std::array<std::size_t, {}> unknown{{{}}};", unknown.size(),
+                fmt::join(unknown, ", "));
+    writer.blank().comment("The same, with the tangents of dH/dq at Q.", "/// ");
+    writer.open("void forces_and_tangents() {{");
+    writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
+    writer.open("for (const std::size_t j : unknown) {{");
+    writer.line("system.dHdq(s.Q[j], {}slope, tangents.at[j]);", time);
+    loop(writer, "s", [&] { writer.line("s.Lp[j][k] = -s.hb[j] * slope[k];"); });
+    write_velocity(writer, "j", "s", "system");
+    writer.line("tangents.Q[j] = s.Q[j];").line("tangents.Lp[j] = s.Lp[j];");
+    writer.close().close().blank();
+    writer.comment("Lp_j = -h b_j (dH/dq + d2H/dq2 (Q_j - Q)), both at the Q of these tangents.",
+                   "/// ");
+    writer.open("void forces_by_tangents() {{");
+    writer.line("auto&& slope = hvi::detail::scratch(s.slope);").line("Vector way{{}};");
+    writer.open("for (const std::size_t j : unknown) {{");
+    loop(writer, "s", [&] { writer.line("way[k] = s.Q[j][k] - tangents.Q[j][k];"); });
+    writer.line("system.d2Hdq2(tangents.Q[j], tangents.at[j], way, slope);");
+    loop(writer, "s", [&] { writer.line("s.Lp[j][k] = tangents.Lp[j][k] - s.hb[j] * slope[k];"); });
+    write_velocity(writer, "j", "s", "system");
+    return writer.close().close().str();
+}
+
+/// What a solver asks for beside forces and positions.
+std::string more_text(const Scheme& scheme, const std::vector<std::size_t>& unknown) {
+    if (scheme.takes_newton()) { return newton_text(scheme, unknown); }
+    return scheme.solver == Solver::newton_taylor ? taylor_text(scheme, unknown) : "";
+}
+
 std::string coupled_text(const Scheme& scheme) {
     const Block& block = coupled_block(scheme);
     const std::vector<std::size_t> Q = block.of(Kind::Q);
@@ -131,7 +164,10 @@ std::string coupled_text(const Scheme& scheme) {
               {"positions", positions_text(*scheme.velocity_form, Q)},
               {"forces", forces_text(scheme, block.of(Kind::Lp))},
               {"size", Writer(2).line("return {};", size).str()},
-              {"newton", scheme.takes_newton() ? newton_text(scheme, Q) : ""}});
+              {"more", more_text(scheme, Q)},
+              {"tangents", scheme.solver == Solver::newton_taylor
+                               ? "hvi::detail::Tangents<System, stages>& tangents;"
+                               : ""}});
     text.pop_back();
     return text;
 }
@@ -202,7 +238,8 @@ std::string steps_text(const Scheme& scheme) {
     for (const Block& block : scheme.blocks) {
         const StageNode& node = block.nodes.front();
         if (block.coupled) {
-            writer.line("status = solver_.solve(Coupled{{{}s_}});", coupled_arguments(scheme));
+            writer.line("status = solver_.solve(Coupled{{{}s_{}}});", coupled_arguments(scheme),
+                        scheme.solver == Solver::newton_taylor ? ", tangents_" : "");
             writer.line("if (!status.ok()) {{ return status; }}");
         } else if (node.kind == Kind::Q) {
             q_is_done = evaluate_position(writer, scheme, node.index) || q_is_done;
@@ -283,6 +320,9 @@ std::string members_text(const Scheme& scheme) {
     if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
     writer.line("hvi::detail::VelocityStages<Vector, stages> s_;");
     writer.line("typename Solver::template Iteration<Vector> solver_;");
+    if (scheme.solver == Solver::newton_taylor) {
+        writer.line("hvi::detail::Tangents<System, stages> tangents_;");
+    }
     if (scheme.keeps_force) {
         writer.line("Vector force_{{}};  // dH/dq at s_.at.q, where the last step ended");
     }

@@ -39,7 +39,13 @@ enum class Operation {
 };
 
 /// What an input is, and so what a node depends on.
-enum class Role : unsigned { parameter = 1, coordinate = 2, momentum = 4, time = 8 };
+enum class Role : unsigned {
+    parameter = 1,
+    coordinate = 2,
+    momentum = 4,
+    time = 8,
+    direction = 16
+};
 
 /// A set of roles.
 using Roles = unsigned;

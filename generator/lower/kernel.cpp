@@ -77,6 +77,13 @@ Kernel kernel_of_inputs(const Graph& graph, std::vector<Scaled> results) {
     });
 }
 
+Kernel kernel_of_direction(const Graph& graph, std::vector<Scaled> results) {
+    return kernel(graph, std::move(results), [](const Computation& computation) {
+        return computation.operation == Operation::input ||
+               !has(computation.roles, Role::direction);
+    });
+}
+
 bool is_divisor(const Graph& graph, const Kernel& kernel, Node node) {
     const Operation operation = graph.at(node).operation;
     const bool is_inverse =

@@ -5,6 +5,7 @@
 #include <functional>
 #include <numeric>
 #include <optional>
+#include <string>
 
 #include "generator/lower/derivative.hpp"
 
@@ -135,6 +136,19 @@ void set_linear_part(Structure& found, SystemGraph& system) {
     for (const Scaled& slope : system.dHdp) { add(found.by_p, slope); }
 }
 
+/// NOTE: not the sums of qq_ij v_j: as the gradient of v dH/dq it costs as much as a few dH/dq,
+/// however many degrees of freedom there are.
+void set_direction(Structure& found, SystemGraph& system) {
+    std::vector<Scaled> terms;
+    for (std::size_t k = 0; k < system.degrees_of_freedom(); ++k) {
+        const Scaled v = system.graph.input("direction " + std::to_string(k), Role::direction);
+        found.direction.push_back(v.node);
+        terms.push_back(system.graph.product(v, system.dHdq[k]));
+    }
+    const Scaled along = system.graph.sum(std::move(terms));
+    found.qq_along = gradient(system.graph, along, system.q);
+}
+
 }  // namespace
 
 Structure structure(SystemGraph& system) {
@@ -151,7 +165,10 @@ Structure structure(SystemGraph& system) {
                          !depends_on(graph, system.dHdp, Role::time);
     const bool pp_constant = is_constant(graph, found.pp);
     found.kinetic_is_quadratic = found.is_separable && pp_constant;
-    if (found.kinetic_is_quadratic) { found.inverse_mass = product(system, found.pp); }
+    if (found.kinetic_is_quadratic) {
+        found.inverse_mass = product(system, found.pp);
+        set_direction(found, system);
+    }
     found.is_quadratic =
         pp_constant && is_constant(graph, found.qp) && is_constant(graph, found.qq);
     if (found.is_quadratic) { set_linear_part(found, system); }

@@ -20,6 +20,8 @@ struct Structure {
     bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
     bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix pp
     std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
+    std::vector<Node> direction;        ///< then inputs v_k of their own,
+    std::vector<Scaled> qq_along;       ///< and qq v
     bool is_quadratic = false;          ///< all second derivatives are constant
     std::vector<Scaled> by_q, by_p;     ///< then the first derivatives at q = p = 0
     bool is_linear_in_p = false;        ///< pp is zero, and not all else
