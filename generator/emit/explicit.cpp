@@ -1,5 +1,6 @@
 // Headers of methods that solve nothing.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <sstream>
 
 #include "generator/emit/banner.hpp"
@@ -34,88 +35,129 @@ std::vector<Move> moves(const Scheme& scheme) {
 
 /// What kicks and drifts call their things.
 struct Names {
-    std::string_view moved, other;  // p_ and q_
-    std::string_view from;          // x.p
+    std::string_view moved;  // p
     std::string_view gradient, sign, weights, kept;
 };
 
-constexpr Names kick{"p_", "q_", "x.p", "dHdq", "-", "b_p", "force_"};
-constexpr Names drift{"q_", "p_", "x.q", "dHdp", "+", "b_q", "velocity_"};
+constexpr Names kick{"p", "dHdq", "-", "b_p", "force_"};
+constexpr Names drift{"q", "dHdp", "+", "b_q", "velocity_"};
 
-/// One kick or drift. `first_of_kind`: nothing has been added to this variable yet; `moved_other`:
-/// the other variable stands where it is evaluated, not in x.
-void write(Writer& writer, const Scheme& scheme, const Move& move, bool first_of_kind,
-           bool moved_other) {
-    const Names& names = move.kick ? kick : drift;
-    const bool keeps = move.kick ? scheme.keeps_force : scheme.keeps_velocity;
-    const StageValue& value = (move.kick ? scheme.positions : scheme.momenta)[move.index];
-    const std::string_view slope = keeps ? names.kept : "slope_";
-    const std::string other_start = move.kick ? "x.q" : "x.p";
+const Names& names(const Move& move) { return move.kick ? kick : drift; }
+const Names& other_names(const Move& move) { return move.kick ? drift : kick; }
 
-    // NOTE: what a kept slope belongs to, is equal to x and at hand.
-    const bool other_keeps = move.kick ? scheme.keeps_velocity : scheme.keeps_force;
-    const bool in_place = !first_of_kind || other_keeps;
-    const std::string change = equal(value.weight, 1)
-                                   ? fmt::format("h * {}[k]", slope)
-                                   : fmt::format("h * {}{}[{}] * {}[k]", owner(scheme, "s_"),
-                                                 names.weights, move.index, slope);
-    const auto add = [&] {
-        writer.open("for (Index k = 0; k < n; ++k) {{");
-        if (in_place) {
-            writer.line("{}[k] {}= {};", names.moved, names.sign, change);
-        } else {
-            writer.line("{}[k] = {}[k] {} {};", names.moved, names.from, names.sign, change);
-        }
-        writer.close();
-    };
-    const auto evaluate = [&](std::string_view at) {
-        writer.line("system_.{}({}, {}{});", names.gradient, at,
-                    move.kick ? stage_time(scheme, move.index, "s_") : "", slope);
-    };
-    if (!keeps || moved_other) {
-        evaluate(moved_other ? std::string(names.other) : other_start);
-        add();
-        return;
-    }
-    // NOTE: known_ is false while the step is under way, should the system throw. The sum comes
-    // before the test: after it, g++ keeps x in memory for the call of the system in the branch
-    // that is hardly ever taken, and a step waits for that memory.
-    HVI_CHECK(!in_place);
-    writer.line("const bool kept = known_ && hvi::detail::same_bits({}, {});", names.other,
-                other_start);
-    writer.line("known_ = false;");
-    add();
-    writer.open("if (!kept) {{").line("{} = {};", names.other, other_start);
-    evaluate(names.other);
-    add();
-    writer.close();
-}
-
-std::string moves_text(const Scheme& scheme) {
-    Writer writer(2);
-    bool kicked = false;
-    bool drifted = false;
-    for (const Move& move : moves(scheme)) {
-        bool& moved = move.kick ? kicked : drifted;
-        write(writer, scheme, move, !moved, move.kick ? drifted : kicked);
-        moved = true;
-    }
-    return writer.str();
+bool keeps(const Scheme& scheme, bool of_kick) {
+    return of_kick ? scheme.keeps_force : scheme.keeps_velocity;
 }
 
 bool keeps(const Scheme& scheme) { return scheme.keeps_force || scheme.keeps_velocity; }
 
-std::string ends_text(const Scheme& scheme) {
-    Writer writer(2);
-    constexpr std::string_view failed = "return Status(Status::Code::not_finite);";
-    if (keeps(scheme)) {
-        writer.line("known_ = hvi::detail::finite(q_) && hvi::detail::finite(p_);");
-        writer.line("if (!known_) {{ {} }}", failed);
-    } else {
-        writer.open("if (!hvi::detail::finite(q_) || !hvi::detail::finite(p_)) {{")
-            .line("{}", failed)
-            .close();
+/// Writes the kicks and drifts of a step in turn.
+class MovesWriter {
+public:
+    MovesWriter(Writer& writer, const Scheme& scheme) : writer_(writer), scheme_(scheme) {}
+
+    void write(const Move& move) {
+        evaluate(move);
+        add(move, within(move.kick));
+        (move.kick ? kicked_ : drifted_) = true;
     }
+
+    /// The last move, into `end`, and the end of the step. NOTE: where the sum is finite it is
+    /// computed once more, into x, which compilers see is the same. A copy of many components would
+    /// be a call of memcpy; see hvi::detail::copy().
+    void finish(const Move& last) {
+        evaluate(last);
+        add(last, "end");
+        const std::string other = within(!last.kick);
+        writer_.blank();
+        writer_.line("if (!hvi::detail::finite({}, end)) {{ {} }}", other,
+                     "return Status(Status::Code::not_finite);");
+        if (keeps(scheme_)) { writer_.line("known_ = true;"); }
+        writer_.line("hvi::detail::copy({}, x.{});", other, other_names(last).moved);
+        add(last, fmt::format("x.{}", names(last).moved));
+    }
+
+private:
+    /// Where the variable is within the step that kicks, or drifts, move. NOTE: that which a kept
+    /// slope belongs to is a member, as the slope is; the other is not, so that compilers keep it
+    /// in registers.
+    [[nodiscard]] std::string within(bool of_kick) const {
+        return fmt::format("{}{}", of_kick ? "p" : "q", keeps(scheme_, !of_kick) ? "_" : "");
+    }
+
+    /// The sum of a move.
+    void add(const Move& move, std::string_view target) {
+        const bool is_moved = move.kick ? kicked_ : drifted_;
+        const std::string from =
+            is_moved ? within(move.kick) : fmt::format("x.{}", names(move).moved);
+        writer_.open("for (Index k = 0; k < n; ++k) {{");
+        if (from == target) {
+            writer_.line("{}[k] {}= {};", target, names(move).sign, change(move));
+        } else {
+            writer_.line("{}[k] = {}[k] {} {};", target, from, names(move).sign, change(move));
+        }
+        writer_.close();
+    }
+
+    void evaluate(const Move& move) {
+        const bool other_moved = move.kick ? drifted_ : kicked_;
+        const std::string at =
+            other_moved ? within(!move.kick) : fmt::format("x.{}", other_names(move).moved);
+        const std::string call =
+            fmt::format("system_.{}({}, {}{});", names(move).gradient, at,
+                        move.kick ? stage_time(scheme_, move.index, "s_") : "", slope(move));
+        if (!keeps(scheme_, move.kick) || other_moved) {
+            writer_.line("{}", call);
+            return;
+        }
+        // NOTE: known_ is false while the step is under way, should the system throw.
+        const std::string kept_at = within(!move.kick);
+        writer_.line("const bool kept = known_ && hvi::detail::same_bits({}, {});", kept_at, at);
+        writer_.line("known_ = false;");
+        writer_.open("if (!kept) {{").line("hvi::detail::fit({}, n);", kept_at);
+        writer_.line("{}", call).close();
+    }
+
+    [[nodiscard]] std::string slope(const Move& move) const {
+        return keeps(scheme_, move.kick) ? std::string(names(move).kept) : "slope";
+    }
+
+    [[nodiscard]] std::string change(const Move& move) const {
+        const StageValue& value = (move.kick ? scheme_.positions : scheme_.momenta)[move.index];
+        return equal(value.weight, 1) ? fmt::format("h * {}[k]", slope(move))
+                                      : fmt::format("h * {}{}[{}] * {}[k]", owner(scheme_, "s_"),
+                                                    names(move).weights, move.index, slope(move));
+    }
+
+    Writer& writer_;
+    const Scheme& scheme_;
+    bool kicked_ = false, drifted_ = false;  // whether p, and q, have been moved
+};
+
+/// The vectors that a step computes in and leaves nothing in.
+std::vector<std::string> scratch(const Scheme& scheme) {
+    std::vector<Move> before = moves(scheme);
+    before.pop_back();
+    std::vector<std::string> result;
+    for (const bool of_kick : {false, true}) {
+        const bool is_moved = std::any_of(before.begin(), before.end(),
+                                          [&](const Move& move) { return move.kick == of_kick; });
+        if (is_moved && !keeps(scheme, !of_kick)) { result.push_back(of_kick ? "p" : "q"); }
+    }
+    if (!scheme.keeps_force || !scheme.keeps_velocity) { result.push_back("slope"); }
+    result.push_back("end");
+    return result;
+}
+
+std::string moves_text(const Scheme& scheme) {
+    Writer writer(2);
+    for (const std::string& name : scratch(scheme)) {
+        writer.line("auto&& {0} = hvi::detail::scratch({0}_);", name);
+    }
+    MovesWriter code(writer, scheme);
+    const std::vector<Move> all = moves(scheme);
+    for (std::size_t i = 0; i + 1 < all.size(); ++i) { code.write(all[i]); }
+    code.finish(all.back());
     return writer.str();
 }
 
@@ -135,17 +177,15 @@ std::string weights_text(const Scheme& scheme) {
     return with_rounding(writer.str());
 }
 
-/// NOTE: what a kept slope belongs to is not fitted but copied, dimension and all: see write().
+/// NOTE: what a kept slope belongs to is fitted where that is not known: see MovesWriter.
 std::string fits_text(const Scheme& scheme) {
     Writer writer(2);
     const auto fit = [&](std::string_view vector) {
-        writer.line("hvi::detail::fit({}, n);", vector);
+        writer.line("hvi::detail::fit({}_, n);", vector);
     };
-    if (!scheme.keeps_force) { fit("q_"); }
-    if (!scheme.keeps_velocity) { fit("p_"); }
-    if (scheme.keeps_force) { fit("force_"); }
-    if (scheme.keeps_velocity) { fit("velocity_"); }
-    fit("slope_");
+    for (const std::string& name : scratch(scheme)) { fit(name); }
+    if (scheme.keeps_force) { fit("force"); }
+    if (scheme.keeps_velocity) { fit("velocity"); }
     return writer.str();
 }
 
@@ -186,7 +226,11 @@ std::string members_text(const Scheme& scheme) {
     writer.line("System system_;");
     if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
     if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
-    writer.line("Vector q_{{}}, p_{{}}, slope_{{}};");
+    // NOTE: in this order. In others g++ finds it harder to keep the state in registers.
+    std::vector<std::string> vectors = scratch(scheme);
+    if (scheme.keeps_velocity) { vectors.insert(vectors.begin(), "p"); }
+    if (scheme.keeps_force) { vectors.insert(vectors.begin(), "q"); }
+    writer.line("Vector {}_{{}};", fmt::join(vectors, "_{}, "));
     if (scheme.keeps_force) {
         writer.line("Vector force_{{}};  // dH/dq where the last step ended, at q_");
     }
@@ -221,7 +265,6 @@ std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
                  {"weights", weights},
                  {"fits", fits_text(scheme)},
                  {"moves", moves_text(scheme)},
-                 {"ends", ends_text(scheme)},
                  {"state", system.state},
                  {"clock", clock_begins(scheme)},
                  {"status", scheme.depends_on_time ? "clock_.end(x.t, Status{})" : "{}"},

@@ -36,6 +36,66 @@ void count(const Graph& graph, Kernel& kernel, Node node) {
     }
 }
 
+/// The nodes that a node is computed from; one that stands twice is there twice.
+std::vector<Node> operands(const Computation& computation) {
+    std::vector<Node> result = computation.arguments;
+    for (const Scaled& term : computation.terms) { result.push_back(term.node); }
+    return result;
+}
+
+/// Orders the nodes so that few values wait for their use: what the results need first, depth
+/// first, and after each node at once what lacked nothing else. So the forces of two bodies on each
+/// other are done with before those of the next two begin, and compilers find registers enough.
+class Schedule {
+public:
+    Schedule(const Graph& graph, const std::vector<Node>& nodes)
+        : graph_(graph), users_(graph.size()), missing_(graph.size()), is_left_(graph.size()) {
+        for (const Node node : nodes) { is_left_[node] = true; }
+        for (const Node node : nodes) {
+            for (const Node operand : operands(graph.at(node))) {
+                if (!is_left_[operand]) { continue; }
+                users_[operand].push_back(node);
+                ++missing_[node];
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<Node> order(const std::vector<Scaled>& results) {
+        for (const Scaled& result : results) {
+            // NOTE: a stack, since graphs are deep.
+            std::vector<Node> wanted{result.node};
+            while (!wanted.empty()) { take_up(wanted); }
+        }
+        return std::move(order_);
+    }
+
+private:
+    /// Does the last that is wanted, or finds what is to be done before it.
+    void take_up(std::vector<Node>& wanted) {
+        const Node node = wanted.back();
+        const bool is_ready = missing_[node] == 0;
+        if (is_ready || !is_left_[node]) { wanted.pop_back(); }
+        if (!is_left_[node]) { return; }
+        std::vector<Node> next;
+        if (is_ready) {
+            is_left_[node] = false;
+            order_.push_back(node);
+            for (const Node user : users_[node]) {
+                if (--missing_[user] == 0) { next.push_back(user); }
+            }
+        } else {
+            next = operands(graph_.at(node));
+        }
+        wanted.insert(wanted.end(), next.rbegin(), next.rend());
+    }
+
+    const Graph& graph_;
+    std::vector<std::vector<Node>> users_;
+    std::vector<std::size_t> missing_;  // operands that are not in order_ yet
+    std::vector<bool> is_left_;         // to be put into order_
+    std::vector<Node> order_;
+};
+
 template <class IsGiven>
 Kernel kernel(const Graph& graph, std::vector<Scaled> results, IsGiven is_given) {
     Kernel kernel;
@@ -49,11 +109,11 @@ Kernel kernel(const Graph& graph, std::vector<Scaled> results, IsGiven is_given)
             continue;
         }
         kernel.nodes.push_back(node);
-        for (const Scaled& term : computation.terms) { ++kernel.uses[term.node]; }
-        for (const Node argument : computation.arguments) { ++kernel.uses[argument]; }
+        for (const Node operand : operands(computation)) { ++kernel.uses[operand]; }
     }
     std::reverse(kernel.given.begin(), kernel.given.end());
     std::reverse(kernel.nodes.begin(), kernel.nodes.end());
+    kernel.nodes = Schedule(graph, kernel.nodes).order(results);
     for (const Node node : kernel.nodes) { count(graph, kernel, node); }
     for (const Scaled& result : results) {
         if (!graph.is_number(result)) { count_factor(kernel.counts, result.factor); }
@@ -89,7 +149,7 @@ bool is_divisor(const Graph& graph, const Kernel& kernel, Node node) {
     const bool is_inverse =
         operation == Operation::inverse || operation == Operation::inverse_square_root;
     return is_inverse && kernel.uses[node] == 1 &&
-           std::binary_search(kernel.nodes.begin(), kernel.nodes.end(), node);
+           !std::binary_search(kernel.given.begin(), kernel.given.end(), node);
 }
 
 }  // namespace hvi::gen

@@ -20,7 +20,7 @@ struct OperationCounts {
 /// Straight-line code: nodes in an order in which they can be computed from what is given.
 struct Kernel {
     std::vector<Node> given;  ///< what the nodes and results use and do not compute, ascending
-    std::vector<Node> nodes;  ///< ascending
+    std::vector<Node> nodes;  ///< each as soon as a result is on its way that needs it
     std::vector<Scaled> results;
     std::vector<std::size_t> uses;  ///< of each node of the graph, by these nodes and results
     OperationCounts counts;         ///< of nodes and results

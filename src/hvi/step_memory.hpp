@@ -50,7 +50,7 @@ struct StepMemory {
 
     /// Ends the step: x becomes `at`, unless that is not finite.
     [[nodiscard]] Status end(State<Vector>& x, int iterations) {
-        if (!finite(at.q) || !finite(at.p)) { return Status(Status::Code::not_finite, iterations); }
+        if (!finite(at.q, at.p)) { return Status(Status::Code::not_finite, iterations); }
         x.q = at.q;
         x.p = at.p;
         ended_ = true;

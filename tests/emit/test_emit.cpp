@@ -49,7 +49,7 @@ TEST_CASE("zeros and ones leave no trace in the arithmetic") {
     }
     const std::string euler = from_class(header(tableaux::symplectic_euler(), true));
     CHECK_THAT(euler, !Contains("b_p") && !Contains("b_q") && !Contains("1.0"));
-    CHECK_THAT(euler, Contains("p_[k] = x.p[k] - h * slope_[k];"));
+    CHECK_THAT(euler, Contains("p[k] = x.p[k] - h * slope[k];"));
 }
 
 TEST_CASE("a stage that needs no solver gets none") {

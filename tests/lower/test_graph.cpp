@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <random>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -181,6 +184,25 @@ TEST_CASE("forces between bodies are computed once for each pair") {
     const Kernel forces = kernel(f.graph, gradient(f.graph, U, f.variables));
     // 3 pairs: 2 differences, 1 sum; 2 squares, f = G m m/(r2 sqrt(r2)), 2 products; 6 sums of 2.
     CHECK(text(forces.counts) == "15+ 15* 3/ 3sqrt 0f");
+
+    // And one pair is done with before the next begins: differences, division, differences, ...
+    std::string order;
+    std::vector<Node> done = forces.given;
+    for (const Node node : forces.nodes) {
+        const Computation& computation = f.graph.at(node);
+        std::vector<Node> operands = computation.arguments;
+        for (const Scaled& term : computation.terms) { operands.push_back(term.node); }
+        for (const Node operand : operands) {
+            CHECK(std::count(done.begin(), done.end(), operand) == 1);
+        }
+        done.push_back(node);
+        const bool is_difference =
+            computation.operation == Operation::sum &&
+            f.graph.at(computation.terms.front().node).operation == Operation::input;
+        if (is_difference) { order += 'd'; }
+        if (computation.operation == Operation::inverse) { order += '/'; }
+    }
+    CHECK(order == "dd/dd/dd/");
 }
 
 TEST_CASE("a division by what is seen to be zero, with its place") {

@@ -1,8 +1,10 @@
 // What a stepper remembers, and that it belongs to a state.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
+#include <Eigen/Core>
 #include <catch2/catch.hpp>
 #include <hvi/generated/gauss_2.hpp>
 #include <hvi/generated/gauss_2_separable.hpp>
@@ -223,6 +225,25 @@ TEST_CASE("lobatto:3 keeps the force at the end of a step") {
     }
     // Each sweep evaluates the force at Q_2, the last one of a step only when something changed.
     CHECK(forces <= 10 + iterations);
+}
+
+TEST_CASE("every component is looked at, and copied, however many there are") {
+    const double bad[] = {std::numeric_limits<double>::infinity(), std::nan("")};
+    for (std::ptrdiff_t n = 1; n <= 9; ++n) {
+        Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(n, -8e307, 8e307);
+        Eigen::VectorXd copied = Eigen::VectorXd::Zero(n);
+        CHECK(hvi::detail::finite(v, v));
+        hvi::detail::copy(v, copied);
+        CHECK(hvi::detail::same_bits(v, copied));
+        for (std::ptrdiff_t k = 0; k < n; ++k) {
+            for (const double value : bad) {
+                copied[k] = value;
+                CHECK_FALSE(hvi::detail::finite(v, copied));
+                CHECK_FALSE(hvi::detail::finite(copied, v));
+            }
+            copied[k] = v[k];
+        }
+    }
 }
 
 TEST_CASE("starting values are worth iterations") {

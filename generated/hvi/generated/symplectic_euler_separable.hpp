@@ -283,13 +283,41 @@ template <class Vector>
     return difference == 0;
 }
 
+/// 0 where all components are finite, else no number.
 template <class Vector>
-[[nodiscard]] bool finite(const Vector& v) {
-    // NOTE: x - x is 0, or no number where x is infinite or none. One test of the sum is cheaper
-    // than one of each component.
-    ScalarOf<Vector> sum = 0;
-    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { sum += v[k] - v[k]; }
-    return sum == 0;
+[[nodiscard]] ScalarOf<Vector> zero_if_finite(const Vector& v) {
+    // NOTE: x - x is 0, or no number where x is infinite or none. Two sums, since each waits for
+    // itself alone.
+    ScalarOf<Vector> even = 0;
+    ScalarOf<Vector> odd = 0;
+    IndexOf<Vector> k = 0;
+    for (; k + 1 < v.size(); k += 2) {
+        even += v[k] - v[k];
+        odd += v[k + 1] - v[k + 1];
+    }
+    if (k < v.size()) { even += v[k] - v[k]; }
+    return even + odd;
+}
+
+/// Whether all components of both are finite. One test of a sum is cheaper than one of each.
+template <class Vector>
+[[nodiscard]] bool finite(const Vector& q, const Vector& p) {
+    return zero_if_finite(q) + zero_if_finite(p) >= 0;
+}
+
+/// to = from, which are of one dimension.
+template <class Vector>
+void copy(const Vector& from, Vector& to) {
+    // NOTE: four at a time. Of an assignment, or a loop over single components, g++ makes a call of
+    // memcpy where there are many, and the next step waits: what it loads was stored in two parts.
+    IndexOf<Vector> k = 0;
+    for (; k + 3 < from.size(); k += 4) {
+        to[k] = from[k];
+        to[k + 1] = from[k + 1];
+        to[k + 2] = from[k + 2];
+        to[k + 3] = from[k + 3];
+    }
+    for (; k < from.size(); ++k) { to[k] = from[k]; }
 }
 
 }  // namespace hvi::detail
@@ -320,24 +348,27 @@ public:
         if (!hvi::detail::is_finite(h)) { return Status(Status::Code::not_finite); }
         const Index n = x.q.size();
         if (x.p.size() != n) { return Status(Status::Code::dimension_mismatch); }
-        hvi::detail::fit(q_, n);
         hvi::detail::fit(p_, n);
         hvi::detail::fit(slope_, n);
+        hvi::detail::fit(end_, n);
 
-        system_.dHdq(x.q, slope_);
+        auto&& p = hvi::detail::scratch(p_);
+        auto&& slope = hvi::detail::scratch(slope_);
+        auto&& end = hvi::detail::scratch(end_);
+        system_.dHdq(x.q, slope);
         for (Index k = 0; k < n; ++k) {
-            p_[k] = x.p[k] - h * slope_[k];
+            p[k] = x.p[k] - h * slope[k];
         }
-        system_.dHdp(p_, slope_);
+        system_.dHdp(p, slope);
         for (Index k = 0; k < n; ++k) {
-            q_[k] = x.q[k] + h * slope_[k];
+            end[k] = x.q[k] + h * slope[k];
         }
 
-        if (!hvi::detail::finite(q_) || !hvi::detail::finite(p_)) {
-            return Status(Status::Code::not_finite);
+        if (!hvi::detail::finite(p, end)) { return Status(Status::Code::not_finite); }
+        hvi::detail::copy(p, x.p);
+        for (Index k = 0; k < n; ++k) {
+            x.q[k] += h * slope[k];
         }
-        x.q = q_;
-        x.p = p_;
         return {};
     }
 
@@ -348,7 +379,7 @@ private:
     using Index = hvi::detail::IndexOf<Vector>;
 
     System system_;
-    Vector q_{}, p_{}, slope_{};
+    Vector p_{}, slope_{}, end_{};
 };
 
 }  // namespace hvi::generated
