@@ -22,6 +22,7 @@
 #include "scene/gauss_3_henon_heiles.hpp"
 #include "scene/gauss_3_kepler.hpp"
 #include "scene/gauss_3_pendulum.hpp"
+#include "scene/gauss_4_chain.hpp"
 #include "scene/gauss_4_henon_heiles.hpp"
 #include "scene/gauss_4_kepler.hpp"
 #include "scene/gauss_4_oscillator.hpp"
@@ -163,5 +164,6 @@ int main(int argc, char** argv) {
     all.add_gauss_family<bench::KeplerByHand, Gauss2Kepler, Gauss3Kepler, Gauss4Kepler,
                          Gauss8Kepler>("kepler", 0.05);
     all.add<Gauss4Oscillator, bench::RotationByHand>("gauss_4_oscillator", 0.1, "at most 1.2");
+    all.add<Gauss4Chain, bench::ChainByHand>("gauss_4_chain", 0.1, "at most 1.2");
     return all.all_agree ? bench::time_all(argc, argv, all.ratios) : 1;
 }

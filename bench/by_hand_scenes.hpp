@@ -287,4 +287,85 @@ private:
     double cosine_ = 1.0, sine_ = 0.0, h_ = 0.0;
 };
 
+/// Gauss with 4 stages for a chain of four masses between walls: x' = R x for x = (q, p), where
+/// R = P(hJ)/P(-hJ) with the matrix J of Hamilton's equations.
+class ChainByHand {
+public:
+    explicit ChainByHand(const hvi::State<std::array<double, 4>>& x) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            x_[k] = x.q[k];
+            x_[4 + k] = x.p[k];
+        }
+    }
+
+    int step(double h) {
+        if (h != h_) { begin(h); }
+        std::array<double, 8> next{};
+        for (std::size_t j = 0; j < 8; ++j) {
+            for (std::size_t i = 0; i < 8; ++i) { next[i] += columns_[j][i] * x_[j]; }
+        }
+        x_ = next;
+        return 0;
+    }
+
+    [[nodiscard]] double q(std::size_t k) const { return x_[k]; }
+    [[nodiscard]] double p(std::size_t k) const { return x_[4 + k]; }
+
+private:
+    using Matrix = std::array<std::array<double, 8>, 8>;
+
+    static Matrix times(const Matrix& A, const Matrix& B) {
+        Matrix product{};
+        for (std::size_t i = 0; i < 8; ++i) {
+            for (std::size_t j = 0; j < 8; ++j) {
+                for (std::size_t k = 0; k < 8; ++k) { product[i][j] += A[i][k] * B[k][j]; }
+            }
+        }
+        return product;
+    }
+
+    /// Solves A X = B by elimination; no pivots, since A is nearly 1.
+    static Matrix solved(Matrix A, Matrix B) {
+        for (std::size_t k = 0; k < 8; ++k) {
+            for (std::size_t i = 0; i < 8; ++i) {
+                const double factor = i == k ? 1.0 - 1.0 / A[k][k] : A[i][k] / A[k][k];
+                const auto row = A[k], side = B[k];
+                for (std::size_t j = 0; j < 8; ++j) {
+                    A[i][j] -= factor * row[j];
+                    B[i][j] -= factor * side[j];
+                }
+            }
+        }
+        return B;
+    }
+
+    void begin(double h) {
+        h_ = h;
+        Matrix z{}, numerator{}, denominator{}, power{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            z[k][4 + k] = h;
+            z[4 + k][k] = -2.0 * h;
+            if (k > 0) { z[4 + k][k - 1] = z[4 + k - 1][k] = h; }
+        }
+        for (std::size_t k = 0; k < 8; ++k) { power[k][k] = 1.0; }
+        for (const double c : {1.0, 1.0 / 2, 3.0 / 28, 1.0 / 84, 1.0 / 1680}) {
+            for (std::size_t i = 0; i < 8; ++i) {
+                for (std::size_t j = 0; j < 8; ++j) {
+                    numerator[i][j] += c * power[i][j];
+                    denominator[i][j] += (c == 1.0 / 2 || c == 1.0 / 84 ? -c : c) * power[i][j];
+                }
+            }
+            power = times(power, z);
+        }
+        const Matrix R = solved(denominator, numerator);
+        for (std::size_t i = 0; i < 8; ++i) {
+            for (std::size_t j = 0; j < 8; ++j) { columns_[j][i] = R[i][j]; }
+        }
+    }
+
+    std::array<double, 8> x_{};
+    Matrix columns_{};
+    double h_ = 0.0;
+};
+
 }  // namespace bench

@@ -71,13 +71,6 @@ void check_solver(const Scheme& scheme, const Scene& scene) {
                          place, "--solver newton takes any H");
 }
 
-/// Whether a step is one linear map: unless a solver is asked for, or what only one has.
-bool is_tabulated(const LoweredScene& lowered, const StepperOptions& options) {
-    return options.solver == Solver::automatic && !options.dense &&
-           lowered.structure.is_quadratic && lowered.system.degrees_of_freedom() == 1 &&
-           !lowered.system.time;
-}
-
 std::string explanation(const LoweredScene& lowered, const Scheme& scheme) {
     std::string text = "found in H:\n";
     for (const std::string& fact : facts(lowered)) text += "  " + fact + "\n";
@@ -122,8 +115,10 @@ void write_scene(const StepperOptions& options) {
     const Scheme scheme =
         plan(tableau, {.separable = lowered.structure.is_separable,
                        .depends_on_time = lowered.system.time.has_value(),
-                       .is_tabulated = is_tabulated(lowered, options),
                        .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic,
+                       .is_quadratic = lowered.structure.is_quadratic,
+                       .degrees_of_freedom = lowered.system.degrees_of_freedom(),
+                       .has_curve = options.dense,
                        .solver = options.solver});
     check_solver(scheme, scene);
     wishes.curve = curve;

@@ -1,4 +1,4 @@
-// Headers for quadratic Hamiltonians of one degree of freedom.
+// Headers for quadratic Hamiltonians: a step is one linear map.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/banner.hpp"
 #include "generator/emit/implicit_parts.hpp"
@@ -8,8 +8,7 @@ namespace hvi::gen {
 
 std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     const SystemPart system = system_part(tableau, scheme, options);
-    const Structure& found = options.scene->structure;
-    const bool is_shifted = !found.by_q.front().is_zero() || !found.by_p.front().is_zero();
+    const LoweredScene& scene = *options.scene;
     return fill("linear.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                   {"format", "4"},
                                   {"include", system.include},
@@ -22,7 +21,8 @@ std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const Emit
                                   {"constants", with_rounding(coefficients_text(scheme))},
                                   {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme),
                                                          weights_q(scheme), weights_p(scheme))},
-                                  {"shifted", is_shifted ? "true" : "false"},
+                                  {"n", std::to_string(scene.system.degrees_of_freedom())},
+                                  {"shifted", has_linear_part(scene.structure) ? "true" : "false"},
                                   {"alias", system.alias}});
 }
 

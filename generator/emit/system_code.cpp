@@ -190,12 +190,29 @@ std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) 
     return result;
 }
 
-/// The constants of H = qq q^2/2 + qp q p + pp p^2/2 + by_q q + by_p p.
+/// The constants of a quadratic H that are not zero.
 Function quadratic(const LoweredScene& lowered) {
     const Structure& found = lowered.structure;
-    const Results results{found.qq[0][0], found.qp[0][0], found.pp[0][0], found.by_q[0],
-                          found.by_p[0]};
-    return {"quadratic", {}, kernel(lowered.system.graph, results), false, false, ""};
+    const std::size_t n = lowered.system.degrees_of_freedom();
+    Function function{"quadratic", {}, {}, false, false, ""};
+    function.out = fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n);
+    Results results;
+    const auto add = [&](std::string target, const Scaled& value) {
+        if (value.is_zero()) { return; }
+        function.targets.push_back(std::move(target));
+        results.push_back(value);
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            add(fmt::format("H.qq[{}][{}]", i, j), found.qq[i][j]);
+            add(fmt::format("H.qp[{}][{}]", i, j), found.qp[i][j]);
+            add(fmt::format("H.pp[{}][{}]", i, j), found.pp[i][j]);
+        }
+        add(fmt::format("H.by_q[{}]", i), found.by_q[i]);
+        add(fmt::format("H.by_p[{}]", i), found.by_p[i]);
+    }
+    function.kernel = kernel(lowered.system.graph, std::move(results));
+    return function;
 }
 
 std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
@@ -241,15 +258,10 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     const bool is_matrix = function.out.substr(0, 6) == "Matrix";
     if (is_matrix) { writer.line("template <class Matrix>"); }
     const bool is_value = function.out.empty();
-    const bool is_number = function.kernel.results.size() == 1;
-    writer.open("{} {}({}) const {{",
-                !is_value   ? "void"
-                : is_number ? "[[nodiscard]] Scalar"
-                            : "[[nodiscard]] hvi::detail::Quadratic<Scalar>",
-                function.name, fmt::join(arguments, ", "));
+    writer.open("{} {}({}) const {{", is_value ? "[[nodiscard]] Scalar" : "void", function.name,
+                fmt::join(arguments, ", "));
     const auto results = write_code(writer, system.graph, function.kernel, names);
-    if (is_value && is_number) { writer.line("return {};", results.front()); }
-    if (is_value && !is_number) { writer.line("return {{{}}};", fmt::join(results, ", ")); }
+    if (is_value) { writer.line("return {};", results.front()); }
     for (std::size_t k = 0; k < function.targets.size(); ++k) {
         writer.line("{} = {};", function.targets[k], results[k]);
     }

@@ -151,6 +151,12 @@ void set_direction(Structure& found, SystemGraph& system) {
 
 }  // namespace
 
+bool has_linear_part(const Structure& quadratic) {
+    const auto is_not_zero = [](const Scaled& slope) { return !slope.is_zero(); };
+    return std::any_of(quadratic.by_q.begin(), quadratic.by_q.end(), is_not_zero) ||
+           std::any_of(quadratic.by_p.begin(), quadratic.by_p.end(), is_not_zero);
+}
+
 Structure structure(SystemGraph& system) {
     Structure found;
     for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {

@@ -31,6 +31,9 @@ struct Structure {
     std::vector<std::size_t> cyclic;  ///< the q_i that do not occur, so that p_i stays
 };
 
+/// Whether a quadratic H has terms that are linear in q or p.
+[[nodiscard]] bool has_linear_part(const Structure& quadratic);
+
 /// Adds the second derivatives to the graph.
 [[nodiscard]] Structure structure(SystemGraph& system);
 

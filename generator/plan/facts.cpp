@@ -108,7 +108,9 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme
         unknowns += n * (block.of(StageNode::Kind::Q).size() + block.of(StageNode::Kind::P).size());
     }
     if (scheme.is_tabulated) {
-        return {"a step: 3 multiplications and 3 additions, 5 where H has terms that are linear"};
+        const std::size_t additions = 3 * n * n + (has_linear_part(lowered.structure) ? 2 * n : 0);
+        return {fmt::format("a step: {} and {}", counted(3 * n * n, "multiplication"),
+                            counted(additions, "addition"))};
     }
     std::vector<std::string> result;
     result.push_back(

@@ -198,14 +198,31 @@ void set_kept(Scheme& scheme) {
     }
 }
 
-/// The map of one step is linear.
-void tabulate(Scheme& scheme) {
-    scheme.is_tabulated = true;
-    scheme.decisions = {
-        {"no solver",
-         "H is quadratic: a step is a product of three shears, computed when h changes"},
-        {"no compensated summation",
-         "the shears are symplectic however they round; --solver fixed-point iterates with it"}};
+/// The map of one step is linear. Whether it is tabulated, or why not.
+///
+/// NOTE: kicks and drifts are shears as well, and need the standard library alone. To compute the
+/// matrix costs the cube of the number of unknowns, in numbers of twice the digits: 64 take some
+/// milliseconds.
+void tabulate(Scheme& scheme, const PlanOptions& options) {
+    constexpr std::size_t most_unknowns = 64;
+    if (scheme.is_explicit() || scheme.from_parameter || options.depends_on_time) { return; }
+    const std::size_t unknowns =
+        options.degrees_of_freedom * (scheme.positions.size() + scheme.momenta.size());
+    const char* iterated = "iterated, though H is quadratic";
+    if (options.degrees_of_freedom > 1 && !scheme.separable) {
+        scheme.decisions.push_back({iterated, "products of q and p leave no symmetric shears"});
+    } else if (unknowns > most_unknowns) {
+        scheme.decisions.push_back({iterated, fmt::format("its matrix has {} unknowns, above {}",
+                                                          unknowns, most_unknowns)});
+    } else {
+        scheme.is_tabulated = true;
+        scheme.decisions = {
+            {"no solver",
+             "H is quadratic: a step is a product of three shears, computed when h changes"},
+            {"no compensated summation",
+             "the shears are symplectic however they round; --solver fixed-point iterates with "
+             "it"}};
+    }
 }
 
 /// The time is a coordinate with velocity 1, so that (4.18c) gives T_i = t + h sum_j a_ij.
@@ -448,11 +465,9 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_blocks(scheme);
     set_kept(scheme);
     set_from_parameter(scheme, tableau);
-    // NOTE: kicks and drifts are shears as well, and need the standard library alone.
-    if (options.is_tabulated && !scheme.is_explicit() && !scheme.from_parameter) {
-        tabulate(scheme);
-        return scheme;
-    }
+    const bool may_tabulate = options.solver == Solver::automatic && !options.has_curve;
+    if (options.is_quadratic && may_tabulate) { tabulate(scheme, options); }
+    if (scheme.is_tabulated) { return scheme; }
     if (options.depends_on_time) { set_times(scheme); }
     if (options.kinetic_is_quadratic) { eliminate_momenta(scheme); }
     set_solver(scheme, options.solver);

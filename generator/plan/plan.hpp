@@ -8,11 +8,13 @@
 namespace hvi::gen {
 
 struct PlanOptions {
-    bool separable = false;             ///< for H = T(p) + U(q) only
-    bool depends_on_time = false;       ///< H = H(q, p, t); if it is separable U(q, t)
-    bool is_tabulated = false;          ///< H is quadratic, of one degree of freedom
-    bool kinetic_is_quadratic = false;  ///< and T = p^T K p/2 with constant K
-    Solver solver = Solver::of_user;    ///< what is wished for
+    bool separable = false;              ///< for H = T(p) + U(q) only
+    bool depends_on_time = false;        ///< H = H(q, p, t); if it is separable U(q, t)
+    bool kinetic_is_quadratic = false;   ///< and T = p^T K p/2 with constant K
+    bool is_quadratic = false;           ///< all second derivatives of H are constant
+    std::size_t degrees_of_freedom = 0;  ///< of a scene
+    bool has_curve = false;              ///< the stages of a step are asked for
+    Solver solver = Solver::of_user;     ///< what is wished for
 };
 
 /// Throws InputError when the tableau has free parameters in places that parametric() refuses.

@@ -1,4 +1,4 @@
-// The step of a quadratic Hamiltonian of one degree of freedom as one linear map.
+// The step of a quadratic Hamiltonian as one linear map.
 // SPDX-License-Identifier: MIT
 //
 // NOTE: needs the standard library alone; see state.hpp.
@@ -8,9 +8,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include <hvi/arithmetic.hpp>
+#include <hvi/linear_stages.hpp>
+#include <hvi/linear_system.hpp>
 #include <hvi/pair.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
@@ -18,66 +19,31 @@
 
 namespace hvi::detail {
 
-/// H = qq q^2/2 + qp q p + pp p^2/2 + by_q q + by_p p.
-template <class Scalar>
-struct Quadratic {
-    Scalar qq, qp, pp, by_q, by_p;
-};
-
-/// The solution of N linear equations with several right sides, in numbers of twice the digits.
-template <class Scalar, std::size_t N, std::size_t columns>
-class LinearSystem {
-public:
-    using Number = Pair<Scalar>;
-
-    std::array<std::array<Number, N + columns>, N> rows{};  ///< the matrix, then the right sides
-
-    /// Replaces the right sides by the solutions (Gauss with row pivots); false where the matrix is
-    /// singular, or not finite.
-    [[nodiscard]] bool solve() {
-        for (std::size_t k = 0; k < N; ++k) {
-            std::size_t pivot = k;
-            for (std::size_t i = k + 1; i < N; ++i) {
-                if (abs(rows[i][k].hi) > abs(rows[pivot][k].hi)) { pivot = i; }
-            }
-            std::swap(rows[k], rows[pivot]);
-            if (rows[k][k].hi == 0 || !is_finite(rows[k][k].hi)) { return false; }
-            for (std::size_t i = 0; i < N; ++i) {
-                if (i != k) { eliminate(k, i); }
-            }
-        }
-        for (std::size_t k = 0; k < N; ++k) {
-            for (std::size_t j = N; j < N + columns; ++j) { rows[k][j] = rows[k][j] / rows[k][k]; }
-        }
-        return true;
-    }
-
-private:
-    void eliminate(std::size_t k, std::size_t i) {
-        const Number factor = rows[i][k] / rows[k][k];
-        for (std::size_t j = k; j < N + columns; ++j) {
-            rows[i][j] = rows[i][j] - factor * rows[k][j];
-        }
-    }
-};
-
-/// x' = R x + r for x = (q, p): one step of (4.18) with m_ij = a_ij/b_j and mt_ij = a~_ij/b_j.
+/// x' = R x + r for x = (q, p): one step of a quadratic H with n degrees of freedom.
 ///
-/// R is a product of shears, p += A q, q += B p, p += C q, each of which is symplectic whatever A,
-/// B and C were rounded to: the energy does not drift, as it does with rounded entries of R, whose
-/// determinant is not 1. The last shear of a step and the first of the next one are one. Where B is
-/// zero, as for H = q p, or R is nearly -1, there are no such shears, and x is multiplied by R.
-/// `shifted`: r is not zero.
-template <class Scalar, bool shifted>
+/// R = (A B; C D) is a product of shears, p += Y q, q += B p, p += X q, where Y = B^-1 (A - 1) and
+/// X = (D - 1) B^-1. The three matrices are symmetric: for H = p^T K p/2 + q^T G q/2 they are, in
+/// powers of h, made of products K G K ... K and G K G ... G. A shear with a symmetric matrix is
+/// symplectic whatever its entries were rounded to. So the energy does not drift, as it does with
+/// rounded entries of R, which is then not symplectic. The last shear of a step and the first of
+/// the next one are one, p += (X + Y) q. Where B is singular, as for H = q p, or R is nearly -1,
+/// there are no such shears, and x is multiplied by R. `shifted`: r is not zero.
+///
+/// NOTE: a step waits for the q and for the momentum between the shears of the step before, and for
+/// nothing else. For n = 1 that momentum is measured in units of 1/B: an addition then moves q.
+template <class Scalar, std::size_t n, bool shifted>
 class LinearMap {
 public:
+    using Vector = std::array<Scalar, n>;
+
     Status status;  ///< where it is not ok there is no map
 
     LinearMap() = default;
 
-    /// Where H.qp is not 0 there are as many positions as momenta.
+    /// The coefficients are those of LinearStages, the weights those of Lq and of Lp.
+    /// Precondition: H.qp is zero, or n is 1 and r is s.
     template <std::size_t r, std::size_t s>
-    LinearMap(Scalar h, const Quadratic<Scalar>& H, const Scalar (&m)[r][s],
+    LinearMap(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&m)[r][s],
               const Scalar (&mt)[s][r], const Scalar (&b_q)[s], const Scalar (&b_p)[r]) {
         status = Status(Status::Code::not_finite);
         if (!is_finite(h)) { return; }
@@ -85,123 +51,186 @@ public:
             status = Status(Status::Code::unsafe_arithmetic);
             return;
         }
-        LinearSystem<Scalar, r + s, 3> system;  // of Lq, Lp for (q, p) = (1, 0), (0, 1), and for r
-        const auto hb_q = weights_of_step(h, b_q);
-        const auto hb_p = weights_of_step(h, b_p);
-        for (std::size_t j = 0; j < s; ++j) {  // Lq_j = h b_j dH/dp(Q_j, P_j)
-            auto& row = system.rows[j];
-            for (std::size_t k = 0; k < s && H.qp != 0; ++k) {
-                row[k] = -(product(hb_q[j], H.qp) * Number{m[j][k]});
-            }
-            for (std::size_t i = 0; i < r; ++i) {
-                row[s + i] = -(product(hb_q[j], H.pp) * Number{mt[j][i]});
-            }
-            row[j] = row[j] + Number{Scalar(1)};
-            row[r + s] = product(hb_q[j], H.qp);
-            row[r + s + 1] = product(hb_q[j], H.pp);
-            row[r + s + 2] = product(hb_q[j], H.by_p);
-        }
-        for (std::size_t i = 0; i < r; ++i) {  // Lp_i = -h b_i dH/dq(Q_i, P_i)
-            auto& row = system.rows[s + i];
-            for (std::size_t k = 0; k < s; ++k) {
-                row[k] = product(hb_p[i], H.qq) * Number{m[i][k]};
-            }
-            for (std::size_t k = 0; k < r && H.qp != 0; ++k) {
-                row[s + k] = product(hb_p[i], H.qp) * Number{mt[i][k]};
-            }
-            row[s + i] = row[s + i] + Number{Scalar(1)};
-            row[r + s] = -product(hb_p[i], H.qq);
-            row[r + s + 1] = -product(hb_p[i], H.qp);
-            row[r + s + 2] = -product(hb_p[i], H.by_q);
-        }
-        if (system.solve()) {
-            set(increments(system, s));
-        } else {
+        LinearStages<Scalar, n, r, s> stages(H, m, mt);
+        const auto D = stages.increments(weights_of_step(h, b_q), weights_of_step(h, b_p));
+        if (!D) {
             status = Status(Status::Code::singular);
+        } else if (are_finite(*D)) {
+            set_product(*D);
+            is_sheared_ = set_shears(*D);
+            status = Status();
         }
     }
 
-    /// What the last step would have left in `middle`, had it ended at x.
-    [[nodiscard]] Scalar middle_before(Scalar q, Scalar p) const {
-        if constexpr (shifted) { return p - after_ - C_ * q; }
-        return p - C_ * q;
-    }
+    /// Whether there are shears, and so a momentum `middle` between them.
+    [[nodiscard]] bool is_sheared() const { return is_sheared_; }
 
     /// Where a step ends, and the momentum between its shears.
     struct End {
-        Scalar q, p, middle;
+        Vector q{}, p{}, middle{};
     };
 
-    /// `middle`: that of the last step.
-    [[nodiscard]] End next(Scalar q, Scalar p, Scalar middle) const {
-        if (!is_sheared_) {
-            return {R_[0][0] * q + (R_[0][1] * p + r_[0]), R_[1][0] * q + (R_[1][1] * p + r_[1]),
-                    middle};
+    /// The step from q, where the last one ended, and its `middle`; no step without shears.
+    [[nodiscard]] End after(const Vector& q, const Vector& middle) const {
+        End end;
+        end.middle = plus(moved(middle, between_), XY_, q);
+        if constexpr (n == 1) {
+            end.q[0] = q[0] + end.middle[0];
+            end.p[0] = unit_ * end.middle[0];
+        } else {
+            end.q = plus(q, B_, end.middle);
+            end.p = end.middle;
         }
-        Scalar next_middle = CA_ * q + middle;
-        if constexpr (shifted) { next_middle += between_; }
-        const Scalar next_q = B_ * next_middle + q;
-        Scalar next_p = C_ * next_q + next_middle;
-        if constexpr (shifted) { next_p += after_; }
-        return {next_q, next_p, next_middle};
+        end.p = plus(moved(end.p, after_), X_, end.q);
+        return end;
+    }
+
+    /// The step without shears.
+    [[nodiscard]] End product(const Vector& q, const Vector& p) const {
+        return {plus(plus(r_q_, R_qp_, p), R_qq_, q), plus(plus(r_p_, R_pp_, p), R_pq_, q), {}};
+    }
+
+    /// A step from any (q, p); `middle` is that of the last step if it `is_last` that ended here.
+    /// Unless the status is ok nothing is changed.
+    [[nodiscard, gnu::cold]] Status step(Vector& q, Vector& p, Vector& middle, bool is_last) const {
+        if (!status.ok()) { return status; }
+        const End end =
+            !is_sheared_ ? product(q, p) : after(q, is_last ? middle : middle_before(q, p));
+        for (std::size_t k = 0; k < n; ++k) {
+            if (!is_finite(end.q[k]) || !is_finite(end.p[k])) {
+                return Status(Status::Code::not_finite);
+            }
+        }
+        q = end.q;
+        p = end.p;
+        middle = end.middle;
+        return {};
     }
 
 private:
+    using Matrix = std::array<Vector, n>;  // by columns
     using Number = Pair<Scalar>;
-    using Increments = std::array<std::array<Number, 3>, 2>;  // R - 1 and r
 
-    [[nodiscard]] static Number product(Scalar x, Scalar y) { return Number{x} * Number{y}; }
-
-    /// The sums of Lq and of Lp.
-    template <std::size_t N>
-    [[nodiscard]] static Increments increments(const LinearSystem<Scalar, N, 3>& system,
-                                               std::size_t s) {
-        Increments sums{};
-        for (std::size_t column = 0; column < 3; ++column) {
-            for (std::size_t k = 0; k < N; ++k) {
-                Number& sum = sums[k < s ? 0 : 1][column];
-                sum = sum + system.rows[k][N + column];
-            }
-        }
-        return sums;
+    /// What the last step would have left in `middle`, had it ended at (q, p).
+    [[nodiscard]] Vector middle_before(const Vector& q, const Vector& p) const {
+        const Vector last = plus(shifted ? after_ : Vector{}, X_, q);
+        Vector middle{};
+        for (std::size_t i = 0; i < n; ++i) { middle[i] = (p[i] - last[i]) / unit_; }
+        return middle;
     }
 
-    void set(const Increments& D) {
+    /// x + M y.
+    [[nodiscard]] static Vector plus(Vector x, const Matrix& M, const Vector& y) {
+        for (std::size_t j = 0; j < n; ++j) {
+            for (std::size_t i = 0; i < n; ++i) { x[i] += M[j][i] * y[j]; }
+        }
+        return x;
+    }
+
+    [[nodiscard]] static Vector moved(Vector x, [[maybe_unused]] const Vector& shift) {
+        if constexpr (shifted) {
+            for (std::size_t i = 0; i < n; ++i) { x[i] += shift[i]; }
+        }
+        return x;
+    }
+
+    [[nodiscard]] static bool are_finite(const Increments<Scalar, n>& D) {
         for (const auto& row : D) {
             for (const Number& entry : row) {
-                if (!is_finite(entry.hi)) { return; }
+                if (!is_finite(entry.hi)) { return false; }
             }
         }
-        const Number one{Scalar(1)};
-        R_ = {{{(D[0][0] + one).hi, D[0][1].hi}, {D[1][0].hi, (D[1][1] + one).hi}}};
-        r_ = {D[0][2].hi, D[1][2].hi};
-        is_sheared_ = set_shears(D);
-        status = Status();
-    }
-
-    /// False where the shears would lose digits: A and C are large against the frequency
-    /// sqrt(|c/b|) of R = (a b; c d).
-    [[nodiscard]] bool set_shears(const Increments& D) {
-        const Number& b = D[0][1];
-        if (b.hi == 0) { return false; }
-        const Number A = D[0][0] / b;
-        const Number C = D[1][1] / b;
-        constexpr Scalar most = 1024;
-        const Scalar frequency = std::sqrt(abs(D[1][0].hi / b.hi));
-        if (!(abs(A.hi) <= most * frequency && abs(C.hi) <= most * frequency)) { return false; }
-        B_ = b.hi;
-        C_ = C.hi;
-        CA_ = (A + C).hi;
-        // The offset r as a shift of p before q moves, and one after it.
-        const Number before = D[0][2] / b;
-        between_ = (D[1][2] - C * D[0][2]).hi;
-        after_ = (D[1][2] - before - C * D[0][2]).hi;
         return true;
     }
 
-    std::array<std::array<Scalar, 2>, 2> R_{};
-    std::array<Scalar, 2> r_{};
-    Scalar B_ = 0, C_ = 0, CA_ = 0, between_ = 0, after_ = 0;
+    void set_product(const Increments<Scalar, n>& D) {
+        const auto one = [](std::size_t i, std::size_t j) {
+            return Number{Scalar(i == j ? 1 : 0)};
+        };
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                R_qq_[j][i] = (D[i][j] + one(i, j)).hi;
+                R_qp_[j][i] = D[i][n + j].hi;
+                R_pq_[j][i] = D[n + i][j].hi;
+                R_pp_[j][i] = (D[n + i][n + j] + one(i, j)).hi;
+            }
+            r_q_[i] = D[i][2 * n].hi;
+            r_p_[i] = D[n + i][2 * n].hi;
+        }
+    }
+
+    /// Of B (Y, X^T, y) = (A - 1, (D - 1)^T, r_q).
+    using Shears = LinearSystem<Scalar, n, 2 * n + 1>;
+
+    /// False where there are no shears, or they would lose digits.
+    [[nodiscard]] bool set_shears(const Increments<Scalar, n>& D) {
+        Shears shears;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                shears.rows[i][j] = D[i][n + j];
+                shears.rows[i][n + j] = D[i][j];
+                shears.rows[i][2 * n + j] = D[n + j][n + i];
+            }
+            shears.rows[i][3 * n] = D[i][2 * n];
+        }
+        if (!shears.solve()) { return false; }
+        const auto B = [&](std::size_t i, std::size_t j) { return D[i][n + j]; };
+        const auto Y = [&](std::size_t i, std::size_t j) { return shears.rows[i][n + j]; };
+        const auto X = [&](std::size_t i, std::size_t j) { return shears.rows[j][2 * n + i]; };
+        if (!keeps_digits(D, Y) || !keeps_digits(D, X)) { return false; }
+        const Number one{Scalar(1)};
+        const Number scale = n == 1 ? B(0, 0) : one;
+        unit_ = (one / scale).hi;
+        if (!std::isnormal(unit_)) { return false; }
+        B_ = symmetric(B);
+        X_ = symmetric(X);
+        XY_ = symmetric([&](std::size_t i, std::size_t j) { return (X(i, j) + Y(i, j)) * scale; });
+        // The offset r as a shift of p before q moves, and one after it.
+        for (std::size_t i = 0; i < n; ++i) {
+            Number between = D[n + i][2 * n];
+            for (std::size_t j = 0; j < n; ++j) { between = between - X(i, j) * D[j][2 * n]; }
+            between_[i] = (between * scale).hi;
+            after_[i] = (between - shears.rows[i][3 * n]).hi;
+        }
+        return true;
+    }
+
+    /// The upper triangle, and its mirror image.
+    template <class Entry>
+    [[nodiscard]] static Matrix symmetric(Entry entry) {
+        Matrix result{};
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = i; j < n; ++j) { result[i][j] = result[j][i] = entry(i, j).hi; }
+        }
+        return result;
+    }
+
+    /// Whether S = X or Y is not large against the frequencies, the square roots of -C B^-1, and is
+    /// as symmetric as it is without rounding: it is not where B is nearly singular. Row by row,
+    /// and in products with B, which have no dimension.
+    template <class Entry>
+    [[nodiscard]] static bool keeps_digits(const Increments<Scalar, n>& D, Entry S) {
+        constexpr Scalar most = 1024;
+        for (std::size_t i = 0; i < n; ++i) {
+            Scalar of_shear = 0, of_R = 0, asymmetry = 0;
+            for (std::size_t j = 0; j < n; ++j) {
+                const Scalar B = abs(D[j][n + i].hi);
+                of_shear += abs(S(i, j).hi) * B;
+                of_R += abs(D[n + i][j].hi) * B;
+                asymmetry += abs((S(i, j) - S(j, i)).hi) * B;
+            }
+            if (!(of_shear <= most * std::sqrt(of_R) && asymmetry <= epsilon<Scalar> * of_shear)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    Matrix R_qq_{}, R_qp_{}, R_pq_{}, R_pp_{};
+    Vector r_q_{}, r_p_{};
+    Matrix B_{}, X_{}, XY_{};  // XY_ is X + Y, by units of `middle`
+    Vector between_{}, after_{};
+    Scalar unit_ = 1;  // of `middle`
     bool is_sheared_ = false;
 };
 

@@ -392,6 +392,23 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK(explained.out == plain);
 }
 
+TEST_CASE("--explain says whether the step of a quadratic H is a matrix, and why not") {
+    const auto explained = [](const std::string& H) {
+        return hvi_gen({"stepper", "--method", "gauss:2", "--hamiltonian", H, "--explain"}).err;
+    };
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::string coupled = explained("p1^2/2+p2^2+(q1-q2)^2");
+    CHECK(has(coupled, "a step: 12 multiplications and 12 additions\n"));
+    CHECK(has(coupled, "no solver: H is quadratic"));
+    CHECK(has(explained("p^2/2+q^2/2+q"), "a step: 3 multiplications and 5 additions\n"));
+    const std::string mixed = explained("p1^2/2+p2^2/2+q1*p2");
+    CHECK(has(mixed, "iterated, though H is quadratic: products of q and p leave no symmetric "
+                     "shears\n"));
+    CHECK(has(mixed, "8 unknowns are solved for in a step\n"));
+}
+
 TEST_CASE("every scene gives a header, the same every time, below 100 kB") {
     for (const std::string scene :
          {"double-pendulum", "fpu", "harmonic-oscillator", "henon-heiles", "kepler", "nonseparable",

@@ -243,3 +243,54 @@ TEST_CASE("who solves the equations") {
     CHECK_FALSE(scheme("gauss:2", false, false, Solver::newton).modes);
     CHECK_FALSE(scheme("stormer-verlet", true, false, Solver::automatic).takes_newton());
 }
+
+TEST_CASE("a quadratic H is tabulated, unless that costs too much or loses too much") {
+    const auto tabulated = [](const char* method, PlanOptions options) {
+        options.is_quadratic = true;
+        options.solver = Solver::automatic;
+        return plan(named(method), options).is_tabulated;
+    };
+    const char* gauss = "gauss:2";
+    CHECK(tabulated(gauss, {.separable = true, .degrees_of_freedom = 1}));
+    CHECK(tabulated(gauss, {.separable = false, .degrees_of_freedom = 1}));
+    CHECK(tabulated(gauss, {.separable = true, .degrees_of_freedom = 4}));
+    CHECK_FALSE(tabulated(gauss, {.separable = false, .degrees_of_freedom = 2}));
+    // Four slopes of each degree of freedom; two with the midpoint rule.
+    CHECK(tabulated(gauss, {.separable = true, .degrees_of_freedom = 16}));
+    CHECK_FALSE(tabulated(gauss, {.separable = true, .degrees_of_freedom = 17}));
+    CHECK(tabulated("midpoint", {.separable = true, .degrees_of_freedom = 32}));
+    CHECK_FALSE(tabulated("midpoint", {.separable = true, .degrees_of_freedom = 33}));
+
+    const PlanOptions one = {.separable = true, .degrees_of_freedom = 1};
+    CHECK_FALSE(tabulated("stormer-verlet", one));  // explicit
+    CHECK_FALSE(plan(named(gauss), one).is_tabulated);
+    PlanOptions solved = one;
+    solved.is_quadratic = true;
+    CHECK_FALSE(plan(named(gauss), solved).is_tabulated);
+    PlanOptions dense = one;
+    dense.has_curve = true;
+    CHECK_FALSE(tabulated(gauss, dense));
+    PlanOptions driven = one;
+    driven.depends_on_time = true;
+    CHECK_FALSE(tabulated(gauss, driven));
+}
+
+TEST_CASE("why the step of a quadratic H is iterated is among the choices") {
+    const auto reason = [](const PlanOptions& options) -> std::string {
+        for (const Decision& decision : plan(named("gauss:2"), options).decisions) {
+            if (decision.what == "iterated, though H is quadratic") { return decision.why; }
+        }
+        return "";
+    };
+    PlanOptions options = {.separable = false,
+                           .is_quadratic = true,
+                           .degrees_of_freedom = 2,
+                           .solver = Solver::automatic};
+    CHECK(reason(options) == "products of q and p leave no symmetric shears");
+    options.separable = true;
+    CHECK(reason(options).empty());
+    options.degrees_of_freedom = 20;
+    CHECK(reason(options) == "its matrix has 80 unknowns, above 64");
+    options.solver = Solver::newton;
+    CHECK(reason(options).empty());
+}

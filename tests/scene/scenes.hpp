@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include <hvi/linear_stages.hpp>
 #include <scene/double_pendulum.hpp>
 #include <scene/fpu.hpp>
 #include <scene/harmonic_oscillator.hpp>
@@ -56,10 +57,18 @@ bool same_bits(const State& a, const State& b) {
 /// dH/dq and dH/dp of a system of either kind.
 template <class System, class Vector>
 void gradient(const System& system, const Vector& q, const Vector& p, Vector& dq, Vector& dp) {
-    if constexpr (requires { system.quadratic(); }) {
-        const auto H = system.quadratic();
-        dq[0] = H.qq * q[0] + H.qp * p[0] + H.by_q;
-        dp[0] = H.qp * q[0] + H.pp * p[0] + H.by_p;
+    using Quadratic = hvi::detail::Quadratic<double, std::tuple_size_v<Vector>>;
+    if constexpr (requires(Quadratic & H) { system.quadratic(H); }) {
+        Quadratic H;
+        system.quadratic(H);
+        dq = H.by_q;
+        dp = H.by_p;
+        for (std::size_t i = 0; i < dq.size(); ++i) {
+            for (std::size_t j = 0; j < dq.size(); ++j) {
+                dq[i] += H.qq[i][j] * q[j] + H.qp[i][j] * p[j];
+                dp[i] += H.qp[j][i] * q[j] + H.pp[i][j] * p[j];
+            }
+        }
     } else if constexpr (requires { system.dHdq(q, dq); }) {
         system.dHdq(q, dq);
         system.dHdp(p, dp);

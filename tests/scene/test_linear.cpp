@@ -1,9 +1,22 @@
-// Quadratic Hamiltonians of one degree of freedom: a step is one linear map.
+// Quadratic Hamiltonians: a step is one linear map.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
+#include <hvi/generated/gauss_2.hpp>
+#include <hvi/generated/lobatto_3.hpp>
+#include <hvi/generated/trig3.hpp>
+#include <scene/chain.hpp>
+#include <scene/chain_gauss.hpp>
+#include <scene/chain_lobatto.hpp>
+#include <scene/chain_radau.hpp>
+#include <scene/chain_trig3.hpp>
+#include <scene/coupled_pair.hpp>
+#include <scene/iterated_chain_radau.hpp>
 #include <scene/iterated_shifted.hpp>
+#include <scene/rotating.hpp>
+#include <scene/saddle.hpp>
 #include <scene/shifted.hpp>
 #include <scene/shifted_verlet.hpp>
+#include <scene/singular_mass.hpp>
 #include <scene/trig3_oscillator.hpp>
 
 #include "scenes.hpp"
@@ -32,6 +45,50 @@ long double defect(const Matrix& R) {
         return static_cast<long double>(x) * static_cast<long double>(y);
     };
     return std::abs(product(R.a, R.d) - product(R.b, R.c) - 1.0L);
+}
+
+/// Three masses in a row, with terms that are linear in q and p, as a user writes them.
+struct ChainByHand {
+    using Vector = std::array<double, 3>;
+    static void dHdq(const Vector& q, const Vector&, Vector& out) {
+        out[0] = 2 * (q[0] - q[1]) + 0.4 * q[0] + 1.0 / 3;
+        out[1] = -2 * (q[0] - q[1]) + 4.0 / 3 * (q[1] - q[2]) - 1;
+        out[2] = -4.0 / 3 * (q[1] - q[2]) + q[2];
+    }
+    static void dHdp(const Vector&, const Vector& p, Vector& out) {
+        out[0] = p[0] + 0.2 * p[1] + 0.5;
+        out[1] = 0.2 * p[0] + 0.5 * p[1];
+        out[2] = 3 * p[2] - 0.75;
+    }
+};
+
+struct SingularMassByHand {
+    using Vector = std::array<double, 2>;
+    static void dHdq(const Vector& q, const Vector&, Vector& out) {
+        out[0] = q[0] + q[1] / 7 + 1;
+        out[1] = 2 * q[1] / 3 + q[0] / 7;
+    }
+    static void dHdp(const Vector&, const Vector& p, Vector& out) { out[0] = out[1] = p[0] + p[1]; }
+};
+
+/// How far two steppers are from each other after steps forth and back of two sizes.
+template <class Tabulated, class Iterated>
+double difference(Iterated iterated) {
+    Tabulated tabulated;
+    typename Tabulated::State x;
+    for (std::size_t k = 0; k < x.q.size(); ++k) {
+        x.q[k] = 0.5 - 0.3 * static_cast<double>(k);
+        x.p[k] = 0.25 * static_cast<double>(k) - 0.125;
+    }
+    auto y = x;
+    for (int i = 0; i < 1000; ++i) {
+        const double h = i < 700 ? 0.1 : -0.05;
+        const hvi::Status status = tabulated.step(x, h);
+        REQUIRE(status.ok());
+        CHECK(status.iterations == 0);
+        REQUIRE(iterated.step(y, h).ok());
+    }
+    return scenes::distance_of_states(x, y);
 }
 
 }  // namespace
@@ -119,4 +176,124 @@ TEST_CASE("maps of float and long double are symplectic too") {
     BasicHarmonicOscillator<long double>::State y{{1.0L}, {0.0L}};
     for (int i = 0; i < 100'000; ++i) { REQUIRE(extended.step(y, 0.1L).ok()); }
     CHECK(std::abs(y.q[0] * y.q[0] + y.p[0] * y.p[0] - 1) < 1e-15L);
+}
+
+TEST_CASE("coupled degrees of freedom: the map is the step that is iterated") {
+    CHECK(difference<ChainGauss>(Gauss2<ChainByHand>()) < 1e-13);
+    CHECK(difference<ChainLobatto>(Lobatto3<ChainByHand>()) < 1e-13);
+    CHECK(difference<ChainTrig3>(Trig3<ChainByHand>()) < 1e-13);
+    // Not symmetric: the first shear and the last one differ.
+    CHECK(difference<ChainRadau>(IteratedChainRadau()) < 1e-13);
+}
+
+TEST_CASE("a singular matrix of inverse masses: there are no shears, and the map is right") {
+    // NOTE: p1 - p2 goes on growing, to about 60.
+    CHECK(difference<SingularMass>(Gauss2<SingularMassByHand>()) < 1e-11);
+}
+
+TEST_CASE("a step that turns one mode by half a period: there are no shears") {
+    // The modes q1 + q2 and q1 - q2 have w^2 = 1 and 3; with h = 2 the matrix (6.6) of the latter
+    // is -1, and the other one turns.
+    CoupledPair stepper;
+    for (const double h : {2.0, -2.0}) {
+        CoupledPair::State x{{1.0, 0.25}, {0.5, -0.125}};
+        const double z2 = h * h;
+        const double below = z2 * z2 + 12 * z2 + 144;
+        const double a = (z2 * z2 - 60 * z2 + 144) / below;
+        const double b = h * (144 - 12 * z2) / below;
+        const double q = x.q[0] + x.q[1], p = x.p[0] + x.p[1];
+        const double dq = x.q[0] - x.q[1], dp = x.p[0] - x.p[1];
+        REQUIRE(stepper.step(x, h).ok());
+        CHECK(x.q[0] + x.q[1] == Approx(a * q + b * p).epsilon(1e-14));
+        CHECK(x.p[0] + x.p[1] == Approx(a * p - b * q).epsilon(1e-14));
+        CHECK(x.q[0] - x.q[1] == Approx(-dq).epsilon(1e-14));
+        CHECK(x.p[0] - x.p[1] == Approx(-dp).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("the energy of coupled masses over a million steps wanders, and does not drift") {
+    constexpr int steps = 1'000'000;
+    constexpr double h = 0.1;
+    Chain stepper;
+    const Chain::State start{{0.5, -0.25, 1.0}, {0.125, 0.75, -0.5}};
+    Chain::State x = start;
+    for (int i = 0; i < steps; ++i) { REQUIRE(stepper.step(x, h).ok()); }
+    const double energy = stepper.energy(start);
+    const double change = std::abs(stepper.energy(x) / energy - 1);
+
+    // The same with the rounded entries of the matrix.
+    std::array<std::array<double, 6>, 6> R{};
+    for (std::size_t j = 0; j < 6; ++j) {
+        Chain::State unit;
+        (j < 3 ? unit.q : unit.p)[j % 3] = 1;
+        REQUIRE(stepper.step(unit, h).ok());
+        for (std::size_t i = 0; i < 6; ++i) { R[i][j] = (i < 3 ? unit.q : unit.p)[i % 3]; }
+    }
+    Chain::State y = start;
+    for (int k = 0; k < steps; ++k) {
+        Chain::State next;
+        for (std::size_t i = 0; i < 6; ++i) {
+            double& sum = (i < 3 ? next.q : next.p)[i % 3];
+            for (std::size_t j = 0; j < 6; ++j) { sum += R[i][j] * (j < 3 ? y.q : y.p)[j % 3]; }
+        }
+        y = next;
+    }
+    const double drift = std::abs(stepper.energy(y) / energy - 1);
+    INFO("shears: " << change << ", matrix: " << drift);
+    CHECK(change < 5e-13);
+    CHECK(drift > 1e-11);
+}
+
+TEST_CASE("what the map of coupled masses remembers") {
+    ChainGauss stepper;
+    ChainGauss::State x{{0.5, -0.25, 1.0}, {0.125, 0.75, -0.5}};
+    const ChainGauss::State start = x;
+    REQUIRE(stepper.step(x, 0.0).ok());
+    CHECK(scenes::same_bits(x, start));
+    REQUIRE(stepper.step(x, 0.1).ok());
+    REQUIRE(stepper.step(x, -0.1).ok());
+    CHECK(scenes::distance_of_states(x, start) < 1e-15);
+
+    for (int i = 0; i < 100; ++i) { REQUIRE(stepper.step(x, 0.1).ok()); }
+    for (const bool is_edited : {true, false}) {
+        ChainGauss used = stepper;
+        ChainGauss::State edited = x;
+        if (is_edited) {
+            edited.p[2] = -edited.p[2];
+        } else {
+            used.reset();
+        }
+        ChainGauss::State fresh = edited;
+        REQUIRE(used.step(edited, 0.1).ok());
+        REQUIRE(ChainGauss().step(fresh, 0.1).ok());
+        CHECK(scenes::same_bits(edited, fresh));
+    }
+}
+
+TEST_CASE("steps that coupled masses do not have leave the state") {
+    using Code = hvi::Status::Code;
+    // The midpoint rule has a pole on p^2/2 - q^2/2 at h = 2, and its coefficients are exact.
+    Saddle stepper;
+    Saddle::State x{{0.5, -0.25}, {0.125, 0.75}};
+    const Saddle::State start = x;
+    CHECK(stepper.step(x, 2.0).code() == Code::singular);
+    CHECK(stepper.step(x, std::numeric_limits<double>::infinity()).code() == Code::not_finite);
+    CHECK(stepper.step(x, std::numeric_limits<double>::quiet_NaN()).code() == Code::not_finite);
+    CHECK(scenes::same_bits(x, start));
+    for (std::size_t k = 0; k < 2; ++k) {
+        Saddle::State lost = start;
+        lost.q[k] = std::numeric_limits<double>::infinity();
+        const Saddle::State before = lost;
+        CHECK(stepper.step(lost, 0.5).code() == Code::not_finite);
+        CHECK(scenes::same_bits(lost, before));
+    }
+    CHECK(stepper.step(x, 1.0).ok());
+}
+
+TEST_CASE("products of q and p of more than one degree of freedom: the step is iterated") {
+    Rotating stepper;
+    Rotating::State x{{0.5, -0.25}, {0.125, 0.75}};
+    const hvi::Status status = stepper.step(x, 0.1);
+    REQUIRE(status.ok());
+    CHECK(status.iterations > 0);
 }
