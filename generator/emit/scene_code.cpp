@@ -92,12 +92,12 @@ std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& w
     Writer writer(1);
     if (!lowered.initial.empty()) {
         writer.line("/// Where the scene begins.");
-        writer.open("[[nodiscard]] static State initial(const Parameters& parameters) {{")
+        writer.open("[[nodiscard]] static constexpr State initial(const Parameters& parameters) {{")
             .line("State x;")
             .line("System::begin(parameters, x.q, x.p);")
             .line("return x;")
             .close();
-        writer.line("[[nodiscard]] static State initial() {{ return initial(Parameters{{}}); }}");
+        writer.line("[[nodiscard]] static constexpr State initial() {{ return initial(Parameters{{}}); }}");
         writer.blank();
     }
     if (wishes.energy) {

@@ -258,8 +258,8 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     const bool is_matrix = function.out.substr(0, 6) == "Matrix";
     if (is_matrix) { writer.line("template <class Matrix>"); }
     const bool is_value = function.out.empty();
-    writer.open("{} {}({}) const {{", is_value ? "[[nodiscard]] Scalar" : "void", function.name,
-                fmt::join(arguments, ", "));
+    writer.open("{}constexpr {} {}({}) const {{", is_value ? "[[nodiscard]] " : "",
+                is_value ? "Scalar" : "void", function.name, fmt::join(arguments, ", "));
     const auto results = write_code(writer, system.graph, function.kernel, names);
     if (is_value) { writer.line("return {};", results.front()); }
     for (std::size_t k = 0; k < function.targets.size(); ++k) {
@@ -277,7 +277,7 @@ bool uses_parameters(const LoweredScene& lowered, const Kernel& kernel) {
 
 void write_constructor(Writer& writer, const LoweredScene& lowered, const Given& given) {
     const Kernel setup = given.setup();
-    writer.open("explicit System({}) {{",
+    writer.open("constexpr explicit System({}) {{",
                 argument(uses_parameters(lowered, setup), "const Parameters& parameters"));
     const auto results = write_code(writer, lowered.system.graph, setup, given.of_inputs());
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -288,7 +288,7 @@ void write_constructor(Writer& writer, const LoweredScene& lowered, const Given&
 
 void write_begin(Writer& writer, const LoweredScene& lowered, const Given& given,
                  const Kernel& initial) {
-    writer.open("static void begin({}, Vector& q, Vector& p) {{",
+    writer.open("static constexpr void begin({}, Vector& q, Vector& p) {{",
                 argument(uses_parameters(lowered, initial), "const Parameters& parameters"));
     const auto results = write_code(writer, lowered.system.graph, initial, given.of_inputs());
     const std::size_t n = lowered.system.degrees_of_freedom();

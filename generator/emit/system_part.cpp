@@ -10,6 +10,11 @@ namespace hvi::gen {
 
 namespace {
 
+/// What needs no solver may be computed by the compiler.
+std::string_view constant_if_explicit(const Scheme& scheme) {
+    return scheme.is_explicit() ? "constexpr " : "";
+}
+
 // ---- a class of the user ----
 
 std::string purpose_for_users(const Scheme& scheme) {
@@ -31,8 +36,9 @@ std::string purpose_for_users(const Scheme& scheme) {
 
 std::string constructor_for_users(const Scheme& scheme, std::string_view class_name) {
     Writer writer(1);
+    const std::string_view constant = constant_if_explicit(scheme);
     if (!scheme.from_parameter) {
-        writer.line("explicit {}(System system = System{{}})", class_name);
+        writer.line("{}explicit {}(System system = System{{}})", constant, class_name);
         writer.line("    : system_(std::move(system)) {{}}");
         return writer.str();
     }
@@ -110,11 +116,12 @@ std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
 std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& options,
                                    std::string_view class_name) {
     Writer writer(1);
+    const std::string_view constant = constant_if_explicit(scheme);
     const std::vector<Parameter>& parameters = options.scene->scene.parameters;
     if (!scheme.from_parameter) {
-        writer.line("{0}() : {0}(Parameters{{}}) {{}}", class_name);
-        writer.line("explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
-                    class_name);
+        writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
+        writer.line("{}explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
+                    constant, class_name);
         return writer.blank().insert(scene_members_text(*options.scene, options.wishes)).str();
     }
     const std::string& name = scheme.from_parameter->numbers.parameter;

@@ -54,7 +54,7 @@ template <class Scalar>
 inline constexpr int bits = count_bits<Scalar>();
 
 template <class Scalar>
-[[nodiscard]] inline bool is_finite(Scalar x) {
+[[nodiscard]] constexpr bool is_finite(Scalar x) {
     if constexpr (is_standard<Scalar>) {
         return std::isfinite(x);
     } else {

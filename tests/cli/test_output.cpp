@@ -359,7 +359,7 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     };
     const std::string plain = hvi_gen(words).out;
     CHECK(has(plain, "struct Parameters"));
-    CHECK(has(plain, "static State initial("));
+    CHECK(has(plain, "static constexpr State initial("));
     CHECK_FALSE(has(plain, "energy("));
     CHECK_FALSE(has(plain, "angular_momentum("));
     CHECK(has(plain, "using Solver = hvi::Automatic<hvi::NewtonOfPositions>;"));

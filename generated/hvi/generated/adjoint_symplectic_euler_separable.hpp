@@ -145,7 +145,7 @@ template <class Scalar>
 inline constexpr int bits = count_bits<Scalar>();
 
 template <class Scalar>
-[[nodiscard]] inline bool is_finite(Scalar x) {
+[[nodiscard]] constexpr bool is_finite(Scalar x) {
     if constexpr (is_standard<Scalar>) {
         return std::isfinite(x);
     } else {
@@ -241,7 +241,7 @@ constexpr bool check_system() {
 /// Gives v the dimension n, filled with zeros where that is new. Allocates only then, and only
 /// where the dimension is dynamic.
 template <class Vector>
-void fit(Vector& v, IndexOf<Vector> n) {
+constexpr void fit(Vector& v, IndexOf<Vector> n) {
     if constexpr (HasResize<Vector>::value) {
         if (v.size() == n) { return; }
         v.resize(n);
@@ -252,7 +252,8 @@ void fit(Vector& v, IndexOf<Vector> n) {
 /// A vector to compute in: a new one, which lives in registers, where the dimension is part of the
 /// type; the caller's `own` where it is not, so that nothing is allocated.
 template <class Vector>
-[[nodiscard]] std::conditional_t<HasResize<Vector>::value, Vector&, Vector> scratch(Vector& own) {
+[[nodiscard]] constexpr std::conditional_t<HasResize<Vector>::value, Vector&, Vector>
+scratch(Vector& own) {
     if constexpr (HasResize<Vector>::value) {
         return own;
     } else {
@@ -260,10 +261,21 @@ template <class Vector>
     }
 }
 
-/// Whether a and b agree bit for bit, -0.0 and 0.0 being different.
+/// Whether the compiler computes this; false where it does not tell.
+[[nodiscard]] constexpr bool is_constant_evaluated() {
+#ifdef __has_builtin
+#if __has_builtin(__builtin_is_constant_evaluated)
+    return __builtin_is_constant_evaluated();
+#endif
+#endif
+    return false;
+}
+
+/// Whether a and b agree bit for bit, -0.0 and 0.0 being different. NOTE: a compiler that computes
+/// a step has no bits to compare: it remembers nothing, and comes to the same end.
 template <class Vector>
-[[nodiscard]] bool same_bits(const Vector& a, const Vector& b) {
-    if (a.size() != b.size()) { return false; }
+[[nodiscard]] constexpr bool same_bits(const Vector& a, const Vector& b) {
+    if (is_constant_evaluated() || a.size() != b.size()) { return false; }
     using Scalar = ScalarOf<Vector>;
     // NOTE: of the 64-bit format ten bytes are the number, the others are padding.
     constexpr std::size_t bytes = bits<Scalar> == 64 ? 10 : sizeof(Scalar);
@@ -285,7 +297,7 @@ template <class Vector>
 
 /// 0 where all components are finite, else no number.
 template <class Vector>
-[[nodiscard]] ScalarOf<Vector> zero_if_finite(const Vector& v) {
+[[nodiscard]] constexpr ScalarOf<Vector> zero_if_finite(const Vector& v) {
     // NOTE: x - x is 0, or no number where x is infinite or none. Two sums, since each waits for
     // itself alone.
     ScalarOf<Vector> even = 0;
@@ -301,13 +313,13 @@ template <class Vector>
 
 /// Whether all components of both are finite. One test of a sum is cheaper than one of each.
 template <class Vector>
-[[nodiscard]] bool finite(const Vector& q, const Vector& p) {
+[[nodiscard]] constexpr bool finite(const Vector& q, const Vector& p) {
     return zero_if_finite(q) + zero_if_finite(p) >= 0;
 }
 
 /// to = from, which are of one dimension.
 template <class Vector>
-void copy(const Vector& from, Vector& to) {
+constexpr void copy(const Vector& from, Vector& to) {
     // NOTE: four at a time. Of an assignment, or a loop over single components, g++ makes a call of
     // memcpy where there are many, and the next step waits: what it loads was stored in two parts.
     IndexOf<Vector> k = 0;
@@ -338,12 +350,12 @@ public:
     using Scalar = hvi::detail::ScalarOf<Vector>;
     using State = hvi::State<Vector>;
 
-    explicit AdjointSymplecticEulerSeparable(System system = System{})
+    constexpr explicit AdjointSymplecticEulerSeparable(System system = System{})
         : system_(std::move(system)) {}
 
     /// Advances x by a step of size h: negative is back, 0 leaves every bit. Unless the status is
     /// ok, x has kept its bits.
-    [[nodiscard]] Status step(State& x, Scalar h) {
+    [[nodiscard]] constexpr Status step(State& x, Scalar h) {
         if (h == 0) { return {}; }
         if (!hvi::detail::is_finite(h)) { return Status(Status::Code::not_finite); }
         const Index n = x.q.size();
@@ -373,7 +385,7 @@ public:
     }
 
     /// Forgets what the last step left.
-    void reset() {  }
+    constexpr void reset() {  }
 
 private:
     using Index = hvi::detail::IndexOf<Vector>;
