@@ -2,6 +2,9 @@
 #include "generator/lower/graph.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "generator/lower/pythagoras.hpp"
 
 namespace hvi::gen {
 
@@ -22,6 +25,27 @@ SmallFraction common_factor(const std::vector<Scaled>& terms) {
     });
     if (all_equal) { return first; }
     return {first.above < 0 ? -1 : 1, 1};
+}
+
+/// Ascending by node, like terms together, none of them zero.
+std::vector<Scaled> merged(std::vector<Scaled> terms) {
+    std::stable_sort(terms.begin(), terms.end(),
+                     [](const Scaled& a, const Scaled& b) { return a.node < b.node; });
+    std::vector<Scaled> result;
+    for (const Scaled& term : terms) {
+        if (term.is_zero()) { continue; }
+        const bool is_like = !result.empty() && result.back().node == term.node;
+        const auto folded =
+            is_like ? result.back().factor + term.factor : std::optional<SmallFraction>();
+        if (!folded) {
+            result.push_back(term);
+        } else if (folded->is_zero()) {
+            result.pop_back();
+        } else {
+            result.back().factor = *folded;
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -62,30 +86,16 @@ Scaled Graph::times(const SmallFraction& factor, const Scaled& a) {
 }
 
 Scaled Graph::sum(std::vector<Scaled> terms) {
-    std::stable_sort(terms.begin(), terms.end(),
-                     [](const Scaled& a, const Scaled& b) { return a.node < b.node; });
-    std::vector<Scaled> merged;
-    for (const Scaled& term : terms) {
-        if (term.is_zero()) { continue; }
-        const bool is_like = !merged.empty() && merged.back().node == term.node;
-        const auto folded =
-            is_like ? merged.back().factor + term.factor : std::optional<SmallFraction>();
-        if (!folded) {
-            merged.push_back(term);
-        } else if (folded->is_zero()) {
-            merged.pop_back();
-        } else {
-            merged.back().factor = *folded;
-        }
-    }
-    if (merged.empty()) { return number(0); }
-    if (merged.size() == 1) { return merged.front(); }
-    const SmallFraction common = common_factor(merged);
+    terms = merged(std::move(terms));
+    while (apply_pythagoras(*this, terms)) { terms = merged(std::move(terms)); }
+    if (terms.empty()) { return number(0); }
+    if (terms.size() == 1) { return terms.front(); }
+    const SmallFraction common = common_factor(terms);
     const SmallFraction inverse = SmallFraction::of(common.below, common.above).value();
-    for (Scaled& term : merged) { term.factor = (term.factor * inverse).value(); }
+    for (Scaled& term : terms) { term.factor = (term.factor * inverse).value(); }
     Computation computation;
     computation.operation = Operation::sum;
-    computation.terms = std::move(merged);
+    computation.terms = std::move(terms);
     return {common, insert(std::move(computation))};
 }
 

@@ -92,3 +92,20 @@ TEST_CASE("the inverse mass times the momenta, without what is linear in T") {
     CHECK(value(coupled.system.graph, coupled.found.inverse_mass[1], at) == 5);
     CHECK(value(coupled.system.graph, coupled.system.dHdp[1], at) == 5 + 3);
 }
+
+TEST_CASE("what sin^2 + cos^2 and cosh^2 - sinh^2 hide") {
+    const auto two = [](const std::string& H) { return analysed(H, "a, b", "pa, pb").found; };
+    CHECK(two("(pa*cos(b))^2/2+(pa*sin(b))^2/2+pb^2/2+a^2*b^2").kinetic_is_quadratic);
+    CHECK(two("pa^2*(cosh(b)^2-sinh(b)^2)/2+pb^2/2").is_quadratic);
+    CHECK(two("pa^2*cosh(a*b)^2-pa^2*sinh(a*b)^2+pb^2").is_quadratic);
+    // Twice: sin(a)^2 cos(b)^2 + sin(a)^2 sin(b)^2 + cos(a)^2.
+    CHECK(two("pa^2*((sin(a)*cos(b))^2+(sin(a)*sin(b))^2+cos(a)^2)+pb^2").is_quadratic);
+
+    CHECK_FALSE(two("pa^2*(cos(b)^2+2*sin(b)^2)+pb^2").is_separable);
+    CHECK_FALSE(two("pa^2*(cos(b)^2+sin(a)^2)+pb^2").is_separable);
+    CHECK_FALSE(two("pa^2*(cos(b)^2-sin(b)^2)+pb^2").is_separable);
+    CHECK_FALSE(two("pa^2*(cosh(b)^2+sinh(b)^2)+pb^2").is_separable);
+    CHECK_FALSE(two("pa^2*sinh(b)^2-pa^2*cosh(a)^2+pb^2").is_separable);
+    // 1 - 2 sin^2 + ... of products of three: only one pair goes.
+    CHECK_FALSE(two("pa^2*(cos(b)^2+sin(b)^2+sin(b)^2)+pb^2").is_separable);
+}
