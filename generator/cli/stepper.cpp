@@ -96,14 +96,6 @@ MethodAndCurve derive(const Method& method, bool dense) {
     });
 }
 
-void refuse_curve_without_equations(const Method& method) {
-    const List& basis = method.basis;
-    throw InputError("--dense for a step without equations to solve is announced, but not built "
-                     "yet",
-                     basis.place({0, basis.source->text.size()}),
-                     "methods that solve equations have it, as gauss:2");
-}
-
 void write_scene(const StepperOptions& options) {
     const auto [method, scene] = read_scene(options.method, *options.system);
     SceneWishes wishes{options.energy, options.invariants, {}};
@@ -122,7 +114,6 @@ void write_scene(const StepperOptions& options) {
                        .solver = options.solver});
     check_solver(scheme, scene);
     wishes.curve = curve;
-    if (options.dense && scheme.is_explicit()) refuse_curve_without_equations(method);
     const std::string name =
         class_name(scene.name.empty() ? tableau.name : scene.name + "-" + tableau.name);
     const EmitOptions emitted = {.class_name = options.name.value_or(name),

@@ -7,8 +7,10 @@ namespace hvi::gen {
 
 std::string emit(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     if (scheme.is_tabulated) { return emit_linear(tableau, scheme, options); }
-    return scheme.is_explicit() ? emit_explicit(tableau, scheme, options)
-                                : emit_implicit(tableau, scheme, options);
+    // NOTE: the curve is made of slopes, and an explicit step keeps none.
+    const bool keeps_slopes = !scheme.is_explicit() || options.wishes.curve;
+    return keeps_slopes ? emit_implicit(tableau, scheme, options)
+                        : emit_explicit(tableau, scheme, options);
 }
 
 }  // namespace hvi::gen

@@ -23,6 +23,7 @@ std::string includes(std::vector<std::string> names) {
 
 std::vector<std::string> solver_headers(const Scheme& scheme) {
     const std::string newton = scheme.velocity_form ? "newton_positions.hpp" : "newton_pairs.hpp";
+    if (scheme.is_explicit()) { return {}; }
     switch (scheme.solver) {
     case Solver::of_user:
     case Solver::fixed_point: break;

@@ -142,7 +142,10 @@ std::string steps_text(const Scheme& scheme) {
     }
     begin_kept(writer, scheme.keeps_force, "dHdq", "q", start_time(scheme), "force_");
     begin_kept(writer, scheme.keeps_velocity, "dHdp", "p", "", "velocity_");
-    writer.line("if constexpr (Solver::takes_starting_values) {{ predict(); }}").blank();
+    if (!scheme.is_explicit()) {
+        writer.line("if constexpr (Solver::takes_starting_values) {{ predict(); }}");
+    }
+    writer.blank();
     if (evaluates_slopes(scheme)) { writer.line("auto&& slope = hvi::detail::scratch(s_.slope);"); }
     const bool several = scheme.coupled_blocks() > 1;
     if (several) { writer.line("int iterations = 0;"); }
@@ -235,6 +238,7 @@ void constant(Writer& writer, const Scheme& scheme, const std::vector<Slope>& sl
 }
 
 std::string predict_text(const Scheme& scheme) {
+    if (scheme.is_explicit()) { return {}; }
     const std::vector<Slope> slopes = predicted(scheme);
     Writer writer(1);
     writer.comment(scheme.extrapolation
@@ -283,7 +287,7 @@ std::string members_text(const Scheme& scheme) {
     constexpr std::string_view solver = "typename Solver::template Iteration<Vector>";
     if (scheme.coupled_blocks() == 1) {
         writer.line("{} solver_;", solver);
-    } else {
+    } else if (!scheme.is_explicit()) {
         writer.line("std::array<{}, {}> solver_;", solver, scheme.coupled_blocks());
     }
     if (scheme.keeps_force) {

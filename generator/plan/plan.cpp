@@ -156,7 +156,7 @@ StagePattern pattern(const Scheme& scheme) {
     return result;
 }
 
-void set_blocks(Scheme& scheme) {
+void set_blocks(Scheme& scheme, bool has_curve) {
     const StageGraph graph(pattern(scheme));
     for (const auto& component : components(graph.needs())) {
         Block block;
@@ -168,7 +168,11 @@ void set_blocks(Scheme& scheme) {
         scheme.decisions.push_back(
             {"no solver", "no stage depends on itself: the step is kicks and drifts in turn"});
         scheme.decisions.push_back(
-            {"no compensated summation", "the error of the step is far above round-off"});
+            has_curve
+                ? Decision{"the slopes are kept, in compensated sums",
+                           "the curve of a step is made of them"}
+                : Decision{"no compensated summation",
+                           "the error of the step is far above round-off"});
     } else if (scheme.coupled_blocks() > 1) {
         scheme.decisions.push_back(
             {fmt::format("{} smaller systems are solved in turn", scheme.coupled_blocks()),
@@ -462,7 +466,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     scheme.partner = partner(tableau);
     set_stages(scheme, tableau);
     set_places(scheme);
-    set_blocks(scheme);
+    set_blocks(scheme, options.has_curve);
     set_kept(scheme);
     set_from_parameter(scheme, tableau);
     const bool may_tabulate = options.solver == Solver::automatic && !options.has_curve;

@@ -266,7 +266,6 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "--invariants", {"stepper", "--method", "gauss:2", "--invariants"}},
         {2, "--dense", {"stepper", "--method", "gauss:2", "--dense"}},
         {2, "--dense=3", {"stepper", "--method", "gauss:2", "--dense=3", "kepler"}},
-        {2, "1, cos(pi*tau)", {"stepper", "--method", "stormer-verlet", "--dense", "kepler"}},
         {2,
          "tau*sin(tau)",
          {"stepper", "--basis", "1, tau*sin(tau)", "--nodes", "0, 1", "--dense", "qp"}},

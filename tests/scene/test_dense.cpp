@@ -24,8 +24,11 @@
 #include <scene/dense_midpoint_pendulum.hpp>
 #include <scene/dense_mixed.hpp>
 #include <scene/dense_pairs_of_mass_matrix.hpp>
+#include <scene/dense_stormer-verlet_pendulum.hpp>
+#include <scene/dense_symplectic-euler_pendulum.hpp>
 #include <scene/dense_trig3_nonseparable.hpp>
 #include <scene/dense_trig3_pendulum.hpp>
+#include <scene/verlet_pendulum.hpp>
 
 #include "scenes.hpp"
 
@@ -229,6 +232,8 @@ TEST_CASE("positions within a step are on the curve of the paper") {
 
 TEST_CASE("the curve ends where the step does, and there is none without a step") {
     check_ends<DensePendulumMidpoint>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DensePendulumVerlet>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DensePendulumEuler>({{1.5}, {0.0}}, 0.1, 1e-15);
     check_ends<DensePendulumGauss3>({{1.5}, {0.0}}, 0.1, 1e-15);
     check_ends<DensePendulumGauss8>({{1.5}, {0.0}}, 0.1, 1e-15);
     check_ends<DenseNonseparableLobatto3>({{-3.0}, {0.0}}, 0.02, 2e-15);
@@ -243,6 +248,8 @@ TEST_CASE("the error within a step is O(h^(order+1)), and of no higher power") {
     const auto is_near = [](int expected) { return Approx(expected).margin(0.2); };
     CHECK(exponent<DensePendulumMidpoint>(0.05) == is_near(2));
     CHECK(exponent<DenseNonseparableMidpoint>(0.05) == is_near(2));
+    CHECK(exponent<DensePendulumVerlet>(0.05) == is_near(2));
+    CHECK(exponent<DensePendulumEuler>(0.05) == is_near(2));
     CHECK(exponent<DensePendulumGauss2>(0.05) == is_near(3));
     CHECK(exponent<DenseNonseparableGauss2>(0.05) == is_near(3));
     CHECK(exponent<DensePendulumGauss3>(0.05) == is_near(4));
@@ -253,6 +260,18 @@ TEST_CASE("the error within a step is O(h^(order+1)), and of no higher power") {
     CHECK(exponent<DenseNonseparableChebyshev3>(0.05) == is_near(3));
     CHECK(exponent<DensePendulumTrig3>(0.05) == is_near(2));
     CHECK(exponent<DenseNonseparableTrig3>(0.05) == is_near(2));
+}
+
+TEST_CASE("an explicit step with a curve is the explicit step") {
+    DensePendulumVerlet dense;
+    VerletPendulum plain;
+    auto x = DensePendulumVerlet::initial();
+    auto y = VerletPendulum::initial();
+    for (int i = 0; i < 200; ++i) {
+        REQUIRE(dense.step(x, 0.1).ok());
+        REQUIRE(plain.step(y, 0.1).ok());
+        REQUIRE(scenes::distance(x.q, y.q) + scenes::distance(x.p, y.p) < 1e-13);
+    }
 }
 
 TEST_CASE("eight stages give the solution within a long step to round-off") {
