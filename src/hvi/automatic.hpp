@@ -48,7 +48,7 @@ struct Automatic {
             return newton_.solve(coupled);
         }
 
-        FixedPoint::Iteration<Vector> fixed_point_;
+        FixedPoint::template Iteration<Vector> fixed_point_;
         typename Newton::template Iteration<Vector> newton_;
         int stiff_steps_ = 0;  ///< so many more before fixed points are tried again
     };

@@ -115,8 +115,7 @@ struct Newton {
         template <class Coupled>
         [[nodiscard]] Status solve(Coupled coupled) {
             check<Coupled>();
-            if (equations_.template fit<Coupled>(coupled.s.n)) { loop_.forget(); }
-            return loop_.run(coupled, equations_);
+            return loop_.solve(coupled);
         }
 
     private:
@@ -137,8 +136,8 @@ struct Newton {
             }
         }
 
-        detail::PairEquations<Vector, detail::AlgebraOfEigen<Vector>> equations_;
-        detail::NewtonLoop<Vector> loop_;
+        detail::NewtonLoop<Vector, detail::PairEquations<Vector, detail::AlgebraOfEigen<Vector>>>
+            loop_;
     };
 };
 

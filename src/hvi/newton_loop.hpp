@@ -13,35 +13,37 @@ namespace hvi::detail {
 /// Newton's method down to round-off. `Equations` has the unknowns of one step and the factors of
 /// their Jacobian J, and offers
 ///
+///     bool fit(coupled);                   makes room; true where there was not enough
 ///     void begin(coupled);                 starts from no slopes at all
 ///     bool factorise_start(coupled);       factors of J as begin() leaves the stages
 ///     bool factorise(coupled);             factors of J at the present stages
 ///     void correct(coupled);               unknowns -= J^-1 residual, and sets coupled.s.change
 ///     bool is_finite();                    whether J was, or should have been
 ///
-/// both factorisations false where J is singular or not finite. The factors are kept over iterations and steps
-/// while the iteration contracts well. They are forgotten with the state that they belong to and
-/// when h changes.
+/// both factorisations false where J is singular or not finite. The factors are kept over
+/// iterations and steps while the iteration contracts well. They are forgotten with the state that
+/// they belong to and when h changes.
 ///
 /// NOTE: it starts from no slopes, not from extrapolated ones: no polynomial follows a solution
 /// whose period is short against h, and q, p is where H is sure to be defined.
-template <class Vector>
+template <class Vector, class Equations>
 class NewtonLoop {
 public:
     static constexpr int most_iterations = 60;
 
-    template <class Coupled, class Equations>
-    [[nodiscard]] Status run(Coupled& coupled, Equations& equations) {
+    template <class Coupled>
+    [[nodiscard]] Status solve(Coupled coupled) {
+        if (equations_.fit(coupled)) { factored_ = false; }
         round_off_.begin(coupled.s.n);
-        equations.begin(coupled);
+        equations_.begin(coupled);
         const bool reusable = factored_ && coupled.s.continues && coupled.s.h == coupled.s.h_before;
-        factored_ = reusable || equations.factorise_start(coupled);
-        if (!factored_) { return no_factors(equations, 0); }
+        factored_ = reusable || equations_.factorise_start(coupled);
+        if (!factored_) { return no_factors(0); }
 
         bool reused = reusable;
         Scalar last_change = 0;
         for (int iteration = 1; iteration <= most_iterations; ++iteration) {
-            equations.correct(coupled);
+            equations_.correct(coupled);
             switch (round_off_.template judge<Coupled::has_q, Coupled::has_p>(coupled.s.change,
                                                                               coupled)) {
             case Verdict::go_on: break;
@@ -55,17 +57,15 @@ public:
             last_change = change;
             if (!falls && change <= rounding) { return Status(Status::Code::ok, iteration); }
             if (contracts || change <= well) { continue; }
-            if (reused) { equations.begin(coupled); }
-            factored_ = reused ? equations.factorise_start(coupled) : equations.factorise(coupled);
-            if (!factored_) { return no_factors(equations, iteration); }
+            if (reused) { equations_.begin(coupled); }
+            factored_ =
+                reused ? equations_.factorise_start(coupled) : equations_.factorise(coupled);
+            if (!factored_) { return no_factors(iteration); }
             reused = false;
         }
         factored_ = false;
         return Status(Status::Code::not_converged, most_iterations);
     }
-
-    /// The factors are of no use any more.
-    void forget() { factored_ = false; }
 
 private:
     using Scalar = ScalarOf<Vector>;
@@ -78,9 +78,8 @@ private:
     // So near to the solution any contraction does: with half of the digits and some more.
     static constexpr Scalar well = power_of_two<Scalar>(-4 * bits<Scalar> / 7);
 
-    template <class Equations>
-    [[nodiscard]] static Status no_factors(const Equations& equations, int iteration) {
-        return Status(equations.is_finite() ? Status::Code::singular : Status::Code::not_finite,
+    [[nodiscard]] Status no_factors(int iteration) const {
+        return Status(equations_.is_finite() ? Status::Code::singular : Status::Code::not_finite,
                       iteration);
     }
 
@@ -105,6 +104,7 @@ private:
     }
 
     RoundOff<Vector> round_off_{rounding};
+    Equations equations_;
     bool factored_ = false;
 };
 

@@ -22,12 +22,12 @@ namespace detail {
 template <class Vector, class Algebra>
 class PairEquations {
 public:
-    /// Makes room; true where there was not enough.
     template <class Coupled>
-    [[nodiscard]] bool fit(IndexOf<Vector> dimension) {
-        const std::size_t size = unknowns<Coupled>() * static_cast<std::size_t>(dimension);
+    [[nodiscard]] bool fit(const Coupled& coupled) {
+        const auto n = static_cast<std::size_t>(coupled.s.n);
+        const std::size_t size = unknowns<Coupled>() * n;
         if (slopes_.size() == size) { return false; }
-        n_ = static_cast<std::size_t>(dimension);
+        n_ = n;
         algebra_.resize(n_, size);
         for (std::vector<Scalar>* v : {&slopes_, &correction_}) { v->resize(size); }
         return true;
@@ -212,18 +212,8 @@ struct NewtonOfPairs {
     static constexpr bool takes_starting_values = false;
 
     template <class Vector>
-    class Iteration {
-    public:
-        template <class Coupled>
-        [[nodiscard]] Status solve(Coupled coupled) {
-            if (equations_.template fit<Coupled>(coupled.s.n)) { loop_.forget(); }
-            return loop_.run(coupled, equations_);
-        }
-
-    private:
-        detail::PairEquations<Vector, detail::DenseAlgebra<detail::ScalarOf<Vector>>> equations_;
-        detail::NewtonLoop<Vector> loop_;
-    };
+    using Iteration = detail::NewtonLoop<
+        Vector, detail::PairEquations<Vector, detail::DenseAlgebra<detail::ScalarOf<Vector>>>>;
 };
 
 }  // namespace hvi

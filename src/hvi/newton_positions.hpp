@@ -28,12 +28,13 @@ template <class Vector>
 class PositionEquations {
 public:
     template <class Coupled>
-    void fit(const Coupled& coupled) {
-        if (slopes_.size() == r<Coupled> * coupled.s.n) { return; }
+    [[nodiscard]] bool fit(const Coupled& coupled) {
+        if (slopes_.size() == r<Coupled> * coupled.s.n) { return false; }
         n_ = coupled.s.n;
         G_ = GK_ = SquareMatrix<Scalar>(n_);
         slopes_.resize(r<Coupled> * n_);
         correction_.resize(r<Coupled> * n_);
+        return true;
     }
 
     template <class Coupled>
@@ -235,18 +236,7 @@ struct NewtonOfPositions {
     static constexpr bool takes_starting_values = false;
 
     template <class Vector>
-    class Iteration {
-    public:
-        template <class Coupled>
-        [[nodiscard]] Status solve(Coupled coupled) {
-            equations_.fit(coupled);
-            return loop_.run(coupled, equations_);
-        }
-
-    private:
-        detail::PositionEquations<Vector> equations_;
-        detail::NewtonLoop<Vector> loop_;
-    };
+    using Iteration = detail::NewtonLoop<Vector, detail::PositionEquations<Vector>>;
 };
 
 }  // namespace hvi

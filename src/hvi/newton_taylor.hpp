@@ -5,10 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include <hvi/arithmetic.hpp>
-#include <hvi/round_off.hpp>
-#include <hvi/scalar.hpp>
-#include <hvi/state.hpp>
+#include <hvi/fixed_point.hpp>
 
 namespace hvi {
 namespace detail {
@@ -28,40 +25,10 @@ struct Tangents {
 /// same end; it pays where d2H/dq2 times a vector, and a sweep, cost much less than dH/dq. More
 /// sweeps save fewer evaluations than they cost.
 struct NewtonTaylor {
-    static constexpr int most_iterations = 100;
     static constexpr bool takes_starting_values = true;
 
     template <class Vector>
-    class Iteration {
-    public:
-        /// Preconditions: those of FixedPoint.
-        template <class Coupled>
-        [[nodiscard]] Status solve(Coupled coupled) {
-            round_off_.begin(coupled.s.n);
-            coupled.positions();  // what it changes is measured against values of no meaning
-            for (int iteration = 2; iteration <= most_iterations; ++iteration) {
-                coupled.forces_and_tangents();
-                coupled.positions();
-                switch (round_off_.template judge<true, false>(coupled.s.change, coupled)) {
-                case detail::Verdict::go_on: break;
-                case detail::Verdict::unchanged: return Status(Status::Code::ok, iteration);
-                case detail::Verdict::at_noise:
-                    coupled.forces();
-                    return Status(Status::Code::ok, iteration);
-                case detail::Verdict::not_finite:
-                    return Status(iteration == 2 ? Status::Code::not_finite
-                                                 : Status::Code::not_converged,
-                                  iteration);
-                }
-                coupled.forces_by_tangents();
-                coupled.positions();
-            }
-            return Status(Status::Code::not_converged, most_iterations);
-        }
-
-    private:
-        detail::RoundOff<Vector> round_off_{8 * detail::epsilon<detail::ScalarOf<Vector>>};
-    };
+    using Iteration = detail::Sweeps<Vector, true>;
 };
 
 }  // namespace hvi
