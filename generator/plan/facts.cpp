@@ -71,6 +71,20 @@ Entries entries(const Graph& graph, const Structure& found) {
     return result;
 }
 
+/// Those that Newton's method evaluates, of symmetric ones half.
+std::vector<Scaled> second_derivatives(const Structure& found, const Scheme& scheme) {
+    std::vector<Scaled> result;
+    for (std::size_t i = 0; i < found.qq.size(); ++i) {
+        for (std::size_t j = 0; j < found.qq.size(); ++j) {
+            if (j <= i) { result.push_back(found.qq[i][j]); }
+            if (scheme.velocity_form) { continue; }
+            if (j <= i) { result.push_back(found.pp[i][j]); }
+            if (!scheme.separable) { result.push_back(found.qp[i][j]); }
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 std::vector<std::string> facts(const LoweredScene& lowered) {
@@ -118,6 +132,15 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme
                       : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
     result.push_back("dH/dq once: " + operations(system.dHdq));
     result.push_back("dH/dp once: " + operations(system.dHdp));
+    if (scheme.takes_newton()) {
+        result.push_back("second derivatives once, where Newton's method is needed: " +
+                         operations(second_derivatives(lowered.structure, scheme)));
+    }
+    if (scheme.solver == Solver::newton_taylor) {
+        result.push_back(
+            "d2H/dq2 times a vector, after dH/dq: " +
+            text(kernel_of_direction(system.graph, lowered.structure.qq_along).counts));
+    }
     const std::size_t forces = scheme.forces_evaluated();
     const std::size_t velocities = scheme.velocity_form ? 1 : scheme.velocities_evaluated();
     result.push_back(fmt::format("{}: {} of dH/dq, {} of dH/dp",

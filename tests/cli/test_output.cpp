@@ -390,6 +390,12 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK(
         has(explained.err, "dH/dq once: 1 addition, 5 multiplications, 1 division, 1 square root"));
     CHECK(explained.out == plain);
+    // Counted by hand in the straight-line code.
+    CHECK(has(explained.err, "where Newton's method is needed: 3 additions, 16 "));
+    const Outcome taylor = hvi_gen(with(words, {"--solver", "newton-taylor", "--explain"}));
+    CHECK(
+        has(taylor.err, "d2H/dq2 times a vector, after dH/dq: 3 additions, 11 multiplications\n"));
+    CHECK(has(taylor.out, "using Solver = hvi::NewtonTaylor;"));
 }
 
 TEST_CASE("--explain says whether the step of a quadratic H is a matrix, and why not") {
