@@ -1,0 +1,101 @@
+// What `hvi-gen stepper` writes.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+
+#include "tests/cli/results.hpp"
+
+using namespace hvi::test;
+
+TEST_CASE("no option of stepper swallows the scene behind it") {
+    const std::vector<std::vector<std::string>> lines = {
+        {"--param", "mu=2"},    {"--energy"},  {"--invariants"}, {"--dense"},
+        {"--solver", "newton"}, {"--explain"}, {"--name", "K"},  {"--method", "gauss:4"}};
+    for (const auto& options : lines) {
+        const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        const std::string name = options.front() == "--name" ? "K" : "KeplerGauss4";
+        CHECK(outcome.out.find("\nusing " + name + " = Basic" + name + "<double>;\n") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("a stepper of a scene has what was asked for and no more") {
+    const std::vector<std::string> words = {"stepper", "--method", "gauss:2", "kepler"};
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::string plain = hvi_gen(words).out;
+    CHECK(has(plain, "struct Parameters"));
+    CHECK(has(plain, "static constexpr State initial("));
+    CHECK_FALSE(has(plain, "energy("));
+    CHECK_FALSE(has(plain, "angular_momentum("));
+    CHECK(has(plain, "using Solver = hvi::Automatic<hvi::NewtonOfPositions>;"));
+    CHECK_FALSE(has(plain, "position("));
+    CHECK_FALSE(has(plain, "curve"));
+    const std::string all =
+        hvi_gen(with(words, {"--energy", "--invariants", "--solver", "newton"})).out;
+    CHECK(has(all, "Scalar energy(const State& x) const"));
+    CHECK(has(all, "Scalar angular_momentum(const State& x) const"));
+    CHECK(has(all, "using Solver = hvi::NewtonOfPositions;"));
+    CHECK_FALSE(has(all, "position("));
+    const std::string fixed = same_every_time(with(words, {"--solver", "fixed-point"}));
+    CHECK(has(fixed, "using Solver = hvi::FixedPoint;"));
+    CHECK_FALSE(has(fixed, "d2Hdq2"));
+    CHECK_FALSE(has(fixed, "Modes"));
+    const std::string dense = same_every_time(with(words, {"--dense"}));
+    CHECK(has(dense, "Vector position(Scalar tau) const"));
+    CHECK(has(dense, "it is O(h^3) away"));
+    CHECK(has(dense, "hvi-gen stepper --method gauss:2 kepler --dense\n"));
+    for (const std::string scene : {"kepler", "harmonic-oscillator"}) {
+        const std::string alone = hvi_gen({"stepper", "--method", "stormer-verlet", scene}).out;
+        CHECK(has(alone, "#ifndef HVI_STATE"));
+        CHECK_FALSE(has(alone, "#include <hvi/"));
+    }
+    const Outcome explained = hvi_gen(with(words, {"--explain"}));
+    CHECK(has(explained.err, "T is quadratic with a constant matrix"));
+    CHECK(has(explained.err, "4 unknowns are solved for in a step"));
+    CHECK(
+        has(explained.err, "dH/dq once: 1 addition, 5 multiplications, 1 division, 1 square root"));
+    CHECK(explained.out == plain);
+    // Counted by hand in the straight-line code.
+    CHECK(has(explained.err, "where Newton's method is needed: 3 additions, 16 "));
+    const Outcome taylor = hvi_gen(with(words, {"--solver", "newton-taylor", "--explain"}));
+    CHECK(
+        has(taylor.err, "d2H/dq2 times a vector, after dH/dq: 3 additions, 11 multiplications\n"));
+    CHECK(has(taylor.out, "using Solver = hvi::NewtonTaylor;"));
+}
+
+TEST_CASE("--explain says whether the step of a quadratic H is a matrix, and why not") {
+    const auto explained = [](const std::string& H) {
+        return hvi_gen({"stepper", "--method", "gauss:2", "--hamiltonian", H, "--explain"}).err;
+    };
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::string coupled = explained("p1^2/2+p2^2+(q1-q2)^2");
+    CHECK(has(coupled, "a step: 12 multiplications and 12 additions\n"));
+    CHECK(has(coupled, "no solver: H is quadratic"));
+    CHECK(has(explained("p^2/2+q^2/2+q"), "a step: 3 multiplications and 5 additions\n"));
+    const std::string mixed = explained("p1^2/2+p2^2/2+q1*p2");
+    CHECK(has(mixed, "iterated, though H is quadratic: products of q and p leave no symmetric "
+                     "shears\n"));
+    CHECK(has(mixed, "8 unknowns are solved for in a step\n"));
+}
+
+TEST_CASE("every scene gives a header, the same every time, below 100 kB") {
+    for (const std::string scene :
+         {"double-pendulum", "fpu", "harmonic-oscillator", "henon-heiles", "kepler", "nonseparable",
+          "outer-solar-system", "pendulum", "point-vortices", "qp"}) {
+        const std::string header = same_every_time({"stepper", scene, "--energy", "--invariants"});
+        CHECK(header.size() < 100'000);
+        CHECK(header.find("hvi-gen stepper --method") != std::string::npos);
+    }
+}
+
+TEST_CASE("--explain speaks on standard error") {
+    const Outcome outcome = hvi_gen({"stepper", "--method", "gauss:2", "--explain"});
+    CHECK(outcome.status == 0);
+    CHECK(!outcome.err.empty());
+    CHECK((outcome.out == hvi_gen({"stepper", "--method", "gauss:2"}).out));
+}
