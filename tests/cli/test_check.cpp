@@ -81,8 +81,8 @@ TEST_CASE("what tableau writes is what check reads") {
         CHECK(read.substr(end, 12) == ",\n  \"audit\":");
         CHECK(read.find("\"is\": \"" + method + "\"") != std::string::npos);
     }
-    CHECK(shell("hvi-gen tableau --method gauss:64 --format json | "
+    CHECK(shell("hvi-gen tableau --method gauss:32 --format json | "
                 "hvi-gen check --tableau /dev/stdin --max-order 4",
                 directory.path())
-              .out.find("is            gauss:64, within the digits given\n") != std::string::npos);
+              .out.find("is            gauss:32, within the digits given\n") != std::string::npos);
 }
