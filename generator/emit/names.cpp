@@ -66,7 +66,7 @@ constexpr std::array<std::string_view, 7> taken_by_coefficients{
 };
 
 /// The same where a scene has functions of its own.
-constexpr std::array<std::string_view, 26> taken_by_scenes{
+constexpr std::array<std::string_view, 27> taken_by_scenes{
     "dHdq",
     "dHdp",
     "d2Hdq2",
@@ -93,6 +93,7 @@ constexpr std::array<std::string_view, 26> taken_by_scenes{
     "quadratic",
     "Map",
     "Number",
+    "Numbers",
 };
 
 bool is_identifier(std::string_view name) {
@@ -108,6 +109,12 @@ bool is_reserved(std::string_view name) {
 bool is_keyword(std::string_view name) {
     static_assert(std::is_sorted(keywords.begin(), keywords.end()));
     return std::binary_search(keywords.begin(), keywords.end(), name);
+}
+
+/// Whether the declaration of a parameter of a scene mentions it.
+bool names_type(std::string_view name) {
+    return name == "Number" || name == "Numbers" || name == "Scalar" || name == "Parameters" ||
+           name == "std" || name == "hvi";
 }
 
 /// Whether it is that word and digits: `Coupled1` and the like are structs of the class.
@@ -175,7 +182,7 @@ void check_function_name(std::string_view name, const std::optional<Place>& plac
 }
 
 std::string member_name(std::string_view name) {
-    return std::string(name) + (is_keyword(name) ? "_" : "");
+    return std::string(name) + (is_keyword(name) || names_type(name) ? "_" : "");
 }
 
 }  // namespace hvi::gen

@@ -344,7 +344,7 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
     Writer writer(1);
     writer.comment(about(lowered.scene.hamiltonian), "/// ");
     writer.open("struct System {{");
-    writer.line("using Vector = std::array<Scalar, {}>;", lowered.system.degrees_of_freedom());
+    writer.line("using Vector = Numbers;");
     if (scheme.solver == Solver::newton_taylor) {
         writer.line("using Tangent = std::array<Scalar, {}>;", size_of_tangent(all));
     }

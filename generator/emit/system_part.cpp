@@ -77,8 +77,8 @@ std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options
         tableau.name.empty() ? "a method of its own basis and nodes" : tableau.name;
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     Writer writer(0);
-    writer.comment(fmt::format("{} with {}, computed in Scalar: float, double or long "
-                               "double.",
+    writer.comment(fmt::format("{} with {}, computed in Number: float, double or long double. "
+                               "States hold Numbers: arrays, or vectors of Eigen of fixed size.",
                                what, method),
                    "/// ");
     if (!scene.description.empty()) { writer.comment(scene.description, "/// "); }
@@ -100,10 +100,9 @@ std::string solver_type(const Scheme& scheme) {
 }
 
 std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
-    const std::size_t n = options.scene->system.degrees_of_freedom();
     Writer writer(1);
     writer.line("using Scalar = Number;");
-    writer.line("using Vector = std::array<Scalar, {}>;", n);
+    writer.line("using Vector = Numbers;");
     writer.blank().insert(parameters_text(*options.scene));
     writer.blank().insert(system_text(*options.scene, options.wishes, scheme));
     if (!scheme.is_explicit() && !scheme.is_tabulated) {
@@ -139,14 +138,25 @@ std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& opti
     return writer.blank().insert(scene_members_text(*options.scene, options.wishes)).str();
 }
 
+std::string conditions_for_scene(std::size_t n) {
+    Writer writer(1);
+    writer.line("static_assert(hvi::detail::is_standard<Number>,");
+    writer.line("              \"hvi: a scene is computed in float, double or long double\");");
+    writer.line("static_assert(hvi::detail::is_fixed_vector<Numbers, Number, {}>(),", n);
+    writer.line(
+        "              \"hvi: vectors are of these numbers, and of fixed size: std::array, or "
+        "Eigen's\");");
+    return writer.str();
+}
+
 SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     SystemPart part;
     part.include = "#include <array>\n#include <cmath>";
     part.purpose = purpose_for_scene(tableau, options);
     part.class_name = "Basic" + options.class_name;
-    part.head = "template <class Number>";
-    part.condition = "static_assert(hvi::detail::is_standard<Number>,\n"
-                     "              \"hvi: a scene is computed in float, double or long double\");";
+    const std::size_t n = options.scene->system.degrees_of_freedom();
+    part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>", n);
+    part.condition = conditions_for_scene(n);
     part.types = types_for_scene(scheme, options);
     part.state = scheme.depends_on_time ? "hvi::TimedState<Vector>" : "hvi::State<Vector>";
     part.construct = constructors_for_scene(scheme, options, part.class_name);

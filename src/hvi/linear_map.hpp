@@ -15,6 +15,7 @@
 #include <hvi/pair.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
+#include <hvi/system.hpp>
 #include <hvi/weights.hpp>
 
 namespace hvi::detail {
@@ -34,7 +35,7 @@ namespace hvi::detail {
 template <class Scalar, std::size_t n, bool shifted>
 class LinearMap {
 public:
-    using Vector = std::array<Scalar, n>;
+    using Vector = std::array<Scalar, n>;  ///< its own; states may hold others
 
     Status status;  ///< where it is not ok there is no map
 
@@ -71,14 +72,15 @@ public:
     };
 
     /// The step from q, where the last one ended, and its `middle`; no step without shears.
-    [[nodiscard]] End after(const Vector& q, const Vector& middle) const {
+    template <class AnyVector>
+    [[nodiscard]] End after(const AnyVector& q, const Vector& middle) const {
         End end;
         end.middle = plus(moved(middle, between_), XY_, q);
         if constexpr (n == 1) {
             end.q[0] = q[0] + end.middle[0];
             end.p[0] = unit_ * end.middle[0];
         } else {
-            end.q = plus(q, B_, end.middle);
+            end.q = plus(own(q), B_, end.middle);
             end.p = end.middle;
         }
         end.p = plus(moved(end.p, after_), X_, end.q);
@@ -86,8 +88,17 @@ public:
     }
 
     /// The step without shears.
-    [[nodiscard]] End product(const Vector& q, const Vector& p) const {
+    template <class AnyVector>
+    [[nodiscard]] End product(const AnyVector& q, const AnyVector& p) const {
         return {plus(plus(r_q_, R_qp_, p), R_qq_, q), plus(plus(r_p_, R_pp_, p), R_pq_, q), {}};
+    }
+
+    /// A vector of its own with the components of another.
+    template <class AnyVector>
+    [[nodiscard]] static Vector own(const AnyVector& v) {
+        Vector copy{};
+        for (std::size_t i = 0; i < n; ++i) { copy[i] = at(v, i); }
+        return copy;
     }
 
     /// A step from any (q, p); `middle` is that of the last step if it `is_last` that ended here.
@@ -120,9 +131,10 @@ private:
     }
 
     /// x + M y.
-    [[nodiscard]] static Vector plus(Vector x, const Matrix& M, const Vector& y) {
+    template <class AnyVector>
+    [[nodiscard]] static Vector plus(Vector x, const Matrix& M, const AnyVector& y) {
         for (std::size_t j = 0; j < n; ++j) {
-            for (std::size_t i = 0; i < n; ++i) { x[i] += M[j][i] * y[j]; }
+            for (std::size_t i = 0; i < n; ++i) { x[i] += M[j][i] * at(y, j); }
         }
         return x;
     }

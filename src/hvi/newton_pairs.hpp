@@ -195,11 +195,6 @@ private:
         for (const std::size_t i : Coupled::unknown_p) { put(coupled.s.Lp[i]); }
     }
 
-    template <class AnyVector>
-    [[nodiscard]] static decltype(auto) at(AnyVector& v, std::size_t k) {
-        return v[static_cast<IndexOf<std::decay_t<AnyVector>>>(k)];
-    }
-
     Algebra algebra_;
     std::vector<Scalar> slopes_, correction_;
     std::size_t n_ = 0;

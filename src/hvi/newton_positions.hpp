@@ -9,6 +9,7 @@
 #include <hvi/newton_loop.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
+#include <hvi/system.hpp>
 
 namespace hvi {
 namespace detail {
@@ -29,8 +30,8 @@ class PositionEquations {
 public:
     template <class Coupled>
     [[nodiscard]] bool fit(const Coupled& coupled) {
-        if (slopes_.size() == r<Coupled> * coupled.s.n) { return false; }
-        n_ = coupled.s.n;
+        if (slopes_.size() == r<Coupled> * static_cast<std::size_t>(coupled.s.n)) { return false; }
+        n_ = static_cast<std::size_t>(coupled.s.n);
         G_ = GK_ = SquareMatrix<Scalar>(n_);
         slopes_.resize(r<Coupled> * n_);
         correction_.resize(r<Coupled> * n_);
@@ -85,7 +86,7 @@ public:
         }
         is_start_ = false;
         for_each_unknown(coupled, [&](std::size_t i, const Vector& Lp, std::size_t k) {
-            correction_[i] = slopes_[i] - Lp[k];
+            correction_[i] = slopes_[i] - at(Lp, k);
         });
         if constexpr (Coupled::Modes::exist) {
             if (is_decoupled_) {
@@ -118,7 +119,7 @@ private:
     template <class Coupled>
     void put_slopes(Coupled& coupled) {
         for_each_unknown(coupled,
-                         [&](std::size_t i, Vector& Lp, std::size_t k) { Lp[k] = slopes_[i]; });
+                         [&](std::size_t i, Vector& Lp, std::size_t k) { at(Lp, k) = slopes_[i]; });
         coupled.drifts();
         coupled.positions();
     }
@@ -129,11 +130,11 @@ private:
         coupled.force_at_start(s.slope);
         for (const std::size_t j : Coupled::unknown) {
             for (std::size_t k = 0; k < n_; ++k) {
-                Scalar force = s.slope[k];
+                Scalar force = at(s.slope, k);
                 for (std::size_t l = 0; l < n_; ++l) {
-                    force += G_(k, l) * (s.Q[j][l] - s.at.q[l]);
+                    force += G_(k, l) * (at(s.Q[j], l) - at(s.at.q, l));
                 }
-                s.Lp[j][k] = -s.hb[j] * force;
+                at(s.Lp[j], k) = -s.hb[j] * force;
             }
         }
     }
@@ -143,9 +144,9 @@ private:
     void set_GK(const System& system, const SquareMatrix<Scalar>& G) {
         Vector row{}, product{};
         for (std::size_t k = 0; k < n_; ++k) {
-            for (std::size_t l = 0; l < n_; ++l) { row[l] = G(k, l); }
+            for (std::size_t l = 0; l < n_; ++l) { at(row, l) = G(k, l); }
             system.inverse_mass(row, product);
-            for (std::size_t l = 0; l < n_; ++l) { GK_(k, l) = product[l]; }
+            for (std::size_t l = 0; l < n_; ++l) { GK_(k, l) = at(product, l); }
         }
     }
 

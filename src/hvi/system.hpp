@@ -19,6 +19,24 @@ namespace hvi::detail {
 template <class Vector>
 using IndexOf = std::decay_t<decltype(std::declval<const Vector&>().size())>;
 
+/// The dimension that is part of the type of a vector, of std::array or of Eigen; else 0.
+template <class Vector, class = void>
+struct FixedSize : std::integral_constant<std::size_t, 0> {};
+template <class Vector>
+struct FixedSize<Vector, std::void_t<decltype(std::tuple_size<Vector>::value)>>
+    : std::integral_constant<std::size_t, std::tuple_size<Vector>::value> {};
+template <class Vector>
+struct FixedSize<Vector, std::void_t<decltype(Vector::SizeAtCompileTime)>>
+    : std::integral_constant<std::size_t, (Vector::SizeAtCompileTime > 0)
+                                              ? static_cast<std::size_t>(Vector::SizeAtCompileTime)
+                                              : 0> {};
+
+/// Whether a vector holds n of these numbers, whatever happens.
+template <class Vector, class Number, std::size_t n>
+[[nodiscard]] constexpr bool is_fixed_vector() {
+    return std::is_same_v<ScalarOf<Vector>, Number> && FixedSize<Vector>::value == n;
+}
+
 template <class System, class = void>
 struct HasVector : std::false_type {};
 template <class System>
@@ -79,6 +97,12 @@ constexpr bool check_system() {
                       "(const Vector& q, const Vector& p, Vector& out)");
     }
     return true;
+}
+
+/// Component k of a vector that counts in whatever type.
+template <class Vector>
+[[nodiscard]] constexpr decltype(auto) at(Vector& v, std::size_t k) {
+    return v[static_cast<IndexOf<std::decay_t<Vector>>>(k)];
 }
 
 /// Gives v the dimension n, filled with zeros where that is new. Allocates only then, and only
