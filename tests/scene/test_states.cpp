@@ -51,7 +51,7 @@ TEST_CASE("states of scenes hold arrays or Eigen's vectors of fixed size") {
     compare<VerletKepler, BasicVerletKepler<double, Eigen::Vector2d>>(0.05);
     compare<Trig3Oscillator, BasicTrig3Oscillator<double, One>>(0.05);
     compare<DensePendulumVerlet, BasicDensePendulumVerlet<double, One>>(0.05);
-    STATIC_REQUIRE(hvi::detail::FixedSize<Eigen::VectorXd>::value == 0);
+    STATIC_REQUIRE(hvi::detail::fixed_size<Eigen::VectorXd>() == 0);
     STATIC_REQUIRE_FALSE(hvi::detail::is_fixed_vector<Eigen::VectorXd, double, 2>());
     STATIC_REQUIRE_FALSE(hvi::detail::is_fixed_vector<Eigen::Vector2f, double, 2>());
     STATIC_REQUIRE_FALSE(hvi::detail::is_fixed_vector<std::array<double, 3>, double, 2>());

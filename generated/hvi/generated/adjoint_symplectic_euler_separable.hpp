@@ -176,22 +176,34 @@ namespace hvi::detail {
 template <class Vector>
 using IndexOf = std::decay_t<decltype(std::declval<const Vector&>().size())>;
 
-/// The dimension that is part of the type of a vector, of std::array or of Eigen; else 0.
 template <class Vector, class = void>
-struct FixedSize : std::integral_constant<std::size_t, 0> {};
+struct HasTupleSize : std::false_type {};
 template <class Vector>
-struct FixedSize<Vector, std::void_t<decltype(std::tuple_size<Vector>::value)>>
-    : std::integral_constant<std::size_t, std::tuple_size<Vector>::value> {};
+struct HasTupleSize<Vector, std::void_t<decltype(std::tuple_size<Vector>::value)>>
+    : std::true_type {};
+
+template <class Vector, class = void>
+struct HasSizeOfEigen : std::false_type {};
 template <class Vector>
-struct FixedSize<Vector, std::void_t<decltype(Vector::SizeAtCompileTime)>>
-    : std::integral_constant<std::size_t, (Vector::SizeAtCompileTime > 0)
-                                              ? static_cast<std::size_t>(Vector::SizeAtCompileTime)
-                                              : 0> {};
+struct HasSizeOfEigen<Vector, std::void_t<decltype(Vector::SizeAtCompileTime)>> : std::true_type {};
+
+/// The dimension that is part of the type of a vector, of std::array or of Eigen; else 0.
+template <class Vector>
+[[nodiscard]] constexpr std::size_t fixed_size() {
+    if constexpr (HasTupleSize<Vector>::value) {
+        return std::tuple_size<Vector>::value;
+    } else if constexpr (HasSizeOfEigen<Vector>::value) {
+        constexpr auto size = static_cast<long>(Vector::SizeAtCompileTime);
+        return size > 0 ? static_cast<std::size_t>(size) : 0;
+    } else {
+        return 0;
+    }
+}
 
 /// Whether a vector holds n of these numbers, whatever happens.
 template <class Vector, class Number, std::size_t n>
 [[nodiscard]] constexpr bool is_fixed_vector() {
-    return std::is_same_v<ScalarOf<Vector>, Number> && FixedSize<Vector>::value == n;
+    return std::is_same_v<ScalarOf<Vector>, Number> && fixed_size<Vector>() == n;
 }
 
 template <class System, class = void>
