@@ -47,7 +47,7 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
         parts.format = 4;
         parts.runtime.push_back("curve.hpp");
     }
-    if (scheme.takes_newton() || scheme.solver == Solver::newton_taylor) { parts.format = 5; }
+    if (options.scene != nullptr) { parts.format = 5; }
     for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                     {"format", std::to_string(parts.format)},

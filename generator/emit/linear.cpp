@@ -10,7 +10,7 @@ std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const Emit
     const SystemPart system = system_part(tableau, scheme, options);
     const LoweredScene& scene = *options.scene;
     return fill("linear.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                  {"format", "4"},
+                                  {"format", "5"},
                                   {"include", system.include},
                                   {"purpose", system.purpose},
                                   {"head", system.head},

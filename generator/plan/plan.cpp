@@ -8,7 +8,9 @@
 
 #include "generator/plan/equal.hpp"
 #include "generator/plan/graph.hpp"
+#include "generator/plan/solver.hpp"
 #include "generator/plan/stage_graph.hpp"
+#include "generator/plan/starting_values.hpp"
 #include "generator/plan/velocity_form.hpp"
 #include "generator/support/error.hpp"
 
@@ -167,12 +169,11 @@ void set_blocks(Scheme& scheme, bool has_curve) {
     if (scheme.is_explicit()) {
         scheme.decisions.push_back(
             {"no solver", "no stage depends on itself: the step is kicks and drifts in turn"});
-        scheme.decisions.push_back(
-            has_curve
-                ? Decision{"the slopes are kept, in compensated sums",
-                           "the curve of a step is made of them"}
-                : Decision{"no compensated summation",
-                           "the error of the step is far above round-off"});
+        scheme.decisions.push_back(has_curve
+                                       ? Decision{"the slopes are kept, in compensated sums",
+                                                  "the curve of a step is made of them"}
+                                       : Decision{"no compensated summation",
+                                                  "the error of the step is far above round-off"});
     } else if (scheme.coupled_blocks() > 1) {
         scheme.decisions.push_back(
             {fmt::format("{} smaller systems are solved in turn", scheme.coupled_blocks()),
@@ -255,134 +256,6 @@ void eliminate_momenta(Scheme& scheme) {
     scheme.decisions.push_back(
         {"the momenta of the stages are eliminated",
          "the kinetic energy is quadratic: the stages are solved for their positions alone"});
-}
-
-/// C_ij = b_i n_ij of the positions that are solved for: see PositionEquations of the runtime.
-NumberMatrix coupling(const Scheme& scheme) {
-    NumberMatrix C;
-    for (const Block& block : scheme.blocks) {
-        if (!block.coupled) { continue; }
-        const auto Q = block.of(StageNode::Kind::Q);
-        for (const std::size_t i : Q) {
-            NumberVector& row = C.emplace_back();
-            for (const std::size_t j : Q) {
-                row.push_back(scheme.positions[i].weight * scheme.velocity_form->n[i][j]);
-            }
-        }
-    }
-    return C;
-}
-
-void set_modes(Scheme& scheme) {
-    constexpr std::size_t most = 32;  // enclosing eigenvalues takes the cube of it
-    if (!scheme.velocity_form || !scheme.takes_newton()) { return; }
-    const NumberMatrix C = coupling(scheme);
-    if (C.size() <= most) { scheme.modes = real_modes(C); }
-    if (!scheme.modes) { return; }
-    const std::size_t pairs = scheme.modes->imaginary_parts.size();
-    scheme.decisions.push_back(
-        {fmt::format("the equations of Newton's method decouple: {} real eigenvalue{} of A A~ and "
-                     "{} pair{}",
-                     scheme.modes->real_ones, scheme.modes->real_ones == 1 ? "" : "s", pairs,
-                     pairs == 1 ? "" : "s"),
-         "at the start of a step all stages have the same second derivatives"});
-}
-
-void set_solver(Scheme& scheme, Solver wished) {
-    if (scheme.is_explicit()) { return; }
-    scheme.solver = wished;
-    if (wished == Solver::automatic && scheme.depends_on_time && !scheme.velocity_form) {
-        scheme.solver = Solver::fixed_point;
-        scheme.decisions.push_back({"fixed points alone",
-                                    "Newton's method for pairs of Q and P and an H that depends on "
-                                    "the time is not built yet"});
-    }
-    if (scheme.solver == Solver::automatic) {
-        scheme.decisions.push_back(
-            {"fixed points, and Newton's method for steps on which they are slow",
-             "how stiff H is depends on h and on the state"});
-    }
-    set_modes(scheme);
-}
-
-bool are_distinct(const NumberVector& c) {
-    for (std::size_t i = 0; i < c.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (!differ(c[i], c[j])) { return false; }
-        }
-    }
-    return true;
-}
-
-/// The polynomial through the slopes f_j at c_j, one step later:
-/// f(1 + c_i) = sum_j l_j(1 + c_i) f_j, so N_ij = (b_i/b_j) l_j(1 + c_i) for L_j = h b_j f_j.
-NumberMatrix extrapolation(const Tableau& tableau) {
-    const std::size_t s = tableau.stages();
-    const NumberVector& c = tableau.c;
-    NumberMatrix N(s, NumberVector(s));
-    for (std::size_t i = 0; i < s; ++i) {
-        for (std::size_t j = 0; j < s; ++j) {
-            Number value = tableau.b[i] / tableau.b[j];
-            for (std::size_t k = 0; k < s; ++k) {
-                if (k != j) { value = value * ((Number(1) + c[i] - c[k]) / (c[j] - c[k])); }
-            }
-            N[i][j] = value;
-        }
-    }
-    return N;
-}
-
-/// How much the extrapolation may magnify rounding: the largest sum_j |N_ij|. In doubles, since for
-/// many stages the exact N is costly and then of no use.
-double magnification(const Tableau& tableau) {
-    const std::size_t s = tableau.stages();
-    std::vector<double> b, c;
-    for (std::size_t i = 0; i < s; ++i) {
-        b.push_back(tableau.b[i].nearest_double());
-        c.push_back(tableau.c[i].nearest_double());
-    }
-    double largest = 0.0;
-    for (std::size_t i = 0; i < s; ++i) {
-        double sum = 0.0;
-        for (std::size_t j = 0; j < s; ++j) {
-            double value = b[i] / b[j];
-            for (std::size_t k = 0; k < s; ++k) {
-                if (k != j) { value *= (1.0 + c[i] - c[k]) / (c[j] - c[k]); }
-            }
-            sum += std::abs(value);
-        }
-        largest = std::max(largest, sum);
-    }
-    return largest;
-}
-
-void set_extrapolation(Scheme& scheme, const Tableau& tableau) {
-    constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
-    if (scheme.is_explicit()) { return; }
-    if (scheme.from_parameter) {
-        scheme.decisions.push_back(
-            {"slopes at the start of the step are the starting values of the iteration",
-             "extrapolation would need coefficients for each value of the parameter"});
-        return;
-    }
-    const bool merged = scheme.positions.size() != tableau.stages() ||
-                        (!scheme.velocity_form && scheme.momenta.size() != tableau.stages());
-    if (merged || !are_distinct(tableau.c)) {
-        scheme.decisions.push_back(
-            {"slopes at the start of the step are the starting values of the iteration",
-             "no polynomial interpolates slopes at equal nodes"});
-        return;
-    }
-    if (magnification(tableau) > most) {
-        scheme.decisions.push_back(
-            {"slopes at the start of the step are the starting values of the iteration",
-             "extrapolating the last step's slopes would magnify their rounding too much"});
-        return;
-    }
-    scheme.decisions.push_back(
-        {"the last step's slopes, extrapolated, are the starting values of the iteration",
-         "they are good to the order of the interpolation and cost no evaluation"});
-    scheme.extrapolation = extrapolation(tableau);
 }
 
 std::string text(const ZeroPlaces& zeros, const std::string& parameter) {

@@ -10,7 +10,7 @@ inline constexpr int version_patch = 0;
 
 /// Generated headers name the format of their calls into the runtime; these are understood. In 3
 /// there came methods with a parameter, in 4 stages without momenta, the time,
-/// steps as shears, and the curve of a step, in 5 the solvers of scenes.
+/// steps as shears, and the curve of a step, in 5 the solvers and vectors of scenes.
 inline constexpr int oldest_format = 2;
 inline constexpr int newest_format = 5;
 

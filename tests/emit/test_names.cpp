@@ -24,6 +24,15 @@ TEST_CASE("names that C++ allows and the header does not use are taken") {
     }
 }
 
+TEST_CASE("a parameter of a scene is a member of that name, if it can be") {
+    CHECK(member_name("mu") == "mu");
+    CHECK(member_name("m") == "m");
+    for (const std::string name :
+         {"double", "Number", "Numbers", "Scalar", "Parameters", "std", "hvi"}) {
+        CHECK(member_name(name) == name + "_");
+    }
+}
+
 TEST_CASE("other names are refused") {
     for (const char* name :
          {"",        "2nd",    "a-b",     "a b",      "class",    "co_await", "xor_eq",

@@ -222,6 +222,22 @@ TEST_CASE("auto goes on where fixed points give up, and does not without need") 
     CHECK(scenes::distance_of_states(u, v) == 0);
 }
 
+TEST_CASE("a stiff step from an edited state is that of a fresh stepper") {
+    AutoStiff::Parameters parameters;
+    parameters.k = 1e6;
+    AutoStiff stepper(parameters);
+    AutoStiff::State x{{1.0, 1.0}, {0.5, -0.25}};
+    for (int i = 0; i < 10; ++i) { REQUIRE(stepper.step(x, 0.1).ok()); }
+    x.q[0] += 1e-3;
+    AutoStiff::State fresh = x;
+    AutoStiff other(parameters);
+    for (int i = 0; i < 5; ++i) {
+        REQUIRE(stepper.step(x, 0.1).ok());
+        REQUIRE(other.step(fresh, 0.1).ok());
+        REQUIRE(scenes::same_bits(x, fresh));
+    }
+}
+
 TEST_CASE("auto for pairs of positions and momenta") {
     FixedDoublePendulum fixed;
     FixedDoublePendulum::State x = FixedDoublePendulum::initial();

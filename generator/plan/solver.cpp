@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/plan/solver.hpp"
+
+#include <fmt/format.h>
+
+namespace hvi::gen {
+
+namespace {
+
+/// C_ij = b_i n_ij of the positions that are solved for: see PositionEquations of the runtime.
+NumberMatrix coupling(const Scheme& scheme) {
+    NumberMatrix C;
+    for (const Block& block : scheme.blocks) {
+        if (!block.coupled) { continue; }
+        const auto Q = block.of(StageNode::Kind::Q);
+        for (const std::size_t i : Q) {
+            NumberVector& row = C.emplace_back();
+            for (const std::size_t j : Q) {
+                row.push_back(scheme.positions[i].weight * scheme.velocity_form->n[i][j]);
+            }
+        }
+    }
+    return C;
+}
+
+void set_modes(Scheme& scheme) {
+    constexpr std::size_t most = 32;  // enclosing eigenvalues takes the cube of it
+    if (!scheme.velocity_form || !scheme.takes_newton()) { return; }
+    const NumberMatrix C = coupling(scheme);
+    if (C.size() <= most) { scheme.modes = real_modes(C); }
+    if (!scheme.modes) { return; }
+    const std::size_t pairs = scheme.modes->imaginary_parts.size();
+    scheme.decisions.push_back(
+        {fmt::format("the equations of Newton's method decouple: {} real eigenvalue{} of A A~ and "
+                     "{} pair{}",
+                     scheme.modes->real_ones, scheme.modes->real_ones == 1 ? "" : "s", pairs,
+                     pairs == 1 ? "" : "s"),
+         "at the start of a step all stages have the same second derivatives"});
+}
+
+}  // namespace
+
+void set_solver(Scheme& scheme, Solver wished) {
+    if (scheme.is_explicit()) { return; }
+    scheme.solver = wished;
+    if (wished == Solver::automatic && scheme.depends_on_time && !scheme.velocity_form) {
+        scheme.solver = Solver::fixed_point;
+        scheme.decisions.push_back({"fixed points alone",
+                                    "Newton's method for pairs of Q and P and an H that depends on "
+                                    "the time is not built yet"});
+    }
+    if (scheme.solver == Solver::automatic) {
+        scheme.decisions.push_back(
+            {"fixed points, and Newton's method for steps on which they are slow",
+             "how stiff H is depends on h and on the state"});
+    }
+    set_modes(scheme);
+}
+
+}  // namespace hvi::gen

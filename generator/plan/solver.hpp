@@ -1,0 +1,13 @@
+// Who solves the stage equations.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/plan/scheme.hpp"
+
+namespace hvi::gen {
+
+/// Decides it from what is wished for and what can be had. Precondition: the momenta are eliminated
+/// where they can be.
+void set_solver(Scheme& scheme, Solver wished);
+
+}  // namespace hvi::gen

@@ -1,0 +1,13 @@
+// Where the iteration of the stage equations begins.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/exact/tableau.hpp"
+#include "generator/plan/scheme.hpp"
+
+namespace hvi::gen {
+
+/// Sets Scheme::extrapolation where it is of use, and says why. Precondition: as for set_solver().
+void set_extrapolation(Scheme& scheme, const Tableau& tableau);
+
+}  // namespace hvi::gen
