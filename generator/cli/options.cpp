@@ -29,7 +29,6 @@ constexpr std::string_view method_help = R"help(METHOD is one of
 
 /// Commands and options of CONTRACT.md that later versions have.
 constexpr std::array announced_commands = {
-    std::pair{"run", "Integrate a scene (to come)"},
     std::pair{"report", "Compare methods on scenes (to come)"},
 };
 /// Options that stand in place of a scene.
@@ -109,6 +108,7 @@ void describe(CLI::App& app) {
     add_value(stepper, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
     add_flag(stepper, "--energy", "The class has a member energy(x)");
     add_flag(stepper, "--invariants", "And one for each invariant of the scene");
+    add_flag(stepper, "--evaluations", "And one that counts those of dH/dq");
     add_flag(stepper, "--dense", "And one for positions within the last step");
     add_value(stepper, "--name", "NAME", "Name of the class");
     add_flag(stepper, "--explain", "Say what is solved and what is left out");
@@ -121,6 +121,15 @@ void describe(CLI::App& app) {
     add_flag(scheme, "--generating", "Also the generating function, of a quadratic H");
     add_value(scheme, "--format", "FORMAT", "text, json or latex");
     add_value(scheme, "-o,--output", "FILE", "Write to this file");
+
+    CLI::App& run = *app.add_subcommand("run", "Integrate a scene: table, picture, summary");
+    add_method(run);
+    add_value(run, "SCENE", "SCENE", "A scene by name (`hvi-gen list scenes`), or in TOML");
+    add_value(run, "--step", "H", "Size of a step, in place of the scene's");
+    add_value(run, "--until", "T", "Time at the end, in place of the scene's");
+    add_value(run, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
+    add_value(run, "--only", "LIST", "Of table, picture, summary; all when not given");
+    add_value(run, "-o,--output", "DIR", "Write to this directory");
 
     CLI::App& list = *app.add_subcommand("list", "Print what can be named");
     add_value(list, "TOPIC", "TOPIC", "bases, nodes, methods or scenes; all when not given");
@@ -251,6 +260,12 @@ MethodOptions method_options(const Words& words, const CommandLine& line) {
     return method;
 }
 
+std::string trimmed(const std::string& text) {
+    const std::size_t begin = text.find_first_not_of(' ');
+    return begin == std::string::npos ? ""
+                                      : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
 std::optional<std::filesystem::path> file_option(const Words& words, const std::string& option) {
     const auto file = words.value(option);
     if (file && file->empty()) {
@@ -324,7 +339,7 @@ void check_system_flags(const Words& words, const StepperOptions& options) {
     if (options.system && options.separable)
         throw InputError("--separable is for a class of your own", words.place("--separable"),
                          "whether the H of a scene is T(p) + U(q) is found out");
-    for (const char* flag : {"--energy", "--invariants", "--dense"})
+    for (const char* flag : {"--energy", "--invariants", "--evaluations", "--dense"})
         if (!options.system && words.flag(flag))
             throw InputError(std::string(flag) + " needs a scene or --hamiltonian",
                              words.place(flag));
@@ -333,24 +348,32 @@ void check_system_flags(const Words& words, const StepperOptions& options) {
                          "the solver of a header for any H is an argument of its class");
 }
 
+MethodOptions method_beside_scene(const Words& words, const CommandLine& line) {
+    if (names_method(words)) return method_options(words, line);
+    MethodOptions of_scene;
+    of_scene.parameters = words.values("--param");
+    return of_scene;
+}
+
+Solver solver_option(const Words& words) {
+    constexpr std::array solvers{Solver::automatic, Solver::fixed_point, Solver::newton,
+                                 Solver::newton_taylor};
+    return solvers.at(words.choice("--solver", {"auto", "fixed-point", "newton", "newton-taylor"}));
+}
+
 StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     StepperOptions options;
     options.system = system_options(words, line);
-    const bool method_of_scene = options.system && options.system->scene && !names_method(words);
-    if (method_of_scene)
-        options.method.parameters = words.values("--param");
-    else
-        options.method = method_options(words, line);
+    options.method = options.system && options.system->scene ? method_beside_scene(words, line)
+                                                             : method_options(words, line);
     options.separable = words.flag("--separable");
-    constexpr std::array solvers{Solver::automatic, Solver::fixed_point, Solver::newton,
-                                 Solver::newton_taylor};
-    options.solver =
-        solvers.at(words.choice("--solver", {"auto", "fixed-point", "newton", "newton-taylor"}));
-    options.energy = words.flag("--energy");
-    options.invariants = words.flag("--invariants");
-    options.dense = words.flag("--dense");
+    options.wishes.solver = solver_option(words);
+    options.wishes.energy = words.flag("--energy");
+    options.wishes.invariants = words.flag("--invariants");
+    options.wishes.evaluations = words.flag("--evaluations");
+    options.wishes.dense = words.flag("--dense");
     check_system_flags(words, options);
-    options.name = words.value("--name");
+    options.wishes.class_name = words.value("--name");
     options.explain = words.flag("--explain");
     options.output = file_option(words, "--output");
     return options;
@@ -368,6 +391,45 @@ SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
     options.generating = words.flag("--generating");
     options.format =
         static_cast<SchemeOptions::Format>(words.choice("--format", {"text", "json", "latex"}));
+    options.output = file_option(words, "--output");
+    return options;
+}
+
+/// The items of a list between commas, which are among `choices`; all of these when not given.
+std::vector<bool> chosen(const Words& words, const std::string& option,
+                         const std::vector<std::string_view>& choices) {
+    const auto given = words.value(option);
+    std::vector<bool> is_chosen(choices.size(), !given);
+    std::string all;
+    for (const std::string_view each : choices) all.append(all.empty() ? "" : ", ").append(each);
+    for (std::size_t begin = 0; given && begin <= given->size();) {
+        const std::size_t end = std::min(given->find(',', begin), given->size());
+        const std::string item = trimmed(given->substr(begin, end - begin));
+        const auto found = std::find(choices.begin(), choices.end(), item);
+        if (found == choices.end())
+            throw InputError("no such item of " + option + ": `" + item + "`",
+                             Place{value_place(option, *given).source, {begin, end}},
+                             did_you_mean(item, choices, "some of " + all));
+        is_chosen[static_cast<std::size_t>(found - choices.begin())] = true;
+        begin = end + 1;
+    }
+    return is_chosen;
+}
+
+RunOptions run_options(const Words& words, const CommandLine& line) {
+    RunOptions options;
+    options.method = method_beside_scene(words, line);
+    options.system.scene = words.value("SCENE");
+    if (!options.system.scene)
+        throw InputError("no scene is given", line.end(),
+                         "for example kepler, which `hvi-gen list scenes` shows");
+    options.solver = solver_option(words);
+    options.step = words.value("--step");
+    options.until = words.value("--until");
+    const std::vector<bool> only = chosen(words, "--only", {"table", "picture", "summary"});
+    options.table = only[0];
+    options.picture = only[1];
+    options.summary = only[2];
     options.output = file_option(words, "--output");
     return options;
 }
@@ -423,6 +485,7 @@ Request request(const CLI::App& command, const CommandLine& line) {
     if (name == "check") return check_options(words, line);
     if (name == "stepper") return stepper_options(words, line);
     if (name == "scheme") return scheme_options(words, line);
+    if (name == "run") return run_options(words, line);
     HVI_CHECK(name == "list");
     return list_options(words);
 }

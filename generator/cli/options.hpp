@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
-#include "generator/plan/scheme.hpp"
+#include "generator/emit/scene_stepper.hpp"
 
 namespace hvi::gen {
 
@@ -54,13 +54,18 @@ struct StepperOptions {
     MethodOptions method;                 ///< empty where the scene is to name it
     std::optional<SystemOptions> system;  ///< else that of a class of the user
     bool separable = false;               ///< for H = T(p) + U(q) of such a class
-    Solver solver = Solver::automatic;    ///< of a system
-    bool energy = false;                  ///< as a member; of a system
-    bool invariants = false;              ///< the same
-    bool dense = false;                   ///< the curve of a step, the same
-    std::optional<std::string> name;      ///< of the class
+    StepperWishes wishes;                 ///< of a system, but for the name of the class
     bool explain = false;  ///< say on standard error what is solved and what left out
     std::optional<std::filesystem::path> output;
+};
+
+struct RunOptions {
+    MethodOptions method;  ///< empty where the scene is to name it
+    SystemOptions system;  ///< a scene
+    Solver solver = Solver::automatic;
+    std::optional<std::string> step, until;  ///< in place of those of the scene
+    bool table = true, picture = true, summary = true;
+    std::optional<std::filesystem::path> output;  ///< a directory
 };
 
 struct SchemeOptions {
@@ -83,7 +88,7 @@ struct Information {
 };
 
 using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
-                             ListOptions, Information>;
+                             RunOptions, ListOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

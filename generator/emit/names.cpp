@@ -66,34 +66,12 @@ constexpr std::array<std::string_view, 7> taken_by_coefficients{
 };
 
 /// The same where a scene has functions of its own.
-constexpr std::array<std::string_view, 27> taken_by_scenes{
-    "dHdq",
-    "dHdp",
-    "d2Hdq2",
-    "d2Hdqdp",
-    "d2Hdp2",
-    "energy",
-    "initial",
-    "begin",
-    "Parameters",
-    "position",
-    "curve",
-    "curve_rates",
-    "curve_terms",
-    "c",
-    "n",
-    "q",
-    "p",
-    "t",
-    "x",
-    "h",
-    "clock_",
-    "stages",
-    "inverse_mass",
-    "quadratic",
-    "Map",
-    "Number",
-    "Numbers",
+constexpr std::array<std::string_view, 28> taken_by_scenes{
+    "dHdq",        "dHdp",        "d2Hdq2", "d2Hdqdp",    "d2Hdp2",   "energy",
+    "evaluations", "initial",     "begin",  "Parameters", "position", "curve",
+    "curve_rates", "curve_terms", "c",      "n",          "q",        "p",
+    "t",           "x",           "h",      "clock_",     "stages",   "inverse_mass",
+    "quadratic",   "Map",         "Number", "Numbers",
 };
 
 bool is_identifier(std::string_view name) {

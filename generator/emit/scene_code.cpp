@@ -97,7 +97,8 @@ std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& w
             .line("System::begin(parameters, x.q, x.p);")
             .line("return x;")
             .close();
-        writer.line("[[nodiscard]] static constexpr State initial() {{ return initial(Parameters{{}}); }}");
+        writer.line(
+            "[[nodiscard]] static constexpr State initial() {{ return initial(Parameters{{}}); }}");
         writer.blank();
     }
     if (wishes.energy) {
@@ -108,6 +109,12 @@ std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& w
         for (const NamedExpression& invariant : lowered.scene.invariants) {
             write_member(writer, to_text(invariant.expression), invariant.name, "x.q, x.p");
         }
+    }
+    if (wishes.evaluations) {
+        writer.line("/// How often dH/dq was evaluated, at one stage each time.");
+        writer.line(
+            "[[nodiscard]] std::int64_t evaluations() const {{ return system_.evaluations; }}");
+        writer.blank();
     }
     return writer.str();
 }

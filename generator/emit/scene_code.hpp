@@ -18,6 +18,7 @@ namespace hvi::gen {
 struct SceneWishes {
     bool energy = false;
     bool invariants = false;
+    bool evaluations = false;    ///< of dH/dq, counted
     std::optional<Curve> curve;  ///< of the last step, as a member
 };
 

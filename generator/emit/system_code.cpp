@@ -84,6 +84,7 @@ struct Function {
     bool has_time = false;            ///< among its arguments, before that
     bool is_mirrored = false;         ///< out is a matrix of which the lower half is computed
     NodeNames names = {};             ///< of what it alone is given
+    bool is_counted = false;          ///< each call
 };
 
 bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
@@ -222,6 +223,9 @@ std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& 
     };
     std::vector<Function> result =
         scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)} : slopes(lowered, scheme);
+    for (Function& function : result) {
+        function.is_counted = wishes.evaluations && function.name == "dHdq";
+    }
     if (wishes.energy) {
         result.push_back(value("energy", lowered.system.hamiltonian));
         result.back().has_time = scheme.depends_on_time;
@@ -260,6 +264,7 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     const bool is_value = function.out.empty();
     writer.open("{}constexpr {} {}({}) const {{", is_value ? "[[nodiscard]] " : "",
                 is_value ? "Scalar" : "void", function.name, fmt::join(arguments, ", "));
+    if (function.is_counted) { writer.line("++evaluations;"); }
     const auto results = write_code(writer, system.graph, function.kernel, names);
     if (is_value) { writer.line("return {};", results.front()); }
     for (std::size_t k = 0; k < function.targets.size(); ++k) {
@@ -357,6 +362,9 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
     if (!lowered.initial.empty()) {
         writer.blank();
         write_begin(writer, lowered, given, initial);
+    }
+    if (wishes.evaluations) {
+        writer.blank().line("mutable std::int64_t evaluations = 0;  // of dH/dq");
     }
     if (const std::string data = data_text(lowered, given); !data.empty()) {
         writer.blank().insert(data);

@@ -152,6 +152,7 @@ std::string conditions_for_scene(std::size_t n) {
 SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     SystemPart part;
     part.include = "#include <array>\n#include <cmath>";
+    if (options.wishes.evaluations) { part.include += "\n#include <cstdint>"; }
     part.purpose = purpose_for_scene(tableau, options);
     part.class_name = "Basic" + options.class_name;
     const std::size_t n = options.scene->system.degrees_of_freedom();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generator/read/embedded.hpp"
+#include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 
 namespace hvi::gen {
@@ -22,6 +23,12 @@ std::string_view name_of(const EmbeddedFile& file) {
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> parameter_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : scene.parameters) names.push_back(parameter.name);
+    return names;
 }
 
 [[noreturn]] void refuse_unknown(const std::string& name, const Place& place) {
@@ -59,9 +66,27 @@ std::vector<SceneEntry> scenes() {
     return entries;
 }
 
+NamedExpression expression_of_parameters(const Scene& scene, std::string name,
+                                         std::shared_ptr<const Source> text) {
+    Expression read = parse_indexed_expression(text);
+    check_functions(read, text, "this");
+    const std::vector<std::string> names = parameter_names(scene);
+    walk(read, [&](const Expression& part) {
+        const bool is_known = part.kind != Expression::Kind::symbol || is_constant(part.name) ||
+                              contains(names, part.name);
+        if (!is_known)
+            throw InputError(fmt::format("the scene has no parameter `{}`", part.name),
+                             Place{text, part.range},
+                             did_you_mean(part.name, {names.begin(), names.end()},
+                                          "it may depend on parameters, pi and e"));
+        return true;
+    });
+    Place place{text, {0, text->text.size()}};
+    return {std::move(name), std::move(read), std::move(place)};
+}
+
 void set_parameter(Method& method, Scene& scene, Parameter parameter) {
-    std::vector<std::string> names;
-    for (const Parameter& known : scene.parameters) names.push_back(known.name);
+    std::vector<std::string> names = parameter_names(scene);
     const std::vector<std::string> of_method = parameter_names(method);
     const bool in_scene = contains(names, parameter.name);
     const bool in_method = contains(of_method, parameter.name);

@@ -59,6 +59,11 @@ struct SceneEntry {
 };
 [[nodiscard]] std::vector<SceneEntry> scenes();
 
+/// A number that may depend on the scene's parameters, as [run] has it: the value of `--step`.
+/// Throws InputError.
+[[nodiscard]] NamedExpression expression_of_parameters(const Scene& scene, std::string name,
+                                                       std::shared_ptr<const Source> text);
+
 /// Fixes the value of a parameter of the scene's Hamiltonian, initial values and the rest, or of
 /// the method's. Throws InputError as set_parameter() of a Hamiltonian does.
 void set_parameter(Method& method, Scene& scene, Parameter parameter);

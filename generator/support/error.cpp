@@ -151,6 +151,8 @@ InputError::InputError(std::string what, std::optional<Place> place, std::string
 EnvironmentError::EnvironmentError(std::string what, std::string help)
     : Error(ExitStatus::environment, std::move(what), {}, std::move(help)) {}
 
+Interruption::Interruption() : Error(ExitStatus::interrupted, "interrupted", {}, {}) {}
+
 InternalError::InternalError(std::string what)
     : Error(ExitStatus::bug, "internal error: " + std::move(what), {},
             "this is a bug of hvi-gen; please report it with the command that led here") {}

@@ -79,6 +79,12 @@ public:
     explicit EnvironmentError(std::string what, std::string help = {});
 };
 
+/// The user wants no more of it (status 130).
+class Interruption : public Error {
+public:
+    Interruption();
+};
+
 /// A broken invariant: a bug of ours (status 70). Thrown by HVI_CHECK only.
 class InternalError : public Error {
 public:

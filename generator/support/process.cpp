@@ -5,11 +5,29 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <system_error>
 
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
+
+namespace {
+
+// Both ends of a pipe, in which a byte stands for an interruption; -1 while none are held.
+std::array<std::atomic<int>, 2> held{-1, -1};
+static_assert(std::atomic<int>::is_always_lock_free);  // as a signal's handler needs it
+
+void interrupt(int) {
+    const int writing = held[1].load();
+    if (writing < 0 || ::write(writing, "", 1) != 1)
+        ::_exit(static_cast<int>(ExitStatus::interrupted));
+}
+
+}  // namespace
 
 void set_up_process() {
     // NOTE: opened the wrong way round, so that writing to a closed standard output still fails.
@@ -17,9 +35,29 @@ void set_up_process() {
         if (::fcntl(stream, F_GETFD) < 0)
             (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
-    std::signal(SIGPIPE, SIG_IGN);
-    for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, [](int) { ::_exit(static_cast<int>(ExitStatus::interrupted)); });
+    // What these would end the program for is an error of the call that brings it about; so it is
+    // in programs that this one starts, which are told only to die of SIGPIPE again.
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
 }
+
+InterruptionsHeld::InterruptionsHeld() {
+    HVI_CHECK(interruption_descriptor() < 0);
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+        throw EnvironmentError("cannot make a pipe: " + std::generic_category().message(errno));
+    held[0].store(ends[0]);
+    held[1].store(ends[1]);
+}
+
+InterruptionsHeld::~InterruptionsHeld() {
+    ::close(held[1].exchange(-1));
+    const int reading = held[0].exchange(-1);
+    char byte = 0;
+    if (::read(reading, &byte, 1) == 1) ::_exit(static_cast<int>(ExitStatus::interrupted));
+    ::close(reading);
+}
+
+int interruption_descriptor() { return held[0].load(); }
 
 }  // namespace hvi::gen

@@ -1,0 +1,233 @@
+// `hvi-gen run`: a scene, integrated from its initial data.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <system_error>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/method.hpp"
+#include "generator/draw/trajectory.hpp"
+#include "generator/emit/names.hpp"
+#include "generator/simulate/simulation.hpp"
+#include "generator/support/output_file.hpp"
+#include "generator/support/process.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t most_rows = 10000;
+constexpr const char* table_name = "trajectory.csv";
+constexpr const char* picture_name = "picture.svg";
+constexpr const char* summary_name = "summary.txt";
+
+/// What the command line says, else the scene.
+NamedExpression wish(const Scene& scene, const std::optional<std::string>& given,
+                     const std::optional<NamedExpression>& of_scene, const std::string& name) {
+    const std::string option = "--" + name;
+    if (given)
+        return expression_of_parameters(scene, name,
+                                        std::make_shared<const Source>(Source{option, *given}));
+    if (of_scene) return *of_scene;
+    throw InputError(
+        fmt::format("the scene does not say `{}`", name), {},
+        fmt::format("give {} 1/10, or a section [run] with {} = \"1/10\"", option, name));
+}
+
+/// `kepler-gauss_4`.
+fs::path default_directory(const SceneStepper& stepper) {
+    const std::string header = file_name(stepper.tableau.name);
+    return stepper.lowered.scene.name + "-" + header.substr(0, header.rfind('.'));
+}
+
+void make_directory(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error)
+        throw EnvironmentError("cannot make the directory " + path.string() + ": " +
+                               error.message());
+}
+
+/// A file that a program of ours fills. Removed at the end of its life unless renamed.
+class Unfinished {
+public:
+    explicit Unfinished(const fs::path& directory)
+        : path_(directory / fmt::format(".hvi-gen-{}.tmp", ::getpid())) {}
+    ~Unfinished() {
+        std::error_code ignored;
+        fs::remove(path_, ignored);
+    }
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+    void rename_to(const fs::path& target) {
+        std::error_code error;
+        fs::rename(path_, target, error);
+        if (error)
+            throw EnvironmentError("cannot write " + target.string() + ": " + error.message());
+    }
+
+private:
+    fs::path path_;
+};
+
+/// A bar on standard error, where that is a terminal.
+class Bar {
+public:
+    ~Bar() {
+        if (shown_) std::fputs("\r\x1b[K", stderr);
+    }
+
+    void show(double part) {
+        constexpr int width = 40;
+        if (::isatty(STDERR_FILENO) == 0) return;
+        const int full = static_cast<int>(part * width);
+        const std::string bar =
+            fmt::format("\r[{:#<{}}{:<{}}] {:3.0f} %", "", full, "", width - full, 100 * part);
+        std::fputs(bar.c_str(), stderr);
+        shown_ = true;
+    }
+
+private:
+    bool shown_ = false;
+};
+
+std::string duration(double seconds) {
+    if (seconds < 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
+    if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
+    if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
+    return fmt::format("{:.3g} s", seconds);
+}
+
+double per_step(std::int64_t count, std::int64_t steps) {
+    return static_cast<double>(count) / static_cast<double>(steps);
+}
+
+std::string summary(const SceneStepper& stepper, const Steps& asked, const Simulation& run) {
+    const Scene& scene = stepper.lowered.scene;
+    std::size_t width = std::string_view("evaluations").size();
+    for (const Conserved& kept : run.conserved) width = std::max(width, kept.name.size());
+    std::string text;
+    const auto line = [&](const std::string& name, const std::string& value) {
+        text += fmt::format("{:<{}}  {}\n", name, width, value);
+    };
+    line("scene", scene.name + (scene.description.empty() ? "" : ": " + scene.description));
+    line("method", stepper.tableau.name.empty() ? stepper.tableau.origin : stepper.tableau.name);
+    line("steps", fmt::format("{} of {}, until t = {:.10g}", run.steps, asked.size,
+                              static_cast<double>(run.steps) * asked.size));
+    if (!run.ok())
+        line("incomplete", fmt::format("{} steps were wanted: {}", asked.count, run.status));
+    if (run.steps > 0) {
+        line("time", fmt::format("{} a step, {} in all", duration(run.seconds_of_step),
+                                 duration(run.seconds_of_step * static_cast<double>(run.steps))));
+        line("evaluations", fmt::format("{:.2f} of dH/dq a step, {} in all",
+                                        per_step(run.evaluations, run.steps), run.evaluations));
+        if (run.iterations > 0)
+            line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
+    }
+    for (const Conserved& kept : run.conserved)
+        line(kept.name, fmt::format("{:.10g}, largest error {:.2e}, at the end {:.2e}", kept.start,
+                                    kept.largest, kept.last));
+    return text;
+}
+
+TrajectoryPicture picture(const SceneStepper& stepper, const Steps& asked, const Simulation& run,
+                          const fs::path& table) {
+    const Hamiltonian& H = stepper.lowered.scene.hamiltonian;
+    TrajectoryPicture picture;
+    picture.title = stepper.lowered.scene.name + ", " + stepper.tableau.name +
+                    (run.ok() ? "" : " (incomplete)");
+    picture.until = static_cast<double>(run.steps) * asked.size;
+    picture.table = table;
+    for (const Conserved& kept : run.conserved) picture.kept.push_back({kept.name, kept.start});
+    picture.columns = H.coordinates;
+    picture.curves = curves_of(H.coordinates, H.momenta);
+    return picture;
+}
+
+/// Says in the table itself that it is not whole.
+void mark_incomplete(const fs::path& table, const Simulation& run) {
+    std::FILE* file = std::fopen(table.c_str(), "ab");
+    const bool written =
+        file != nullptr && std::fprintf(file, "# incomplete: %s\n", run.status.c_str()) > 0;
+    if (file == nullptr || std::fclose(file) != 0 || !written)
+        throw EnvironmentError("cannot write " + table.string());
+}
+
+/// Files that a run leaves, all of them whole. Without a directory there are none.
+class Results {
+public:
+    Results(std::optional<fs::path> directory) : directory_(std::move(directory)) {
+        if (!directory_) return;
+        make_directory(*directory_);
+        table_.emplace(*directory_);
+    }
+
+    /// Where the table grows.
+    [[nodiscard]] fs::path table() const { return table_ ? table_->path() : "/dev/null"; }
+
+    void keep(const SceneStepper& stepper, const Steps& asked, const Simulation& run,
+              const RunOptions& options, const std::string& summary) {
+        if (!directory_) return;
+        if (!run.ok()) mark_incomplete(table_->path(), run);
+        if (options.table) table_->rename_to(*directory_ / table_name);
+        if (options.summary) write_file(*directory_ / summary_name, summary);
+        if (options.picture)
+            write_file(*directory_ / picture_name,
+                       draw(picture(stepper, asked, run,
+                                    options.table ? *directory_ / table_name : table_->path())));
+    }
+
+private:
+    std::optional<fs::path> directory_;
+    std::optional<Unfinished> table_;
+};
+
+std::optional<fs::path> directory(const SceneStepper& stepper, const RunOptions& options) {
+    if (options.output) return options.output;
+    if (options.table || options.picture) return default_directory(stepper);
+    return {};
+}
+
+Simulation simulate(const fs::path& program, const SceneStepper& stepper, const Steps& steps,
+                    const fs::path& table) {
+    const std::int64_t every = std::max<std::int64_t>(1, (steps.count + most_rows - 1) / most_rows);
+    Bar bar;
+    return run_simulation(program, stepper, steps, every, table,
+                          [&](double part) { bar.show(part); });
+}
+
+}  // namespace
+
+void run(const RunOptions& options) {
+    const auto [method, scene] = read_scene(options.method, options.system);
+    const NamedExpression step = wish(scene, options.step, scene.run.step, "step");
+    const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
+    const Steps steps = steps_until(scene, step, until);
+    const SceneStepper stepper = scene_stepper(method, scene, simulation_wishes(options.solver));
+    check_simulation(stepper);
+
+    const InterruptionsHeld held;
+    const fs::path program = built_program(find_compiler(), simulation_program(stepper));
+    const std::optional<fs::path> directory = hvi::gen::directory(stepper, options);
+    Results results(directory);
+    const Simulation simulation = simulate(program, stepper, steps, results.table());
+    const std::string summary = hvi::gen::summary(stepper, steps, simulation);
+    results.keep(stepper, steps, simulation, options, summary);
+    if (!simulation.ok())
+        throw MathError(
+            fmt::format("the run stopped after {} of {} steps: {}", simulation.steps, steps.count,
+                        simulation.status),
+            {}, directory ? fmt::format("what there is of it is in {}", directory->string()) : "");
+    if (options.summary) write_standard_output(summary);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/draw/gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "generator/support/child.hpp"
+#include "generator/support/error.hpp"
+#include "generator/support/progress.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr const char* help_on_gnuplot =
+    "install gnuplot (of Debian gnuplot-nox is enough), or leave the pictures out with --only";
+
+/// As one argument, in which only semicolons end a command.
+std::string on_one_line(const std::string& script) {
+    std::string line;
+    for (const char c : script) line += c == '\n' ? std::string("; ") : std::string(1, c);
+    return line;
+}
+
+}  // namespace
+
+std::string gnuplot_svg(const std::string& script, int width, int height,
+                        const std::filesystem::path& directory) {
+    const Progress::Stage stage("drawing");
+    const std::string terminal =
+        fmt::format("set terminal svg size {},{} dynamic font 'sans-serif,14' background 'white'\n",
+                    width, height);
+    ChildResult drawn;
+    try {
+        drawn = run_child({"gnuplot", "-d", "-e", on_one_line(terminal + script)}, directory);
+    } catch (const EnvironmentError& error) {
+        throw EnvironmentError(error.what(), help_on_gnuplot);
+    }
+    if (!drawn.ok()) throw EnvironmentError("gnuplot failed: " + drawn.errors, help_on_gnuplot);
+    return std::move(drawn.output);
+}
+
+std::string gnuplot_quoted(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string gnuplot_label(const std::string& text) {
+    std::string plain;
+    for (const char c : text) {
+        if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) plain += '\\';
+        plain += c;
+    }
+    return gnuplot_quoted(plain);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/draw/trajectory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "generator/draw/gnuplot.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr int page_width = 1000, page_height = 560;
+constexpr double top = 0.95;  // of the panels, below the title of all
+
+// Told apart by colour and, in print, by the length of their dashes.
+constexpr const char* styles = R"(
+set datafile separator comma
+set datafile commentschars '#'
+set style line 1 linecolor rgb '#00508c' linewidth 1.2
+set style line 2 linecolor rgb '#c83200' linewidth 1.2 dashtype '-'
+set style line 3 linecolor rgb '#3c7828' linewidth 1.2 dashtype '.-'
+set style line 4 linecolor rgb '#784696' linewidth 1.2 dashtype '.'
+set style line 5 linecolor rgb '#646464' linewidth 1.2 dashtype '..-'
+set grid linecolor rgb '#d8d8d8'
+set border linecolor rgb '#505050'
+)";
+constexpr std::size_t style_count = 5;
+
+/// A column over another, less a constant.
+struct Line {
+    std::string x, y;
+    double less = 0;
+    std::string name;
+};
+
+/// NOTE: what is no finite number is not drawn.
+std::string plot(const TrajectoryPicture& picture, const std::vector<Line>& lines) {
+    std::string text = lines.size() == 1
+                           ? "set key off\nplot"
+                           : "set key outside right center samplen 2 font ',11'\nplot";
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const Line& line = lines[i];
+        text += fmt::format("{} {} using (column({})):(column({})-({:.17g})) with lines "
+                            "linestyle {} title {}",
+                            i == 0 ? "" : ",", gnuplot_quoted(picture.table.string()),
+                            gnuplot_quoted(line.x), gnuplot_quoted(line.y), line.less,
+                            i % style_count + 1, gnuplot_label(line.name));
+    }
+    return text + "\n";
+}
+
+/// A part of the page, whose lower left corner is at 0, 0 and the upper right one at 1, 1.
+struct Panel {
+    double x, y, width, height;
+};
+
+std::string panel(const Panel& panel, const std::string& title) {
+    return fmt::format("set origin {},{}\nset size {},{}\nset title {} offset 0,-0.6\n", panel.x,
+                       panel.y, panel.width, panel.height, gnuplot_label(title));
+}
+
+/// What is kept, less what it was at the start.
+std::vector<Line> departures(const TrajectoryPicture& picture, std::size_t begin, std::size_t end) {
+    std::vector<Line> lines;
+    for (std::size_t i = begin; i < end; ++i) {
+        const TrajectoryPicture::Kept& kept = picture.kept[i];
+        lines.push_back({"t", kept.column, kept.start, kept.column});
+    }
+    return lines;
+}
+
+std::string title_of(const std::vector<Line>& lines) {
+    return lines.size() == 1 ? lines.front().name + ", less that at the start"
+                             : "invariants, less those at the start";
+}
+
+std::string over_time(const TrajectoryPicture& picture, double width) {
+    // NOTE: gnuplot's own numbers would overlap where they are large.
+    std::string script = fmt::format("set xlabel 't' offset 0,0.6\nset xtics {:.3g}\n",
+                                     std::max(std::abs(picture.until) / 5, 1e-300));
+    if (picture.kept.empty()) {
+        std::vector<Line> lines;
+        for (const std::string& column : picture.columns) lines.push_back({"t", column, 0, column});
+        return script + panel({0, 0, width, top}, "positions") + plot(picture, lines);
+    }
+    script += "set format y '%.1e'\nset ytics nomirror autofreq\n";
+    const bool has_more = picture.kept.size() > 1;
+    const auto first = departures(picture, 0, 1);
+    script += panel({0, has_more ? top / 2 : 0, width, has_more ? top / 2 : top}, title_of(first)) +
+              plot(picture, first);
+    if (!has_more) return script;
+    const auto others = departures(picture, 1, picture.kept.size());
+    return script + panel({0, 0, width, top / 2}, title_of(others)) + plot(picture, others);
+}
+
+std::string in_space(const TrajectoryPicture& picture, double begin) {
+    std::vector<Line> lines;
+    for (const auto& [x, y] : picture.curves) lines.push_back({x, y, 0, y + " over " + x});
+    const auto& [x, y] = picture.curves.front();
+    return fmt::format(
+               "set format y '%g'\nset xtics autofreq\nset xlabel {} offset 0,0.6\nset ylabel {}\n",
+               gnuplot_label(x), gnuplot_label(y)) +
+           panel({begin, 0, 1 - begin, top}, y + " over " + x) + plot(picture, lines);
+}
+
+std::string stem(const std::string& name) { return name.substr(0, name.find('[')); }
+
+}  // namespace
+
+std::string draw(const TrajectoryPicture& picture) {
+    constexpr double middle = 0.55;
+    const std::string script =
+        styles + fmt::format("set multiplot title {}\n", gnuplot_label(picture.title)) +
+        over_time(picture, middle) + in_space(picture, middle) + "unset multiplot\n";
+    return gnuplot_svg(script, page_width, page_height, ".");
+}
+
+std::vector<std::pair<std::string, std::string>>
+curves_of(const std::vector<std::string>& coordinates, const std::vector<std::string>& momenta) {
+    if (coordinates.size() == 1) return {{coordinates.front(), momenta.front()}};
+    const std::string first = stem(coordinates.front());
+    std::vector<std::string> x, y;
+    for (const std::string& name : coordinates) {
+        if (stem(name) == first)
+            x.push_back(name);
+        else if (y.empty() || stem(name) == stem(y.front()))
+            y.push_back(name);
+    }
+    if (x.size() != y.size()) return {{coordinates[0], coordinates[1]}};
+    std::vector<std::pair<std::string, std::string>> curves;
+    for (std::size_t i = 0; i < x.size(); ++i) curves.emplace_back(x[i], y[i]);
+    return curves;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/scene_stepper.hpp"
+
+#include "generator/emit/emit.hpp"
+#include "generator/emit/names.hpp"
+#include "generator/exact/galerkin.hpp"
+#include "generator/exact/start.hpp"
+#include "generator/plan/plan.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+std::string command(const Tableau& tableau, const Scene& scene, const StepperWishes& wishes) {
+    std::string text = "hvi-gen stepper " + tableau.origin + " " + scene.hamiltonian.origin;
+    if (wishes.solver == Solver::fixed_point) text += " --solver fixed-point";
+    if (wishes.solver == Solver::newton) text += " --solver newton";
+    if (wishes.solver == Solver::newton_taylor) text += " --solver newton-taylor";
+    if (wishes.energy) text += " --energy";
+    if (wishes.invariants) text += " --invariants";
+    if (wishes.evaluations) text += " --evaluations";
+    if (wishes.dense) text += " --dense";
+    if (wishes.class_name) text += " --name " + *wishes.class_name;
+    return text;
+}
+
+/// What is wished for and not built.
+void check_solver(const Scheme& scheme, const Scene& scene) {
+    if (scheme.is_explicit() || scheme.velocity_form) return;
+    const Source& H = *scene.hamiltonian.source;
+    const Place place{scene.hamiltonian.source, {0, H.text.size()}};
+    if (scheme.solver == Solver::newton && scheme.depends_on_time)
+        throw InputError(
+            "Newton's method for an H that depends on the time is built only where T is quadratic "
+            "and U depends on q and t",
+            place);
+    if (scheme.solver == Solver::newton_taylor)
+        throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
+                         "quadratic T",
+                         place, "--solver newton takes any H");
+}
+
+/// The method, and the curve of its steps where that is asked for.
+struct MethodAndCurve {
+    Tableau tableau;
+    std::optional<Curve> curve;
+};
+
+MethodAndCurve derive(const Method& method, bool dense) {
+    return on_new_ground([&](const Ground& ground) {
+        const Derivation derivation = derive_on(ground, method);
+        return MethodAndCurve{derivation.tableau,
+                              dense ? std::optional(curve(method, derivation)) : std::nullopt};
+    });
+}
+
+}  // namespace
+
+SceneStepper scene_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes) {
+    SceneWishes members{wishes.energy, wishes.invariants, wishes.evaluations, {}};
+    check_members(scene, members);
+    check_start(scene);
+
+    auto [tableau, curve] = derive(method, wishes.dense);
+    LoweredScene lowered = hvi::gen::lowered(scene);
+    Scheme scheme = plan(tableau, {.separable = lowered.structure.is_separable,
+                                   .depends_on_time = lowered.system.time.has_value(),
+                                   .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic,
+                                   .is_quadratic = lowered.structure.is_quadratic,
+                                   .degrees_of_freedom = lowered.system.degrees_of_freedom(),
+                                   .has_curve = wishes.dense,
+                                   .solver = wishes.solver});
+    check_solver(scheme, scene);
+    members.curve = std::move(curve);
+    std::string name = wishes.class_name.value_or(
+        class_name(scene.name.empty() ? tableau.name : scene.name + "-" + tableau.name));
+    std::string header = emit(tableau, scheme,
+                              {.class_name = name,
+                               .command = command(tableau, scene, wishes),
+                               .scene = &lowered,
+                               .wishes = members});
+    return {std::move(tableau), std::move(lowered), std::move(scheme), std::move(name),
+            std::move(header)};
+}
+
+}  // namespace hvi::gen

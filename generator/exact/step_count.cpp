@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/step_count.hpp"
+
+#include <cmath>
+
+#include "generator/exact/evaluate.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr double most_steps = 1e15;
+
+/// The largest integer that is not above the number. Precondition: it fits.
+std::int64_t floor(const Number& number) {
+    const auto nearest = static_cast<std::int64_t>(std::nearbyint(number.nearest_double()));
+    const auto is_above = [&](std::int64_t integer) {
+        return (number - Number(static_cast<long>(integer))).sign() < 0;
+    };
+    return is_above(nearest) ? nearest - 1 : is_above(nearest + 1) ? nearest : nearest + 1;
+}
+
+Number value_of(const NamedExpression& what, const Ground& ground) {
+    return evaluate_number(what.expression, what.place.source, ground);
+}
+
+Steps steps_on(Ground ground, const Scene& scene, const NamedExpression& step,
+               const NamedExpression& until) {
+    for (const Parameter& parameter : scene.parameters)
+        ground.set_parameter(parameter.name, evaluate_number(parameter.value, nullptr, ground));
+    const Number h = value_of(step, ground);
+    const Number end = value_of(until, ground);
+    if (h.sign() == 0) throw MathError("the step has the size 0", step.place);
+    const Number quotient = end / h;
+    if (quotient.sign() < 0)
+        throw MathError("steps of this size lead away from the end of the run", step.place,
+                        "step and until have the same sign");
+    if (quotient.nearest_double() > most_steps)
+        throw MathError("these are more than 10^15 steps", step.place);
+    return {h.nearest_double(), floor(quotient)};
+}
+
+}  // namespace
+
+Steps steps_until(const Scene& scene, const NamedExpression& step, const NamedExpression& until) {
+    return on_new_ground(
+        [&](const Ground& ground) { return steps_on(ground, scene, step, until); });
+}
+
+}  // namespace hvi::gen

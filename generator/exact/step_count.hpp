@@ -1,0 +1,24 @@
+// How many steps a run takes.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "generator/read/scene.hpp"
+
+namespace hvi::gen {
+
+/// Steps of one size from the time 0.
+struct Steps {
+    double size;         ///< the double nearest to it; negative is back in time
+    std::int64_t count;  ///< the most that do not go beyond the end
+};
+
+/// Decided exactly: 200 is 4000 steps of 1/20, although 200/0.05 in doubles is another number.
+/// `step` and `until` may depend on the scene's parameters, which have their values. Throws
+/// MathError with its place for a step of size zero, one that leads away from the end, and one of
+/// which there would be more than 10^15, and as evaluate_number() does.
+[[nodiscard]] Steps steps_until(const Scene& scene, const NamedExpression& step,
+                                const NamedExpression& until);
+
+}  // namespace hvi::gen

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/program/compiler.hpp"
+
+#include <cstdlib>
+#include <sstream>
+
+#include "generator/support/child.hpp"
+#include "generator/support/error.hpp"
+#include "generator/support/progress.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr const char* help_on_compilers = "CXX names the compiler: CXX=g++ hvi-gen run kepler";
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+/// The first line that says `error`, else the first of all.
+std::string first_error(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (line.find("error:") != std::string::npos) return line;
+    return first_line(text);
+}
+
+}  // namespace
+
+Compiler find_compiler() {
+    const char* named = std::getenv("CXX");
+    std::istringstream words(named == nullptr ? "" : named);
+    Compiler compiler;
+    for (std::string word; words >> word;) compiler.command.push_back(word);
+    if (compiler.command.empty()) compiler.command.emplace_back("c++");
+    // It is called in a directory of its own.
+    if (std::string& first = compiler.command.front(); first.find('/') != std::string::npos)
+        first = std::filesystem::absolute(first).string();
+
+    std::vector<std::string> question = compiler.command;
+    question.emplace_back("--version");
+    try {
+        const ChildResult answer = run_child(question, ".");
+        compiler.version = first_line(answer.output);
+        if (answer.ok()) return compiler;
+    } catch (const EnvironmentError&) {}
+    throw EnvironmentError("there is no C++ compiler: `" + joined(question) + "` fails",
+                           help_on_compilers);
+}
+
+const std::vector<std::string>& compiler_options() {
+    static const std::vector<std::string> options{"-std=c++17", "-O3", "-march=native", "-I."};
+    return options;
+}
+
+void compile(const Compiler& compiler, const std::filesystem::path& directory) {
+    const Progress::Stage stage("compiling");
+    std::vector<std::string> words = compiler.command;
+    words.insert(words.end(), compiler_options().begin(), compiler_options().end());
+    words.insert(words.end(), {"main.cpp", "-o", "program"});
+    const ChildResult result = run_child(words, directory);
+    if (!result.ok())
+        throw EnvironmentError("the compiler failed: " +
+                                   first_error(result.errors + "\n" + result.output),
+                               "it was called as " + joined(words));
+}
+
+}  // namespace hvi::gen

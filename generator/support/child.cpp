@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/support/child.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "generator/support/error.hpp"
+#include "generator/support/process.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::size_t most_errors = 64 * 1024;
+
+[[noreturn]] void cannot(const std::string& what, int error) {
+    throw EnvironmentError("cannot " + what + ": " + std::generic_category().message(error));
+}
+
+/// The two ends of a pipe.
+class Pipe {
+public:
+    Pipe() {
+        if (::pipe2(ends_.data(), O_CLOEXEC) != 0) cannot("make a pipe", errno);
+    }
+    ~Pipe() {
+        close(0);
+        close(1);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    [[nodiscard]] int reading() const { return ends_[0]; }
+    [[nodiscard]] int writing() const { return ends_[1]; }
+    void close_writing() { close(1); }
+
+    /// Adds what can be read to the text. False at the end of it.
+    [[nodiscard]] bool read_into(std::string& text) const {
+        std::array<char, 4096> buffer;
+        const ssize_t size = ::read(ends_[0], buffer.data(), buffer.size());
+        if (size < 0) return errno == EINTR;
+        text.append(buffer.data(), static_cast<std::size_t>(size));
+        return size > 0;
+    }
+
+private:
+    void close(std::size_t end) {
+        if (ends_[end] >= 0) ::close(std::exchange(ends_[end], -1));
+    }
+
+    std::array<int, 2> ends_{-1, -1};
+};
+
+/// What posix_spawn() is told of the new process.
+class Setup {
+public:
+    Setup(const std::filesystem::path& directory, const Pipe& output, const Pipe& errors) {
+        posix_spawn_file_actions_init(&actions_);
+        posix_spawn_file_actions_addchdir_np(&actions_, directory.c_str());
+        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_adddup2(&actions_, output.writing(), STDOUT_FILENO);
+        posix_spawn_file_actions_adddup2(&actions_, errors.writing(), STDERR_FILENO);
+        posix_spawnattr_init(&attributes_);
+        // A group of its own, so that what it starts can be ended with it; signals as usual.
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+        sigset_t usual;
+        sigemptyset(&usual);
+        for (const int signal : {SIGPIPE, SIGINT, SIGTERM}) sigaddset(&usual, signal);
+        posix_spawnattr_setsigdefault(&attributes_, &usual);
+    }
+    ~Setup() {
+        posix_spawnattr_destroy(&attributes_);
+        posix_spawn_file_actions_destroy(&actions_);
+    }
+    Setup(const Setup&) = delete;
+    Setup& operator=(const Setup&) = delete;
+
+    [[nodiscard]] pid_t start(const std::vector<std::string>& words) const {
+        std::vector<char*> arguments;
+        for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.data()));
+        arguments.push_back(nullptr);
+        pid_t child = 0;
+        const int error = ::posix_spawnp(&child, arguments.front(), &actions_, &attributes_,
+                                         arguments.data(), environ);
+        if (error != 0) cannot("start " + words.front(), error);
+        return child;
+    }
+
+private:
+    posix_spawn_file_actions_t actions_{};
+    posix_spawnattr_t attributes_{};
+};
+
+/// A running process; ended, with those that it has started, where nobody waits for it.
+class Running {
+public:
+    explicit Running(pid_t process) : process_(process) {}
+    ~Running() {
+        if (process_ == 0) return;
+        ::kill(-process_, SIGKILL);
+        static_cast<void>(wait());
+    }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+    [[nodiscard]] int wait() {
+        const pid_t process = std::exchange(process_, 0);
+        int status = 0;
+        while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {}
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+
+private:
+    pid_t process_;
+};
+
+void hand_on_lines(std::string& text, const std::function<void(std::string_view)>& on_line) {
+    if (!on_line) return;
+    std::size_t begin = 0;
+    for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+        on_line(std::string_view(text).substr(begin, end - begin));
+    text.erase(0, begin);
+}
+
+/// Until both are closed at their other end.
+void read_all(const Pipe& output, const Pipe& errors, ChildResult& result,
+              const std::function<void(std::string_view)>& on_line) {
+    std::array<pollfd, 3> wanted{pollfd{output.reading(), POLLIN, 0},
+                                 pollfd{errors.reading(), POLLIN, 0},
+                                 pollfd{interruption_descriptor(), POLLIN, 0}};
+    while (wanted[0].fd >= 0 || wanted[1].fd >= 0) {
+        if (::poll(wanted.data(), wanted.size(), -1) < 0) continue;  // a signal
+        if (wanted[2].revents != 0) throw Interruption();
+        if (wanted[0].revents != 0) {
+            if (!output.read_into(result.output)) wanted[0].fd = -1;
+            hand_on_lines(result.output, on_line);
+        }
+        if (wanted[1].revents != 0) {
+            if (!errors.read_into(result.errors)) wanted[1].fd = -1;
+            if (result.errors.size() > most_errors) result.errors.resize(most_errors);
+        }
+    }
+}
+
+}  // namespace
+
+ChildResult run_child(const std::vector<std::string>& words, const std::filesystem::path& directory,
+                      const std::function<void(std::string_view)>& on_line) {
+    HVI_CHECK(!words.empty());
+    Pipe output;
+    Pipe errors;
+    Running child(Setup(directory, output, errors).start(words));
+    output.close_writing();
+    errors.close_writing();
+    ChildResult result;
+    read_all(output, errors, result, on_line);
+    result.status = child.wait();
+    return result;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,57 @@
+// A table of numbers in a file, as comma-separated values.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include <driver/answer.hpp>
+
+namespace hvi::driver {
+
+/// Rows of numbers below a line of names. Whether all of it was written is known at close().
+class Table {
+public:
+    explicit Table(const char* path) : file_(std::fopen(path, "wb")), good_(file_ != nullptr) {}
+    ~Table() {
+        if (file_ != nullptr) { std::fclose(file_); }
+    }
+    Table(const Table&) = delete;
+    Table& operator=(const Table&) = delete;
+
+    [[nodiscard]] bool good() const { return good_; }
+
+    Table& cell(std::string_view text) {
+        if (!line_.empty()) { line_ += ','; }
+        line_ += text;
+        return *this;
+    }
+
+    Table& cell(double value) {
+        if (!line_.empty()) { line_ += ','; }
+        append(line_, value);
+        return *this;
+    }
+
+    void end_row() {
+        line_ += '\n';
+        good_ = good_ && std::fwrite(line_.data(), 1, line_.size(), file_) == line_.size();
+        line_.clear();
+    }
+
+    /// Whether every row has arrived.
+    [[nodiscard]] bool close() {
+        if (file_ == nullptr) { return false; }
+        good_ = std::fclose(file_) == 0 && good_;
+        file_ = nullptr;
+        return good_;
+    }
+
+private:
+    std::FILE* file_;
+    bool good_;
+    std::string line_;
+};
+
+}  // namespace hvi::driver

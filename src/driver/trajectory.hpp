@@ -1,0 +1,162 @@
+// A stepper's way from its initial data: a table of states, and what became of the invariants.
+// SPDX-License-Identifier: MIT
+//
+// `Problem` names its Stepper and has static members stepper() and initial(), which make one and its
+// first state, values(stepper, x), the invariants there, and the names `variables` and `invariants`.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+
+#include <driver/answer.hpp>
+#include <driver/table.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi::driver {
+
+/// How far a quantity has departed from what it was at the start.
+struct Departure {
+    double start = 0, largest = 0, last = 0;
+
+    void see(double value) {
+        last = value - start;
+        // NOTE: so that what is no number counts as large.
+        if (!(std::abs(last) <= largest)) { largest = std::abs(last); }
+    }
+};
+
+/// Seconds that a step takes where nobody looks on, over at most half a second; the start is where
+/// the run begins. Zero where no step can be taken.
+template <class Problem>
+double seconds_of_step(double h, std::int64_t steps) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::int64_t batch = 256;
+    constexpr std::chrono::milliseconds enough(500);
+    auto stepper = Problem::stepper();
+    auto x = Problem::initial();
+    std::int64_t taken = 0;
+    const auto start = Clock::now();
+    auto now = start;
+    while (taken < steps && now - start < enough) {
+        for (std::int64_t i = 0; i < batch && taken < steps; ++i, ++taken) {
+            if (!stepper.step(x, h).ok()) { steps = taken; }
+        }
+        now = Clock::now();
+    }
+    return taken == 0
+               ? 0.0
+               : std::chrono::duration<double>(now - start).count() / static_cast<double>(taken);
+}
+
+/// The run, a step of which is one row in `every`; the last row is where it ends.
+template <class Problem>
+class Trajectory {
+public:
+    Trajectory(double h, std::int64_t steps, std::int64_t every, const char* path)
+        : h_(h), steps_(steps), every_(every), table_(path) {}
+
+    /// Says what became of it. False where the table could not be written.
+    [[nodiscard]] bool run() {
+        write_names();
+        look(true);
+        row();
+        while (taken_ < steps_ && status_.ok() && table_.good()) { advance(); }
+        if (taken_ % every_ != 0) { row(); }
+        tell();
+        return table_.close();
+    }
+
+private:
+    using Stepper = typename Problem::Stepper;
+    static constexpr std::size_t invariants = Problem::invariants.size();
+
+    void advance() {
+        status_ = stepper_.step(x_, h_);
+        iterations_ += status_.iterations;
+        if (!status_.ok()) { return; }
+        ++taken_;
+        look(false);
+        if (taken_ % every_ == 0) {
+            row();
+            tell_progress();
+        }
+    }
+
+    void look(bool is_start) {
+        values_ = Problem::values(stepper_, x_);
+        for (std::size_t i = 0; i < invariants; ++i) {
+            if (is_start) { departures_[i].start = values_[i]; }
+            departures_[i].see(values_[i]);
+        }
+    }
+
+    void write_names() {
+        table_.cell("t");
+        for (const char* name : Problem::variables) { table_.cell(name); }
+        for (const char* name : Problem::invariants) { table_.cell(name); }
+        table_.end_row();
+    }
+
+    void row() {
+        table_.cell(static_cast<double>(taken_) * h_);
+        for (const auto& q : x_.q) { table_.cell(q); }
+        for (const auto& p : x_.p) { table_.cell(p); }
+        for (const double value : values_) { table_.cell(value); }
+        table_.end_row();
+        ++rows_;
+    }
+
+    /// Ten times a second.
+    void tell_progress() {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last_word_ < std::chrono::milliseconds(100)) { return; }
+        last_word_ = now;
+        say("progress", static_cast<double>(taken_) / static_cast<double>(steps_));
+    }
+
+    void tell() const {
+        say("status", status_.ok() ? "ok" : status_.message());
+        say("steps", taken_);
+        say("rows", rows_);
+        say("iterations", iterations_);
+        say("evaluations", static_cast<std::int64_t>(stepper_.evaluations()));
+        for (const Departure& departure : departures_) {
+            say("start", departure.start);
+            say("largest", departure.largest);
+            say("last", departure.last);
+        }
+    }
+
+    double h_;
+    std::int64_t steps_, every_;
+    Table table_;
+    Stepper stepper_ = Problem::stepper();
+    typename Stepper::State x_ = Problem::initial();
+    Status status_;
+    std::int64_t taken_ = 0, rows_ = 0, iterations_ = 0;
+    decltype(Problem::values(stepper_, x_)) values_{};
+    std::array<Departure, invariants> departures_{};
+    std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now();
+};
+
+/// The main() of a program that is called as `program H STEPS EVERY FILE`. Its exit status is 0
+/// also where a step failed, 2 where this is not how it was called, 3 where the file cannot be
+/// written.
+template <class Problem>
+int trajectory(int argc, char** argv) {
+    double h = 0;
+    std::int64_t steps = 0, every = 0;
+    if (argc != 5 || !read(argv[1], h) || !read(argv[2], steps) || !read(argv[3], every) ||
+        steps < 0 || every < 1) {
+        std::fprintf(stderr, "usage: %s H STEPS EVERY FILE\n", argv[0]);
+        return 2;
+    }
+    say("seconds_of_step", seconds_of_step<Problem>(h, steps));
+    return Trajectory<Problem>(h, steps, every, argv[4]).run() ? 0 : 3;
+}
+
+}  // namespace hvi::driver

@@ -1,0 +1,243 @@
+// `hvi-gen run`.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace hvi::test;
+
+namespace {
+
+/// Compiled programs of these tests, which are kept for all of them.
+struct Cache {
+    Directory directory;
+    Cache() { ::setenv("XDG_CACHE_HOME", directory.path().c_str(), 1); }
+};
+
+void use_cache() { static const Cache cache; }
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+std::vector<double> numbers_of(const std::string& row) {
+    std::vector<double> numbers;
+    std::istringstream stream(row);
+    for (std::string cell; std::getline(stream, cell, ',');) numbers.push_back(std::stod(cell));
+    return numbers;
+}
+
+/// A compiler that notes how it is called.
+std::string noting_compiler(const Directory& directory) {
+    write(directory / "cxx",
+          "#!/bin/sh\necho \"$*\" >> '" + (directory / "calls").string() + "'\nexec c++ \"$@\"\n");
+    std::filesystem::permissions(directory / "cxx", std::filesystem::perms::owner_all);
+    return "CXX=./cxx ";
+}
+
+}  // namespace
+
+TEST_CASE("a run of the oscillator is that of its matrix") {
+    use_cache();
+    const Directory directory;
+    const Outcome result = hvi_gen({"run", "harmonic-oscillator", "--method", "gauss:2", "--step",
+                                    "0.1", "--until", "0.3", "-o", "out", "--only", "table"},
+                                   directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    CHECK(result.out.empty());
+    CHECK(directory.names() == std::vector<std::string>{"out"});
+    const auto lines = lines_of(contents(directory / "out/trajectory.csv"));
+    REQUIRE(lines.size() == 5);
+    CHECK(lines[0] == "t,q,p,energy");
+    CHECK(lines[1] == "0,1,0,0.5");
+    // (6.6) of the paper.
+    const double h = 0.1, below = std::pow(h, 4) + 12 * h * h + 144;
+    const double d = (std::pow(h, 4) - 60 * h * h + 144) / below;
+    const double o = (144 * h - 12 * std::pow(h, 3)) / below;
+    double q = 1, p = 0;
+    for (std::size_t step = 1; step <= 3; ++step) {
+        const double next = d * q + o * p;
+        p = d * p - o * q;
+        q = next;
+        const auto row = numbers_of(lines[step + 1]);
+        REQUIRE(row.size() == 4);
+        CHECK(row[0] == static_cast<double>(step) * h);
+        CHECK(std::abs(row[1] - q) < 1e-15);
+        CHECK(std::abs(row[2] - p) < 1e-15);
+        CHECK(std::abs(row[3] - 0.5) < 1e-15);
+    }
+}
+
+TEST_CASE("a run of Kepler's problem leaves a table, a picture and a summary") {
+    use_cache();
+    const Directory directory;
+    const Outcome result =
+        hvi_gen({"run", "kepler", "--until", "100*pi", "--step", "pi/100", "--param", "ecc=1/5"},
+                directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    const std::filesystem::path out = directory / "kepler-gauss_4";
+    CHECK(contents(out / "summary.txt") == result.out);
+    CHECK(result.out.find("steps             10000 of ") != std::string::npos);
+    const auto lines = lines_of(contents(out / "trajectory.csv"));
+    REQUIRE(lines.size() == 10002);
+    CHECK(lines[0] == "t,x,y,px,py,energy,angular_momentum");
+    const auto start = numbers_of(lines[1]), end = numbers_of(lines.back());
+    CHECK(start[1] == 0.8);
+    CHECK(std::abs(start[4] - std::sqrt(1.5)) < 1e-15);
+    CHECK(std::abs(end[0] - 100 * std::acos(-1.0)) < 1e-10);
+    // After 50 turns.
+    for (std::size_t k = 1; k < 5; ++k) CHECK(std::abs(end[k] - start[k]) < 1e-9);
+    CHECK(contents(out / "picture.svg").rfind("</svg>") != std::string::npos);
+    CHECK(contents(out / "picture.svg").find("angular_momentum") != std::string::npos);
+}
+
+TEST_CASE("long runs are thinned out, and counted whole") {
+    use_cache();
+    const Directory directory;
+    const Outcome result =
+        hvi_gen({"run", "harmonic-oscillator", "--until", "2500.1", "-o", "out"}, directory.path());
+    REQUIRE(result.status == 0);
+    const auto lines = lines_of(contents(directory / "out/trajectory.csv"));
+    // 25001 steps, one row in 3 and the last.
+    REQUIRE(lines.size() == 2 + 25001 / 3 + 1);
+    CHECK(std::abs(numbers_of(lines[2])[0] - 0.3) < 1e-15);
+    CHECK(numbers_of(lines.back())[0] == 25001 * 0.1);
+    CHECK(result.out.find("steps        25001 of 0.1") != std::string::npos);
+}
+
+TEST_CASE("nothing is made that was not asked for") {
+    use_cache();
+    const Directory directory;
+    const auto only = [&](const std::string& what, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words{"run", "pendulum", "--until", "1", "--only", what};
+        words.insert(words.end(), more.begin(), more.end());
+        return hvi_gen(words, directory.path());
+    };
+    CHECK(only("summary").status == 0);
+    CHECK(directory.names().empty());
+    CHECK(only("picture,summary", {"-o", "a/b"}).status == 0);
+    CHECK(contents(directory / "a/b/trajectory.csv").empty());
+    CHECK(!contents(directory / "a/b/picture.svg").empty());
+    CHECK(!contents(directory / "a/b/summary.txt").empty());
+    CHECK(only("pictures").status == 2);
+    CHECK(only("").status == 2);
+    CHECK(only("table,").status == 2);
+}
+
+TEST_CASE("a program is compiled once") {
+    use_cache();
+    const Directory directory;
+    const std::string line =
+        noting_compiler(directory) + "hvi-gen run pendulum --only summary --until ";
+    REQUIRE(shell(line + "2", directory.path()).status == 0);
+    REQUIRE(shell(line + "3", directory.path()).status == 0);
+    const auto calls = lines_of(contents(directory / "calls"));
+    REQUIRE(calls.size() == 3);
+    CHECK(calls[0] == "--version");
+    CHECK(calls[1].find("main.cpp") != std::string::npos);
+    CHECK(calls[2] == "--version");
+    REQUIRE(shell(line + "2 --solver fixed-point", directory.path()).status == 0);
+    CHECK(lines_of(contents(directory / "calls")).size() == 5);
+}
+
+TEST_CASE("a run that stops keeps what there is, and says so") {
+    use_cache();
+    const Directory directory;
+    // It is at infinity before t = 2.
+    write(directory / "escape.toml",
+          "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+          "hamiltonian = \"p^2/2 - q^4/4\"\n"
+          "initial = {q = 1, p = 1}\n"
+          "run = {method = \"stormer-verlet\", step = 0.1, until = 9}\n");
+    const Outcome result = hvi_gen({"run", "escape.toml", "-o", "out"}, directory.path());
+    CHECK(result.status == 1);
+    CHECK(result.out.empty());
+    CHECK(result.err.find("error: the run stopped after ") == 0);
+    CHECK(result.err.find("out") != std::string::npos);
+    const auto lines = lines_of(contents(directory / "out/trajectory.csv"));
+    REQUIRE(lines.size() >= 3);
+    CHECK(lines.back().find("# incomplete: ") == 0);
+    CHECK(contents(directory / "out/summary.txt").find("incomplete") != std::string::npos);
+    CHECK(contents(directory / "out/picture.svg").find("incomplete") != std::string::npos);
+}
+
+TEST_CASE("compilers that are missing, and that fail") {
+    use_cache();
+    const Directory directory;
+    const std::string run = "hvi-gen run pendulum --step 1/3 --solver newton";
+    const Outcome missing = shell("CXX=no-such-compiler " + run, directory.path());
+    CHECK(missing.status == 3);
+    CHECK(missing.err.find("error: there is no C++ compiler") == 0);
+    write(directory / "cxx", "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n"
+                             "echo 'a warning' >&2\necho 'x.cpp:1:2: error: boom' >&2\nexit 1\n");
+    std::filesystem::permissions(directory / "cxx", std::filesystem::perms::owner_all);
+    const Outcome failing = shell("CXX=./cxx " + run, directory.path());
+    CHECK(failing.status == 3);
+    CHECK(failing.err.find("error: the compiler failed: x.cpp:1:2: error: boom\n") == 0);
+    CHECK(failing.out.empty());
+    CHECK(directory.names() == std::vector<std::string>{"cxx"});
+}
+
+TEST_CASE("a disk that is full, and a machine without gnuplot") {
+    use_cache();
+    const Directory directory;
+    const std::string run = "hvi-gen run henon-heiles -o out --until 500";
+    REQUIRE(shell(run + " --only summary", directory.path()).status == 0);
+    // As on a full disk, writing fails when the file has this size.
+    const Outcome full = shell("ulimit -f 16; " + run, directory.path());
+    CHECK(full.status == 3);
+    CHECK(full.err.find("error: cannot write out/") == 0);
+    CHECK(contents(directory / "out/trajectory.csv").empty());
+    const Outcome no_gnuplot = shell("CXX=\"$(command -v c++)\"; export CXX; "
+                                     "hvi-gen run henon-heiles --only summary --until 500 && "
+                                     "PATH=/none && " +
+                                         run,
+                                     directory.path());
+    CHECK(no_gnuplot.status == 3);
+    CHECK(no_gnuplot.err.find("gnuplot") != std::string::npos);
+    CHECK(lines_of(contents(directory / "out/trajectory.csv")).size() == 2002);
+}
+
+TEST_CASE("an interrupted run leaves nothing half written") {
+    use_cache();
+    const Directory directory;
+    const std::string run = "hvi-gen run harmonic-oscillator --only ";
+    REQUIRE(shell(run + "summary", directory.path()).status == 0);
+    const Outcome interrupted = shell("\"$hvi_gen\" run harmonic-oscillator -o out --step 1/10^6 "
+                                      "--until 10^6 & sleep 1; kill -INT $!; wait $!",
+                                      directory.path());
+    CHECK(interrupted.status == 130);
+    CHECK(interrupted.out.empty());
+    CHECK(std::filesystem::is_empty(directory / "out"));
+}
+
+TEST_CASE("runs that cannot be") {
+    use_cache();
+    CHECK(hvi_gen({"run"}).status == 2);
+    CHECK(hvi_gen({"run", "no-such-scene"}).status == 2);
+    CHECK(hvi_gen({"run", "kepler", "--step", "w"}).status == 2);
+    CHECK(hvi_gen({"run", "kepler", "--step", "0"}).status == 1);
+    CHECK(hvi_gen({"run", "kepler", "--step", "-1/20"}).status == 1);
+    CHECK(hvi_gen({"run", "kepler", "--param", "ecc=2"}).status == 1);
+    CHECK(hvi_gen({"run", "kepler", "-o", "/dev/null/x"}).status == 3);
+    CHECK(hvi_gen({"run", "--step", "kepler"}).status == 2);
+    const Outcome fitted =
+        hvi_gen({"run", "kepler", "--basis", "1, cos(w*tau), sin(w*tau)", "--nodes", "gauss:3"});
+    CHECK(fitted.status == 2);
+    CHECK(fitted.err.find("--param w=") != std::string::npos);
+    CHECK(
+        hvi_gen({"run", "--until", "1", "--step", "1/10", "--only", "summary", "kepler"}).status ==
+        0);
+}
