@@ -27,10 +27,6 @@ constexpr std::string_view method_help = R"help(METHOD is one of
   --basis "1, cos(pi*tau)" --nodes "0, 1"   functions of tau in [0,1], as many as nodes
   --method-file FILE.toml                   with name, basis, nodes, [parameters])help";
 
-/// Commands and options of CONTRACT.md that later versions have.
-constexpr std::array announced_commands = {
-    std::pair{"report", "Compare methods on scenes (to come)"},
-};
 /// Options that stand in place of a scene.
 constexpr std::array hamiltonian_options = {"--hamiltonian", "--coordinates", "--momenta"};
 
@@ -131,10 +127,24 @@ void describe(CLI::App& app) {
     add_value(run, "--only", "LIST", "Of table, picture, summary; all when not given");
     add_value(run, "-o,--output", "DIR", "Write to this directory");
 
+    CLI::App& report =
+        *app.add_subcommand("report", "Error against run time, of methods on scenes");
+    report
+        .add_option(
+            "SCENE", [](const CLI::results_t&) { return true; }, "Scenes by name, or in TOML")
+        ->expected(-1)
+        ->type_name("SCENE...");
+    add_value(report, "--methods", "LIST", "Names of methods between commas");
+    add_value(report, "--steps", "LIST", "Sizes of steps between commas, or auto");
+    add_value(report, "--until", "T", "Time at the end, in place of the scene's");
+    add_value(report, "--only", "LIST", "Of html, json, csv, svg; all when not given");
+    add_flag(report, "--peers", "Other libraries too (to come)");
+    add_flag(report, "--edges", "Stiff and extreme cases (to come)");
+    add_value(report, "-o,--output", "DIR", "Write to this directory (report)");
+
     CLI::App& list = *app.add_subcommand("list", "Print what can be named");
     add_value(list, "TOPIC", "TOPIC", "bases, nodes, methods or scenes; all when not given");
 
-    for (const auto& [name, help] : announced_commands) app.add_subcommand(name, help);
     for (CLI::App* command : app.get_subcommands(nullptr)) command->allow_extras();
 }
 
@@ -434,6 +444,27 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     return options;
 }
 
+ReportOptions report_options(const Words& words, const CommandLine& line) {
+    ReportOptions options;
+    options.scenes = words.values("SCENE");
+    if (options.scenes.empty())
+        throw InputError("no scene is given", line.end(),
+                         "for example kepler, which `hvi-gen list scenes` shows");
+    for (const char* flag : {"--peers", "--edges"})
+        if (words.flag(flag)) to_come(flag, words.place(flag));
+    options.methods = words.value("--methods");
+    options.steps = words.value("--steps");
+    if (options.steps == "auto") options.steps.reset();
+    options.until = words.value("--until");
+    const std::vector<bool> only = chosen(words, "--only", {"html", "json", "csv", "svg"});
+    options.html = only[0];
+    options.json = only[1];
+    options.csv = only[2];
+    options.svg = only[3];
+    options.output = file_option(words, "--output");
+    return options;
+}
+
 ListOptions list_options(const Words& words) {
     return {std::string(topics[words.choice("TOPIC", topics)])};
 }
@@ -475,8 +506,6 @@ const CLI::App& command_of(const CLI::App& app, const CommandLine& line) {
 
 Request request(const CLI::App& command, const CommandLine& line) {
     const std::string& name = command.get_name();
-    for (const auto& [announced, help] : announced_commands)
-        if (name == announced) to_come("the command `" + name + "`", line.place({name}));
     const Words words(command, line);
     words.check_values();
     if (const auto rest = command.remaining(); !rest.empty()) refuse(rest.front(), command, line);
@@ -486,6 +515,7 @@ Request request(const CLI::App& command, const CommandLine& line) {
     if (name == "stepper") return stepper_options(words, line);
     if (name == "scheme") return scheme_options(words, line);
     if (name == "run") return run_options(words, line);
+    if (name == "report") return report_options(words, line);
     HVI_CHECK(name == "list");
     return list_options(words);
 }

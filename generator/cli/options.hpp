@@ -68,6 +68,15 @@ struct RunOptions {
     std::optional<std::filesystem::path> output;  ///< a directory
 };
 
+struct ReportOptions {
+    std::vector<std::string> scenes;     ///< names or files
+    std::optional<std::string> methods;  ///< names between commas
+    std::optional<std::string> steps;    ///< sizes between commas; chosen where there are none
+    std::optional<std::string> until;    ///< in place of the scenes'
+    bool html = true, json = true, csv = true, svg = true;
+    std::optional<std::filesystem::path> output;  ///< a directory
+};
+
 struct SchemeOptions {
     enum class Format { text, json, latex };
 
@@ -88,7 +97,7 @@ struct Information {
 };
 
 using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
-                             RunOptions, ListOptions, Information>;
+                             RunOptions, ReportOptions, ListOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

@@ -10,9 +10,11 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
+#include "generator/cli/run_wishes.hpp"
 #include "generator/draw/trajectory.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/simulate/simulation.hpp"
+#include "generator/support/bar.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
 
@@ -27,31 +29,10 @@ constexpr const char* table_name = "trajectory.csv";
 constexpr const char* picture_name = "picture.svg";
 constexpr const char* summary_name = "summary.txt";
 
-/// What the command line says, else the scene.
-NamedExpression wish(const Scene& scene, const std::optional<std::string>& given,
-                     const std::optional<NamedExpression>& of_scene, const std::string& name) {
-    const std::string option = "--" + name;
-    if (given)
-        return expression_of_parameters(scene, name,
-                                        std::make_shared<const Source>(Source{option, *given}));
-    if (of_scene) return *of_scene;
-    throw InputError(
-        fmt::format("the scene does not say `{}`", name), {},
-        fmt::format("give {} 1/10, or a section [run] with {} = \"1/10\"", option, name));
-}
-
 /// `kepler-gauss_4`.
 fs::path default_directory(const SceneStepper& stepper) {
     const std::string header = file_name(stepper.tableau.name);
     return stepper.lowered.scene.name + "-" + header.substr(0, header.rfind('.'));
-}
-
-void make_directory(const fs::path& path) {
-    std::error_code error;
-    fs::create_directories(path, error);
-    if (error)
-        throw EnvironmentError("cannot make the directory " + path.string() + ": " +
-                               error.message());
 }
 
 /// A file that a program of ours fills. Removed at the end of its life unless renamed.
@@ -77,27 +58,6 @@ public:
 
 private:
     fs::path path_;
-};
-
-/// A bar on standard error, where that is a terminal.
-class Bar {
-public:
-    ~Bar() {
-        if (shown_) std::fputs("\r\x1b[K", stderr);
-    }
-
-    void show(double part) {
-        constexpr int width = 40;
-        if (::isatty(STDERR_FILENO) == 0) return;
-        const int full = static_cast<int>(part * width);
-        const std::string bar =
-            fmt::format("\r[{:#<{}}{:<{}}] {:3.0f} %", "", full, "", width - full, 100 * part);
-        std::fputs(bar.c_str(), stderr);
-        shown_ = true;
-    }
-
-private:
-    bool shown_ = false;
 };
 
 std::string duration(double seconds) {

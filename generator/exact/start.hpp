@@ -1,6 +1,8 @@
-// Whether a scene can begin.
+// Where a scene begins, and where it is known to be later.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+
+#include <vector>
 
 #include "generator/read/scene.hpp"
 
@@ -10,5 +12,9 @@ namespace hvi::gen {
 /// provably no real number: the root of a negative number, a division by a mass of zero, two bodies
 /// at one place. Does nothing where the scene has no initial data.
 void check_start(const Scene& scene);
+
+/// Coordinates, then momenta, of the scene's [exact] at a time, good to the last bit or two. Throws
+/// MathError, with its place, where it has no value. Precondition: the scene has [exact].
+[[nodiscard]] std::vector<double> exact_state(const Scene& scene, double time);
 
 }  // namespace hvi::gen

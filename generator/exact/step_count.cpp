@@ -20,14 +20,18 @@ std::int64_t floor(const Number& number) {
     return is_above(nearest) ? nearest - 1 : is_above(nearest + 1) ? nearest : nearest + 1;
 }
 
+/// The ground with the values of the scene's parameters.
+Ground with_parameters(Ground ground, const Scene& scene) {
+    for (const Parameter& parameter : scene.parameters)
+        ground.set_parameter(parameter.name, evaluate_number(parameter.value, nullptr, ground));
+    return ground;
+}
+
 Number value_of(const NamedExpression& what, const Ground& ground) {
     return evaluate_number(what.expression, what.place.source, ground);
 }
 
-Steps steps_on(Ground ground, const Scene& scene, const NamedExpression& step,
-               const NamedExpression& until) {
-    for (const Parameter& parameter : scene.parameters)
-        ground.set_parameter(parameter.name, evaluate_number(parameter.value, nullptr, ground));
+Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExpression& until) {
     const Number h = value_of(step, ground);
     const Number end = value_of(until, ground);
     if (h.sign() == 0) throw MathError("the step has the size 0", step.place);
@@ -43,8 +47,15 @@ Steps steps_on(Ground ground, const Scene& scene, const NamedExpression& step,
 }  // namespace
 
 Steps steps_until(const Scene& scene, const NamedExpression& step, const NamedExpression& until) {
-    return on_new_ground(
-        [&](const Ground& ground) { return steps_on(ground, scene, step, until); });
+    return on_new_ground([&](const Ground& ground) {
+        return steps_on(with_parameters(ground, scene), step, until);
+    });
+}
+
+double nearest_value(const Scene& scene, const NamedExpression& what) {
+    return on_new_ground([&](const Ground& ground) {
+        return value_of(what, with_parameters(ground, scene)).nearest_double();
+    });
 }
 
 }  // namespace hvi::gen

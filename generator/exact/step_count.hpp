@@ -21,4 +21,7 @@ struct Steps {
 [[nodiscard]] Steps steps_until(const Scene& scene, const NamedExpression& step,
                                 const NamedExpression& until);
 
+/// The double nearest to a time that may depend on the scene's parameters. Throws as steps_until().
+[[nodiscard]] double nearest_value(const Scene& scene, const NamedExpression& what);
+
 }  // namespace hvi::gen

@@ -3,13 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <map>
-#include <string_view>
-#include <utility>
-
 #include "generator/emit/text.hpp"
-#include "generator/support/child.hpp"
+#include "generator/simulate/answers.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -37,50 +32,6 @@ std::string values(const LoweredScene& lowered) {
     return lines(items);
 }
 
-template <class Number>
-Number number(std::string_view text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    HVI_CHECK(error == std::errc{} && end == text.data() + text.size());
-    return value;
-}
-
-/// Reads what the program says: see src/driver/trajectory.hpp.
-class Listener {
-public:
-    Listener(std::vector<std::string> names, const std::function<void(double)>& on_progress)
-        : names_(std::move(names)), on_progress_(on_progress) {}
-
-    void hear(std::string_view line) {
-        const std::size_t blank = line.find(' ');
-        HVI_CHECK(blank != std::string_view::npos);
-        const std::string_view key = line.substr(0, blank), value = line.substr(blank + 1);
-        if (key == "progress") return on_progress_(number<double>(value));
-        if (key == "status") result_.status = value;
-        if (key == "steps") result_.steps = number<std::int64_t>(value);
-        if (key == "rows") result_.rows = number<std::int64_t>(value);
-        if (key == "iterations") result_.iterations = number<std::int64_t>(value);
-        if (key == "evaluations") result_.evaluations = number<std::int64_t>(value);
-        if (key == "seconds_of_step") result_.seconds_of_step = number<double>(value);
-        if (key == "start") {
-            HVI_CHECK(result_.conserved.size() < names_.size());
-            result_.conserved.push_back({names_[result_.conserved.size()], number<double>(value)});
-        }
-        if (key == "largest") result_.conserved.back().largest = number<double>(value);
-        if (key == "last") result_.conserved.back().last = number<double>(value);
-    }
-
-    [[nodiscard]] Simulation result() && {
-        HVI_CHECK(!result_.status.empty() && result_.conserved.size() == names_.size());
-        return std::move(result_);
-    }
-
-private:
-    std::vector<std::string> names_;
-    const std::function<void(double)>& on_progress_;
-    Simulation result_;
-};
-
 }  // namespace
 
 std::vector<std::string> conserved_names(const LoweredScene& lowered) {
@@ -106,31 +57,69 @@ StepperWishes simulation_wishes(Solver solver) {
 
 ProgramText simulation_program(const SceneStepper& stepper) {
     const std::vector<std::string> conserved = conserved_names(stepper.lowered);
-    return {fill("trajectory.cpp.in",
-                 {{"header", header_name},
-                  {"stepper", stepper.class_name},
-                  {"variables", quoted(variables(stepper.lowered.scene.hamiltonian))},
-                  {"invariants", quoted(conserved)},
-                  {"count", std::to_string(conserved.size())},
-                  {"values", values(stepper.lowered)}}),
+    return {
+        fill("driver.cpp.in", {{"header", header_name},
+                               {"stepper", stepper.class_name},
+                               {"variables", quoted(variables(stepper.lowered.scene.hamiltonian))},
+                               {"invariants", quoted(conserved)},
+                               {"count", std::to_string(conserved.size())},
+                               {"values", values(stepper.lowered)}}),
+        {{header_name, stepper.header}}};
+}
+
+ProgramText reference_program(const SceneStepper& stepper) {
+    return {fill("reference.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
             {{header_name, stepper.header}}};
+}
+
+ReferenceSolution find_reference(const std::filesystem::path& program, double until,
+                                 std::int64_t count, double wanted, double seconds) {
+    const Answers answers = ask(program, {fmt::format("{}", until), std::to_string(count),
+                                          fmt::format("{}", wanted), fmt::format("{}", seconds)});
+    return {static_cast<int>(answers.integer("bits")), answers.number("error"),
+            answers.numbers("end")};
 }
 
 Simulation run_simulation(const std::filesystem::path& program, const SceneStepper& stepper,
                           const Steps& steps, std::int64_t every,
                           const std::filesystem::path& table,
                           const std::function<void(double)>& on_progress) {
-    Listener listener(conserved_names(stepper.lowered), on_progress);
-    const ChildResult ended =
-        run_child({program.string(), fmt::format("{}", steps.size), std::to_string(steps.count),
-                   std::to_string(every), table.string()},
-                  ".", [&](std::string_view line) { listener.hear(line); });
-    if (ended.status == 3) throw EnvironmentError("cannot write " + table.string());
-    if (ended.status > 128)
-        throw EnvironmentError(
-            fmt::format("the compiled program was ended by signal {}", ended.status - 128));
-    HVI_CHECK(ended.ok());
-    return std::move(listener).result();
+    const Answers answers = ask(program,
+                                {"trajectory", fmt::format("{}", steps.size),
+                                 std::to_string(steps.count), std::to_string(every)},
+                                table, on_progress);
+    Simulation run{answers.text("status"),
+                   answers.integer("steps"),
+                   answers.integer("rows"),
+                   answers.integer("iterations"),
+                   answers.integer("evaluations"),
+                   answers.number("seconds_of_step"),
+                   {}};
+    const std::vector<std::string> names = conserved_names(stepper.lowered);
+    const auto start = answers.numbers("start"), largest = answers.numbers("largest"),
+               last = answers.numbers("last");
+    HVI_CHECK(start.size() == names.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        run.conserved.push_back({names[i], start[i], largest.at(i), last.at(i)});
+    return run;
+}
+
+Measurement measure(const std::filesystem::path& program, const Steps& steps, double seconds) {
+    const Answers answers = ask(program, {"measure", fmt::format("{}", steps.size),
+                                          std::to_string(steps.count), fmt::format("{}", seconds)});
+    Measurement result;
+    result.status = answers.text("status");
+    result.steps = answers.integer("steps");
+    result.iterations = answers.integer("iterations");
+    result.evaluations = answers.integer("evaluations");
+    result.departures = answers.numbers("largest");
+    result.end = answers.numbers("end");
+    result.velocity = answers.numbers("velocity");
+    if (answers.has("seconds")) {
+        result.seconds = answers.number("seconds");
+        result.spread = answers.number("spread");
+    }
+    return result;
 }
 
 }  // namespace hvi::gen

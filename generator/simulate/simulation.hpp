@@ -48,12 +48,47 @@ void check_simulation(const SceneStepper& stepper);
 /// checked.
 [[nodiscard]] ProgramText simulation_program(const SceneStepper& stepper);
 
+/// The program of find_reference(). Precondition: the solver of `stepper` is fixed points.
+[[nodiscard]] ProgramText reference_program(const SceneStepper& stepper);
+
+/// A solution in more digits than a double has, at its end.
+struct ReferenceSolution {
+    int bits = 0;               ///< of the numbers it was computed in
+    double error = 0;           ///< how far halving the steps moved the end, relatively
+    std::vector<double> state;  ///< coordinates, then momenta; empty where no run came to the end
+};
+
+/// Halves steps, of which there are so many at first, until the end moves by no more than `wanted`,
+/// or for so many seconds. Throws as ask() does.
+[[nodiscard]] ReferenceSolution find_reference(const std::filesystem::path& program, double until,
+                                               std::int64_t count, double wanted, double seconds);
+
 /// Runs the compiled program; it writes the table of t, the variables, the energy and the
 /// invariants, one row in `every` steps and the last, into `table`. `on_progress` gets the part of
-/// it that is done. Throws EnvironmentError where the table cannot be written, and Interruption.
+/// it that is done. Throws as ask() does.
 [[nodiscard]] Simulation run_simulation(const std::filesystem::path& program,
                                         const SceneStepper& stepper, const Steps& steps,
                                         std::int64_t every, const std::filesystem::path& table,
                                         const std::function<void(double)>& on_progress);
+
+/// Where a run ends and what it costs.
+struct Measurement {
+    std::string status;              ///< as of a Simulation
+    std::int64_t steps = 0;          ///< taken
+    std::int64_t iterations = 0;     ///< of the solver
+    std::int64_t evaluations = 0;    ///< of dH/dq
+    std::vector<double> departures;  ///< the largest, of what is conserved
+    std::vector<double> end;         ///< coordinates and momenta where the last good step ended
+    std::vector<double> velocity;    ///< their derivatives there, to some digits
+    double seconds = 0;              ///< the median of repetitions; 0 where none was timed
+    double spread = 0;               ///< the middle half of these, as a part of the median
+
+    [[nodiscard]] bool ok() const { return status == "ok"; }
+};
+
+/// Runs the compiled program once, and again for timing over so many seconds, at least three times;
+/// never for 0. Throws as ask() does.
+[[nodiscard]] Measurement measure(const std::filesystem::path& program, const Steps& steps,
+                                  double seconds);
 
 }  // namespace hvi::gen

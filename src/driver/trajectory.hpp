@@ -1,33 +1,23 @@
 // A stepper's way from its initial data: a table of states, and what became of the invariants.
 // SPDX-License-Identifier: MIT
 //
-// `Problem` names its Stepper and has static members stepper() and initial(), which make one and its
-// first state, values(stepper, x), the invariants there, and the names `variables` and `invariants`.
+// For `Problem` see main.hpp.
 #pragma once
 
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <driver/answer.hpp>
+#include <driver/departure.hpp>
 #include <driver/table.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
-
-/// How far a quantity has departed from what it was at the start.
-struct Departure {
-    double start = 0, largest = 0, last = 0;
-
-    void see(double value) {
-        last = value - start;
-        // NOTE: so that what is no number counts as large.
-        if (!(std::abs(last) <= largest)) { largest = std::abs(last); }
-    }
-};
 
 /// Seconds that a step takes where nobody looks on, over at most half a second; the start is where
 /// the run begins. Zero where no step can be taken.
@@ -62,7 +52,6 @@ public:
     /// Says what became of it. False where the table could not be written.
     [[nodiscard]] bool run() {
         write_names();
-        look(true);
         row();
         while (taken_ < steps_ && status_.ok() && table_.good()) { advance(); }
         if (taken_ % every_ != 0) { row(); }
@@ -72,25 +61,16 @@ public:
 
 private:
     using Stepper = typename Problem::Stepper;
-    static constexpr std::size_t invariants = Problem::invariants.size();
 
     void advance() {
         status_ = stepper_.step(x_, h_);
         iterations_ += status_.iterations;
         if (!status_.ok()) { return; }
         ++taken_;
-        look(false);
+        invariants_.see(stepper_, x_);
         if (taken_ % every_ == 0) {
             row();
             tell_progress();
-        }
-    }
-
-    void look(bool is_start) {
-        values_ = Problem::values(stepper_, x_);
-        for (std::size_t i = 0; i < invariants; ++i) {
-            if (is_start) { departures_[i].start = values_[i]; }
-            departures_[i].see(values_[i]);
         }
     }
 
@@ -105,7 +85,7 @@ private:
         table_.cell(static_cast<double>(taken_) * h_);
         for (const auto& q : x_.q) { table_.cell(q); }
         for (const auto& p : x_.p) { table_.cell(p); }
-        for (const double value : values_) { table_.cell(value); }
+        for (const double value : invariants_.values()) { table_.cell(value); }
         table_.end_row();
         ++rows_;
     }
@@ -124,7 +104,7 @@ private:
         say("rows", rows_);
         say("iterations", iterations_);
         say("evaluations", static_cast<std::int64_t>(stepper_.evaluations()));
-        for (const Departure& departure : departures_) {
+        for (const Departure& departure : invariants_.departures()) {
             say("start", departure.start);
             say("largest", departure.largest);
             say("last", departure.last);
@@ -138,25 +118,21 @@ private:
     typename Stepper::State x_ = Problem::initial();
     Status status_;
     std::int64_t taken_ = 0, rows_ = 0, iterations_ = 0;
-    decltype(Problem::values(stepper_, x_)) values_{};
-    std::array<Departure, invariants> departures_{};
+    Invariants<Problem> invariants_{stepper_, x_};
     std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now();
 };
 
-/// The main() of a program that is called as `program H STEPS EVERY FILE`. Its exit status is 0
-/// also where a step failed, 2 where this is not how it was called, 3 where the file cannot be
-/// written.
+/// The command `trajectory H STEPS EVERY FILE`. The status of its end is 0 also where a step
+/// failed, 2 where this is not how it was called, 3 where the file cannot be written.
 template <class Problem>
-int trajectory(int argc, char** argv) {
+int trajectory(const std::vector<std::string_view>& words) {
     double h = 0;
     std::int64_t steps = 0, every = 0;
-    if (argc != 5 || !read(argv[1], h) || !read(argv[2], steps) || !read(argv[3], every) ||
-        steps < 0 || every < 1) {
-        std::fprintf(stderr, "usage: %s H STEPS EVERY FILE\n", argv[0]);
-        return 2;
-    }
+    const bool is_right = words.size() == 4 && read(words[0], h) && read(words[1], steps) &&
+                          read(words[2], every) && steps >= 0 && every >= 1;
+    if (!is_right) { return 2; }
     say("seconds_of_step", seconds_of_step<Problem>(h, steps));
-    return Trajectory<Problem>(h, steps, every, argv[4]).run() ? 0 : 3;
+    return Trajectory<Problem>(h, steps, every, std::string(words[3]).c_str()).run() ? 0 : 3;
 }
 
 }  // namespace hvi::driver

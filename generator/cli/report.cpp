@@ -1,0 +1,132 @@
+// `hvi-gen report`: what a digit costs with which method.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/run_wishes.hpp"
+#include "generator/draw/work.hpp"
+#include "generator/exact/step_count.hpp"
+#include "generator/report/render.hpp"
+#include "generator/report/study.hpp"
+#include "generator/support/output_file.hpp"
+#include "generator/support/process.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* usual_methods = "stormer-verlet, lobatto:3, gauss:2, gauss:4, gauss:8";
+
+/// A scene with the words of [run] that a report needs.
+struct Subject {
+    Scene scene;
+    double until;
+    std::int64_t first_count;
+    std::vector<double> steps;
+};
+
+std::vector<std::shared_ptr<const Source>> items(const std::string& option,
+                                                 const std::string& list) {
+    std::vector<std::shared_ptr<const Source>> result;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        const std::size_t first = std::min(list.find_first_not_of(' ', begin), end);
+        const std::size_t last = list.find_last_not_of(' ', end == 0 ? 0 : end - 1);
+        const std::string item = first < end ? list.substr(first, last + 1 - first) : "";
+        if (item.empty())
+            throw InputError(
+                "an item is missing in the list",
+                Place{std::make_shared<const Source>(Source{option, list}), {begin, end}});
+        result.push_back(std::make_shared<const Source>(Source{option, item}));
+        begin = end + 1;
+    }
+    return result;
+}
+
+Subject subject(const std::string& name, const ReportOptions& options) {
+    Scene scene =
+        find_scene(name, {std::make_shared<const Source>(Source{"SCENE", name}), {0, name.size()}});
+    const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
+    const NamedExpression step = wish(scene, {}, scene.run.step, "step");
+    Subject result{scene, nearest_value(scene, until), 0, {}};
+    result.first_count = std::max<std::int64_t>(1, steps_until(scene, step, until).count);
+    if (!options.steps) return result;
+    for (const auto& item : items("--steps", *options.steps)) {
+        const NamedExpression h = expression_of_parameters(scene, "step", item);
+        static_cast<void>(steps_until(scene, h, until));  // it leads there
+        result.steps.push_back(nearest_value(scene, h));
+    }
+    return result;
+}
+
+/// As file names have it, and in one order: first time, then evaluations.
+Pictures pictures(const SceneReport& scene) {
+    WorkPicture by_time{scene.name, "run time in seconds", {}};
+    WorkPicture by_evaluations{scene.name, "evaluations of dH/dq", {}};
+    for (const WorkCurve& curve : scene.curves) {
+        WorkPicture::Curve time{curve.name, {}}, evaluations{curve.name, {}};
+        for (const WorkPoint& point : curve.points) {
+            if (!point.ok() || !(point.error > 0) || !std::isfinite(point.error)) continue;
+            if (point.seconds > 0) time.points.emplace_back(point.seconds, point.error);
+            if (point.evaluations > 0)
+                evaluations.points.emplace_back(point.evaluations, point.error);
+        }
+        by_time.curves.push_back(std::move(time));
+        by_evaluations.curves.push_back(std::move(evaluations));
+    }
+    return {{scene.name + "-1-time", draw(by_time)},
+            {scene.name + "-2-evaluations", draw(by_evaluations)}};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+void write(const Report& report, const ReportOptions& options, const fs::path& directory) {
+    make_directory(directory);
+    if (options.json) write_file(directory / "report.json", report_json(report));
+    if (options.csv) write_file(directory / "report.csv", report_csv(report));
+    if (!options.html && !options.svg) return;
+    Pictures all;
+    for (const SceneReport& scene : report.scenes) all.merge(pictures(scene));
+    if (options.svg)
+        for (const auto& [name, svg] : all) write_file(directory / (name + ".svg"), svg);
+    if (options.html) write_file(directory / "report.html", report_html(report, all));
+}
+
+}  // namespace
+
+void run(const ReportOptions& options) {
+    StudyWishes wishes;
+    for (const auto& name : items("--methods", options.methods.value_or(usual_methods)))
+        wishes.methods.push_back(named_method(name));
+    std::vector<Subject> subjects;
+    for (const std::string& scene : options.scenes) subjects.push_back(subject(scene, options));
+
+    const InterruptionsHeld held;
+    const Compiler compiler = find_compiler();
+    Report report{this_machine(),
+                  joined(compiler.command) + " " + joined(compiler_options()),
+                  compiler.version,
+                  {},
+                  {}};
+    const fs::path directory = options.output.value_or("report");
+    for (Subject& subject : subjects) {
+        wishes.steps = subject.steps;
+        try {
+            report.scenes.push_back(
+                study(compiler, subject.scene, subject.until, subject.first_count, wishes));
+        } catch (const Interruption&) { throw; } catch (const Error& error) {
+            report.incomplete = subject.scene.name + ": " + error.what();
+            write(report, options, directory);
+            throw;
+        }
+    }
+    write(report, options, directory);
+}
+
+}  // namespace hvi::gen

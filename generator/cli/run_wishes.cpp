@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/run_wishes.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <system_error>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+NamedExpression wish(const Scene& scene, const std::optional<std::string>& given,
+                     const std::optional<NamedExpression>& of_scene, const std::string& name) {
+    const std::string option = "--" + name;
+    if (given)
+        return expression_of_parameters(scene, name,
+                                        std::make_shared<const Source>(Source{option, *given}));
+    if (of_scene) return *of_scene;
+    throw InputError(
+        fmt::format("the scene does not say `{}`", name), {},
+        fmt::format("give {} 1/10, or a section [run] with {} = \"1/10\"", option, name));
+}
+
+void make_directory(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error)
+        throw EnvironmentError("cannot make the directory " + path.string() + ": " +
+                               error.message());
+}
+
+}  // namespace hvi::gen

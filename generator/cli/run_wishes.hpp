@@ -1,0 +1,22 @@
+// What `run` and `report` have in common.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "generator/read/scene.hpp"
+
+namespace hvi::gen {
+
+/// `step` or `until`: what the command line says, else the scene. Throws InputError where neither
+/// does.
+[[nodiscard]] NamedExpression wish(const Scene& scene, const std::optional<std::string>& given,
+                                   const std::optional<NamedExpression>& of_scene,
+                                   const std::string& name);
+
+/// With those above it, where they are missing. Throws EnvironmentError.
+void make_directory(const std::filesystem::path& path);
+
+}  // namespace hvi::gen

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/draw/work.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "generator/draw/gnuplot.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr int page_width = 760, page_height = 560;
+
+struct Style {
+    const char* colour;
+    const char* dashes;
+    int mark;
+};
+
+// In black and white the marks tell, and the dashes.
+constexpr std::array<Style, 8> styles{{{"#00508c", "solid", 7},
+                                       {"#c83200", "'-'", 5},
+                                       {"#3c7828", "'.-'", 9},
+                                       {"#784696", "'.'", 13},
+                                       {"#8c6400", "'_'", 11},
+                                       {"#505050", "solid", 6},
+                                       {"#00788c", "'-'", 4},
+                                       {"#b40064", "'.-'", 8}}};
+
+/// NOTE: gnuplot reads data of its own script only from its standard input or as blocks, which need
+/// line ends; so each curve is an array.
+std::string array(const std::string& name, const std::vector<double>& values) {
+    std::string text = fmt::format("array {}[{}] = [", name, values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        text += fmt::format("{}{:.6g}", i == 0 ? "" : ",", values[i]);
+    return text + "]\n";
+}
+
+}  // namespace
+
+std::string draw(const WorkPicture& picture) {
+    std::string script = fmt::format("set title {}\nset xlabel {}\nset ylabel 'error at the end'\n",
+                                     gnuplot_label(picture.title), gnuplot_label(picture.cost));
+    script += "set logscale xy\nset format xy '10^{%L}'\nset grid linecolor rgb '#d8d8d8'\n"
+              "set border linecolor rgb '#505050'\nset key outside right top samplen 3\n";
+    std::string plots;
+    for (std::size_t k = 0; k < picture.curves.size(); ++k) {
+        const WorkPicture::Curve& curve = picture.curves[k];
+        if (curve.points.empty()) continue;
+        std::vector<double> costs, errors;
+        for (const auto& [cost, error] : curve.points) {
+            costs.push_back(cost);
+            errors.push_back(error);
+        }
+        script += array(fmt::format("x{}", k), costs) + array(fmt::format("y{}", k), errors);
+        const Style& style = styles.at(k % styles.size());
+        plots += fmt::format("{} x{} using (x{}[$1]):(y{}[$1]) with linespoints linecolor rgb '{}' "
+                             "dashtype {} linewidth 1.5 pointtype {} pointsize 0.7 title {}",
+                             plots.empty() ? "" : ",", k, k, k, style.colour, style.dashes,
+                             style.mark, gnuplot_label(curve.name));
+    }
+    if (plots.empty()) plots = " [1:10][1e-16:1] 1/0 notitle";
+    return gnuplot_svg(script + "plot" + plots + "\n", page_width, page_height, ".");
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "generator/report/render.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Empty for what is no finite number.
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+/// In quotes, as what may have a comma in it.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + "\"";
+}
+
+}  // namespace
+
+std::string report_csv(const Report& report) {
+    std::string text = "scene,method,order,peer,h,steps,error,energy_error,seconds,spread,"
+                       "evaluations,iterations,status\n";
+    for (const SceneReport& scene : report.scenes)
+        for (const WorkCurve& curve : scene.curves)
+            for (const WorkPoint& point : curve.points)
+                text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(scene.name),
+                                    quoted(curve.name), curve.order, curve.is_peer, point.h,
+                                    point.steps, cell(point.error), cell(point.energy_error),
+                                    point.seconds > 0 ? cell(point.seconds) : "",
+                                    point.seconds > 0 ? cell(point.spread) : "", point.evaluations,
+                                    point.iterations, quoted(point.status));
+    if (!report.incomplete.empty()) text += "# incomplete: " + report.incomplete + "\n";
+    return text;
+}
+
+}  // namespace hvi::gen

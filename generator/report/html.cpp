@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "generator/emit/embedded.hpp"
+#include "generator/emit/text.hpp"
+#include "generator/report/render.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+        case '&': result += "&amp;"; break;
+        case '<': result += "&lt;"; break;
+        case '>': result += "&gt;"; break;
+        case '"': result += "&quot;"; break;
+        default: result += c;
+        }
+    }
+    return result;
+}
+
+/// From its first element on: what stands before belongs to a file of its own.
+std::string inlined(const std::string& svg) {
+    const std::size_t begin = svg.find("<svg");
+    return begin == std::string::npos ? "" : svg.substr(begin);
+}
+
+std::string number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";
+}
+
+std::string row(const WorkCurve& curve, const WorkPoint& point, bool is_first) {
+    const std::vector<std::string> cells{
+        is_first ? escaped(curve.name) : "",
+        is_first ? std::to_string(curve.order) : "",
+        fmt::format("{:.5g}", point.h),
+        number(point.error),
+        number(point.energy_error),
+        point.seconds > 0 ? fmt::format("{:.3g}", 1e3 * point.seconds) : "-",
+        point.seconds > 0 ? fmt::format("{:.0f} %", 100 * point.spread) : "-",
+        std::to_string(point.evaluations),
+        fmt::format("{:.2f}", point.iterations),
+        escaped(point.status)};
+    std::string text = is_first ? "<tr class=\"first\">" : "<tr>";
+    for (const std::string& cell : cells) text += "<td>" + cell + "</td>";
+    return text + "</tr>\n";
+}
+
+std::string table(const SceneReport& scene) {
+    std::string text = "<div class=\"scroll\"><table>\n<tr>";
+    for (const char* head : {"method", "order", "h", "error", "energy error", "ms", "spread",
+                             "evaluations", "iterations", "status"})
+        text += fmt::format("<th>{}</th>", head);
+    text += "</tr>\n";
+    for (const WorkCurve& curve : scene.curves)
+        for (const WorkPoint& point : curve.points)
+            text += row(curve, point, &point == &curve.points.front());
+    return text + "</table></div>\n";
+}
+
+std::string reference(const SceneReport& scene) {
+    const Reference& reference = scene.reference;
+    if (reference.kind == "exact") return "the exact solution of the scene";
+    return fmt::format("{}, whose end moves by {:.1e} when its steps are halved", reference.kind,
+                       reference.error);
+}
+
+std::string section(const SceneReport& scene, const Pictures& pictures) {
+    std::string text =
+        fmt::format("<h2>{}</h2>\n<p>{}{}To t = {:.10g}. Reference: {}.</p>\n", escaped(scene.name),
+                    escaped(scene.description), scene.description.empty() ? "" : ". ", scene.until,
+                    escaped(reference(scene)));
+    for (const auto& [name, svg] : pictures)
+        if (name.starts_with(scene.name + "-")) text += inlined(svg) + "\n";
+    return text + table(scene);
+}
+
+}  // namespace
+
+std::string report_html(const Report& report, const Pictures& pictures) {
+    std::string scenes;
+    for (const SceneReport& scene : report.scenes) scenes += section(scene, pictures);
+    const std::string incomplete =
+        report.incomplete.empty()
+            ? ""
+            : fmt::format("<p class=\"incomplete\">Incomplete: {}</p>", escaped(report.incomplete));
+    return fill("report.html.in",
+                {{"style", std::string(embedded_template("report.css"))},
+                 {"incomplete", incomplete},
+                 {"machine", escaped(fmt::format("{}, {} threads, {}", report.machine.processor,
+                                                 report.machine.threads, report.machine.system))},
+                 {"compiler", escaped(report.compiler_version + ": " + report.compiler)},
+                 {"scenes", scenes}});
+}
+
+}  // namespace hvi::gen

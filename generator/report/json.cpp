@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "generator/report/render.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using Json = nlohmann::ordered_json;  // NOTE: it writes null for what is no finite number
+
+Json json_of(const WorkPoint& point) {
+    return {{"h", point.h},
+            {"steps", point.steps},
+            {"error", point.error},
+            {"energy_error", point.energy_error},
+            {"seconds", point.seconds > 0 ? Json(point.seconds) : Json(nullptr)},
+            {"spread", point.seconds > 0 ? Json(point.spread) : Json(nullptr)},
+            {"evaluations", point.evaluations},
+            {"iterations", point.iterations},
+            {"status", point.status}};
+}
+
+Json json_of(const WorkCurve& curve) {
+    Json points = Json::array();
+    for (const WorkPoint& point : curve.points) points.push_back(json_of(point));
+    return {{"name", curve.name},
+            {"order", curve.order},
+            {"peer", curve.is_peer},
+            {"points", std::move(points)}};
+}
+
+Json json_of(const SceneReport& scene) {
+    Json methods = Json::array();
+    for (const WorkCurve& curve : scene.curves) methods.push_back(json_of(curve));
+    return {{"name", scene.name},
+            {"until", scene.until},
+            {"reference", {{"kind", scene.reference.kind}, {"error", scene.reference.error}}},
+            {"methods", std::move(methods)}};
+}
+
+}  // namespace
+
+std::string report_json(const Report& report) {
+    Json json{{"schema", "hvi-report/1"},
+              {"machine",
+               {{"processor", report.machine.processor},
+                {"threads", report.machine.threads},
+                {"system", report.machine.system}}},
+              {"compiler", {{"command", report.compiler}, {"version", report.compiler_version}}}};
+    if (!report.incomplete.empty()) json["incomplete"] = report.incomplete;
+    json["scenes"] = Json::array();
+    for (const SceneReport& scene : report.scenes) json["scenes"].push_back(json_of(scene));
+    return json.dump(2) + "\n";
+}
+
+}  // namespace hvi::gen

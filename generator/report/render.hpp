@@ -1,0 +1,24 @@
+// A report as JSON, as a table, and as a page.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "generator/report/report.hpp"
+
+namespace hvi::gen {
+
+/// Schema hvi-report/1 of CONTRACT.md. What is no finite number is null.
+[[nodiscard]] std::string report_json(const Report& report);
+
+/// A row for each point.
+[[nodiscard]] std::string report_csv(const Report& report);
+
+/// Pictures of a report, as SVG, by the names of their files.
+using Pictures = std::map<std::string, std::string>;
+
+/// One page that needs nothing beside it.
+[[nodiscard]] std::string report_html(const Report& report, const Pictures& pictures);
+
+}  // namespace hvi::gen
