@@ -203,17 +203,13 @@ std::string support(const Scheme& scheme, bool with_rounded) {
     std::vector<std::string_view> names{"state.hpp", "scalar.hpp"};
     if (with_rounded) { names.push_back("rounded.hpp"); }
     names.push_back("system.hpp");
+    if (scheme.from_parameter || scheme.depends_on_time) {
+        names.insert(names.end(), {"arithmetic.hpp", "compensated.hpp"});
+    }
     if (scheme.from_parameter) {
-        for (const std::string_view name :
-             {"arithmetic.hpp", "compensated.hpp", "pair.hpp", "series.hpp", "parameter.hpp"}) {
-            names.push_back(name);
-        }
+        names.insert(names.end(), {"pair.hpp", "series.hpp", "parameter.hpp"});
     }
-    if (scheme.depends_on_time) {
-        for (const std::string_view name : {"arithmetic.hpp", "compensated.hpp", "clock.hpp"}) {
-            names.push_back(name);
-        }
-    }
+    if (scheme.depends_on_time) { names.push_back("clock.hpp"); }
     std::string text;
     for (const std::string_view name : names) {
         text += (text.empty() ? "" : "\n") + copy_of(name);

@@ -100,7 +100,8 @@ std::string clock_type(const Scheme& scheme) {
 }
 
 std::string clock_begins(const Scheme& scheme) {
-    return scheme.depends_on_time ? "if (!clock_.begin(x.t, h, c)) { reset(); }" : "";
+    if (!scheme.depends_on_time) { return {}; }
+    return fmt::format("if (!clock_.begin(x.t, h, {}c)) {{ reset(); }}", owner(scheme, "s_"));
 }
 
 std::string times_text(const Scheme& scheme) {

@@ -9,21 +9,23 @@ namespace hvi::gen {
 std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     const SystemPart system = system_part(tableau, scheme, options);
     const LoweredScene& scene = *options.scene;
-    return fill("linear.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                  {"format", "5"},
-                                  {"include", system.include},
-                                  {"purpose", system.purpose},
-                                  {"head", system.head},
-                                  {"name", system.class_name},
-                                  {"condition", system.condition},
-                                  {"types", system.types},
-                                  {"construct", system.construct},
-                                  {"constants", with_rounding(coefficients_text(scheme))},
-                                  {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme),
-                                                         weights_q(scheme), weights_p(scheme))},
-                                  {"n", std::to_string(scene.system.degrees_of_freedom())},
-                                  {"shifted", has_linear_part(scene.structure) ? "true" : "false"},
-                                  {"alias", system.alias}});
+    Holes holes{{"banner", banner(tableau, scheme, options)},
+                {"format", "5"},
+                {"include", system.include},
+                {"purpose", system.purpose},
+                {"head", system.head},
+                {"name", system.class_name},
+                {"condition", system.condition},
+                {"types", system.types},
+                {"construct", system.construct},
+                {"constants", with_rounding(coefficients_text(scheme))},
+                {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme), weights_q(scheme),
+                                       weights_p(scheme))},
+                {"n", std::to_string(scene.system.degrees_of_freedom())},
+                {"alias", system.alias}};
+    if (!scheme.is_sheared) { return fill("increments.hpp.in", holes); }
+    holes["shifted"] = has_linear_part(scene.structure) ? "true" : "false";
+    return fill("linear.hpp.in", holes);
 }
 
 }  // namespace hvi::gen

@@ -204,6 +204,19 @@ void write_m(Writer& writer, Body& body, const Scheme& scheme) {
     }
 }
 
+void write_times(Writer& writer, Body& body, const Scheme& scheme) {
+    for (std::size_t i = 0; i < scheme.c.size(); ++i) {
+        const auto& place = scheme.from_parameter->c[i];
+        const std::string name = fmt::format("c_{}", i + 1);
+        if (place) {
+            writer.line("c[{}] = hvi::detail::to_scalar<Scalar>({});", i, body.other(name, *place));
+        } else if (!equal(scheme.c[i], 0)) {
+            writer.line("c[{}] = {};", i,
+                        initializer({name, nearest(scheme.c[i]), exact_text(scheme.c[i])}));
+        }
+    }
+}
+
 /// In an explicit scheme every m_ij is 0 or 1 and leaves no trace.
 std::vector<std::pair<std::string, std::size_t>> weight_tables(const Scheme& scheme) {
     if (!scheme.is_explicit() && weights_p(scheme) == weights_q(scheme)) {
@@ -222,6 +235,7 @@ void write_members(Writer& writer, const Scheme& scheme) {
         writer.line("Scalar m[{}][{}]{{}};", rows, columns);
         if (!scheme.one_tableau()) { writer.line("Scalar mt[{}][{}]{{}};", columns, rows); }
     }
+    if (scheme.depends_on_time) { writer.line("Scalar c[{}]{{}};", scheme.c.size()); }
     writer.line("Status status;  ///< ok, or why there is no method at this {}",
                 scheme.from_parameter->numbers.parameter);
 }
@@ -235,8 +249,8 @@ std::string coefficients_comment(const Scheme& scheme) {
                    ? "The weights b and m_ij = a_ij/b_j, with m_ij + m_ji = 1 exactly,"
                    : "The weights b, m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, with m_ij + mt_ji = 1 "
                      "exactly,");
-    return fmt::format("{} at one {}, right to a few units in the last place of the largest one.",
-                       what, w);
+    return fmt::format("{}{} at one {}, right to a few units in the last place of the largest one.",
+                       what, scheme.depends_on_time ? " and the times c" : "", w);
 }
 
 std::string functions_text(const Scheme& scheme) {
@@ -289,6 +303,7 @@ std::string parameter_text(const Scheme& scheme) {
         write_weights(writer, body, table, of_q ? scheme.momenta : scheme.positions,
                       of_q ? from.momenta : from.positions);
     }
+    write_times(writer, body, scheme);
     if (!scheme.is_explicit()) {
         writer.line("bool exact = true;");
         write_m(writer, body, scheme);

@@ -29,11 +29,6 @@ void check_solver(const Scheme& scheme, const Scene& scene) {
     if (scheme.is_explicit() || scheme.velocity_form) return;
     const Source& H = *scene.hamiltonian.source;
     const Place place{scene.hamiltonian.source, {0, H.text.size()}};
-    if (scheme.solver == Solver::newton && scheme.depends_on_time)
-        throw InputError(
-            "Newton's method for an H that depends on the time is built only where T is quadratic "
-            "and U depends on q and t",
-            place);
     if (scheme.solver == Solver::newton_taylor)
         throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
                          "quadratic T",

@@ -132,9 +132,14 @@ void second_derivatives(std::vector<Function>& functions, const LoweredScene& lo
     qq.has_time = scheme.depends_on_time;
     functions.push_back(std::move(qq));
     if (scheme.velocity_form) { return; }
-    if (!scheme.separable) { functions.push_back(hessian(graph, "d2Hdqdp", second.qp, false)); }
+    const bool mixed_depends_on_time = scheme.depends_on_time && !scheme.separable;
+    if (!scheme.separable) {
+        functions.push_back(hessian(graph, "d2Hdqdp", second.qp, false));
+        functions.back().has_time = mixed_depends_on_time;
+    }
     functions.push_back(hessian(graph, "d2Hdp2", second.pp, true));
     functions.back().has_q = !scheme.separable;
+    functions.back().has_time = mixed_depends_on_time;
 }
 
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.

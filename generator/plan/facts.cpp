@@ -85,6 +85,15 @@ std::vector<Scaled> second_derivatives(const Structure& found, const Scheme& sch
     return result;
 }
 
+/// See LinearMap and LinearIncrements of the runtime.
+std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
+    const std::size_t multiplications = (is_sheared ? 3 : 12) * n * n;
+    const std::size_t additions =
+        is_sheared ? 3 * n * n + (has_offset ? 2 * n : 0) : 36 * n * n + 28 * n;
+    return fmt::format("a step: {} and {}", counted(multiplications, "multiplication"),
+                       counted(additions, "addition"));
+}
+
 }  // namespace
 
 std::vector<std::string> facts(const LoweredScene& lowered) {
@@ -122,9 +131,7 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme
         unknowns += n * (block.of(StageNode::Kind::Q).size() + block.of(StageNode::Kind::P).size());
     }
     if (scheme.is_tabulated) {
-        const std::size_t additions = 3 * n * n + (has_linear_part(lowered.structure) ? 2 * n : 0);
-        return {fmt::format("a step: {} and {}", counted(3 * n * n, "multiplication"),
-                            counted(additions, "addition"))};
+        return {cost_of_map(n, scheme.is_sheared, has_linear_part(lowered.structure))};
     }
     std::vector<std::string> result;
     result.push_back(

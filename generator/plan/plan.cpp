@@ -12,7 +12,6 @@
 #include "generator/plan/stage_graph.hpp"
 #include "generator/plan/starting_values.hpp"
 #include "generator/plan/velocity_form.hpp"
-#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -203,6 +202,13 @@ void set_kept(Scheme& scheme) {
     }
 }
 
+/// The time is a coordinate with velocity 1, so that (4.18c) gives T_i = t + h sum_j a_ij.
+void set_times(Scheme& scheme) {
+    scheme.depends_on_time = true;
+    scheme.c = position_times(scheme);
+    scheme.decisions.push_back({"the state has a time", "H depends on it"});
+}
+
 /// The map of one step is linear. Whether it is tabulated, or why not.
 ///
 /// NOTE: kicks and drifts are shears as well, and need the standard library alone. To compute the
@@ -213,33 +219,29 @@ void tabulate(Scheme& scheme, const PlanOptions& options) {
     if (scheme.is_explicit() || scheme.from_parameter || options.depends_on_time) { return; }
     const std::size_t unknowns =
         options.degrees_of_freedom * (scheme.positions.size() + scheme.momenta.size());
-    const char* iterated = "iterated, though H is quadratic";
-    if (options.degrees_of_freedom > 1 && !scheme.separable) {
-        scheme.decisions.push_back({iterated, "products of q and p leave no symmetric shears"});
-    } else if (unknowns > most_unknowns) {
-        scheme.decisions.push_back({iterated, fmt::format("its matrix has {} unknowns, above {}",
-                                                          unknowns, most_unknowns)});
-    } else {
-        scheme.is_tabulated = true;
+    if (unknowns > most_unknowns) {
+        scheme.decisions.push_back(
+            {"iterated, though H is quadratic",
+             fmt::format("its matrix has {} unknowns, above {}", unknowns, most_unknowns)});
+        return;
+    }
+    scheme.is_tabulated = true;
+    scheme.is_sheared = options.degrees_of_freedom == 1 || scheme.separable;
+    if (scheme.is_sheared) {
         scheme.decisions = {
             {"no solver",
              "H is quadratic: a step is a product of three shears, computed when h changes"},
             {"no compensated summation",
              "the shears are symplectic however they round; --solver fixed-point iterates with "
              "it"}};
+    } else {
+        scheme.decisions = {
+            {"no solver",
+             "H is quadratic: a step is a product with a matrix, computed when h changes"},
+            {"the matrix is kept in twice the digits, and sums are compensated",
+             "products of q and p leave no symmetric shears, and a rounded matrix is not "
+             "symplectic"}};
     }
-}
-
-/// The time is a coordinate with velocity 1, so that (4.18c) gives T_i = t + h sum_j a_ij.
-void set_times(Scheme& scheme) {
-    if (scheme.from_parameter) {
-        throw InputError("a method with a free parameter for an H that depends on the time is not "
-                         "built yet",
-                         {}, "give the parameter a value by --param");
-    }
-    scheme.depends_on_time = true;
-    scheme.c = position_times(scheme);
-    scheme.decisions.push_back({"the state has a time", "H depends on it"});
 }
 
 /// Fewer unknowns for H = p^T K p/2 + U(q).
@@ -326,6 +328,10 @@ void set_from_parameter(Scheme& scheme, const Tableau& tableau) {
             row[j] = FromParameter::Ratio{other(a), column};
         }
     }
+    for (const Number& c : scheme.c) {
+        auto& place = from.c.emplace_back();
+        if (c.has_parameters()) { place = other(c); }
+    }
     from.numbers = parametric(tableau.b, others);
     scheme.from_parameter = std::move(from);
     note_zeros(scheme);
@@ -341,11 +347,11 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_places(scheme);
     set_blocks(scheme, options.has_curve);
     set_kept(scheme);
+    if (options.depends_on_time) { set_times(scheme); }
     set_from_parameter(scheme, tableau);
     const bool may_tabulate = options.solver == Solver::automatic && !options.has_curve;
     if (options.is_quadratic && may_tabulate) { tabulate(scheme, options); }
     if (scheme.is_tabulated) { return scheme; }
-    if (options.depends_on_time) { set_times(scheme); }
     if (options.kinetic_is_quadratic) { eliminate_momenta(scheme); }
     set_solver(scheme, options.solver);
     set_extrapolation(scheme, tableau);

@@ -77,6 +77,7 @@ struct FromParameter {
         std::size_t b;
     };
     std::vector<std::vector<std::optional<Ratio>>> m;
+    std::vector<std::optional<std::size_t>> c;  ///< of Scheme::c, in `others`
 };
 
 /// Who solves the stage equations.
@@ -114,6 +115,7 @@ struct Scheme {
     /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
     std::optional<RealModes> modes;
     bool is_tabulated = false;    ///< a step is one linear map, and nothing is solved
+    bool is_sheared = false;      ///< and that is a product of shears where these exist
     bool keeps_force = false;     ///< the last force of a step is the first of the next
     bool keeps_velocity = false;  ///< the same of dH/dp
     /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.

@@ -43,12 +43,6 @@ void set_modes(Scheme& scheme) {
 void set_solver(Scheme& scheme, Solver wished) {
     if (scheme.is_explicit()) { return; }
     scheme.solver = wished;
-    if (wished == Solver::automatic && scheme.depends_on_time && !scheme.velocity_form) {
-        scheme.solver = Solver::fixed_point;
-        scheme.decisions.push_back({"fixed points alone",
-                                    "Newton's method for pairs of Q and P and an H that depends on "
-                                    "the time is not built yet"});
-    }
     if (scheme.solver == Solver::automatic) {
         scheme.decisions.push_back(
             {"fixed points, and Newton's method for steps on which they are slow",

@@ -1,4 +1,4 @@
-// The step of a quadratic Hamiltonian as one linear map.
+// The step of a quadratic H = T(p) + U(q), or of one degree of freedom, as a product of shears.
 // SPDX-License-Identifier: MIT
 //
 // NOTE: needs the standard library alone; see state.hpp.
@@ -10,13 +10,13 @@
 #include <cstddef>
 
 #include <hvi/arithmetic.hpp>
+#include <hvi/linear_increments.hpp>
 #include <hvi/linear_stages.hpp>
 #include <hvi/linear_system.hpp>
 #include <hvi/pair.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
-#include <hvi/weights.hpp>
 
 namespace hvi::detail {
 
@@ -28,7 +28,7 @@ namespace hvi::detail {
 /// symplectic whatever its entries were rounded to. So the energy does not drift, as it does with
 /// rounded entries of R, which is then not symplectic. The last shear of a step and the first of
 /// the next one are one, p += (X + Y) q. Where B is singular, as for H = q p, or R is nearly -1,
-/// there are no such shears, and x is multiplied by R. `shifted`: r is not zero.
+/// there are no such shears, and the step is that of LinearIncrements. `shifted`: r is not zero.
 ///
 /// NOTE: a step waits for the q and for the momentum between the shears of the step before, and for
 /// nothing else. For n = 1 that momentum is measured in units of 1/B: an addition then moves q.
@@ -37,31 +37,21 @@ class LinearMap {
 public:
     using Vector = std::array<Scalar, n>;  ///< its own; states may hold others
 
-    Status status;  ///< where it is not ok there is no map
-
     LinearMap() = default;
 
-    /// The coefficients are those of LinearStages, the weights those of Lq and of Lp.
-    /// Precondition: H.qp is zero, or n is 1 and r is s.
+    /// As of LinearIncrements. Precondition: H.qp is zero, or n is 1 and r is s.
     template <std::size_t r, std::size_t s>
     LinearMap(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&m)[r][s],
-              const Scalar (&mt)[s][r], const Scalar (&b_q)[s], const Scalar (&b_p)[r]) {
-        status = Status(Status::Code::not_finite);
-        if (!is_finite(h)) { return; }
-        if (!sums_are_exact<Scalar>()) {
-            status = Status(Status::Code::unsafe_arithmetic);
-            return;
-        }
-        LinearStages<Scalar, n, r, s> stages(H, m, mt);
-        const auto D = stages.increments(weights_of_step(h, b_q), weights_of_step(h, b_p));
-        if (!D) {
-            status = Status(Status::Code::singular);
-        } else if (are_finite(*D)) {
-            set_product(*D);
-            is_sheared_ = set_shears(*D);
-            status = Status();
-        }
+              const Scalar (&mt)[s][r], const Scalar (&b_q)[s], const Scalar (&b_p)[r])
+        : increments_(h, H, m, mt, b_q, b_p) {
+        is_sheared_ = status().ok() && set_shears(increments_.rows);
     }
+
+    /// Where it is not ok there is no map.
+    [[nodiscard]] const Status& status() const { return increments_.status; }
+
+    /// The step without shears.
+    [[nodiscard]] const LinearIncrements<Scalar, n>& increments() const { return increments_; }
 
     /// Whether there are shears, and so a momentum `middle` between them.
     [[nodiscard]] bool is_sheared() const { return is_sheared_; }
@@ -87,12 +77,6 @@ public:
         return end;
     }
 
-    /// The step without shears.
-    template <class AnyVector>
-    [[nodiscard]] End product(const AnyVector& q, const AnyVector& p) const {
-        return {plus(plus(r_q_, R_qp_, p), R_qq_, q), plus(plus(r_p_, R_pp_, p), R_pq_, q), {}};
-    }
-
     /// A vector of its own with the components of another.
     template <class AnyVector>
     [[nodiscard]] static Vector own(const AnyVector& v) {
@@ -102,11 +86,9 @@ public:
     }
 
     /// A step from any (q, p); `middle` is that of the last step if it `is_last` that ended here.
-    /// Unless the status is ok nothing is changed.
+    /// Unless the status is ok nothing is changed. Precondition: there are shears.
     [[nodiscard, gnu::cold]] Status step(Vector& q, Vector& p, Vector& middle, bool is_last) const {
-        if (!status.ok()) { return status; }
-        const End end =
-            !is_sheared_ ? product(q, p) : after(q, is_last ? middle : middle_before(q, p));
+        const End end = after(q, is_last ? middle : middle_before(q, p));
         for (std::size_t k = 0; k < n; ++k) {
             if (!is_finite(end.q[k]) || !is_finite(end.p[k])) {
                 return Status(Status::Code::not_finite);
@@ -144,31 +126,6 @@ private:
             for (std::size_t i = 0; i < n; ++i) { x[i] += shift[i]; }
         }
         return x;
-    }
-
-    [[nodiscard]] static bool are_finite(const Increments<Scalar, n>& D) {
-        for (const auto& row : D) {
-            for (const Number& entry : row) {
-                if (!is_finite(entry.hi)) { return false; }
-            }
-        }
-        return true;
-    }
-
-    void set_product(const Increments<Scalar, n>& D) {
-        const auto one = [](std::size_t i, std::size_t j) {
-            return Number{Scalar(i == j ? 1 : 0)};
-        };
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                R_qq_[j][i] = (D[i][j] + one(i, j)).hi;
-                R_qp_[j][i] = D[i][n + j].hi;
-                R_pq_[j][i] = D[n + i][j].hi;
-                R_pp_[j][i] = (D[n + i][n + j] + one(i, j)).hi;
-            }
-            r_q_[i] = D[i][2 * n].hi;
-            r_p_[i] = D[n + i][2 * n].hi;
-        }
     }
 
     /// Of B (Y, X^T, y) = (A - 1, (D - 1)^T, r_q).
@@ -238,8 +195,7 @@ private:
         return true;
     }
 
-    Matrix R_qq_{}, R_qp_{}, R_pq_{}, R_pp_{};
-    Vector r_q_{}, r_p_{};
+    LinearIncrements<Scalar, n> increments_;
     Matrix B_{}, X_{}, XY_{};  // XY_ is X + Y, by units of `middle`
     Vector between_{}, after_{};
     Scalar unit_ = 1;  // of `middle`

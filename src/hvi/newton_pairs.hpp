@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <hvi/arithmetic.hpp>
@@ -15,6 +16,13 @@
 
 namespace hvi {
 namespace detail {
+
+/// Whether stages have times, and second derivatives take them.
+template <class Coupled, class = void>
+struct HasClock : std::false_type {};
+template <class Coupled>
+struct HasClock<Coupled, std::void_t<decltype(std::declval<const Coupled&>().clock)>>
+    : std::true_type {};
 
 /// The equations of a NewtonLoop whose unknowns are the slopes Lq and Lp. `Algebra` is what it
 /// computes with: the n x n matrices Hqq, Hqp and Hpp, which clear() sets to zero and the system
@@ -107,8 +115,10 @@ private:
         if constexpr (Coupled::separable) {
             coupled.system.d2Hdp2(s.P[j], algebra_.Hpp);
         } else {
-            coupled.system.d2Hdp2(s.Q[j], s.P[j], algebra_.Hpp);
-            coupled.system.d2Hdqdp(s.Q[j], s.P[j], algebra_.Hqp);
+            with_time(coupled, j, [&](const auto&... t) {
+                coupled.system.d2Hdp2(s.Q[j], s.P[j], t..., algebra_.Hpp);
+                coupled.system.d2Hdqdp(s.Q[j], s.P[j], t..., algebra_.Hqp);
+            });
         }
         const Scalar hb = s.h * coupled.weight_q(j);
         std::size_t column = 0;
@@ -134,12 +144,14 @@ private:
     void force_rows(const Coupled& coupled, std::size_t i, std::size_t row) {
         const auto& s = coupled.s;
         algebra_.clear();
-        if constexpr (Coupled::separable) {
-            coupled.system.d2Hdq2(s.Q[i], algebra_.Hqq);
-        } else {
-            coupled.system.d2Hdq2(s.Q[i], s.P[i], algebra_.Hqq);
-            coupled.system.d2Hdqdp(s.Q[i], s.P[i], algebra_.Hqp);
-        }
+        with_time(coupled, i, [&](const auto&... t) {
+            if constexpr (Coupled::separable) {
+                coupled.system.d2Hdq2(s.Q[i], t..., algebra_.Hqq);
+            } else {
+                coupled.system.d2Hdq2(s.Q[i], s.P[i], t..., algebra_.Hqq);
+                coupled.system.d2Hdqdp(s.Q[i], s.P[i], t..., algebra_.Hqp);
+            }
+        });
         const Scalar hb = s.h * coupled.weight_p(i);
         std::size_t column = 0;
         for (const std::size_t j : Coupled::unknown_q) {
@@ -156,6 +168,17 @@ private:
             }
             static_cast<void>(j);
             ++column;
+        }
+    }
+
+    /// Calls f with the time of stage i, or with nothing where H does not depend on it.
+    template <class Coupled, class F>
+    static void with_time([[maybe_unused]] const Coupled& coupled, [[maybe_unused]] std::size_t i,
+                          F f) {
+        if constexpr (HasClock<Coupled>::value) {
+            f(coupled.clock.t[i]);
+        } else {
+            f();
         }
     }
 

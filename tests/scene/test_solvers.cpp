@@ -1,30 +1,38 @@
 // The solvers of scenes against each other, and where fixed points do not contract.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <catch2/catch.hpp>
 #include <hvi/newton.hpp>
+#include <scene/auto_bead.hpp>
 #include <scene/auto_double_pendulum.hpp>
 #include <scene/auto_kepler.hpp>
 #include <scene/auto_stiff.hpp>
 #include <scene/driven_gauss.hpp>
+#include <scene/extended_bead.hpp>
+#include <scene/fixed_bead.hpp>
 #include <scene/fixed_double_pendulum.hpp>
 #include <scene/fixed_driven.hpp>
 #include <scene/fixed_fpu.hpp>
 #include <scene/fixed_kepler.hpp>
+#include <scene/fixed_quartic.hpp>
 #include <scene/fixed_stiff.hpp>
 #include <scene/gauss_4_separable.hpp>
 #include <scene/lobatto_3_kepler.hpp>
 #include <scene/newton_barrier.hpp>
+#include <scene/newton_bead.hpp>
 #include <scene/newton_driven.hpp>
 #include <scene/newton_fpu.hpp>
 #include <scene/newton_kepler.hpp>
 #include <scene/newton_lobatto_kepler.hpp>
 #include <scene/newton_magnet.hpp>
+#include <scene/newton_quartic.hpp>
 #include <scene/newton_springs.hpp>
 #include <scene/newton_springs_lobatto.hpp>
 #include <scene/newton_stiff.hpp>
+#include <scene/newton_swing.hpp>
 #include <scene/taylor_driven.hpp>
 #include <scene/taylor_fpu.hpp>
 #include <scene/taylor_kepler.hpp>
@@ -104,6 +112,33 @@ void go_the_same_way_in_time(double h, int steps, double tolerance) {
     }
 }
 
+template <class Stepper>
+Stepper with_spring(double k) {
+    typename Stepper::Parameters parameters;
+    parameters.k = k;
+    return Stepper(parameters);
+}
+
+template <class Stepper>
+typename Stepper::State bead() {
+    typename Stepper::State x;
+    x.q[0] = 1.0;
+    x.q[1] = 0.25;
+    x.p[0] = 0.5;
+    x.p[1] = -0.25;
+    return x;
+}
+
+/// Of the two degrees of freedom of the bead.
+template <class A, class B>
+double distance_of_beads(const A& x, const B& y) {
+    double largest = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        largest = std::max({largest, std::abs(x.q[k] - y.q[k]), std::abs(x.p[k] - y.p[k])});
+    }
+    return largest;
+}
+
 /// Each step with factors of its own.
 template <class Stepper>
 int most_iterations_of_fresh_steps() {
@@ -138,6 +173,62 @@ TEST_CASE("Newton's method ends where fixed points do") {
     go_the_same_way<Lobatto3Kepler, NewtonLobattoKepler>(0.01, 200, 1e-12);
     go_the_same_way<FixedDoublePendulum, AutoDoublePendulum>(0.01, 200, 1e-12);
     go_the_same_way_in_time<FixedDriven, NewtonDriven>(0.1, 300, 1e-12);
+}
+
+TEST_CASE("Newton's method for pairs where H depends on the time") {
+    go_the_same_way_in_time<FixedQuartic, NewtonQuartic>(0.1, 200, 1e-12);
+
+    FixedBead fixed;
+    NewtonBead newton;
+    AutoBead automatic;
+    auto x = bead<FixedBead>();
+    auto y = bead<NewtonBead>();
+    auto z = bead<AutoBead>();
+    for (int i = 0; i < 300; ++i) {
+        REQUIRE((fixed.step(x, 0.1).ok() && newton.step(y, 0.1).ok()));
+        REQUIRE(automatic.step(z, 0.1).ok());
+        REQUIRE(distance_of_beads(x, y) < 1e-12);
+        REQUIRE(distance_of_beads(x, z) < 1e-12);
+    }
+}
+
+TEST_CASE("a stiff step in time is that of the autonomous system") {
+    for (const double k : {1.0, 1e4, 1e6}) {
+        auto newton = with_spring<NewtonBead>(k);
+        auto automatic = with_spring<AutoBead>(k);
+        auto extended = with_spring<ExtendedBead>(k);
+        auto x = bead<NewtonBead>();
+        auto y = bead<AutoBead>();
+        auto z = bead<ExtendedBead>();
+        for (int i = 0; i < 20; ++i) {
+            REQUIRE(newton.step(x, 0.1).ok());
+            REQUIRE(automatic.step(y, 0.1).ok());
+            REQUIRE(extended.step(z, 0.1).ok());
+            // NOTE: momenta are as large as sqrt(k) times what rounding moves positions by.
+            REQUIRE(distance_of_beads(x, z) < 1e-12 * (1 + std::sqrt(k)));
+            REQUIRE(distance_of_beads(x, y) < 1e-12 * (1 + std::sqrt(k)));
+        }
+    }
+    auto fixed = with_spring<FixedBead>(1e4);
+    auto x = bead<FixedBead>();
+    CHECK(fixed.step(x, 0.1).code() == hvi::Status::Code::not_converged);
+    CHECK(distance_of_beads(x, bead<FixedBead>()) == 0);
+    CHECK(x.t == 0);
+}
+
+TEST_CASE("second derivatives are those at the times of the stages") {
+    // Each step is linear in the state: one iteration solves it, and some more see that nothing
+    // falls any more. With the second derivatives of another time there are about 20.
+    NewtonSwing::State x;
+    x.q = {1.0};
+    x.p = {0.5};
+    int iterations = 0;
+    for (int i = 0; i < 100; ++i) {
+        const hvi::Status status = NewtonSwing().step(x, 1.0);
+        REQUIRE(status.ok());
+        iterations += status.iterations;
+    }
+    CHECK(iterations < 800);
 }
 
 TEST_CASE("first-order corrections end where fixed points do, with fewer evaluations") {

@@ -5,7 +5,16 @@
 #include <scene/driven_gauss.hpp>
 #include <scene/driven_lobatto.hpp>
 #include <scene/driven_verlet.hpp>
+#include <scene/fitted_explicit.hpp>
+#include <scene/fitted_explicit_constant.hpp>
+#include <scene/fitted_shaken.hpp>
+#include <scene/fitted_shaken_constant.hpp>
+#include <scene/fitted_swept.hpp>
+#include <scene/fitted_swept_constant.hpp>
+#include <scene/moving_shaken.hpp>
+#include <scene/moving_shaken_constant.hpp>
 #include <scene/shaken_gauss.hpp>
+#include <scene/shaken_newton.hpp>
 #include <scene/shaken_trig3.hpp>
 
 #include "scenes.hpp"
@@ -90,13 +99,58 @@ void keeps_its_promises() {
     CHECK(x.t == before.t);
 }
 
+/// A stepper with a parameter, at one value, against that of the constants at this value.
+template <class Stepper, class Constant>
+void compare_at(double parameter) {
+    Stepper stepper({}, parameter);
+    Constant constant;
+    typename Stepper::State x;
+    x.q = {1.0};
+    x.p = {0.25};
+    x.t = 0.5;
+    typename Constant::State y;
+    y.q = x.q;
+    y.p = x.p;
+    y.t = x.t;
+    for (int i = 0; i < 200; ++i) {
+        REQUIRE(stepper.step(x, 0.1).ok());
+        REQUIRE(constant.step(y, 0.1).ok());
+        REQUIRE(std::abs(x.q[0] - y.q[0]) + std::abs(x.p[0] - y.p[0]) < 1e-12);
+        REQUIRE(x.t == y.t);
+    }
+}
+
 }  // namespace
+
+TEST_CASE("a method with a parameter has the times of its stages") {
+    compare_at<FittedShaken, FittedShakenConstant>(0.5);
+    compare_at<FittedSwept, FittedSweptConstant>(0.5);
+    compare_at<FittedExplicit, FittedExplicitConstant>(0.5);
+    compare_at<MovingShaken, MovingShakenConstant>(0.4);
+
+    // Nodes that do not depend on the parameter, and one that does.
+    const FittedShaken::Coefficients coefficients = FittedShaken({}, 0.5).coefficients();
+    const auto& fixed = coefficients.c;
+    CHECK(fixed[0] == 0.0);
+    CHECK(fixed[1] == 1.0 / 3);
+    CHECK(fixed[2] == 2.0 / 3);
+    CHECK(fixed[3] == 1.0);
+    CHECK(MovingShaken({}, 0.4).coefficients().c[1] == 0.4);
+
+    // Where there is no method the time stays as well.
+    FittedShaken none({}, 9.42477796076938);  // 3 pi
+    FittedShaken::State x;
+    x.t = 0.5;
+    CHECK(none.step(x, 0.1).code() == hvi::Status::Code::pole);
+    CHECK(x.t == 0.5);
+}
 
 TEST_CASE("steps in time agree with those of the autonomous system of twice the dimension") {
     compare<DrivenGauss>(driven(gauss), 0.1);
     compare<DrivenLobatto>(driven(lobatto), 0.1);
     compare<DrivenVerlet>(driven(verlet), 0.1);
     compare<ShakenGauss>(shaken(gauss), 0.1);
+    compare<ShakenNewton>(shaken(gauss), 0.1);
     compare<ShakenTrig3>(shaken(trig), 0.1);
 }
 
@@ -105,6 +159,7 @@ TEST_CASE("the time belongs to the state") {
     keeps_its_promises<DrivenLobatto>();
     keeps_its_promises<DrivenVerlet>();
     keeps_its_promises<ShakenGauss>();
+    keeps_its_promises<ShakenNewton>();
 }
 
 TEST_CASE("the energy at a time") {
