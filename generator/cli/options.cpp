@@ -132,7 +132,9 @@ void describe(CLI::App& app) {
     report
         .add_option(
             "SCENE", [](const CLI::results_t&) { return true; }, "Scenes by name, or in TOML")
-        ->expected(-1)
+        ->expected(1)
+        ->allow_extra_args()  // of one for each of them: as many as there are
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->type_name("SCENE...");
     add_value(report, "--methods", "LIST", "Names of methods between commas");
     add_value(report, "--steps", "LIST", "Sizes of steps between commas, or auto");

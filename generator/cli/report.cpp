@@ -6,8 +6,8 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/run_wishes.hpp"
-#include "generator/draw/work.hpp"
 #include "generator/exact/step_count.hpp"
+#include "generator/report/pictures.hpp"
 #include "generator/report/render.hpp"
 #include "generator/report/study.hpp"
 #include "generator/support/output_file.hpp"
@@ -63,25 +63,6 @@ Subject subject(const std::string& name, const ReportOptions& options) {
     return result;
 }
 
-/// As file names have it, and in one order: first time, then evaluations.
-Pictures pictures(const SceneReport& scene) {
-    WorkPicture by_time{scene.name, "run time in seconds", {}};
-    WorkPicture by_evaluations{scene.name, "evaluations of dH/dq", {}};
-    for (const WorkCurve& curve : scene.curves) {
-        WorkPicture::Curve time{curve.name, {}}, evaluations{curve.name, {}};
-        for (const WorkPoint& point : curve.points) {
-            if (!point.ok() || !(point.error > 0) || !std::isfinite(point.error)) continue;
-            if (point.seconds > 0) time.points.emplace_back(point.seconds, point.error);
-            if (point.evaluations > 0)
-                evaluations.points.emplace_back(point.evaluations, point.error);
-        }
-        by_time.curves.push_back(std::move(time));
-        by_evaluations.curves.push_back(std::move(evaluations));
-    }
-    return {{scene.name + "-1-time", draw(by_time)},
-            {scene.name + "-2-evaluations", draw(by_evaluations)}};
-}
-
 std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, " "));
 }
@@ -92,7 +73,7 @@ void write(const Report& report, const ReportOptions& options, const fs::path& d
     if (options.csv) write_file(directory / "report.csv", report_csv(report));
     if (!options.html && !options.svg) return;
     Pictures all;
-    for (const SceneReport& scene : report.scenes) all.merge(pictures(scene));
+    for (const SceneReport& scene : report.scenes) all.merge(report_pictures(scene));
     if (options.svg)
         for (const auto& [name, svg] : all) write_file(directory / (name + ".svg"), svg);
     if (options.html) write_file(directory / "report.html", report_html(report, all));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/draw/work.hpp"
+#include "generator/draw/curves.hpp"
 
 #include <fmt/format.h>
 
@@ -40,26 +40,32 @@ std::string array(const std::string& name, const std::vector<double>& values) {
 
 }  // namespace
 
-std::string draw(const WorkPicture& picture) {
-    std::string script = fmt::format("set title {}\nset xlabel {}\nset ylabel 'error at the end'\n",
-                                     gnuplot_label(picture.title), gnuplot_label(picture.cost));
-    script += "set logscale xy\nset format xy '10^{%L}'\nset grid linecolor rgb '#d8d8d8'\n"
-              "set border linecolor rgb '#505050'\nset key outside right top samplen 3\n";
+std::string draw(const CurvesPicture& picture) {
+    std::string script =
+        fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_label(picture.title),
+                    gnuplot_label(picture.x), gnuplot_label(picture.y));
+    script += picture.x_is_logarithmic ? "set logscale xy\nset format xy '10^{%L}'\n"
+                                       : "set logscale y\nset format y '10^{%L}'\n";
+    script += "set grid linecolor rgb '#d8d8d8'\nset border linecolor rgb '#505050'\n"
+              "set key outside right top samplen 3\n";
     std::string plots;
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
-        const WorkPicture::Curve& curve = picture.curves[k];
+        const CurvesPicture::Curve& curve = picture.curves[k];
         if (curve.points.empty()) continue;
-        std::vector<double> costs, errors;
-        for (const auto& [cost, error] : curve.points) {
-            costs.push_back(cost);
-            errors.push_back(error);
+        std::vector<double> xs, ys;
+        for (const auto& [x, y] : curve.points) {
+            xs.push_back(x);
+            ys.push_back(y);
         }
-        script += array(fmt::format("x{}", k), costs) + array(fmt::format("y{}", k), errors);
+        script += array(fmt::format("x{}", k), xs) + array(fmt::format("y{}", k), ys);
         const Style& style = styles.at(k % styles.size());
-        plots += fmt::format("{} x{} using (x{}[$1]):(y{}[$1]) with linespoints linecolor rgb '{}' "
-                             "dashtype {} linewidth 1.5 pointtype {} pointsize 0.7 title {}",
-                             plots.empty() ? "" : ",", k, k, k, style.colour, style.dashes,
-                             style.mark, gnuplot_label(curve.name));
+        const std::string marks =
+            picture.has_marks ? fmt::format("linespoints pointtype {} pointsize 0.7", style.mark)
+                              : std::string("lines");
+        plots += fmt::format("{} x{} using (x{}[$1]):(y{}[$1]) with {} linecolor rgb '{}' "
+                             "dashtype {} linewidth 1.5 title {}",
+                             plots.empty() ? "" : ",", k, k, k, marks, style.colour, style.dashes,
+                             gnuplot_label(curve.name));
     }
     if (plots.empty()) plots = " [1:10][1e-16:1] 1/0 notitle";
     return gnuplot_svg(script + "plot" + plots + "\n", page_width, page_height, ".");

@@ -1,4 +1,4 @@
-// The picture that decides: what a digit costs.
+// Curves to be compared, on logarithmic axes.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,20 +8,20 @@
 
 namespace hvi::gen {
 
-/// Errors against what they cost, a curve for each method.
-struct WorkPicture {
+struct CurvesPicture {
     struct Curve {
         std::string name;
-        std::vector<std::pair<double, double>> points;  ///< cost and error, both above 0
+        std::vector<std::pair<double, double>> points;  ///< finite, above 0 on a logarithmic axis
     };
 
     std::string title;
-    std::string cost;  ///< the name of that axis
+    std::string x, y;  ///< what the axes are; y is logarithmic
+    bool x_is_logarithmic = true;
+    bool has_marks = true;  ///< at each point, else a line alone
     std::vector<Curve> curves;
 };
 
-/// As SVG, both axes logarithmic; curves are told apart by colour, dashes and marks. Throws as
-/// gnuplot_svg() does.
-[[nodiscard]] std::string draw(const WorkPicture& picture);
+/// As SVG; curves are told apart by colour, dashes and marks. Throws as gnuplot_svg() does.
+[[nodiscard]] std::string draw(const CurvesPicture& picture);
 
 }  // namespace hvi::gen

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 
-#include "generator/report/report.hpp"
+#include "generator/report/pictures.hpp"
 
 namespace hvi::gen {
 
@@ -14,9 +13,6 @@ namespace hvi::gen {
 
 /// A row for each point.
 [[nodiscard]] std::string report_csv(const Report& report);
-
-/// Pictures of a report, as SVG, by the names of their files.
-using Pictures = std::map<std::string, std::string>;
 
 /// One page that needs nothing beside it.
 [[nodiscard]] std::string report_html(const Report& report, const Pictures& pictures);

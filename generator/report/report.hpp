@@ -25,11 +25,20 @@ struct WorkPoint {
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
 
+/// How what is conserved departs, over a run of one step size.
+struct Departures {
+    double h = 0;
+    std::vector<double> times;
+    std::vector<double> energy;      ///< the largest between two times; empty where it is not kept
+    std::vector<double> invariants;  ///< the same of the norm of the others' departures
+};
+
 struct WorkCurve {
     std::string name;  ///< of the method
     int order = 0;
     bool is_peer = false;           ///< of another library
     std::vector<WorkPoint> points;  ///< by rising number of steps
+    Departures departures;
 };
 
 /// What errors are measured against.

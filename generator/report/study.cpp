@@ -146,6 +146,34 @@ std::vector<std::int64_t> counts_of(const std::vector<double>& steps, double unt
     return counts;
 }
 
+/// Over a run whose error is about that of many applications.
+Departures departures(const Contender& contender, const std::vector<WorkPoint>& points,
+                      double until) {
+    constexpr double typical = 1e-6;
+    constexpr std::int64_t samples = 500;
+    const auto distance = [&](const WorkPoint& point) {
+        return point.ok() ? std::abs(std::log(point.error / typical))
+                          : std::numeric_limits<double>::infinity();
+    };
+    const auto nearest =
+        std::min_element(points.begin(), points.end(), [&](const auto& left, const auto& right) {
+            return distance(left) < distance(right);
+        });
+    if (nearest == points.end() || !nearest->ok()) return {};
+    const Steps steps{until / static_cast<double>(nearest->steps), nearest->steps};
+    const DepartureSamples found = sample_departures(contender.program, steps, samples);
+    Departures result{steps.size, found.times, {}, {}};
+    const std::size_t first = contender.stepper.lowered.system.time ? 0 : 1;
+    for (const std::vector<double>& each : found.departures) {
+        if (first == 1) result.energy.push_back(each.front());
+        if (each.size() == first) continue;
+        double sum = 0;
+        for (std::size_t i = first; i < each.size(); ++i) sum += each[i] * each[i];
+        result.invariants.push_back(std::sqrt(sum));
+    }
+    return result;
+}
+
 Contender contender(const Compiler& compiler, const Method& method, const Scene& scene) {
     SceneStepper stepper = scene_stepper(method, scene, simulation_wishes(Solver::automatic));
     check_simulation(stepper);
@@ -187,11 +215,12 @@ SceneReport study(const Compiler& compiler, const Scene& scene, double until,
         const Contender fighter = contender(compiler, method, scene);
         bar.show(++done / parts, fmt::format("{}: running {}", scene.name, method.name));
         Runs runs(fighter, report.reference, until);
-        WorkCurve curve{fighter.stepper.tableau.name, fighter.order, false, {}};
+        WorkCurve curve{fighter.stepper.tableau.name, fighter.order, false, {}, {}};
         for (const std::int64_t count : wishes.steps.empty()
                                             ? spread_out(useful_range(runs, first_count))
                                             : counts_of(wishes.steps, until))
             curve.points.push_back(runs.timed(count));
+        curve.departures = departures(fighter, curve.points, until);
         report.curves.push_back(std::move(curve));
     }
     return report;

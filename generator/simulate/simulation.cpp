@@ -122,4 +122,19 @@ Measurement measure(const std::filesystem::path& program, const Steps& steps, do
     return result;
 }
 
+DepartureSamples sample_departures(const std::filesystem::path& program, const Steps& steps,
+                                   std::int64_t samples) {
+    const Answers answers = ask(program, {"departures", fmt::format("{}", steps.size),
+                                          std::to_string(steps.count), std::to_string(samples)});
+    DepartureSamples result{answers.numbers("time"), {}};
+    const std::vector<double> all = answers.numbers("departure");
+    if (result.times.empty()) return result;
+    const std::size_t kinds = all.size() / result.times.size();
+    for (std::size_t i = 0; i < result.times.size(); ++i) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i * kinds);
+        result.departures.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(kinds));
+    }
+    return result;
+}
+
 }  // namespace hvi::gen

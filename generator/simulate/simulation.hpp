@@ -91,4 +91,14 @@ struct Measurement {
 [[nodiscard]] Measurement measure(const std::filesystem::path& program, const Steps& steps,
                                   double seconds);
 
+/// The largest departures of what is conserved, in parts of a run.
+struct DepartureSamples {
+    std::vector<double> times;                    ///< where the parts end
+    std::vector<std::vector<double>> departures;  ///< in each part, of all that is conserved
+};
+
+/// Ends where the run does. Throws as ask() does.
+[[nodiscard]] DepartureSamples sample_departures(const std::filesystem::path& program,
+                                                 const Steps& steps, std::int64_t samples);
+
 }  // namespace hvi::gen

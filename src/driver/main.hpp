@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <driver/departures.hpp>
 #include <driver/measure.hpp>
 #include <driver/trajectory.hpp>
 
@@ -23,9 +24,11 @@ int main(int argc, char** argv) {
     int status = 2;
     if (command == "trajectory") { status = trajectory<Problem>(words); }
     if (command == "measure") { status = measure<Problem>(words); }
+    if (command == "departures") { status = departures<Problem>(words); }
     if (status == 2) {
         std::fprintf(stderr, "usage: trajectory H STEPS EVERY FILE\n"
-                             "       measure H STEPS SECONDS\n");
+                             "       measure H STEPS SECONDS\n"
+                             "       departures H STEPS SAMPLES\n");
     }
     return status;
 }
