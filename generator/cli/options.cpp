@@ -1,31 +1,21 @@
 // CLI11 splits the command line; what its words mean, and what is wrong with them, is said here.
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// NOTE: CLI11 gets neither limits nor types nor exclusions to check, because its messages know no
-// place. It only refuses a last option without its value.
 #include "generator/cli/options.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
+#include "generator/cli/grammar.hpp"
+#include "generator/cli/words.hpp"
 #include "generator/exact/trees.hpp"
 #include "generator/read/nearest.hpp"
-#include "generator/support/version.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-constexpr std::string_view method_help = R"help(METHOD is one of
-  --method gauss:3                          `hvi-gen list methods` prints them all
-  --basis "1, cos(pi*tau)" --nodes "0, 1"   functions of tau in [0,1], as many as nodes
-  --method-file FILE.toml                   with name, basis, nodes, [parameters])help";
 
 /// Options that stand in place of a scene.
 constexpr std::array hamiltonian_options = {"--hamiltonian", "--coordinates", "--momenta"};
@@ -35,218 +25,6 @@ const std::vector<std::string_view> topics = {"", "bases", "nodes", "methods", "
 [[noreturn]] void to_come(const std::string& what, Place place) {
     throw InputError(what + " is announced, but not built yet", std::move(place));
 }
-
-/// A place that is the whole of an option's value.
-Place value_place(const std::string& option, const std::string& value) {
-    return {std::make_shared<const Source>(Source{option, value}), {0, value.size()}};
-}
-
-void add_value(CLI::App& command, const std::string& names, const std::string& type,
-               const std::string& help) {
-    // NOTE: exactly one value for each occurrence, so that no word behind it is swallowed.
-    command
-        .add_option(
-            names, [](const CLI::results_t&) { return true; }, help)
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->type_name(type);
-}
-
-void add_flag(CLI::App& command, const std::string& name, const std::string& help) {
-    command.add_flag(name, help);
-}
-
-void add_method(CLI::App& command) {
-    add_value(command, "--method", "NAME", "A named method or family");
-    add_value(command, "--basis", "FUNCTIONS", "Basis functions of tau");
-    add_value(command, "--nodes", "NODES", "Nodes in [0,1]");
-    add_value(command, "--weights", "WEIGHTS", "Weights of the general form (to come)");
-    add_value(command, "--method-file", "FILE", "A method in TOML");
-    add_value(command, "--param", "NAME=VALUE", "The value of a parameter; repeatable");
-    command.footer(std::string(method_help));
-}
-
-void add_system(CLI::App& command) {
-    add_value(command, "SCENE", "SCENE", "A system by name (`hvi-gen list scenes`), or in TOML");
-    add_value(command, "--hamiltonian", "H", "Or H(q, p, t), as in \"p^2/2 + w^2*q^2/2\"");
-    add_value(command, "--coordinates", "NAMES", "Its coordinates (q, or q1, q2, ... in H)");
-    add_value(command, "--momenta", "NAMES", "Their momenta (p, or p1, p2, ...)");
-}
-
-/// The grammar of the command line.
-void describe(CLI::App& app) {
-    app.name("hvi-gen");
-    app.description("Derives symplectic integrators exactly and writes them as C++ headers.");
-    app.set_version_flag("--version", "hvi-gen " + std::string(version));
-    app.require_subcommand(0, 1);
-    app.allow_extras();
-
-    CLI::App& tableau = *app.add_subcommand("tableau", "Print the exact tableau of a method");
-    add_method(tableau);
-    add_value(tableau, "--format", "FORMAT", "text, json, latex, markdown or csv");
-    add_value(tableau, "--digits", "N", "Significant digits of decimal values (50)");
-    add_value(tableau, "-o,--output", "FILE", "Write to this file");
-
-    CLI::App& check =
-        *app.add_subcommand("check", "Order, symplecticity, symmetry, stability, with proof");
-    add_method(check);
-    add_value(check, "--tableau", "FILE", "A tableau in JSON, from wherever, in place of METHOD");
-    add_value(check, "--max-order", "N", "Look at conditions up to this order (8)");
-    add_value(check, "--format", "FORMAT", "text or json");
-    add_value(check, "--plot", "FILE", "Draw trace/2 on the oscillator as SVG");
-    add_value(check, "-o,--output", "FILE", "Write to this file");
-
-    CLI::App& stepper = *app.add_subcommand("stepper", "Write a method as a C++ header");
-    add_method(stepper);
-    add_system(stepper);
-    add_flag(stepper, "--separable", "For a class of your own with H = T(p) + U(q)");
-    add_value(stepper, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
-    add_flag(stepper, "--energy", "The class has a member energy(x)");
-    add_flag(stepper, "--invariants", "And one for each invariant of the scene");
-    add_flag(stepper, "--evaluations", "And one that counts those of dH/dq");
-    add_flag(stepper, "--dense", "And one for positions within the last step");
-    add_value(stepper, "--name", "NAME", "Name of the class");
-    add_flag(stepper, "--explain", "Say what is solved and what is left out");
-    add_value(stepper, "-o,--output", "FILE", "Write to this file");
-
-    CLI::App& scheme =
-        *app.add_subcommand("scheme", "Print the equations of a step for a Hamiltonian");
-    add_method(scheme);
-    add_system(scheme);
-    add_flag(scheme, "--generating", "Also the generating function, of a quadratic H");
-    add_value(scheme, "--format", "FORMAT", "text, json or latex");
-    add_value(scheme, "-o,--output", "FILE", "Write to this file");
-
-    CLI::App& run = *app.add_subcommand("run", "Integrate a scene: table, picture, summary");
-    add_method(run);
-    add_value(run, "SCENE", "SCENE", "A scene by name (`hvi-gen list scenes`), or in TOML");
-    add_value(run, "--step", "H", "Size of a step, in place of the scene's");
-    add_value(run, "--until", "T", "Time at the end, in place of the scene's");
-    add_value(run, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
-    add_value(run, "--only", "LIST", "Of table, picture, summary; all when not given");
-    add_value(run, "-o,--output", "DIR", "Write to this directory");
-
-    CLI::App& report =
-        *app.add_subcommand("report", "Error against run time, of methods on scenes");
-    report
-        .add_option(
-            "SCENE", [](const CLI::results_t&) { return true; }, "Scenes by name, or in TOML")
-        ->expected(1)
-        ->allow_extra_args()  // of one for each of them: as many as there are
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->type_name("SCENE...");
-    add_value(report, "--methods", "LIST", "Names of methods between commas");
-    add_value(report, "--steps", "LIST", "Sizes of steps between commas, or auto");
-    add_value(report, "--until", "T", "Time at the end, in place of the scene's");
-    add_value(report, "--only", "LIST", "Of html, json, csv, svg; all when not given");
-    add_flag(report, "--peers", "Other libraries too (to come)");
-    add_flag(report, "--edges", "Stiff and extreme cases (to come)");
-    add_value(report, "-o,--output", "DIR", "Write to this directory (report)");
-
-    CLI::App& list = *app.add_subcommand("list", "Print what can be named");
-    add_value(list, "TOPIC", "TOPIC", "bases, nodes, methods or scenes; all when not given");
-
-    for (CLI::App* command : app.get_subcommands(nullptr)) command->allow_extras();
-}
-
-using OptionGroups = std::vector<std::vector<std::string>>;
-
-/// A command with the words that CLI11 gave to its options.
-class Words {
-public:
-    Words(const CLI::App& command, const CommandLine& line) : command_(command), line_(line) {}
-
-    /// CLI11 takes the next word for a value, even when it is another option.
-    void check_values() const {
-        for (const CLI::Option* option : command_.get_options()) {
-            const auto& values = option->results();
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                const std::string word = values[i].substr(0, values[i].find('='));
-                if (word.starts_with("-") && command_.get_option_no_throw(word))
-                    throw InputError(option->get_name() + " needs a value",
-                                     place(option->get_name(), i));
-            }
-        }
-    }
-
-    /// The place of the n-th occurrence of an option, by whichever of its names.
-    [[nodiscard]] Place place(const std::string& option, std::size_t n = 0) const {
-        std::vector<std::string> names;
-        for (const std::string& name : command_.get_option(option)->get_snames())
-            names.push_back("-" + name);
-        for (const std::string& name : command_.get_option(option)->get_lnames())
-            names.push_back("--" + name);
-        return line_.place(names, n);
-    }
-
-    /// The values of an option, one for each occurrence.
-    [[nodiscard]] const std::vector<std::string>& values(const std::string& option) const {
-        return command_.get_option(option)->results();
-    }
-
-    /// The value of an option that can be given once.
-    [[nodiscard]] std::optional<std::string> value(const std::string& option) const {
-        const auto& given = values(option);
-        if (given.empty()) return {};
-        if (given.size() > 1) throw InputError(option + " is given twice", place(option, 1));
-        return given.front();
-    }
-
-    [[nodiscard]] bool flag(const std::string& option) const {
-        for (const std::string& value : command_.get_option(option)->results())
-            if (value != "true") throw InputError(option + " takes no value", place(option));
-        return command_.count(option) > 0;
-    }
-
-    /// Checks that the options that are given are all of one group.
-    void one_form_of(const OptionGroups& groups) const {
-        const std::string* first = nullptr;
-        for (const auto& group : groups) {
-            const std::string* here = nullptr;
-            for (const std::string& option : group)
-                if (!here && !values(option).empty()) here = &option;
-            if (first && here)
-                throw InputError(*first + " and " + *here + " each give a method", place(*here),
-                                 "leave one of them out");
-            if (here) first = here;
-        }
-    }
-
-    [[nodiscard]] std::optional<int> number(const std::string& option, int least, int most) const {
-        const auto given = value(option);
-        if (!given) return {};
-        int number = 0;
-        const auto [end, error] =
-            std::from_chars(given->data(), given->data() + given->size(), number);
-        const bool whole = error == std::errc{} && end == given->data() + given->size();
-        if (!whole || number < least || number > most)
-            throw InputError(option + " takes a whole number from " + std::to_string(least) +
-                                 " to " + std::to_string(most),
-                             value_place(option, *given));
-        return number;
-    }
-
-    /// The value of an option with a few possible ones; the first when it is not given.
-    [[nodiscard]] std::size_t choice(const std::string& option,
-                                     const std::vector<std::string_view>& choices) const {
-        const auto given = value(option);
-        if (!given) return 0;
-        for (std::size_t i = 0; i < choices.size(); ++i) {
-            if (choices[i] == *given) return i;
-        }
-        std::string all;
-        for (const std::string_view each : choices)
-            all.append(all.empty() ? "" : ", ").append(each);
-        throw InputError("no such value of " + option + ": `" + *given + "`",
-                         value_place(option, *given),
-                         did_you_mean(*given, choices, "one of " + all));
-    }
-
-private:
-    const CLI::App& command_;
-    const CommandLine& line_;
-};
 
 const OptionGroups forms_of_method{
     {"--method"}, {"--basis", "--nodes", "--weights"}, {"--method-file"}};
@@ -270,12 +48,6 @@ MethodOptions method_options(const Words& words, const CommandLine& line) {
     if (method.basis && !method.nodes)
         throw InputError("--basis needs --nodes", words.place("--basis"));
     return method;
-}
-
-std::string trimmed(const std::string& text) {
-    const std::size_t begin = text.find_first_not_of(' ');
-    return begin == std::string::npos ? ""
-                                      : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
 }
 
 std::optional<std::filesystem::path> file_option(const Words& words, const std::string& option) {
@@ -355,6 +127,9 @@ void check_system_flags(const Words& words, const StepperOptions& options) {
         if (!options.system && words.flag(flag))
             throw InputError(std::string(flag) + " needs a scene or --hamiltonian",
                              words.place(flag));
+    if (!options.system && options.wishes.float128)
+        throw InputError("--float128 needs a scene or --hamiltonian", words.place("--float128"),
+                         "a header for any H computes in what the vectors of its class hold");
     if (!options.system && words.value("--solver"))
         throw InputError("--solver needs a scene or --hamiltonian", words.place("--solver"),
                          "the solver of a header for any H is an argument of its class");
@@ -383,6 +158,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     options.wishes.energy = words.flag("--energy");
     options.wishes.invariants = words.flag("--invariants");
     options.wishes.evaluations = words.flag("--evaluations");
+    options.wishes.float128 = words.flag("--float128");
     options.wishes.dense = words.flag("--dense");
     check_system_flags(words, options);
     options.wishes.class_name = words.value("--name");
@@ -407,27 +183,6 @@ SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
     return options;
 }
 
-/// The items of a list between commas, which are among `choices`; all of these when not given.
-std::vector<bool> chosen(const Words& words, const std::string& option,
-                         const std::vector<std::string_view>& choices) {
-    const auto given = words.value(option);
-    std::vector<bool> is_chosen(choices.size(), !given);
-    std::string all;
-    for (const std::string_view each : choices) all.append(all.empty() ? "" : ", ").append(each);
-    for (std::size_t begin = 0; given && begin <= given->size();) {
-        const std::size_t end = std::min(given->find(',', begin), given->size());
-        const std::string item = trimmed(given->substr(begin, end - begin));
-        const auto found = std::find(choices.begin(), choices.end(), item);
-        if (found == choices.end())
-            throw InputError("no such item of " + option + ": `" + item + "`",
-                             Place{value_place(option, *given).source, {begin, end}},
-                             did_you_mean(item, choices, "some of " + all));
-        is_chosen[static_cast<std::size_t>(found - choices.begin())] = true;
-        begin = end + 1;
-    }
-    return is_chosen;
-}
-
 RunOptions run_options(const Words& words, const CommandLine& line) {
     RunOptions options;
     options.method = method_beside_scene(words, line);
@@ -438,7 +193,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.solver = solver_option(words);
     options.step = words.value("--step");
     options.until = words.value("--until");
-    const std::vector<bool> only = chosen(words, "--only", {"table", "picture", "summary"});
+    const std::vector<bool> only = words.chosen("--only", {"table", "picture", "summary"});
     options.table = only[0];
     options.picture = only[1];
     options.summary = only[2];
@@ -458,7 +213,7 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
     options.steps = words.value("--steps");
     if (options.steps == "auto") options.steps.reset();
     options.until = words.value("--until");
-    const std::vector<bool> only = chosen(words, "--only", {"html", "json", "csv", "svg"});
+    const std::vector<bool> only = words.chosen("--only", {"html", "json", "csv", "svg"});
     options.html = only[0];
     options.json = only[1];
     options.csv = only[2];

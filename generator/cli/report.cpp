@@ -6,6 +6,7 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/run_wishes.hpp"
+#include "generator/cli/words.hpp"
 #include "generator/exact/step_count.hpp"
 #include "generator/report/pictures.hpp"
 #include "generator/report/render.hpp"
@@ -29,24 +30,6 @@ struct Subject {
     std::vector<double> steps;
 };
 
-std::vector<std::shared_ptr<const Source>> items(const std::string& option,
-                                                 const std::string& list) {
-    std::vector<std::shared_ptr<const Source>> result;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        const std::size_t first = std::min(list.find_first_not_of(' ', begin), end);
-        const std::size_t last = list.find_last_not_of(' ', end == 0 ? 0 : end - 1);
-        const std::string item = first < end ? list.substr(first, last + 1 - first) : "";
-        if (item.empty())
-            throw InputError(
-                "an item is missing in the list",
-                Place{std::make_shared<const Source>(Source{option, list}), {begin, end}});
-        result.push_back(std::make_shared<const Source>(Source{option, item}));
-        begin = end + 1;
-    }
-    return result;
-}
-
 Subject subject(const std::string& name, const ReportOptions& options) {
     Scene scene =
         find_scene(name, {std::make_shared<const Source>(Source{"SCENE", name}), {0, name.size()}});
@@ -55,7 +38,7 @@ Subject subject(const std::string& name, const ReportOptions& options) {
     Subject result{scene, nearest_value(scene, until), 0, {}};
     result.first_count = std::max<std::int64_t>(1, steps_until(scene, step, until).count);
     if (!options.steps) return result;
-    for (const auto& item : items("--steps", *options.steps)) {
+    for (const auto& item : list_items("--steps", *options.steps)) {
         const NamedExpression h = expression_of_parameters(scene, "step", item);
         static_cast<void>(steps_until(scene, h, until));  // it leads there
         result.steps.push_back(nearest_value(scene, h));
@@ -83,7 +66,7 @@ void write(const Report& report, const ReportOptions& options, const fs::path& d
 
 void run(const ReportOptions& options) {
     StudyWishes wishes;
-    for (const auto& name : items("--methods", options.methods.value_or(usual_methods)))
+    for (const auto& name : list_items("--methods", options.methods.value_or(usual_methods)))
         wishes.methods.push_back(named_method(name));
     std::vector<Subject> subjects;
     for (const std::string& scene : options.scenes) subjects.push_back(subject(scene, options));

@@ -77,20 +77,21 @@ std::string power(unsigned exponent) {
     return text;
 }
 
-std::string value(const Antiderivative& A, std::size_t rate) {
+std::string value(const Antiderivative& A, std::size_t rate, std::string_view library) {
     switch (A.kind) {
     case Antiderivative::Kind::power: return power(A.power);
     case Antiderivative::Kind::exponential:
-        return fmt::format("std::expm1(curve_rates[{}] * tau)", rate);
-    case Antiderivative::Kind::sine: return fmt::format("std::sin(curve_rates[{}] * tau)", rate);
+        return fmt::format("{}::expm1(curve_rates[{}] * tau)", library, rate);
+    case Antiderivative::Kind::sine:
+        return fmt::format("{}::sin(curve_rates[{}] * tau)", library, rate);
     case Antiderivative::Kind::cosine:
-        return fmt::format("std::cos(curve_rates[{}] * tau) - 1", rate);
+        return fmt::format("{}::cos(curve_rates[{}] * tau) - 1", library, rate);
     }
     HVI_CHECK(false);
     return {};
 }
 
-std::string antiderivatives(const Curve& curve) {
+std::string antiderivatives(const Curve& curve, std::string_view library) {
     Writer writer(1);
     const std::vector<Constant> all = rates(curve);
     if (!all.empty()) {
@@ -102,7 +103,7 @@ std::string antiderivatives(const Curve& curve) {
     writer.line("std::array<Scalar, {}> A{{}};", curve.A.size());
     std::size_t rate = 0;
     for (std::size_t k = 0; k < curve.A.size(); ++k) {
-        writer.line("A[{}] = {};", k, value(curve.A[k], rate));
+        writer.line("A[{}] = {};", k, value(curve.A[k], rate, library));
         if (curve.A[k].kind != Antiderivative::Kind::power) { ++rate; }
     }
     return writer.line("return A;").close().str();
@@ -122,7 +123,7 @@ std::string comment(const Curve& curve) {
 
 }  // namespace
 
-std::string curve_table(const Scheme& scheme, const Curve& curve) {
+std::string curve_table(const Scheme& scheme, const Curve& curve, std::string_view library) {
     if (is_straight(curve)) { return {}; }
     const NumberMatrix exact =
         scheme.velocity_form ? of_forces(scheme, curve) : of_velocities(scheme, curve);
@@ -139,7 +140,7 @@ std::string curve_table(const Scheme& scheme, const Curve& curve) {
                     curve.A.empty() ? "(P_{k+1}-P_{k-1})(2*tau-1)/2 of Legendre's polynomials P_k"
                                     : "A_k(tau)-tau*A_k(1) of the antiderivatives A_k"));
     table(writer, "curve", rows);
-    if (!curve.A.empty()) { writer.insert(antiderivatives(curve)); }
+    if (!curve.A.empty()) { writer.insert(antiderivatives(curve, library)); }
     return writer.str();
 }
 

@@ -199,8 +199,9 @@ std::string copy_of(std::string_view name) {
     return text;
 }
 
-std::string support(const Scheme& scheme, bool with_rounded) {
+std::string support(const Scheme& scheme, const SceneWishes& wishes, bool with_rounded) {
     std::vector<std::string_view> names{"state.hpp", "scalar.hpp"};
+    if (wishes.float128) { names.push_back("math.hpp"); }
     if (with_rounded) { names.push_back("rounded.hpp"); }
     names.push_back("system.hpp");
     if (scheme.from_parameter || scheme.depends_on_time) {
@@ -248,7 +249,7 @@ std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
     return fill("explicit.hpp.in",
                 {{"banner", banner(tableau, scheme, options)},
                  {"include", system.include},
-                 {"support", support(scheme, rounds)},
+                 {"support", support(scheme, options.wishes, rounds)},
                  {"purpose", system.purpose},
                  {"head", system.head},
                  {"name", system.class_name},

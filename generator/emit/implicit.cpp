@@ -39,14 +39,14 @@ std::vector<std::string> solver_headers(const Scheme& scheme) {
 std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
     const SystemPart system = system_part(tableau, scheme, options);
-    const Curve* const curve = options.wishes.curve ? &*options.wishes.curve : nullptr;
-    ImplicitParts parts =
-        scheme.velocity_form ? velocity_parts(scheme, curve) : pair_parts(scheme, curve);
+    ImplicitParts parts = scheme.velocity_form ? velocity_parts(scheme, options.wishes)
+                                               : pair_parts(scheme, options.wishes);
     if (scheme.depends_on_time) { parts.runtime.push_back("clock.hpp"); }
-    if (curve != nullptr) {
+    if (options.wishes.curve) {
         parts.format = 4;
         parts.runtime.push_back("curve.hpp");
     }
+    if (options.wishes.float128) { parts.runtime.push_back("math.hpp"); }
     if (options.scene != nullptr) { parts.format = 5; }
     for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},

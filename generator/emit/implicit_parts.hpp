@@ -16,11 +16,11 @@ struct ImplicitParts {
     std::string curve;  ///< empty where none is asked for
 };
 
-/// Positions and momenta. `curve` is null where none is asked for.
-[[nodiscard]] ImplicitParts pair_parts(const Scheme& scheme, const Curve* curve);
+/// Positions and momenta.
+[[nodiscard]] ImplicitParts pair_parts(const Scheme& scheme, const SceneWishes& wishes);
 
 /// Positions alone. Precondition: scheme.velocity_form.
-[[nodiscard]] ImplicitParts velocity_parts(const Scheme& scheme, const Curve* curve);
+[[nodiscard]] ImplicitParts velocity_parts(const Scheme& scheme, const SceneWishes& wishes);
 
 // ---- what both are made of ----
 
@@ -44,8 +44,9 @@ constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix&
 [[nodiscard]] std::string coefficients_text(const Scheme& scheme);
 
 /// The table `curve`: by how much the curve departs from its chord, for each of the slopes that the
-/// step keeps. Empty for a straight line.
-[[nodiscard]] std::string curve_table(const Scheme& scheme, const Curve& curve);
+/// step keeps. Empty for a straight line. Functions are those of the namespace `library`.
+[[nodiscard]] std::string curve_table(const Scheme& scheme, const Curve& curve,
+                                      std::string_view library);
 
 /// The member position(tau). `chord` is the increment of the step, and `slope` the name of the
 /// slopes that the table is for.

@@ -37,8 +37,9 @@ Code literal_of(const SmallFraction& fraction) {
 
 class KernelWriter {
 public:
-    KernelWriter(Writer& writer, const Graph& graph, const Kernel& kernel, NodeNames names)
-        : writer_(writer), graph_(graph), kernel_(kernel) {
+    KernelWriter(Writer& writer, const Graph& graph, const Kernel& kernel, NodeNames names,
+                 std::string_view library)
+        : writer_(writer), graph_(graph), kernel_(kernel), library_(library) {
         for (auto& [node, name] : names) { codes_[node] = {std::move(name)}; }
         for (const Node node : kernel.nodes) { define(node); }
     }
@@ -142,12 +143,13 @@ private:
         for (const Node argument : computation.arguments) {
             arguments += (arguments.empty() ? "" : ", ") + at(argument).text;
         }
-        return {fmt::format("std::{}({})", function, arguments)};
+        return {fmt::format("{}::{}({})", library_, function, arguments)};
     }
 
     Writer& writer_;
     const Graph& graph_;
     const Kernel& kernel_;
+    std::string_view library_;
     std::map<Node, Code> codes_;
     int locals_ = 0;
 };
@@ -155,13 +157,8 @@ private:
 }  // namespace
 
 std::vector<std::string> write_code(Writer& writer, const Graph& graph, const Kernel& kernel,
-                                    NodeNames names) {
-    return KernelWriter(writer, graph, kernel, std::move(names)).results();
-}
-
-void write_return(Writer& writer, const Graph& graph, const Kernel& kernel, NodeNames names) {
-    const std::vector<std::string> results = write_code(writer, graph, kernel, std::move(names));
-    writer.line("return {};", results.at(0));
+                                    NodeNames names, std::string_view library) {
+    return KernelWriter(writer, graph, kernel, std::move(names), library).results();
 }
 
 }  // namespace hvi::gen

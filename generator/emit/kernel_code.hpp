@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/emit/text.hpp"
@@ -15,12 +16,10 @@ namespace hvi::gen {
 using NodeNames = std::map<Node, std::string>;
 
 /// Writes the statements that compute a kernel, `const Scalar t1 = ...;` for what is used more than
-/// once or long, and returns an expression for each result. Functions are those of <cmath>.
-/// Precondition: `names` has all that is given but numbers.
+/// once or long, and returns an expression for each result. Functions are those of <cmath>, in the
+/// namespace `library`. Precondition: `names` has all that is given but numbers.
 [[nodiscard]] std::vector<std::string> write_code(Writer& writer, const Graph& graph,
-                                                  const Kernel& kernel, NodeNames names);
-
-/// The same for one result that is returned.
-void write_return(Writer& writer, const Graph& graph, const Kernel& kernel, NodeNames names);
+                                                  const Kernel& kernel, NodeNames names,
+                                                  std::string_view library);
 
 }  // namespace hvi::gen

@@ -46,6 +46,10 @@ void write_member(Writer& writer, std::string_view doc, std::string_view name,
 
 }  // namespace
 
+std::string_view library(const SceneWishes& wishes) {
+    return wishes.float128 ? "hvi::math" : "std";
+}
+
 std::string initializer(const Expression& expression) {
     // NOTE: read again, so that an error points into a text that stands for the number alone.
     const std::string name = to_text(expression);

@@ -19,8 +19,12 @@ struct SceneWishes {
     bool energy = false;
     bool invariants = false;
     bool evaluations = false;    ///< of dH/dq, counted
+    bool float128 = false;       ///< among the numbers that it computes in
     std::optional<Curve> curve;  ///< of the last step, as a member
 };
+
+/// The namespace of the functions that it calls: `std`, or that of src/hvi/math.hpp.
+[[nodiscard]] std::string_view library(const SceneWishes& wishes);
 
 /// Throws InputError where an invariant that is asked for is called as something else that each
 /// stepper has, or is a word of C++.

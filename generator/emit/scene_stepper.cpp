@@ -19,6 +19,7 @@ std::string command(const Tableau& tableau, const Scene& scene, const StepperWis
     if (wishes.energy) text += " --energy";
     if (wishes.invariants) text += " --invariants";
     if (wishes.evaluations) text += " --evaluations";
+    if (wishes.float128) text += " --float128";
     if (wishes.dense) text += " --dense";
     if (wishes.class_name) text += " --name " + *wishes.class_name;
     return text;
@@ -52,7 +53,7 @@ MethodAndCurve derive(const Method& method, bool dense) {
 }  // namespace
 
 SceneStepper scene_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes) {
-    SceneWishes members{wishes.energy, wishes.invariants, wishes.evaluations, {}};
+    SceneWishes members{wishes.energy, wishes.invariants, wishes.evaluations, wishes.float128, {}};
     check_members(scene, members);
     check_start(scene);
 

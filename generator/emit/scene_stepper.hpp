@@ -18,6 +18,7 @@ struct StepperWishes {
     bool energy = false;       ///< as a member
     bool invariants = false;   ///< the same
     bool evaluations = false;  ///< of dH/dq, counted, the same
+    bool float128 = false;     ///< among the numbers that it computes in
     bool dense = false;        ///< the curve of a step, the same
     std::optional<std::string> class_name =
         {};  ///< checked by check_class_name(); else from the names

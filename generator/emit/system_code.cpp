@@ -248,7 +248,8 @@ void mirror(Writer& writer, std::size_t n) {
     writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
 }
 
-void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const Function& function) {
+void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const Function& function,
+           std::string_view library) {
     const SystemGraph& system = lowered.system;
     for (const auto& [node, name] : function.names) { names[node] = name; }
     std::vector<std::string> arguments;
@@ -270,7 +271,7 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     writer.open("{}constexpr {} {}({}) const {{", is_value ? "[[nodiscard]] " : "",
                 is_value ? "Scalar" : "void", function.name, fmt::join(arguments, ", "));
     if (function.is_counted) { writer.line("++evaluations;"); }
-    const auto results = write_code(writer, system.graph, function.kernel, names);
+    const auto results = write_code(writer, system.graph, function.kernel, names, library);
     if (is_value) { writer.line("return {};", results.front()); }
     for (std::size_t k = 0; k < function.targets.size(); ++k) {
         writer.line("{} = {};", function.targets[k], results[k]);
@@ -285,11 +286,13 @@ bool uses_parameters(const LoweredScene& lowered, const Kernel& kernel) {
                        [&](Node node) { return names.count(node) != 0; });
 }
 
-void write_constructor(Writer& writer, const LoweredScene& lowered, const Given& given) {
+void write_constructor(Writer& writer, const LoweredScene& lowered, const Given& given,
+                       std::string_view library) {
     const Kernel setup = given.setup();
     writer.open("constexpr explicit System({}) {{",
                 argument(uses_parameters(lowered, setup), "const Parameters& parameters"));
-    const auto results = write_code(writer, lowered.system.graph, setup, given.of_inputs());
+    const auto results =
+        write_code(writer, lowered.system.graph, setup, given.of_inputs(), library);
     for (std::size_t i = 0; i < results.size(); ++i) {
         writer.line("c{}_ = {};", i + 1, results[i]);
     }
@@ -297,10 +300,11 @@ void write_constructor(Writer& writer, const LoweredScene& lowered, const Given&
 }
 
 void write_begin(Writer& writer, const LoweredScene& lowered, const Given& given,
-                 const Kernel& initial) {
+                 const Kernel& initial, std::string_view library) {
     writer.open("static constexpr void begin({}, Vector& q, Vector& p) {{",
                 argument(uses_parameters(lowered, initial), "const Parameters& parameters"));
-    const auto results = write_code(writer, lowered.system.graph, initial, given.of_inputs());
+    const auto results =
+        write_code(writer, lowered.system.graph, initial, given.of_inputs(), library);
     const std::size_t n = lowered.system.degrees_of_freedom();
     for (std::size_t k = 0; k < 2 * n; ++k) {
         writer.line("{}[{}] = {};", k < n ? "q" : "p", k % n, results[k]);
@@ -359,14 +363,14 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
         writer.line("using Tangent = std::array<Scalar, {}>;", size_of_tangent(all));
     }
     writer.blank();
-    write_constructor(writer, lowered, given);
+    write_constructor(writer, lowered, given, library(wishes));
     for (const Function& function : all) {
         writer.blank();
-        write(writer, lowered, given.names(), function);
+        write(writer, lowered, given.names(), function, library(wishes));
     }
     if (!lowered.initial.empty()) {
         writer.blank();
-        write_begin(writer, lowered, given, initial);
+        write_begin(writer, lowered, given, initial, library(wishes));
     }
     if (wishes.evaluations) {
         writer.blank().line("mutable std::int64_t evaluations = 0;  // of dH/dq");

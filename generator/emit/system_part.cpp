@@ -71,15 +71,21 @@ SystemPart for_users(const Scheme& scheme, const EmitOptions& options) {
 
 // ---- a scene ----
 
+std::string_view numbers(const SceneWishes& wishes) {
+    return wishes.float128 ? "float, double, long double, or hvi::math::Widest, which is "
+                             "__float128 where libm has functions of it, else long double"
+                           : "float, double or long double";
+}
+
 std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options) {
     const Scene& scene = options.scene->scene;
     const std::string method =
         tableau.name.empty() ? "a method of its own basis and nodes" : tableau.name;
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     Writer writer(0);
-    writer.comment(fmt::format("{} with {}, computed in Number: float, double or long double. "
+    writer.comment(fmt::format("{} with {}, computed in Number: {}. "
                                "States hold Numbers: arrays, or vectors of Eigen of fixed size.",
-                               what, method),
+                               what, method, numbers(options.wishes)),
                    "/// ");
     if (!scene.description.empty()) { writer.comment(scene.description, "/// "); }
     return writer.str();
@@ -138,10 +144,12 @@ std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& opti
     return writer.blank().insert(scene_members_text(*options.scene, options.wishes)).str();
 }
 
-std::string conditions_for_scene(std::size_t n) {
+std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
     Writer writer(1);
-    writer.line("static_assert(hvi::detail::is_standard<Number>,");
-    writer.line("              \"hvi: a scene is computed in float, double or long double\");");
+    writer.line("static_assert(hvi::{}<Number>,",
+                wishes.float128 ? "math::computes_in" : "detail::is_standard");
+    writer.line("              \"hvi: a scene is computed in float, double{}\");",
+                wishes.float128 ? ", long double or hvi::math::Widest" : " or long double");
     writer.line("static_assert(hvi::detail::is_fixed_vector<Numbers, Number, {}>(),", n);
     writer.line(
         "              \"hvi: vectors are of these numbers, and of fixed size: std::array, or "
@@ -157,7 +165,7 @@ SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOpt
     part.class_name = "Basic" + options.class_name;
     const std::size_t n = options.scene->system.degrees_of_freedom();
     part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>", n);
-    part.condition = conditions_for_scene(n);
+    part.condition = conditions_for_scene(n, options.wishes);
     part.types = types_for_scene(scheme, options);
     part.state = scheme.depends_on_time ? "hvi::TimedState<Vector>" : "hvi::State<Vector>";
     part.construct = constructors_for_scene(scheme, options, part.class_name);

@@ -293,7 +293,7 @@ std::string predict_text(const Scheme& scheme) {
 
 // ---- constants, members ----
 
-std::string constants_text(const Scheme& scheme, const Curve* curve) {
+std::string constants_text(const Scheme& scheme, const SceneWishes& wishes) {
     const VelocityForm& form = *scheme.velocity_form;
     const RoundedVelocityForm values = rounded(form);
     Writer writer(1);
@@ -310,7 +310,7 @@ std::string constants_text(const Scheme& scheme, const Curve* curve) {
     table(writer, "n", constants("n", form.n, values.n));
     writer.line("static_assert(hvi::detail::symplectic(c, n), \"the method is symplectic\");");
     if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
-    if (curve != nullptr) { writer.insert(curve_table(scheme, *curve)); }
+    if (wishes.curve) { writer.insert(curve_table(scheme, *wishes.curve, library(wishes))); }
     return with_rounding(writer.str());
 }
 
@@ -331,18 +331,19 @@ std::string members_text(const Scheme& scheme) {
 
 }  // namespace
 
-ImplicitParts velocity_parts(const Scheme& scheme, const Curve* curve) {
+ImplicitParts velocity_parts(const Scheme& scheme, const SceneWishes& wishes) {
     HVI_CHECK(scheme.velocity_form && scheme.coupled_blocks() == 1);
     ImplicitParts parts;
     parts.format = 4;
     parts.runtime = {"velocity_stages.hpp"};
     parts.steps = steps_text(scheme);
-    parts.constants = constants_text(scheme, curve);
+    parts.constants = constants_text(scheme, wishes);
     parts.predict = predict_text(scheme);
     parts.coupled = coupled_text(scheme);
     parts.members = members_text(scheme);
-    if (curve != nullptr) {
-        parts.curve = curve_text(scheme, *curve, increment_of_step(*scheme.velocity_form), "W");
+    if (wishes.curve) {
+        parts.curve =
+            curve_text(scheme, *wishes.curve, increment_of_step(*scheme.velocity_form), "W");
     }
     return parts;
 }

@@ -27,7 +27,13 @@ struct EntireGenerators {
     std::vector<Phase> phases;
     std::vector<Number> constants;
 
-    [[nodiscard]] std::size_t count() const { return 1 + 2 * phases.size() + constants.size(); }
+    [[nodiscard]] static std::size_t w() { return 0; }
+    [[nodiscard]] static std::size_t x(std::size_t phase) { return 1 + 2 * phase; }
+    [[nodiscard]] static std::size_t y(std::size_t phase) { return 2 + 2 * phase; }
+    /// How many are not constant: the first ones.
+    [[nodiscard]] std::size_t variables() const { return 1 + 2 * phases.size(); }
+    [[nodiscard]] std::size_t constant(std::size_t index) const { return variables() + index; }
+    [[nodiscard]] std::size_t count() const { return variables() + constants.size(); }
 };
 
 /// A polynomial over Z in the generators, homogeneous in the x and y of each phase.
@@ -38,6 +44,9 @@ struct EntireFunction {
     };
     std::vector<Term> terms;
 };
+
+/// Whether it is one of the generators, but for a constant factor.
+[[nodiscard]] bool is_generator(const EntireFunction& function, std::size_t which);
 
 /// The order to which it vanishes at w = 0: the coefficients of its power series below are proved
 /// to be zero, and the one of that order not to be. Throws MathError where it is above 60.

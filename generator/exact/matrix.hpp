@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/number_vector.hpp"
 
 namespace hvi::gen {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/number_vector.hpp"
 
 namespace hvi::gen {
 

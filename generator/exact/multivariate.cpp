@@ -169,4 +169,10 @@ IntegerMultivariate gcd(const IntegerMultivariate& a, const IntegerMultivariate&
     return result;
 }
 
+IntegerMultivariate power(const IntegerMultivariate& base, unsigned exponent) {
+    IntegerMultivariate result(1);
+    for (; exponent > 0; --exponent) { result = result * base; }
+    return result;
+}
+
 }  // namespace hvi::gen

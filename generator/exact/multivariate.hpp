@@ -94,4 +94,6 @@ struct IntegerMultivariate::Factor {
 /// The greatest common divisor, content included, of leading sign 1.
 [[nodiscard]] IntegerMultivariate gcd(const IntegerMultivariate& a, const IntegerMultivariate& b);
 
+[[nodiscard]] IntegerMultivariate power(const IntegerMultivariate& base, unsigned exponent);
+
 }  // namespace hvi::gen

@@ -35,6 +35,11 @@ NumberPolynomial scaled(const NumberPolynomial& a, const Number& factor) {
     return result;
 }
 
+NumberPolynomial shifted(NumberPolynomial polynomial) {
+    if (!polynomial.empty()) { polynomial.insert(polynomial.begin(), Number(0)); }
+    return polynomial;
+}
+
 NumberPolynomial power_of(const NumberPolynomial& base, unsigned exponent) {
     NumberPolynomial result{Number(1)};
     for (; exponent > 0; --exponent) result = product(result, base);

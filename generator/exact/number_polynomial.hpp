@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "generator/exact/number_vector.hpp"
 #include "generator/exact/polynomial.hpp"
-#include "generator/exact/tableau.hpp"
 
 namespace hvi::gen {
 
@@ -16,6 +16,8 @@ void trim(NumberPolynomial& polynomial);
 [[nodiscard]] NumberPolynomial sum(const NumberPolynomial& a, const NumberPolynomial& b);
 [[nodiscard]] NumberPolynomial product(const NumberPolynomial& a, const NumberPolynomial& b);
 [[nodiscard]] NumberPolynomial scaled(const NumberPolynomial& a, const Number& factor);
+/// x times it.
+[[nodiscard]] NumberPolynomial shifted(NumberPolynomial polynomial);
 [[nodiscard]] NumberPolynomial power_of(const NumberPolynomial& base, unsigned exponent);
 [[nodiscard]] Number value_at(const NumberPolynomial& polynomial, const Number& point);
 

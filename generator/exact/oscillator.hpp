@@ -2,16 +2,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "generator/exact/number_stages.hpp"
+#include "generator/exact/polynomial_quotient.hpp"
 
 namespace hvi::gen {
-
-/// A rational function: two polynomials by their coefficients, lowest first.
-struct PolynomialQuotient {
-    NumberVector numerator, denominator;
-};
 
 /// One step of the method (4.18) for H = (p^2 + omega^2 q^2)/2 with z = h omega takes
 /// x = (omega q, p) to 1/D (m11 m12; m21 m22) x. D, m11 and m22 are even in z, m12 and m21 odd.
@@ -34,13 +28,5 @@ struct OscillatorMap {
 
 /// Whether this map, or linear stability by it, is a matter of minutes.
 [[nodiscard]] bool takes_long(const PartitionedMethod& method);
-
-/// As a function of the symbol z; over Q with coprime integers. Empty where a coefficient has no
-/// closed form.
-[[nodiscard]] std::optional<Expression> closed_form(const PolynomialQuotient& quotient);
-
-/// Its value rounded to a double that can be plotted; empty where it is infinite or nearly so.
-/// Precondition: no free parameter.
-[[nodiscard]] std::optional<double> value_at(const PolynomialQuotient& quotient, double z);
 
 }  // namespace hvi::gen

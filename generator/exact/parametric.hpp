@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -65,9 +64,5 @@ struct ParametricNumbers {
 /// is zero; at least one depends on a parameter.
 [[nodiscard]] ParametricNumbers parametric(const std::vector<Number>& weights,
                                            const std::vector<Number>& others);
-
-/// A constant as a sum of doubles, the largest first, to 260 bits or so. Precondition: no
-/// parameter.
-[[nodiscard]] std::array<double, 5> expansion(const Number& constant);
 
 }  // namespace hvi::gen

@@ -10,7 +10,7 @@
 
 #include "generator/exact/ball.hpp"
 #include "generator/exact/ground.hpp"
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/number_vector.hpp"
 
 namespace hvi::gen {
 

@@ -170,6 +170,14 @@ std::size_t term_count(const Number& number) {
     return count;
 }
 
+std::size_t term_count(const NumberMatrix& rows) {
+    std::size_t count = 0;
+    for (const NumberVector& row : rows) {
+        for (const Number& entry : row) { count += term_count(entry); }
+    }
+    return count;
+}
+
 bool is_less(const Number& left, const Number& right) {
     if (&left.value() == &right.value()) { return false; }
     for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {

@@ -45,6 +45,7 @@ private:
 
 /// How many terms its normal form has, as what arithmetic with it costs; 0 for an enclosure.
 [[nodiscard]] std::size_t term_count(const Number& number);
+[[nodiscard]] std::size_t term_count(const NumberMatrix& rows);  ///< of all of them
 
 /// By enclosures, so that the numbers may stand in different fields. Precondition: they differ.
 [[nodiscard]] bool is_less(const Number& left, const Number& right);

@@ -5,6 +5,10 @@
 #include <flint/fmpq_mat.h>
 
 #include <cstddef>
+#include <optional>
+
+#include "generator/exact/number_vector.hpp"
+#include "generator/exact/polynomial.hpp"
 
 namespace hvi::gen {
 
@@ -29,5 +33,15 @@ public:
 private:
     fmpq_mat_t matrix_;
 };
+
+[[nodiscard]] RationalMatrix operator*(const RationalMatrix& left, const RationalMatrix& right);
+[[nodiscard]] RationalMatrix transpose(const RationalMatrix& matrix);
+
+/// The rows of numbers as a matrix, if all of them are rational. Precondition: there is a row.
+[[nodiscard]] std::optional<RationalMatrix> rational_matrix(const NumberMatrix& rows);
+
+/// det(X + t Y) for square matrices, as a polynomial in t.
+[[nodiscard]] RationalPolynomial determinant_of_pencil(const RationalMatrix& X,
+                                                       const RationalMatrix& Y);
 
 }  // namespace hvi::gen

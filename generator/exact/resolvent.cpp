@@ -25,11 +25,7 @@ NumberMatrix scalar_minus(const Number& scalar, NumberMatrix matrix) {
 }
 
 void check_length(const NumberMatrix& matrix, std::size_t most_terms) {
-    std::size_t count = 0;
-    for (const NumberVector& row : matrix) {
-        for (const Number& entry : row) { count += term_count(entry); }
-    }
-    if (count <= most_terms) { return; }
+    if (term_count(matrix) <= most_terms) { return; }
     throw MathError("the equations of the stages have a solution of more than " +
                         std::to_string(most_terms) + " terms",
                     {}, "give some of the parameters a value with --param");

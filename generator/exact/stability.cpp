@@ -157,12 +157,9 @@ struct Parts {
 Parts parts(const OscillatorMap& map) {
     constexpr std::size_t most_terms = 200;
     Parts result{even(map.m11), odd(map.m12), odd(map.m21), even(map.m22), even(map.D)};
-    std::size_t terms = 0;
-    for (NumberPolynomial* part : {&result.m11, &result.m12, &result.m21, &result.m22, &result.D}) {
-        for (const Number& coefficient : *part) { terms += term_count(coefficient); }
-    }
     const bool rational = over_rationals(result.D) && over_rationals(result.m11);
-    if (rational || terms <= most_terms) { return result; }
+    const NumberMatrix all{result.m11, result.m12, result.m21, result.m22, result.D};
+    if (rational || term_count(all) <= most_terms) { return result; }
     return {without_closed_form(result.m11), without_closed_form(result.m12),
             without_closed_form(result.m21), without_closed_form(result.m22),
             without_closed_form(result.D)};
@@ -175,10 +172,8 @@ public:
     Contraction(const OscillatorMap& whole, long until) : until_(until) {
         const auto [m11, m12, m21, m22, D] = parts(whole);
         const NumberPolynomial trace = arithmetic_.sum(m11, Number(1), m22);
-        NumberPolynomial off_diagonal = product(m12, m21);
-        off_diagonal.insert(off_diagonal.begin(), Number(0));
         const NumberPolynomial determinant =
-            arithmetic_.sum(product(m11, m22), Number(-1), off_diagonal);
+            arithmetic_.sum(product(m11, m22), Number(-1), shifted(product(m12, m21)));
         const NumberPolynomial square = product(D, D);
         const NumberPolynomial sum = arithmetic_.sum(square, Number(1), determinant);
         conditions_ = {arithmetic_.sum(square, Number(-1), determinant),

@@ -44,13 +44,7 @@ StageFunctions stage_functions(const Tableau& tableau) {
 }
 
 std::size_t term_count(const StageFunctions& stages) {
-    std::size_t count = 0;
-    for (const NumberMatrix* const matrix : {&stages.A, &stages.A_tilde}) {
-        for (const NumberVector& row : *matrix) {
-            for (const Number& entry : row) { count += term_count(entry); }
-        }
-    }
-    return count;
+    return term_count(stages.A) + term_count(stages.A_tilde);
 }
 
 }  // namespace hvi::gen

@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/number.hpp"
+#include "generator/exact/number_vector.hpp"
 
 namespace hvi::gen {
-
-using NumberVector = std::vector<Number>;
-using NumberMatrix = std::vector<std::vector<Number>>;  ///< rows
 
 class RationalPolynomial;
 

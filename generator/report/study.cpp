@@ -188,7 +188,7 @@ Reference reference(const Compiler& compiler, const Scene& scene, double until,
     if (!scene.exact.empty()) return {"exact", 0, exact_state(scene, until)};
     const auto name = std::make_shared<const Source>(Source{"--method", reference_method});
     const SceneStepper stepper =
-        scene_stepper(named_method(name), scene, {.solver = Solver::fixed_point});
+        scene_stepper(named_method(name), scene, {.solver = Solver::fixed_point, .float128 = true});
     const fs::path program = built_program(compiler, reference_program(stepper));
     const ReferenceSolution found = find_reference(program, until, count, wanted, seconds);
     if (found.state.empty())

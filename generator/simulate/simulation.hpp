@@ -48,7 +48,7 @@ void check_simulation(const SceneStepper& stepper);
 /// checked.
 [[nodiscard]] ProgramText simulation_program(const SceneStepper& stepper);
 
-/// The program of find_reference(). Precondition: the solver of `stepper` is fixed points.
+/// The program of find_reference(). Precondition: `stepper` is made with float128.
 [[nodiscard]] ProgramText reference_program(const SceneStepper& stepper);
 
 /// A solution in more digits than a double has, at its end.

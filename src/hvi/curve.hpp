@@ -49,8 +49,9 @@ template <class Scalar, std::size_t slopes, std::size_t functions>
 /// A vector of NaN.
 template <class Vector>
 [[nodiscard]] Vector nowhere() {
+    // NOTE: that of float, as of __float128 the standard library may know none.
     Vector v{};
-    v.fill(std::numeric_limits<ScalarOf<Vector>>::quiet_NaN());
+    v.fill(static_cast<ScalarOf<Vector>>(std::numeric_limits<float>::quiet_NaN()));
     return v;
 }
 

@@ -6,13 +6,13 @@
 #define HVI_LINEAR_MAP_HPP
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include <hvi/arithmetic.hpp>
 #include <hvi/linear_increments.hpp>
 #include <hvi/linear_stages.hpp>
 #include <hvi/linear_system.hpp>
+#include <hvi/math.hpp>
 #include <hvi/pair.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
@@ -150,7 +150,7 @@ private:
         const Number one{Scalar(1)};
         const Number scale = n == 1 ? B(0, 0) : one;
         unit_ = (one / scale).hi;
-        if (!std::isnormal(unit_)) { return false; }
+        if (!math::isnormal(unit_)) { return false; }
         B_ = symmetric(B);
         X_ = symmetric(X);
         XY_ = symmetric([&](std::size_t i, std::size_t j) { return (X(i, j) + Y(i, j)) * scale; });
@@ -188,7 +188,7 @@ private:
                 of_R += abs(D[n + i][j].hi) * B;
                 asymmetry += abs((S(i, j) - S(j, i)).hi) * B;
             }
-            if (!(of_shear <= most * std::sqrt(of_R) && asymmetry <= epsilon<Scalar> * of_shear)) {
+            if (!(of_shear <= most * math::sqrt(of_R) && asymmetry <= epsilon<Scalar> * of_shear)) {
                 return false;
             }
         }

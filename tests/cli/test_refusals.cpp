@@ -265,6 +265,8 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "--energy", {"stepper", "--method", "gauss:2", "--energy"}},
         {2, "--invariants", {"stepper", "--method", "gauss:2", "--invariants"}},
         {2, "--dense", {"stepper", "--method", "gauss:2", "--dense"}},
+        {2, "--float128", {"stepper", "--method", "gauss:2", "--float128"}},
+        {2, "--float128=3", {"stepper", "--method", "gauss:2", "--float128=3", "kepler"}},
         {2, "--dense=3", {"stepper", "--method", "gauss:2", "--dense=3", "kepler"}},
         {2,
          "tau*sin(tau)",

@@ -8,8 +8,9 @@ using namespace hvi::test;
 
 TEST_CASE("no option of stepper swallows the scene behind it") {
     const std::vector<std::vector<std::string>> lines = {
-        {"--param", "mu=2"},    {"--energy"},  {"--invariants"}, {"--dense"},
-        {"--solver", "newton"}, {"--explain"}, {"--name", "K"},  {"--method", "gauss:4"}};
+        {"--param", "mu=2"}, {"--energy"},    {"--invariants"},
+        {"--dense"},         {"--float128"},  {"--solver", "newton"},
+        {"--explain"},       {"--name", "K"}, {"--method", "gauss:4"}};
     for (const auto& options : lines) {
         const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
         INFO(outcome.err);
@@ -64,6 +65,36 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK(
         has(taylor.err, "d2H/dq2 times a vector, after dH/dq: 3 additions, 11 multiplications\n"));
     CHECK(has(taylor.out, "using Solver = hvi::NewtonTaylor;"));
+}
+
+TEST_CASE("--float128 changes whose functions are called, and nothing without it") {
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::vector<std::string> pendulum = {"stepper", "--method", "gauss:2", "pendulum"};
+    const std::string plain = hvi_gen(pendulum).out;
+    CHECK(has(plain, "std::sin("));
+    CHECK(has(plain, "is_standard<Number>"));
+    CHECK_FALSE(has(plain, "hvi::math"));
+    CHECK_FALSE(has(plain, "hvi/math"));
+    const std::string wide = same_every_time(with(pendulum, {"--float128"}));
+    CHECK(has(wide, "hvi::math::sin("));
+    CHECK(has(wide, "#include <hvi/math.hpp>"));
+    CHECK(has(wide, "hvi::math::computes_in<Number>"));
+    CHECK(has(wide, "hvi-gen stepper --method gauss:2 pendulum --float128\n"));
+    CHECK_FALSE(has(wide, "std::sin("));
+    const std::string linear =
+        hvi_gen({"stepper", "--method", "gauss:2", "harmonic-oscillator", "--float128"}).out;
+    CHECK(has(linear, "!hvi::math::islessgreater("));
+    CHECK_FALSE(has(linear, "std::numeric_limits"));
+    const std::string alone =
+        hvi_gen({"stepper", "--method", "stormer-verlet", "pendulum", "--float128"}).out;
+    CHECK(has(alone, "#ifndef HVI_MATH_HPP"));
+    CHECK_FALSE(has(alone, "#include <hvi/"));
+    const std::string curve =
+        hvi_gen({"stepper", "--method", "trig3", "pendulum", "--dense", "--float128"}).out;
+    CHECK(has(curve, "hvi::math::sin(curve_rates["));
+    CHECK_FALSE(has(curve, "std::cos("));
 }
 
 TEST_CASE("--explain says how the map of a quadratic H is computed") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "generator/exact/entire.hpp"
+#include "generator/exact/expansion.hpp"
 #include "generator/exact/parametric.hpp"
 #include "generator/support/error.hpp"
 #include "tests/exact/exact.hpp"

@@ -1,92 +1,17 @@
-// The map of the harmonic oscillator, and for which steps its powers are bounded.
+// For which steps the powers of a map of the oscillator are bounded.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
-#include <fstream>
-#include <random>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
-#include "generator/exact/number_polynomial.hpp"
-#include "generator/exact/number_value.hpp"
-#include "generator/exact/rational.hpp"
-#include "generator/exact/stability.hpp"
-#include "tests/exact/exact.hpp"
+#include "tests/exact/reference.hpp"
+#include "tests/exact/stability.hpp"
 
 using namespace hvi::gen;
-using Json = nlohmann::json;
-
-namespace {
-
-OscillatorMap map_of(const std::string& given) { return oscillator_map(derive(any_method(given))); }
-
-/// Whether the map is proved to have determinant 1.
-bool proved_one(const OscillatorMap& map) {
-    return map.determinant_one.holds && map.determinant_one.proved;
-}
-
-LinearStability stability_of(const std::string& given) {
-    return linear_stability(map_of(given), 20);
-}
-
-std::string half_trace(const std::string& given) {
-    const auto form = closed_form(map_of(given).half_trace);
-    return form ? to_text(*form) : "none";
-}
-
-/// `(0, 2*sqrt(2)) [2, 3]`: the intervals with closed forms for ends, or 10 digits.
-std::string ends(const LinearStability& stability) {
-    const auto end = [](const Number& number) {
-        return text(number) == "none" ? number.decimal(10) : text(number);
-    };
-    std::string result;
-    for (const StabilityInterval& interval : stability.stable) {
-        if (!result.empty()) { result += ' '; }
-        result += interval.low_included ? '[' : '(';
-        result += end(interval.low) + ", " + end(interval.high);
-        result += interval.high_included ? ']' : ')';
-    }
-    return result;
-}
-
-/// To 38 digits behind the point. NOTE: by enclosures, because the numbers' fields differ.
-bool agrees(const Number& left, const std::string& right) {
-    const Number enclosed = number(Real([left](Precision bits) { return enclosure(left, bits); }));
-    const Number difference = enclosed - number(right);
-    const Number unit = number("1e-38");
-    return (unit - difference).sign() > 0 && (unit + difference).sign() > 0;
-}
 
 // ---- the reference ----
 
-/// A polynomial in z as the reference writes it.
-NumberPolynomial read_polynomial(std::string text, const Ground& ground) {
-    for (std::size_t at = 0; (at = text.find('z', at)) != std::string::npos; at += 3) {
-        text.replace(at, 1, "tau");
-    }
-    const auto given = source(text);
-    return evaluate_function(parse_expression(given), given, ground).coefficients();
-}
-
-/// The same polynomial in another field.
-NumberPolynomial moved(const NumberVector& polynomial, const Ground& ground) {
-    NumberPolynomial result;
-    for (const Number& coefficient : polynomial) {
-        result.push_back(read(text(coefficient), ground));
-    }
-    return result;
-}
-
-bool same_quotient(const NumberVector& numerator, const NumberVector& denominator,
-                   const Json& expected_numerator, const Json& expected_denominator) {
-    return on_new_ground([&](const Ground& ground) {
-        const auto above = read_polynomial(expected_numerator.get<std::string>(), ground);
-        const auto below = read_polynomial(expected_denominator.get<std::string>(), ground);
-        const auto left = product(moved(numerator, ground), below);
-        const auto right = product(moved(denominator, ground), above);
-        return sum(left, scaled(right, Number(-1))).empty();
-    });
-}
+namespace {
 
 /// The reference's intervals go on where the map is I or -I, and so do these.
 bool same_intervals(const std::vector<StabilityInterval>& intervals, const Json& expected) {
@@ -126,25 +51,17 @@ bool same_marks(const LinearStability& stability, const Json& expected) {
     return true;
 }
 
-Json parsed(const std::string& path) {
-    std::ifstream file(path);
-    return Json::parse(file).at("methods");
-}
-
 }  // namespace
 
 TEST_CASE("maps, intervals, poles and touching points agree with the reference") {
-    const Json known = parsed(HVI_REFERENCE_STABILITY);
+    const Json known = reference(HVI_REFERENCE_STABILITY);
     int maps = 0;
     int analyses = 0;
-    for (const Json& entry : parsed(HVI_REFERENCE)) {
+    for (const Json& entry : reference_methods()) {
         const auto expected = known.find(entry["name"].get<std::string>());
         if (expected == known.end()) { continue; }
         CAPTURE(entry["name"]);
-        const OscillatorMap map = oscillator_map(derive(
-            entry.contains("method")
-                ? method(entry["method"].get<std::string>())
-                : method(entry["basis"].get<std::string>(), entry["nodes"].get<std::string>())));
+        const OscillatorMap map = oscillator_map(derive(method_of(entry)));
         CHECK(map.proved);
         CHECK(proved_one(map));
         CHECK(same_quotient(map.half_trace.numerator, map.half_trace.denominator,
@@ -196,25 +113,6 @@ TEST_CASE("ends whose closed forms nobody could read are decimals") {
           "(3.478496799, 2*sqrt((2*e-4*exp(1/2)+2)/(4*e-15*exp(1/2)+14)))");
 }
 
-TEST_CASE("a stage that the step does not use leaves no trace in the map") {
-    Tableau tableau;  // the midpoint rule, and a stage of weight 0
-    tableau.c = {number("1/2"), number("1/3")};
-    tableau.b = {Number(1), Number(0)};
-    tableau.A = {{number("1/2"), Number(0)}, {Number(0), number("1/3")}};
-    tableau.A_tilde = tableau.A;
-    const OscillatorMap map = oscillator_map(tableau);
-    CHECK(texts(map.D) == texts(map_of("midpoint").D));
-    CHECK(texts(map.m11) == texts(map_of("midpoint").m11));
-    CHECK(texts(map.m21) == texts(map_of("midpoint").m21));
-}
-
-TEST_CASE("half the trace is written in lowest terms with integers") {
-    CHECK(half_trace("stormer-verlet") == "(-z^2+2)/2");
-    CHECK(half_trace("lobatto:3") == "(z^4-22*z^2+48)/(2*z^2+48)");
-    CHECK(half_trace("chebyshev:3") == "(-z^6+228*z^4-4320*z^2+9216)/(z^6-12*z^4+288*z^2+9216)");
-    CHECK(half_trace("1, tau, exp(tau^2) | 0, 1/2, 1") == "none");
-}
-
 TEST_CASE("Gauss methods are stable everywhere") {
     for (const int s : {1, 2, 3, 4, 5, 6, 7, 8, 9, 24}) {
         CAPTURE(s);
@@ -264,36 +162,6 @@ TEST_CASE("an interval ends where it is asked to") {
     CHECK(ends(linear_stability(map_of("stormer-verlet"), 2)) == "(0, 2)");
 }
 
-TEST_CASE("the two ways to the map agree") {
-    std::mt19937 generator(20240607);
-    for (const std::string method : {"monomials:2", "monomials:3", "monomials:4"}) {
-        std::vector<long> nodes;
-        while (nodes.size() < static_cast<std::size_t>(method.back() - '0')) {
-            const auto node = static_cast<long>(generator() % 98U);
-            if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
-                nodes.push_back(node);
-            }
-        }
-        std::string list;
-        for (const long node : nodes) {
-            list += (list.empty() ? "" : ", ") + std::to_string(node) + "/97";
-        }
-        CAPTURE(list);
-        Tableau tableau = derive(any_method(method + "|" + list));
-        REQUIRE(tableau.node_polynomial);
-        const OscillatorMap by_polynomials = oscillator_map(tableau);
-        tableau.node_polynomial.reset();
-        const OscillatorMap by_stages = oscillator_map(tableau);
-        CHECK(proved_one(by_polynomials));
-        CHECK(proved_one(by_stages));
-        CHECK(texts(by_polynomials.D) == texts(by_stages.D));
-        CHECK(texts(by_polynomials.m11) == texts(by_stages.m11));
-        CHECK(texts(by_polynomials.m12) == texts(by_stages.m12));
-        CHECK(texts(by_polynomials.m21) == texts(by_stages.m21));
-        CHECK(texts(by_polynomials.m22) == texts(by_stages.m22));
-    }
-}
-
 TEST_CASE("enclosures give the same intervals, and claim no proof") {
     for (const std::string name : {"lobatto:8", "gauss:6", "chebyshev:7"}) {
         CAPTURE(name);
@@ -313,19 +181,6 @@ TEST_CASE("enclosures give the same intervals, and claim no proof") {
         CHECK(enclosed.poles.size() == exact.poles.size());
         CHECK(enclosed.touching.size() == exact.touching.size());
     }
-}
-
-TEST_CASE("coefficients too long for exact arithmetic are enclosed") {
-    const OscillatorMap map = map_of("1, tau, cos(pi*tau), sin(pi*tau) | gauss:4");
-    CHECK_FALSE(map.determinant_one.proved);
-    CHECK_FALSE(map.proved);
-    CHECK(linear_stability(map, 20).stable.front().high.decimal(8) == "3.1382429");
-}
-
-TEST_CASE("a free parameter stays in the map") {
-    const std::string form = half_trace("1, cos(w*tau), sin(w*tau) | 0, 1/2, 1");
-    CHECK(form.find('w') != std::string::npos);
-    CHECK(proved_one(map_of("1, cos(w*tau), sin(w*tau) | 0, 1/2, 1")));
 }
 
 // ---- maps made by hand: half_trace = c, D = 1 and m12 m21 = c^2 - 1 ----
@@ -384,118 +239,4 @@ TEST_CASE("a diagonal map has no interval where it is not the identity") {
     map.m11 = polynomial("2");
     map.m22 = polynomial("1/2");
     CHECK(linear_stability(map, 20).stable.empty());
-}
-
-// ---- methods that are not of Algorithm 4.3 ----
-
-namespace {
-
-NumberMatrix matrix(const std::vector<std::vector<std::string>>& rows) {
-    NumberMatrix result;
-    for (const auto& row : rows) {
-        NumberVector& numbers = result.emplace_back();
-        for (const std::string& entry : row) { numbers.push_back(number(entry)); }
-    }
-    return result;
-}
-
-PartitionedMethod runge_kutta(const std::vector<std::vector<std::string>>& A,
-                              const std::vector<std::string>& b) {
-    const NumberMatrix rows = matrix(A);
-    const NumberVector weights = matrix({b}).front();
-    return {weights, weights, rows, rows};
-}
-
-PartitionedMethod kutta_4() {
-    return runge_kutta({{"0", "0", "0", "0"},
-                        {"1/2", "0", "0", "0"},
-                        {"0", "1/2", "0", "0"},
-                        {"0", "0", "1", "0"}},
-                       {"1/6", "1/3", "1/3", "1/6"});
-}
-
-}  // namespace
-
-TEST_CASE("a Runge-Kutta method takes x to R(i z) x on the oscillator") {
-    // R(w) = 1 + w + w^2/2 + w^3/6 + w^4/24
-    const OscillatorMap map = oscillator_map(kutta_4());
-    CHECK(same_quotient(map.m11, map.D, "1-z^2/2+z^4/24", "1"));
-    CHECK(same_quotient(map.m12, map.D, "z-z^3/6", "1"));
-    CHECK(same_quotient(map.m21, map.D, "-z+z^3/6", "1"));
-    CHECK(same_quotient(map.m22, map.D, "1-z^2/2+z^4/24", "1"));
-    CHECK(map.proved);
-    CHECK_FALSE(map.determinant_one.holds);
-    CHECK(map.determinant_one.proved);
-}
-
-TEST_CASE("weights for p of their own move p") {
-    // Q = q + h/2 p, P = p - h/2 q for both; q1 takes P with weight 1, p1 takes Q with weight 2.
-    PartitionedMethod method = runge_kutta({{"1/2"}}, {"1"});
-    method.b_tilde = {number("2")};
-    const OscillatorMap map = oscillator_map(method);
-    CHECK(same_quotient(map.m11, map.D, "4-z^2", "4+z^2"));
-    CHECK(same_quotient(map.m12, map.D, "4*z", "4+z^2"));
-    CHECK(same_quotient(map.m21, map.D, "-8*z", "4+z^2"));
-    CHECK(same_quotient(map.m22, map.D, "4-3*z^2", "4+z^2"));
-}
-
-TEST_CASE("rational, exact and enclosed coefficients give the same map") {
-    // A and A~ are the same numbers, but known in different ways.
-    const PartitionedMethod rational =
-        runge_kutta({{"1/3", "-1/12"}, {"3/4", "1/4"}}, {"3/4", "1/4"});
-    PartitionedMethod radical = rational;
-    radical.A[0][0] =
-        on_new_ground([](const Ground& ground) { return read("1/3+sqrt(2)", ground); });
-    PartitionedMethod back = radical;
-    back.A[0][0] = radical.A[0][0];
-    const OscillatorMap map = oscillator_map(rational);
-    CHECK(text(map.D.back()) != "none");
-    const OscillatorMap other = oscillator_map(radical);
-    CHECK(other.D.size() == map.D.size());
-    // At sqrt(2) -> 0 they agree: the coefficient of z^2 in D is the trace of A~ A, linear in a_11.
-    const Number difference = other.D[2] - map.D[2];
-    CHECK(text(difference) == "sqrt(2)/3");
-}
-
-TEST_CASE("a map with another determinant is stable where it contracts") {
-    const auto stable = [](const PartitionedMethod& method) {
-        return ends(linear_stability(oscillator_map(method), 20));
-    };
-    // The interval of the classical method on the imaginary axis.
-    CHECK(stable(kutta_4()) == "(0, 2*sqrt(2))");
-    // Euler's method grows, and so does Heun's: |R|^2 = 1 + z^4/4.
-    CHECK(stable(runge_kutta({{"0"}}, {"1"})).empty());
-    CHECK(stable(runge_kutta({{"0", "0"}, {"1", "0"}}, {"1/2", "1/2"})).empty());
-    // Kutta's third-order rule: |R|^2 = 1 - z^4/12 + z^6/36 up to sqrt(3).
-    CHECK(stable(runge_kutta({{"0", "0", "0"}, {"1/2", "0", "0"}, {"-1", "2", "0"}},
-                             {"1/6", "2/3", "1/6"})) == "(0, sqrt(3))");
-    // The implicit Euler rule damps everything; |R|^2 = 1/(1 + z^2).
-    const LinearStability implicit =
-        linear_stability(oscillator_map(runge_kutta({{"1"}}, {"1"})), 20);
-    CHECK(ends(implicit) == "(0, 20)");
-    CHECK(implicit.at_infinity.is_stable);
-    CHECK(implicit.proved);
-    CHECK(implicit.poles.empty());
-    CHECK_FALSE(linear_stability(oscillator_map(kutta_4()), 20).at_infinity.is_stable);
-}
-
-TEST_CASE("poles and points on the circle split intervals of contraction") {
-    // a_11 a~_11 = -1: the stage is singular at z = 1. With b = 1, A = -1 and A~ = 1:
-    // D = 1 - z^2, m11 = 1 - 2 z^2, m22 = 1, det = (m11 m22 + z^2)/D^2 = 1/(1 - z^2).
-    PartitionedMethod method = runge_kutta({{"-1"}}, {"1"});
-    method.A_tilde = matrix({{"1"}});
-    const LinearStability stability = linear_stability(oscillator_map(method), 20);
-    REQUIRE(stability.poles.size() == 1);
-    CHECK(text(stability.poles.front()) == "1");
-    for (const StabilityInterval& interval : stability.stable) {
-        CHECK((interval.high.nearest_double() <= 1 || interval.low.nearest_double() >= 1));
-    }
-}
-
-TEST_CASE("a determinant that is 1 only within enclosures is taken for 1") {
-    Tableau tableau = derive(method("lobatto:8"));
-    const OscillatorMap map = oscillator_map(partitioned_method(tableau));
-    CHECK(map.determinant_one.holds);
-    CHECK_FALSE(map.determinant_one.proved);
-    CHECK(ends(linear_stability(map, 3)) == "(0, 3)");
 }

@@ -1,0 +1,13 @@
+// The commands of the program and their options, with the help for each.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace hvi::gen {
+
+/// Tells CLI11 what the command line can say. NOTE: it gets neither limits nor types nor exclusions
+/// to check, because its messages know no place. It only refuses a last option without its value.
+void describe(CLI::App& app);
+
+}  // namespace hvi::gen

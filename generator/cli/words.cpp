@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/words.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "generator/read/nearest.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// A place that is the whole of an option's value.
+Place value_place(const std::string& option, const std::string& value) {
+    return {std::make_shared<const Source>(Source{option, value}), {0, value.size()}};
+}
+
+}  // namespace
+
+void Words::check_values() const {
+    for (const CLI::Option* option : command_.get_options()) {
+        const auto& values = option->results();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const std::string word = values[i].substr(0, values[i].find('='));
+            if (word.starts_with("-") && command_.get_option_no_throw(word))
+                throw InputError(option->get_name() + " needs a value",
+                                 place(option->get_name(), i));
+        }
+    }
+}
+
+Place Words::place(const std::string& option, std::size_t n) const {
+    std::vector<std::string> names;
+    for (const std::string& name : command_.get_option(option)->get_snames())
+        names.push_back("-" + name);
+    for (const std::string& name : command_.get_option(option)->get_lnames())
+        names.push_back("--" + name);
+    return line_.place(names, n);
+}
+
+std::optional<std::string> Words::value(const std::string& option) const {
+    const auto& given = values(option);
+    if (given.empty()) return {};
+    if (given.size() > 1) throw InputError(option + " is given twice", place(option, 1));
+    return given.front();
+}
+
+bool Words::flag(const std::string& option) const {
+    for (const std::string& value : command_.get_option(option)->results())
+        if (value != "true") throw InputError(option + " takes no value", place(option));
+    return command_.count(option) > 0;
+}
+
+void Words::one_form_of(const OptionGroups& groups) const {
+    const std::string* first = nullptr;
+    for (const auto& group : groups) {
+        const std::string* here = nullptr;
+        for (const std::string& option : group)
+            if (!here && !values(option).empty()) here = &option;
+        if (first && here)
+            throw InputError(*first + " and " + *here + " each give a method", place(*here),
+                             "leave one of them out");
+        if (here) first = here;
+    }
+}
+
+std::optional<int> Words::number(const std::string& option, int least, int most) const {
+    const auto given = value(option);
+    if (!given) return {};
+    int number = 0;
+    const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), number);
+    const bool whole = error == std::errc{} && end == given->data() + given->size();
+    if (!whole || number < least || number > most)
+        throw InputError(option + " takes a whole number from " + std::to_string(least) + " to " +
+                             std::to_string(most),
+                         value_place(option, *given));
+    return number;
+}
+
+std::size_t Words::choice(const std::string& option,
+                          const std::vector<std::string_view>& choices) const {
+    const auto given = value(option);
+    if (!given) return 0;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (choices[i] == *given) return i;
+    }
+    std::string all;
+    for (const std::string_view each : choices) all.append(all.empty() ? "" : ", ").append(each);
+    throw InputError("no such value of " + option + ": `" + *given + "`",
+                     value_place(option, *given), did_you_mean(*given, choices, "one of " + all));
+}
+
+std::vector<bool> Words::chosen(const std::string& option,
+                                const std::vector<std::string_view>& choices) const {
+    const auto given = value(option);
+    std::vector<bool> is_chosen(choices.size(), !given);
+    if (!given) return is_chosen;
+    std::string all;
+    for (const std::string_view each : choices) all.append(all.empty() ? "" : ", ").append(each);
+    for (const auto& item : list_items(option, *given)) {
+        const auto found = std::find(choices.begin(), choices.end(), item->text);
+        if (found == choices.end())
+            throw InputError("no such item of " + option + ": `" + item->text + "`",
+                             Place{item, {0, item->text.size()}},
+                             did_you_mean(item->text, choices, "some of " + all));
+        is_chosen[static_cast<std::size_t>(found - choices.begin())] = true;
+    }
+    return is_chosen;
+}
+
+std::vector<std::shared_ptr<const Source>> list_items(const std::string& option,
+                                                      const std::string& list) {
+    std::vector<std::shared_ptr<const Source>> items;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        std::string item = list.substr(begin, end - begin);
+        item.erase(0, item.find_first_not_of(' '));
+        item.erase(item.find_last_not_of(' ') + 1);
+        if (item.empty())
+            throw InputError("an item is missing in this list",
+                             Place{value_place(option, list).source, {begin, end}});
+        items.push_back(std::make_shared<const Source>(Source{option, std::move(item)}));
+        begin = end + 1;
+    }
+    return items;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,27 @@
+// A list of expressions and of families with their sizes.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "generator/read/expression_parser.hpp"
+#include "generator/read/parse.hpp"
+
+namespace hvi::gen {
+
+class ListParser final : private ExpressionParser {
+public:
+    using ExpressionParser::ExpressionParser;
+
+    /// At least one.
+    [[nodiscard]] std::vector<Item> items();
+
+private:
+    [[nodiscard]] Item item();
+    [[nodiscard]] std::optional<Family> family();
+    /// The digits of a size.
+    [[nodiscard]] Range size_behind(std::size_t colon, const std::string& family) const;
+};
+
+}  // namespace hvi::gen
