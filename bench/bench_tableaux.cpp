@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Nodes without a closed form (gauss:6 and up): M^-1 is S^2 polynomials in one node each, from
-// Q[x]/(P), and A is S^2 sums of S products of enclosures. Powers of tau cancel more and more, so the
-// digits to work with grow like S as well, and the whole like S^3 products of O(S) digits.
+// Q[x]/(P), and A is S^2 sums of S products of enclosures. Powers of tau cancel more and more, so
+// the digits to work with grow like S as well, and the whole like S^3 products of O(S) digits.
 //
 // Exact nodes: the number of terms of an entry is what counts, not S: a normal form has up to as
 // many as the degree of the field, which doubles with every independent square root or sine.
@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-#include "generator/exact/galerkin.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/read/method.hpp"
 
 namespace {

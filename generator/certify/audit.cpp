@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "generator/exact/matrix.hpp"
-#include "generator/exact/rounded.hpp"
+#include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/numbers/rounded.hpp"
 
 namespace hvi::gen {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "generator/certify/known.hpp"
-#include "generator/exact/galerkin.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/plan/stage_graph.hpp"
 
 namespace hvi::gen {

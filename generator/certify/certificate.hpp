@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "generator/certify/exceptions.hpp"
-#include "generator/exact/given.hpp"
-#include "generator/exact/order.hpp"
-#include "generator/exact/oscillator.hpp"
-#include "generator/exact/properties.hpp"
-#include "generator/exact/stability.hpp"
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/given.hpp"
+#include "generator/exact/methods/order.hpp"
+#include "generator/exact/methods/oscillator.hpp"
+#include "generator/exact/methods/properties.hpp"
+#include "generator/exact/methods/stability.hpp"
+#include "generator/exact/methods/tableau.hpp"
 #include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/certify/exceptions.hpp"
 
-#include "generator/exact/common_zeros.hpp"
-#include "generator/exact/galerkin.hpp"
+#include "generator/exact/algebra/common_zeros.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 
 namespace hvi::gen {
 

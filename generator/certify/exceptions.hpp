@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "generator/exact/order.hpp"
+#include "generator/exact/methods/order.hpp"
 #include "generator/read/method.hpp"
 
 namespace hvi::gen {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/certify/known.hpp"
 
-#include "generator/exact/galerkin.hpp"
-#include "generator/exact/nodes.hpp"
+#include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/nodes.hpp"
 #include "generator/read/catalogue.hpp"
 
 namespace hvi::gen {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/tableau.hpp"
 
 namespace hvi::gen {
 

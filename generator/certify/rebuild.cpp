@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "generator/exact/collocation.hpp"
-#include "generator/exact/galerkin.hpp"
-#include "generator/exact/matrix.hpp"
-#include "generator/exact/nodes.hpp"
-#include "generator/exact/properties.hpp"
-#include "generator/exact/rounded.hpp"
+#include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/methods/collocation.hpp"
+#include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/nodes.hpp"
+#include "generator/exact/methods/properties.hpp"
+#include "generator/exact/numbers/rounded.hpp"
 #include "generator/read/catalogue.hpp"
 #include "generator/support/progress.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/given.hpp"
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/given.hpp"
+#include "generator/exact/methods/tableau.hpp"
 
 namespace hvi::gen {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "generator/exact/galerkin.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/scene.hpp"

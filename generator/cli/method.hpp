@@ -3,7 +3,7 @@
 #pragma once
 
 #include "generator/cli/options.hpp"
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/tableau.hpp"
 #include "generator/read/coefficients.hpp"
 #include "generator/read/scene.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "generator/cli/grammar.hpp"
 #include "generator/cli/words.hpp"
-#include "generator/exact/trees.hpp"
+#include "generator/exact/methods/trees.hpp"
 #include "generator/read/nearest.hpp"
 
 namespace hvi::gen {

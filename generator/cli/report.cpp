@@ -7,7 +7,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/cli/words.hpp"
-#include "generator/exact/step_count.hpp"
+#include "generator/exact/functions/step_count.hpp"
 #include "generator/report/pictures.hpp"
 #include "generator/report/render.hpp"
 #include "generator/report/study.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "generator/emit/scene_code.hpp"
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/tableau.hpp"
 #include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "generator/emit/header.hpp"
-#include "generator/exact/expansion.hpp"
+#include "generator/exact/numbers/expansion.hpp"
 #include "generator/plan/equal.hpp"
 #include "generator/support/error.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "generator/emit/header.hpp"
 #include "generator/emit/names.hpp"
-#include "generator/exact/evaluate.hpp"
+#include "generator/exact/functions/evaluate.hpp"
 
 namespace hvi::gen {
 

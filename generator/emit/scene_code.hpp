@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generator/emit/kernel_code.hpp"
-#include "generator/exact/curve.hpp"
+#include "generator/exact/methods/curve.hpp"
 #include "generator/lower/lowered_scene.hpp"
 #include "generator/plan/scheme.hpp"
 

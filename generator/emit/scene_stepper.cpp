@@ -3,8 +3,8 @@
 
 #include "generator/emit/emit.hpp"
 #include "generator/emit/names.hpp"
-#include "generator/exact/galerkin.hpp"
-#include "generator/exact/start.hpp"
+#include "generator/exact/functions/start.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/plan/plan.hpp"
 
 namespace hvi::gen {

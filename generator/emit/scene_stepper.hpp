@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/tableau.hpp"
 #include "generator/lower/lowered_scene.hpp"
 #include "generator/plan/scheme.hpp"
 #include "generator/read/scene.hpp"

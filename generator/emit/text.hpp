@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/exact/number.hpp"
+#include "generator/exact/numbers/number.hpp"
 
 namespace hvi::gen {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "generator/exact/rational.hpp"
+#include "generator/exact/numbers/rational.hpp"
 #include "generator/expr/fraction.hpp"
 #include "generator/hamiltonian/gradient.hpp"
 #include "generator/read/names.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/tableau.hpp"
 #include "generator/read/hamiltonian.hpp"
 
 namespace hvi::gen {

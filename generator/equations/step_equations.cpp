@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "generator/exact/galerkin.hpp"
-#include "generator/exact/rational.hpp"
+#include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/numbers/rational.hpp"
 #include "generator/hamiltonian/quadratic.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "generator/linear/one_step_map.hpp"

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "generator/exact/evaluate.hpp"
+#include "generator/exact/functions/evaluate.hpp"
 #include "generator/read/names.hpp"
 
 namespace hvi::gen {

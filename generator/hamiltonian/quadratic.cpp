@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "generator/exact/evaluate.hpp"
-#include "generator/exact/rational.hpp"
+#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/numbers/rational.hpp"
 #include "generator/hamiltonian/algebra.hpp"
 #include "generator/support/progress.hpp"
 

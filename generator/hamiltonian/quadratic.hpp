@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "generator/exact/ground.hpp"
+#include "generator/exact/numbers/ground.hpp"
 #include "generator/linear/quadratic_form.hpp"
 #include "generator/read/hamiltonian.hpp"
 

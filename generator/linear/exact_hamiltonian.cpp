@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/linear/exact_hamiltonian.hpp"
 
-#include "generator/exact/matrix.hpp"
+#include "generator/exact/algebra/matrix.hpp"
 #include "generator/linear/stage_gradients.hpp"
 #include "generator/support/error.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/exact/ground.hpp"
+#include "generator/exact/numbers/ground.hpp"
 #include "generator/linear/quadratic_form.hpp"
 
 namespace hvi::gen {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/exact/matrix.hpp"
+#include "generator/exact/algebra/matrix.hpp"
 #include "generator/linear/exact_hamiltonian.hpp"
 #include "generator/linear/stage_gradients.hpp"
 #include "generator/support/progress.hpp"

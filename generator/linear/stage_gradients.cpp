@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/linear/stage_gradients.hpp"
 
-#include "generator/exact/matrix.hpp"
-#include "generator/exact/rational.hpp"
-#include "generator/exact/resolvent.hpp"
+#include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/algebra/resolvent.hpp"
+#include "generator/exact/numbers/rational.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/exact/number.hpp"
+#include "generator/exact/numbers/number.hpp"
 
 namespace hvi::gen {
 

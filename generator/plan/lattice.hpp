@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/exact/dyadic.hpp"
+#include "generator/exact/numbers/dyadic.hpp"
 #include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/modes.hpp"
-#include "generator/exact/number.hpp"
-#include "generator/exact/parametric.hpp"
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/algebra/modes.hpp"
+#include "generator/exact/functions/parametric.hpp"
+#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/numbers/number.hpp"
 
 namespace hvi::gen {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "generator/exact/number_stages.hpp"
+#include "generator/exact/methods/number_stages.hpp"
 #include "generator/plan/graph.hpp"
 #include "generator/plan/scheme.hpp"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/tableau.hpp"
 
 namespace hvi::gen {
 

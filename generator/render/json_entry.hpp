@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/exact/number.hpp"
+#include "generator/exact/numbers/number.hpp"
 
 namespace hvi::gen {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "generator/exact/tableau.hpp"
+#include "generator/exact/methods/tableau.hpp"
 
 namespace hvi::gen {
 

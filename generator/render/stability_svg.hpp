@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "generator/exact/stability.hpp"
+#include "generator/exact/methods/stability.hpp"
 
 namespace hvi::gen {
 

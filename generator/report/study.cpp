@@ -12,8 +12,8 @@
 #include <memory>
 #include <utility>
 
-#include "generator/exact/order.hpp"
-#include "generator/exact/start.hpp"
+#include "generator/exact/functions/start.hpp"
+#include "generator/exact/methods/order.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/error.hpp"

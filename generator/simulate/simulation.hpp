@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "generator/emit/scene_stepper.hpp"
-#include "generator/exact/step_count.hpp"
+#include "generator/exact/functions/step_count.hpp"
 #include "generator/program/cache.hpp"
 
 namespace hvi::gen {

@@ -7,10 +7,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/order.hpp"
-#include "generator/exact/oscillator.hpp"
-#include "generator/exact/properties.hpp"
-#include "generator/exact/stability.hpp"
+#include "generator/exact/methods/order.hpp"
+#include "generator/exact/methods/oscillator.hpp"
+#include "generator/exact/methods/properties.hpp"
+#include "generator/exact/methods/stability.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/equations/step_equations.hpp"
-#include "generator/exact/galerkin.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "tests/hamiltonian/dual.hpp"
 #include "tests/read/refusal.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/evaluate.hpp"
-#include "generator/exact/galerkin.hpp"
+#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/read/method.hpp"
 #include "tests/read/refusal.hpp"
 

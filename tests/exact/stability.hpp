@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/number_polynomial.hpp"
-#include "generator/exact/number_value.hpp"
-#include "generator/exact/stability.hpp"
+#include "generator/exact/algebra/number_polynomial.hpp"
+#include "generator/exact/methods/stability.hpp"
+#include "generator/exact/numbers/number_value.hpp"
 #include "tests/exact/exact.hpp"
 
 namespace hvi::gen {

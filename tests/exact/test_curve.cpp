@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/curve.hpp"
+#include "generator/exact/methods/curve.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;

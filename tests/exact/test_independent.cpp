@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/number_value.hpp"
+#include "generator/exact/numbers/number_value.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/modes.hpp"
+#include "generator/exact/algebra/modes.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;

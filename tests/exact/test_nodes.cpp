@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/exact/nodes.hpp"
+#include "generator/exact/methods/nodes.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;

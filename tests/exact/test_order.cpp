@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/order.hpp"
+#include "generator/exact/methods/order.hpp"
 #include "tests/exact/reference.hpp"
 
 using namespace hvi::gen;

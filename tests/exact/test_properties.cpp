@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/exact/properties.hpp"
+#include "generator/exact/methods/properties.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;

@@ -3,11 +3,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/collocation.hpp"
-#include "generator/exact/given.hpp"
-#include "generator/exact/order.hpp"
-#include "generator/exact/properties.hpp"
-#include "generator/exact/rounded.hpp"
+#include "generator/exact/methods/collocation.hpp"
+#include "generator/exact/methods/given.hpp"
+#include "generator/exact/methods/order.hpp"
+#include "generator/exact/methods/properties.hpp"
+#include "generator/exact/numbers/rounded.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;

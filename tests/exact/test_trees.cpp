@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/trees.hpp"
+#include "generator/exact/methods/trees.hpp"
 
 using namespace hvi::gen;
 

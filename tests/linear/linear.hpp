@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/matrix.hpp"
+#include "generator/exact/algebra/matrix.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "tests/exact/exact.hpp"
 

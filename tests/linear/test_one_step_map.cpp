@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/polynomial.hpp"
+#include "generator/exact/algebra/polynomial.hpp"
 #include "generator/support/error.hpp"
 #include "tests/exact/reference.hpp"
 #include "tests/linear/linear.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "generator/exact/galerkin.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/read/method.hpp"
 
 namespace hvi::gen {

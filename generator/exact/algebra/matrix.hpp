@@ -1,0 +1,49 @@
+// Vectors and matrices of exact numbers.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "generator/exact/algebra/number_vector.hpp"
+
+namespace hvi::gen {
+
+[[nodiscard]] NumberVector operator*(const NumberMatrix& matrix, const NumberVector& vector);
+[[nodiscard]] NumberVector operator*(const NumberVector& vector, const Number& factor);
+[[nodiscard]] NumberMatrix operator*(const NumberMatrix& left, const NumberMatrix& right);
+[[nodiscard]] NumberMatrix operator*(const NumberMatrix& matrix, const Number& factor);
+[[nodiscard]] NumberMatrix operator+(const NumberMatrix& left, const NumberMatrix& right);
+[[nodiscard]] NumberMatrix transpose(const NumberMatrix& matrix);
+[[nodiscard]] NumberMatrix identity(std::size_t size);
+[[nodiscard]] NumberMatrix zeros(std::size_t height, std::size_t width);
+[[nodiscard]] bool is_zero(const NumberMatrix& matrix);
+
+/// Rows first .. last - 1.
+[[nodiscard]] NumberMatrix rows(const NumberMatrix& matrix, std::size_t first, std::size_t last);
+[[nodiscard]] NumberMatrix stacked(NumberMatrix upper, const NumberMatrix& lower);
+[[nodiscard]] NumberMatrix beside(NumberMatrix left, const NumberMatrix& right);
+
+/// Kronecker's product: blocks left_ij * right.
+[[nodiscard]] NumberMatrix kronecker(const NumberMatrix& left, const NumberMatrix& right);
+
+/// The same numbers by their enclosures alone; 0 and 1 keep their exact meaning. Precondition: no
+/// free parameter.
+[[nodiscard]] Number without_closed_form(const Number& number);
+[[nodiscard]] NumberVector without_closed_form(const NumberVector& numbers);
+[[nodiscard]] NumberMatrix without_closed_form(const NumberMatrix& rows);
+
+/// A matrix and a number by which it is to be divided: sums of products are taken before the
+/// division, which in a field with generators is what costs.
+struct ScaledInverse {
+    NumberMatrix adjugate;
+    Number determinant;
+};
+
+/// The inverse of a square matrix; empty when it is singular.
+[[nodiscard]] std::optional<ScaledInverse> inverse(const NumberMatrix& matrix);
+
+/// A vector v != 0 with v^T matrix = 0, or empty when the rows are independent. The last component
+/// that is not zero is 1.
+[[nodiscard]] std::optional<NumberVector> left_null_vector(const NumberMatrix& matrix);
+
+}  // namespace hvi::gen

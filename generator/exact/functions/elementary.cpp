@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/functions/elementary.hpp"
+
+#include <cmath>
+
+#include "generator/exact/numbers/number_value.hpp"
+#include "generator/exact/numbers/rational.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using ArbFunction = void (*)(arb_t, const arb_t, slong);
+
+/// Angles pi*p/q are looked for up to this q: those that the field writes with square roots.
+constexpr long most_parts_of_pi = 24;
+
+Number enclosed(const Number& argument, ArbFunction function) {
+    return number(Real([argument, function](Precision bits) {
+        Ball result = enclosure(argument, bits);
+        function(result.get(), result.get(), bits);
+        return result;
+    }));
+}
+
+/// The integer p for which angle = pi p/q is possible, if there is one.
+std::optional<long> possible_part(const Ball& angle, long q) {
+    Ball pi;
+    arb_const_pi(pi.get(), first_precision);
+    Ball turns;
+    arb_div(turns.get(), angle.get(), pi.get(), first_precision);
+    arb_mul_si(turns.get(), turns.get(), q, first_precision);
+    const double nearest = std::round(arf_get_d(arb_midref(turns.get()), ARF_RND_NEAR));
+    if (!(std::abs(nearest) <= static_cast<double>(q))) return std::nullopt;
+    const long p = static_cast<long>(nearest);
+    return arb_contains_si(turns.get(), p) != 0 ? std::optional(p) : std::nullopt;
+}
+
+/// The inverse of a circular function at an exact number: the pi p/q for which `difference`, of
+/// cosine and sine of the angle, is 0.
+template <class Difference>
+Number inverse_circular(const Number& argument, const Ground& ground, const char* name,
+                        ArbFunction function, Difference difference) {
+    if (argument.has_parameters()) {
+        throw InputError(std::string(name) +
+                             " of an expression with a free parameter is not built yet",
+                         {}, "give the parameter a value with --param");
+    }
+    const Number result = enclosed(argument, function);
+    if (!is_exact(argument)) return result;
+    const Ball angle = enclosure(result, first_precision);
+    for (long q = 1; q <= most_parts_of_pi; ++q) {
+        const auto p = possible_part(angle, q);
+        if (!p) continue;
+        const Number candidate = ground.pi() * Number(*p) / Number(q);
+        const Number rest = difference(ground.cos(candidate), ground.sin(candidate));
+        if (is_exact(rest) && rest.is_zero()) return candidate;
+    }
+    return result;
+}
+
+[[nodiscard]] bool exceeds_one(const Number& argument) {
+    const Number rest = Number(1) - argument * argument;
+    return !argument.has_parameters() && !(is_exact(rest) && rest.is_zero()) && rest.sign() < 0;
+}
+
+Number tangent(bool circular, const Number& x, const Ground& ground) {
+    const Number grows = circular ? Number(0) : ground.exp(Number(2) * x);
+    const Number above = circular ? ground.sin(x) : grows - Number(1);
+    const Number below = circular ? ground.cos(x) : grows + Number(1);
+    if (below.is_zero()) throw InputError("division by zero");
+    return above / below;
+}
+
+Number hyperbolic(bool even, const Number& x, const Ground& ground) {
+    const Number grows = ground.exp(x);
+    const Number decays = ground.exp(-x);
+    return (even ? grows + decays : grows - decays) / Number(2);
+}
+
+}  // namespace
+
+Number arcsine(const Number& sine, const Ground& ground) {
+    if (exceeds_one(sine)) {
+        throw MathError("the arcsine of a number outside [-1, 1] is not real");
+    }
+    return inverse_circular(sine, ground, "asin", arb_asin,
+                            [&](const Number&, const Number& sin) { return sin - sine; });
+}
+
+Number arccosine(const Number& cosine, const Ground& ground) {
+    if (exceeds_one(cosine)) {
+        throw MathError("the arccosine of a number outside [-1, 1] is not real");
+    }
+    return inverse_circular(cosine, ground, "acos", arb_acos,
+                            [&](const Number& cos, const Number&) { return cos - cosine; });
+}
+
+Number arctangent(const Number& tangent, const Ground& ground) {
+    return inverse_circular(
+        tangent, ground, "atan", arb_atan,
+        [&](const Number& cos, const Number& sin) { return sin - tangent * cos; });
+}
+
+Number elementary(const std::string& name, const Number& argument, const Ground& ground) {
+    if (name == "sqrt") return ground.sqrt(argument);
+    if (name == "exp") return ground.exp(argument);
+    if (name == "log") return ground.log(argument);
+    if (name == "cos") return ground.cos(argument);
+    if (name == "sin") return ground.sin(argument);
+    if (name == "asin") return arcsine(argument, ground);
+    if (name == "acos") return arccosine(argument, ground);
+    if (name == "atan") return arctangent(argument, ground);
+    if (name == "cosh" || name == "sinh") return hyperbolic(name == "cosh", argument, ground);
+    HVI_CHECK(name == "tan" || name == "tanh");
+    return tangent(name == "tan", argument, ground);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,22 @@
+// Elementary functions of numbers, by their names.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/exact/numbers/ground.hpp"
+
+namespace hvi::gen {
+
+/// sqrt, exp, log, cos, sin, tan, cosh, sinh, tanh, asin, acos or atan of a number. Throws
+/// MathError where the value is not real, and InputError for a tangent that is infinite.
+[[nodiscard]] Number elementary(const std::string& name, const Number& argument,
+                                const Ground& ground);
+
+/// asin, acos and atan: exact where the angle is a multiple of pi by a fraction with a small
+/// denominator, since closed forms have no other angles (CONTRACT.md); enclosed elsewhere.
+[[nodiscard]] Number arcsine(const Number& sine, const Ground& ground);
+[[nodiscard]] Number arccosine(const Number& cosine, const Ground& ground);
+[[nodiscard]] Number arctangent(const Number& tangent, const Ground& ground);
+
+}  // namespace hvi::gen

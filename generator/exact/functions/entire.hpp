@@ -1,0 +1,76 @@
+// Entire functions of a free parameter: what the coefficients that depend on one are quotients of.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "generator/exact/numbers/number.hpp"
+
+namespace hvi::gen {
+
+/// Two functions of w that occur together: x = sin(rate w) and y = cos(rate w), or x and y with
+/// x/y = exp(rate w). Polynomials that are homogeneous in x and y have no common divisor that their
+/// quotient does not show, be it at tan(rate w) = infinity; and those of exponentials do not
+/// overflow when the larger one of x and y is 1.
+struct Phase {
+    enum class Kind { angle, exponential };
+    Kind kind = Kind::angle;
+    Number rate;      ///< without the parameter, not zero
+    Number argument;  ///< rate w
+};
+
+/// The functions of which others are polynomials, in the order of EntireFunction::Term::powers:
+/// w, then x and y of each phase, then constants such as pi.
+struct EntireGenerators {
+    std::vector<Phase> phases;
+    std::vector<Number> constants;
+
+    [[nodiscard]] static std::size_t w() { return 0; }
+    [[nodiscard]] static std::size_t x(std::size_t phase) { return 1 + 2 * phase; }
+    [[nodiscard]] static std::size_t y(std::size_t phase) { return 2 + 2 * phase; }
+    /// How many are not constant: the first ones.
+    [[nodiscard]] std::size_t variables() const { return 1 + 2 * phases.size(); }
+    [[nodiscard]] std::size_t constant(std::size_t index) const { return variables() + index; }
+    [[nodiscard]] std::size_t count() const { return variables() + constants.size(); }
+};
+
+/// A polynomial over Z in the generators, homogeneous in the x and y of each phase.
+struct EntireFunction {
+    struct Term {
+        Number coefficient;            ///< an integer
+        std::vector<unsigned> powers;  ///< of each generator
+    };
+    std::vector<Term> terms;
+};
+
+/// Whether it is one of the generators, but for a constant factor.
+[[nodiscard]] bool is_generator(const EntireFunction& function, std::size_t which);
+
+/// The order to which it vanishes at w = 0: the coefficients of its power series below are proved
+/// to be zero, and the one of that order not to be. Throws MathError where it is above 60.
+[[nodiscard]] unsigned order_at_zero(const EntireFunction& function,
+                                     const EntireGenerators& generators);
+
+/// How the program that evaluates these functions does it in arithmetic of twice the digits: by
+/// series of `length` terms for |w| <= 2^switch_exponent, else as they are written. Then no
+/// function loses more than 2^lost_bits of its relative precision to cancellation on [0, 2 switch],
+/// and what the series leaves out is less than 2^-118 of the function.
+struct SeriesPlan {
+    int switch_exponent;
+    std::size_t length;
+    static constexpr int lost_bits = 40;
+};
+
+/// Chosen by bounds on the sums of absolute values of all terms. Throws MathError where there is no
+/// such choice. Precondition: no function is identically zero.
+[[nodiscard]] SeriesPlan series_plan(const std::vector<EntireFunction>& functions,
+                                     const EntireGenerators& generators);
+
+/// The real zeros with 0 < |w| <= most, ascending. NOTE: a zero is proved by a change of sign;
+/// where the function touches zero, or comes too near to tell, the place is listed as well.
+[[nodiscard]] std::vector<double> real_zeros(const EntireFunction& function,
+                                             const EntireGenerators& generators, double most);
+
+}  // namespace hvi::gen

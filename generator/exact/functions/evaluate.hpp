@@ -1,0 +1,33 @@
+// From what the user wrote to what it means: exact numbers and functions of tau.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "generator/exact/functions/domain.hpp"
+#include "generator/exact/functions/function.hpp"
+#include "generator/exact/numbers/ground.hpp"
+
+namespace hvi::gen {
+
+/// What a function must know of the method it belongs to.
+struct Setting {
+    std::optional<Domain> domain = Domain{};  ///< empty where it is not known
+    std::map<long, long> splines;  ///< the number of B-splines of a degree, see spline.hpp
+};
+
+/// The expression as a function of tau. Throws InputError with its place for a division by zero,
+/// for numbers and powers of a size that no method needs, and for what is to come; MathError with
+/// its place where a value is not real, and for a singularity, which it names, that is not
+/// integrable.
+[[nodiscard]] ExactFunction evaluate_function(const Expression& expression,
+                                              const std::shared_ptr<const Source>& source,
+                                              const Ground& ground, const Setting& setting = {});
+
+/// The expression as a number. Throws as evaluate_function does, and InputError when tau occurs.
+[[nodiscard]] Number evaluate_number(const Expression& expression,
+                                     const std::shared_ptr<const Source>& source,
+                                     const Ground& ground);
+
+}  // namespace hvi::gen

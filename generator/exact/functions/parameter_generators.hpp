@@ -1,0 +1,62 @@
+// The generators of a field that occur in numbers with a free parameter.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/exact/functions/entire.hpp"
+#include "generator/exact/numbers/field.hpp"
+
+namespace hvi::gen {
+
+/// Which generators of a field occur in some numbers, and which of EntireGenerators they are.
+class ParameterGenerators {
+public:
+    /// Throws as `parametric` does, and has its preconditions.
+    explicit ParameterGenerators(const std::vector<Number>& numbers);
+
+    [[nodiscard]] const std::string& parameter() const { return name_; }
+    [[nodiscard]] const EntireGenerators& entire() const { return entire_; }
+    [[nodiscard]] Number exact(Element element) const;
+    [[nodiscard]] Number pi() const { return exact(field_->pi()); }
+
+    /// The variable of w in polynomials.
+    [[nodiscard]] std::size_t parameter_variable() const { return parameter_; }
+    /// The variables of the phases, where t = x/y.
+    [[nodiscard]] const std::vector<std::size_t>& phase_variables() const { return phases_; }
+    [[nodiscard]] std::optional<std::size_t> phase_of(std::size_t variable) const;
+    [[nodiscard]] bool is_angle(std::size_t variable) const;
+    [[nodiscard]] std::vector<std::size_t> angles() const;  ///< those of phases that are angles
+
+    /// The place of a constant in EntireGenerators::constants.
+    [[nodiscard]] std::size_t constant(std::size_t variable) const {
+        return constants_.at(variable);
+    }
+    [[nodiscard]] std::size_t algebraic_constant(std::size_t index) const {
+        return algebraic_constants_.at(index);
+    }
+
+private:
+    void note(const Number& number);
+    void note_monomial(const Monomial& monomial);
+    void note_transcendentals(const IntegerMultivariate& polynomial);
+    void set_parameter(std::size_t index);
+    void add_transcendental(std::size_t index);
+    void add_algebraic(std::size_t index);
+    [[nodiscard]] Number rate(const Element& argument) const;
+
+    std::shared_ptr<Field> field_;
+    std::string name_;
+    std::size_t parameter_ = 0;
+    std::vector<std::size_t> transcendentals_, algebraics_;  ///< that occur, sorted
+    std::vector<std::size_t> phases_;
+    std::map<std::size_t, std::size_t> constants_, algebraic_constants_;
+    EntireGenerators entire_;
+};
+
+}  // namespace hvi::gen

@@ -1,0 +1,68 @@
+// Coefficients that depend on a free parameter w, as quotients of entire functions of w.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "generator/exact/functions/entire.hpp"
+#include "generator/exact/numbers/number.hpp"
+
+namespace hvi::gen {
+
+/// What a zero of a function means for the method.
+enum class Zero {
+    harmless,  ///< there is none, or the method goes on there
+    pole,      ///< a coefficient is infinite
+    weight,    ///< a weight is zero
+};
+
+struct ParameterFunction {
+    EntireFunction function;
+    Zero zero = Zero::harmless;
+    unsigned order = 0;  ///< to which it vanishes at w = 0
+};
+
+/// functions[numerator] / (divisor * product of functions[k]^exponents[k] over the first ones).
+struct Quotient {
+    std::size_t numerator = 0;
+    Number divisor;  ///< an integer
+    std::vector<unsigned> exponents;
+
+    friend bool operator==(const Quotient& left, const Quotient& right);
+};
+
+/// Zeros of functions that are not harmless, for people.
+struct ZeroPlaces {
+    Zero zero = Zero::pole;
+    std::string family;          ///< `w = 3*pi*k, k = +-1, +-2, ...`, or empty
+    std::vector<double> places;  ///< up to ParametricNumbers::most_printed in size, of six digits
+};
+
+struct ParametricNumbers {
+    static constexpr double most_printed = 32;
+
+    std::string parameter;  ///< the name of w
+    EntireGenerators generators;
+    std::vector<ParameterFunction> functions;  ///< those that stand in denominators come first
+    SeriesPlan series{};
+    Zero at_zero = Zero::harmless;  ///< what w = 0 is
+    std::vector<ZeroPlaces> zeros;  ///< without w = 0
+    std::vector<Quotient> weights;
+    std::vector<Quotient> others;
+};
+
+/// Numbers with one free parameter in a form that can be evaluated without loss of digits:
+/// `weights` are those that must not be zero. The quotients are in lowest terms: numerator and
+/// denominator have no common divisor as polynomials in w and in the tangents of the angles, over Q
+/// and its constants. By Lindemann's theorem then no zero of a denominator that is a polynomial in
+/// one tangent over Q is one of the numerator too, but w = 0.
+///
+/// Throws InputError for more than one parameter, and for one that stands elsewhere than in w, in
+/// sin and cos of constant multiples of w, and in exp of them. Preconditions: none of the numbers
+/// is zero; at least one depends on a parameter.
+[[nodiscard]] ParametricNumbers parametric(const std::vector<Number>& weights,
+                                           const std::vector<Number>& others);
+
+}  // namespace hvi::gen

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/functions/start.hpp"
+
+#include "generator/exact/functions/value_at.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// NOTE: the place of a parameter is that of all it says, and its value has no text of its own.
+Ball value_of(const Parameter& parameter) {
+    try {
+        return value_at(parameter.value, {}, nullptr);
+    } catch (const MathError& error) {
+        throw MathError("in the value of `" + parameter.name + "` there is " + error.what(),
+                        parameter.place);
+    }
+}
+
+SymbolValues parameter_values(const Scene& scene) {
+    SymbolValues values;
+    for (const Parameter& parameter : scene.parameters) {
+        values[parameter.name] = value_of(parameter);
+    }
+    return values;
+}
+
+}  // namespace
+
+void check_start(const Scene& scene) {
+    if (scene.initial.empty()) { return; }
+    const SymbolValues values = parameter_values(scene);
+    const auto look = [](const NamedExpression& what, const SymbolValues& at) {
+        return value_at(what.expression, at, what.place.source);
+    };
+    try {
+        SymbolValues start = values;
+        for (const NamedExpression& initial : scene.initial) {
+            start[initial.name] = look(initial, values);
+        }
+        start["t"] = Ball();
+        (void)value_at(scene.hamiltonian.expression, start, scene.hamiltonian.source);
+        for (const NamedExpression& invariant : scene.invariants) { (void)look(invariant, start); }
+    } catch (const MathError& error) {
+        throw MathError(std::string("where the scene begins there is ") + error.what(),
+                        error.place(), "mend the initial data, or the values of parameters");
+    }
+}
+
+std::vector<double> exact_state(const Scene& scene, double time) {
+    SymbolValues values = parameter_values(scene);
+    arb_set_d(values["t"].get(), time);
+    std::vector<double> state;
+    for (const NamedExpression& variable : scene.exact) {
+        const Ball value = value_at(variable.expression, values, variable.place.source);
+        if (!arb_is_finite(value.get())) {
+            throw MathError("the exact solution has no known value at t = " + std::to_string(time),
+                            variable.place);
+        }
+        state.push_back(arf_get_d(arb_midref(value.get()), ARF_RND_NEAR));
+    }
+    return state;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/functions/step_count.hpp"
+
+#include <cmath>
+
+#include "generator/exact/functions/evaluate.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr double most_steps = 1e15;
+
+/// The largest integer that is not above the number. Precondition: it fits.
+std::int64_t floor(const Number& number) {
+    const auto nearest = static_cast<std::int64_t>(std::nearbyint(number.nearest_double()));
+    const auto is_above = [&](std::int64_t integer) {
+        return (number - Number(static_cast<long>(integer))).sign() < 0;
+    };
+    return is_above(nearest) ? nearest - 1 : is_above(nearest + 1) ? nearest : nearest + 1;
+}
+
+/// The ground with the values of the scene's parameters.
+Ground with_parameters(Ground ground, const Scene& scene) {
+    for (const Parameter& parameter : scene.parameters)
+        ground.set_parameter(parameter.name, evaluate_number(parameter.value, nullptr, ground));
+    return ground;
+}
+
+Number value_of(const NamedExpression& what, const Ground& ground) {
+    return evaluate_number(what.expression, what.place.source, ground);
+}
+
+Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExpression& until) {
+    const Number h = value_of(step, ground);
+    const Number end = value_of(until, ground);
+    if (h.sign() == 0) throw MathError("the step has the size 0", step.place);
+    const Number quotient = end / h;
+    if (quotient.sign() < 0)
+        throw MathError("steps of this size lead away from the end of the run", step.place,
+                        "step and until have the same sign");
+    if (quotient.nearest_double() > most_steps)
+        throw MathError("these are more than 10^15 steps", step.place);
+    return {h.nearest_double(), floor(quotient)};
+}
+
+}  // namespace
+
+Steps steps_until(const Scene& scene, const NamedExpression& step, const NamedExpression& until) {
+    return on_new_ground([&](const Ground& ground) {
+        return steps_on(with_parameters(ground, scene), step, until);
+    });
+}
+
+double nearest_value(const Scene& scene, const NamedExpression& what) {
+    return on_new_ground([&](const Ground& ground) {
+        return value_of(what, with_parameters(ground, scene)).nearest_double();
+    });
+}
+
+}  // namespace hvi::gen

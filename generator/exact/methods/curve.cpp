@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/methods/curve.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/algebra/number_polynomial.hpp"
+#include "generator/exact/functions/basis.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+Place whole(const List& list) { return list.place({0, list.source->text.size()}); }
+
+Number whole_number(std::size_t n) { return {static_cast<long>(n)}; }
+
+/// The integral of polynomial * tau^power over [0,1].
+Number moment(const NumberPolynomial& polynomial, std::size_t power) {
+    Number sum;
+    for (std::size_t i = 0; i < polynomial.size(); ++i) {
+        sum = sum + polynomial[i] / whole_number(i + power + 1);
+    }
+    return sum;
+}
+
+// ---- polynomials ----
+
+/// The integrals of psi_i(tau) P_k(2 tau - 1), for k > 0 up to the highest degree.
+NumberMatrix in_legendre_polynomials(const std::vector<BasisFunction>& psi, const Ground& ground) {
+    std::vector<NumberPolynomial> polynomials;
+    std::size_t size = 0;
+    for (const BasisFunction& function : psi) {
+        polynomials.push_back(function.function.coefficients());
+        size = std::max(size, polynomials.back().size());
+    }
+    NumberMatrix rows(psi.size());
+    for (std::size_t k = 1; k < size; ++k) {
+        const NumberPolynomial P =
+            with_numbers(legendre(static_cast<unsigned>(k)).at_affine(2, -1), ground);
+        for (std::size_t i = 0; i < psi.size(); ++i) {
+            rows[i].push_back(moment(product(polynomials[i], P), 0));
+        }
+    }
+    return rows;
+}
+
+/// (tau - c_1) ... (tau - c_s), over Q where that is known.
+NumberPolynomial node_polynomial(const Derivation& derivation) {
+    const Tableau& tableau = derivation.tableau;
+    if (tableau.node_polynomial) {
+        return with_numbers(*tableau.node_polynomial, derivation.ground);
+    }
+    NumberPolynomial P{Number(1)};
+    for (const Number& c : tableau.c) { P = product(P, {-c, Number(1)}); }
+    return P;
+}
+
+/// By how many degrees more than interpolation gives the rule is proved to be exact, at most s.
+std::size_t degrees_beyond_interpolation(const Derivation& derivation) {
+    const NumberPolynomial P = node_polynomial(derivation);
+    std::size_t degrees = 0;
+    while (degrees < derivation.tableau.stages() &&
+           moment(P, degrees).known_zero().value_or(false)) {
+        ++degrees;
+    }
+    return degrees;
+}
+
+// ---- other functions ----
+
+/// A term without its coefficient has the integral factor * A(tau) over [0, tau].
+struct Integral {
+    Number factor;
+    Antiderivative A;
+};
+
+Integral integral(const ExactTerm& term, const BasisFunction& psi) {
+    using Kind = Antiderivative::Kind;
+    const bool has_wave = term.wave != ExactTerm::Wave::none;
+    const bool has_rate = !term.rate.is_zero();
+    const int kinds = (term.power > 0 ? 1 : 0) + (has_wave ? 1 : 0) + (has_rate ? 1 : 0);
+    if (term.step || term.factor != nullptr || kinds > 1) {
+        throw InputError("--dense for this function is announced, but not built yet", psi.place,
+                         "sums of tau^k, exp(a*tau), cos(b*tau) and sin(b*tau) have it");
+    }
+    if (has_rate) { return {Number(1) / term.rate, {Kind::exponential, 0, term.rate}}; }
+    if (has_wave) {
+        const bool is_cos = term.wave == ExactTerm::Wave::cos;
+        return {Number(is_cos ? 1 : -1) / term.frequency,
+                {is_cos ? Kind::sine : Kind::cosine, 0, term.frequency}};
+    }
+    const unsigned power = term.power + 1;
+    return {Number(1) / whole_number(power), {Kind::power, power, Number(0)}};
+}
+
+/// The coefficients of the psi_i in the A_k. Constants have none: their curve is the chord.
+struct InTerms {
+    NumberMatrix rows;
+    std::vector<Antiderivative> A;
+};
+
+InTerms in_terms(const std::vector<BasisFunction>& psi) {
+    InTerms result;
+    std::vector<ExactTerm> shapes;
+    for (const BasisFunction& function : psi) {
+        NumberVector row(shapes.size());
+        for (const ExactTerm& term : function.function.terms()) {
+            if (term.is_monomial() && term.power == 0) { continue; }
+            const auto [factor, A] = integral(term, function);
+            std::size_t k = 0;
+            while (k < shapes.size() && !same_shape(shapes[k], term)) { ++k; }
+            if (k == shapes.size()) {
+                shapes.push_back(term);
+                result.A.push_back(A);
+                row.emplace_back();
+            }
+            row[k] = term.coefficient * factor;
+        }
+        result.rows.push_back(std::move(row));
+    }
+    for (NumberVector& row : result.rows) { row.resize(shapes.size()); }
+    return result;
+}
+
+}  // namespace
+
+Curve curve(const Method& method, const Derivation& derivation) {
+    const Tableau& tableau = derivation.tableau;
+    if (!tableau.parameters.empty()) {
+        throw InputError("--dense for a method with a free parameter is announced, but not built "
+                         "yet",
+                         whole(method.basis), "give the parameter a value with --param");
+    }
+    const auto psi = basis_functions(method.basis, tableau.c, derivation.ground);
+    const bool is_polynomial = std::all_of(psi.begin(), psi.end(), [](const auto& function) {
+        return function.function.is_polynomial();
+    });
+    if (!is_polynomial) {
+        auto [rows, A] = in_terms(psi);
+        return {tableau.M_inverse * rows, std::move(A), 1};
+    }
+    const NumberMatrix rows = in_legendre_polynomials(psi, derivation.ground);
+    const bool spans_polynomials = rows.front().size() + 1 == psi.size();
+    return {tableau.M_inverse * rows,
+            {},
+            spans_polynomials ? std::min(psi.size(), degrees_beyond_interpolation(derivation) + 1)
+                              : 1};
+}
+
+}  // namespace hvi::gen

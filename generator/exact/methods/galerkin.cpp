@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/methods/galerkin.hpp"
+
+#include <algorithm>
+
+#include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/functions/basis.hpp"
+#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/functions/factor.hpp"
+#include "generator/exact/functions/independence.hpp"
+#include "generator/exact/methods/interpolation.hpp"
+#include "generator/exact/methods/nodes.hpp"
+#include "generator/exact/numbers/rational.hpp"
+#include "generator/support/progress.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Everything exact that a method's text stands for.
+struct Ingredients {
+    Ground ground;
+    std::vector<BasisFunction> psi;
+    Nodes nodes;
+};
+
+Ingredients ingredients(const Method& method, Ground ground) {
+    for (const Parameter& parameter : method.parameters) {
+        ground.set_parameter(parameter.name,
+                             evaluate_number(parameter.value, parameter.place.source, ground));
+    }
+    Nodes nodes = quadrature_nodes(method.nodes, ground);
+    auto psi = basis_functions(method.basis, nodes.c, ground);
+    return {std::move(ground), std::move(psi), std::move(nodes)};
+}
+
+Place whole(const List& list) { return list.place({0, list.source->text.size()}); }
+
+void check_counts(const Method& method, const Ingredients& given) {
+    const std::size_t functions = given.psi.size();
+    const std::size_t nodes = given.nodes.c.size();
+    if (nodes < functions) {
+        throw MathError("fewer nodes (" + std::to_string(nodes) + ") than basis functions (" +
+                            std::to_string(functions) + ")",
+                        whole(method.nodes), "every function needs a node of its own");
+    }
+    if (method.weights || nodes > functions) {
+        throw InputError(
+            "the general Galerkin form (4.6), with " +
+                std::string(method.weights ? "its own weights" : "more nodes than functions") +
+                ", is to come",
+            whole(method.weights ? *method.weights : method.nodes),
+            "give as many nodes as basis functions, and no weights");
+    }
+}
+
+/// sum_i v_i psi_i, as text.
+std::string combination_text(const NumberVector& v, const std::vector<BasisFunction>& psi) {
+    std::vector<Expression> terms;
+    for (std::size_t i = v.size(); i-- > 0;) {
+        if (v[i].is_zero()) continue;
+        const auto factor = v[i].closed_form();
+        if (!factor) return "a combination of the basis functions";
+        const bool negative = factor->kind == Expression::Kind::negation;
+        const Expression& size = negative ? factor->arguments[0] : *factor;
+        Expression term = to_text(size) == "1"          ? psi[i].form
+                          : to_text(psi[i].form) == "1" ? size
+                                                        : Expression::product({size, psi[i].form});
+        terms.push_back(negative ? Expression::negation(std::move(term)) : std::move(term));
+    }
+    return "`" + to_text(Expression::sum(std::move(terms))) + "`";
+}
+
+/// The coefficients of the functions and of 1 in the independent terms that occur in them.
+NumberMatrix in_terms(const std::vector<BasisFunction>& psi, const ExactFunction& last) {
+    std::vector<ExactTerm> shapes;
+    NumberMatrix rows;
+    const auto append = [&](const ExactFunction& function) {
+        NumberVector row(shapes.size());
+        for (const ExactTerm& term : function.terms()) {
+            std::size_t column = 0;
+            while (column < shapes.size() && !same_shape(shapes[column], term)) ++column;
+            if (column == shapes.size()) {
+                shapes.push_back(term);
+                row.emplace_back();
+            }
+            row[column] = term.coefficient;
+        }
+        rows.push_back(std::move(row));
+    };
+    for (const BasisFunction& function : psi) append(function.function);
+    append(last);
+    for (NumberVector& row : rows) row.resize(shapes.size());
+    return rows;
+}
+
+bool has_independent_terms(const std::vector<BasisFunction>& psi) {
+    for (const BasisFunction& function : psi) {
+        for (const ExactTerm& term : function.function.terms()) {
+            if (term.factor != nullptr && !is_independent(*term.factor)) return false;
+        }
+    }
+    return true;
+}
+
+bool proved_independent_of_one(const std::vector<BasisFunction>& psi) {
+    std::vector<ExactFunction> functions{ExactFunction(Number(1))};
+    for (const BasisFunction& function : psi) functions.push_back(function.function);
+    return proved_independent(functions);
+}
+
+/// Section 4.4.3: the method is consistent when 1 is in the span of the basis.
+void check_constants(const Method& method, const std::vector<BasisFunction>& psi) {
+    for (const BasisFunction& function : psi) {
+        const auto constant = function.function.constant();
+        if (constant && !constant->is_zero()) return;
+    }
+    // 1 is in the span when a combination of psi_1 .. psi_s, 1 vanishes that has 1 in it.
+    const auto combination = left_null_vector(in_terms(psi, ExactFunction(Number(1))));
+    if (combination && !combination->back().is_zero()) return;
+    if (!has_independent_terms(psi) && !proved_independent_of_one(psi)) {
+        throw MathError("cannot decide whether constants are in the span of the basis",
+                        whole(method.basis), "write the basis with the function 1 in it");
+    }
+    throw MathError("constants are not in the span of the basis, so the method is not consistent",
+                    whole(method.basis), "add the function 1");
+}
+
+/// M^-1 and b by interpolation, for polynomials over Q at all the roots of one.
+std::optional<Interpolation> interpolation(const Ingredients& given) {
+    if (!given.nodes.polynomial) { return std::nullopt; }
+    std::vector<RationalPolynomial> psi;
+    for (const BasisFunction& function : given.psi) {
+        auto polynomial = as_polynomial(function.function);
+        const auto s = static_cast<long>(given.psi.size());
+        if (!polynomial || polynomial->degree() >= s) { return std::nullopt; }
+        psi.push_back(*std::move(polynomial));
+    }
+    return interpolate(psi, *given.nodes.polynomial, given.nodes.c, given.ground);
+}
+
+ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredients& given) {
+    const Progress::Stage stage("inverting M");
+    if (auto result = inverse(M)) return *std::move(result);
+    for (std::size_t i = 0; i < given.nodes.c.size(); ++i) {
+        for (std::size_t j = i + 1; j < given.nodes.c.size(); ++j) {
+            if (!(given.nodes.c[i] - given.nodes.c[j]).is_zero()) continue;
+            throw MathError("M is singular: nodes " + std::to_string(i + 1) + " and " +
+                                std::to_string(j + 1) + " are equal",
+                            whole(method.nodes), "the nodes must be distinct");
+        }
+    }
+    const auto combination = left_null_vector(M);
+    HVI_CHECK(combination);
+    throw MathError("M is singular: " + combination_text(*combination, given.psi) +
+                        " vanishes at all nodes",
+                    whole(method.nodes), "choose other nodes, or other functions");
+}
+
+/// Numbers with free parameters have no enclosures, and so no sum with those that have nothing
+/// else: refused for what the tableau has so far.
+void check_parameters(const Tableau& tableau, const Method& method) {
+    bool parameters = false;
+    bool enclosed = false;
+    const auto look = [&](const NumberVector& numbers) {
+        for (const Number& number : numbers) {
+            parameters = parameters || number.has_parameters();
+            enclosed = enclosed || !is_exact(number);
+        }
+    };
+    look(tableau.c);
+    look(tableau.B);
+    for (const NumberMatrix* matrix : {&tableau.M, &tableau.A_psi}) {
+        for (const NumberVector& row : *matrix) look(row);
+    }
+    if (parameters && enclosed) {
+        throw InputError("a method with a free parameter and with numbers that have no closed form "
+                         "is not built yet",
+                         whole(method.basis), "give the parameter a value with --param");
+    }
+}
+
+/// What `work` returns for a basis function; its errors get the function's place, and `where()`.
+template <class Work, class Where>
+Number of_function(const BasisFunction& function, Where where, Work work) {
+    try {
+        return work();
+    } catch (const MathError& error) {
+        if (error.place()) throw;
+        throw MathError(error.what() + where(), function.place, error.help());
+    } catch (const InputError& error) {
+        if (error.place()) throw;
+        throw InputError(error.what() + where(), function.place, error.help());
+    }
+}
+
+std::string node_text(const NumberVector& nodes, std::size_t i) {
+    const auto form = nodes[i].closed_form();
+    return "node " + std::to_string(i + 1) +
+           ", c = " + (form ? to_text(*form) : nodes[i].decimal(16));
+}
+
+NumberVector integrals(const std::vector<BasisFunction>& functions, const Number& end,
+                       const Ground& ground) {
+    const Progress::Stage stage("integrating the basis");
+    NumberVector result;
+    for (const BasisFunction& function : functions) {
+        const auto nowhere = [] { return std::string(); };
+        result.push_back(of_function(function, nowhere,
+                                     [&] { return function.function.integral(end, ground); }));
+    }
+    return result;
+}
+
+/// M, row by row: psi_i(c_j).
+NumberMatrix values(const std::vector<BasisFunction>& functions, const NumberVector& nodes,
+                    const Ground& ground) {
+    const Progress::Stage stage("evaluating the basis at the nodes");
+    NumberMatrix result;
+    for (const BasisFunction& function : functions) {
+        NumberVector row;
+        for (std::size_t j = 0; j < nodes.size(); ++j) {
+            const auto where = [&] { return " at " + node_text(nodes, j); };
+            row.push_back(of_function(function, where,
+                                      [&] { return function.function.at(nodes[j], ground); }));
+        }
+        result.push_back(std::move(row));
+    }
+    return result;
+}
+
+/// Whether the basis spans the polynomials of degree less than s. Precondition: M is regular.
+bool spans_polynomials(const std::vector<BasisFunction>& psi) {
+    for (const BasisFunction& function : psi) {
+        if (!function.function.is_polynomial()) { return false; }
+        for (const ExactTerm& term : function.function.terms()) {
+            if (term.power >= psi.size()) { return false; }
+        }
+    }
+    return true;
+}
+
+/// By how many degrees more than interpolation gives the rule is exact: it vanishes on the
+/// multiples of the nodes' polynomial P, so these are the k for which the integrals of P, P tau,
+/// ..., P tau^(k-1) vanish, at most s. 0 where that is not known.
+std::size_t degrees_beyond_interpolation(const Ingredients& given) {
+    if (!given.nodes.polynomial || !spans_polynomials(given.psi)) { return 0; }
+    RationalPolynomial multiple = *given.nodes.polynomial;
+    std::size_t degrees = 0;
+    while (multiple.integral_over_unit_interval() == "0") {
+        multiple = multiple * RationalPolynomial::variable();
+        ++degrees;
+    }
+    return degrees;
+}
+
+void check_weights(const Tableau& tableau, const Method& method) {
+    for (std::size_t i = 0; i < tableau.stages(); ++i) {
+        if (!tableau.b[i].is_zero()) continue;
+        throw MathError("the weight of " + node_text(tableau.c, i) +
+                            ", is zero, and step 5 divides by it",
+                        whole(method.nodes),
+                        "the general Galerkin form with chosen --weights, which is to come, can "
+                        "have such nodes");
+    }
+}
+
+struct PartnerRow {
+    NumberVector entries;
+    Number sum;
+};
+
+/// a~_ij = b_j (1 - a_ji/b_i) = b_j (b_i - a_ji)/b_i for all j. NOTE: exact numbers are divided
+/// last, and their sum once: in a field with generators the quotient is by far the longest of them.
+/// Where enclosures are involved a_ji/b_i comes first: it is exactly 0 or 1 where a_ji is 0 or b_i.
+PartnerRow partner_row(const Tableau& tableau, std::size_t i) {
+    const NumberVector& b = tableau.b;
+    const bool exact = std::all_of(b.begin(), b.end(), is_exact) &&
+                       std::all_of(tableau.A.begin(), tableau.A.end(),
+                                   [&](const NumberVector& row) { return is_exact(row[i]); });
+    PartnerRow result;
+    for (std::size_t j = 0; j < tableau.stages(); ++j) {
+        const Number& a = tableau.A[j][i];
+        const Number numerator = exact ? b[j] * (b[i] - a) : b[j] * (Number(1) - a / b[i]);
+        result.entries.push_back(exact ? numerator / b[i] : numerator);
+        result.sum = result.sum + numerator;
+    }
+    if (exact) { result.sum = result.sum / b[i]; }
+    return result;
+}
+
+/// Step 5, and the row sums c~. With interpolating polynomials two facts need no computing, which
+/// enclosures could not prove:
+///
+/// A rule exact for one degree more has sum_j b_j a_ji = b_i (1 - c_i), the integral of
+/// (1 - tau) phi_i, and so sum_j a~_ij = c_i.
+///
+/// A rule exact for s degrees more, Gauss', has for k = 1 .. s in the same way
+/// sum_j b_j c_j^(k-1) a_ji = b_i (1 - c_i^k)/k, the integral of (1 - tau^k)/k phi_i, and so
+/// sum_j a~_ij c_j^(k-1) = c_i^k/k. These s equations determine row i of A~, and row i of A
+/// satisfies them: A~ = A.
+void complete_partner(Tableau& tableau, const Ingredients& given) {
+    const Progress::Stage stage("computing the partner tableau");
+    const std::size_t s = tableau.stages();
+    const std::size_t degrees = degrees_beyond_interpolation(given);
+    if (degrees >= s) {
+        tableau.A_tilde = tableau.A;
+        tableau.c_tilde = tableau.c;
+        return;
+    }
+    for (std::size_t i = 0; i < s; ++i) {
+        auto [row, sum] = partner_row(tableau, i);
+        tableau.A_tilde.push_back(std::move(row));
+        tableau.c_tilde.push_back(degrees >= 1 ? tableau.c[i] : std::move(sum));
+    }
+}
+
+Tableau derive(const Method& method, const Ingredients& given) {
+    const auto& [ground, psi, nodes] = given;
+    Tableau tableau;
+    tableau.name = method.name;
+    tableau.origin = method.origin;
+    tableau.parameters = ground.free_parameters();
+    tableau.c = nodes.c;
+    for (const BasisFunction& function : psi) tableau.basis.push_back(function.form);
+    tableau.M = values(psi, nodes.c, ground);
+    check_parameters(tableau, method);
+    const auto known = interpolation(given);
+    if (known) {
+        tableau.node_polynomial = std::make_shared<const RationalPolynomial>(*nodes.polynomial);
+    }
+    const ScaledInverse inverse =
+        known ? ScaledInverse{known->M_inverse, Number(1)} : invert(tableau.M, method, given);
+    const Number scale = Number(1) / inverse.determinant;
+    for (const NumberVector& row : inverse.adjugate) { tableau.M_inverse.push_back(row * scale); }
+    check_constants(method, psi);
+    tableau.B = integrals(psi, Number(1), ground);
+    for (const Number& node : nodes.c) {
+        const bool is_end = (node - Number(1)).is_zero();
+        tableau.A_psi.push_back(is_end ? tableau.B : integrals(psi, node, ground));
+    }
+    check_parameters(tableau, method);
+    tableau.b = known ? known->b : inverse.adjugate * tableau.B * scale;
+    check_weights(tableau, method);
+    for (const NumberVector& row : tableau.A_psi) {
+        const bool is_end = (nodes.c[tableau.A.size()] - Number(1)).is_zero();
+        tableau.A.push_back(is_end ? tableau.b : inverse.adjugate * row * scale);
+    }
+    complete_partner(tableau, given);
+    return tableau;
+}
+
+/// sum_k coefficients[k] functions[k]
+ExactFunction combine(const NumberVector& coefficients,
+                      const std::vector<BasisFunction>& functions) {
+    ExactFunction sum;
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+        sum = sum + ExactFunction(coefficients[k]) * functions[k].function;
+    }
+    return sum;
+}
+
+}  // namespace
+
+Derivation derive_on(const Ground& ground, const Method& method) {
+    const Progress::Stage stage("reading nodes and basis exactly");
+    const Ingredients given = ingredients(method, ground);
+    check_counts(method, given);
+    return {derive(method, given), given.ground};
+}
+
+Tableau derive(const Method& method) {
+    return on_new_ground([&](const Ground& ground) { return derive_on(ground, method).tableau; });
+}
+
+Routes both_routes(const Method& method) {
+    return on_new_ground([&](const Ground& ground) {
+        const Ingredients given = ingredients(method, ground);
+        const Tableau tableau = derive(method, given);
+        Routes routes{{tableau.b, tableau.A}, {}};
+        std::vector<BasisFunction> phi;
+        for (const NumberVector& row : tableau.M_inverse) {
+            phi.push_back({Expression(), combine(row, given.psi), whole(method.basis)});
+        }
+        routes.by_integration.b = integrals(phi, Number(1), given.ground);
+        for (const Number& node : tableau.c) {
+            routes.by_integration.A.push_back(integrals(phi, node, given.ground));
+        }
+        return routes;
+    });
+}
+
+}  // namespace hvi::gen

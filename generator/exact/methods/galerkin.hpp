@@ -1,0 +1,41 @@
+// Algorithm 4.3: from basis functions and quadrature nodes to the tableau.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/numbers/ground.hpp"
+#include "generator/read/method.hpp"
+
+namespace hvi::gen {
+
+/// Computes the generalized Galerkin Hamiltonian SPRK method (Leok & Zhang, Section 4.4 and
+/// Algorithm 4.3).
+///
+/// Throws MathError when there are fewer nodes than functions, when constants are not in the span
+/// of the basis (Section 4.4.3), when M is singular, naming the combination of functions that
+/// vanishes at all nodes, and when a weight is zero, naming the node; InputError for the general
+/// form (4.6), which is to come.
+[[nodiscard]] Tableau derive(const Method& method);
+
+/// The same on the field of `ground`, for those who compute with the tableau and with numbers of
+/// their own: these come from the ground in the result, which knows the values of the method's
+/// parameters. Throws as derive() does, and TooCoarse (see on_new_ground).
+struct Derivation {
+    Tableau tableau;
+    Ground ground;
+};
+[[nodiscard]] Derivation derive_on(const Ground& ground, const Method& method);
+
+/// The two routes of steps 3 and 4: through M^-1, as `derive` goes, and by integrating the
+/// functions phi = M^-1 psi themselves.
+struct Weights {
+    NumberVector b;
+    NumberMatrix A;
+};
+struct Routes {
+    Weights by_matrix;       ///< 3 (i), 4 (i)
+    Weights by_integration;  ///< 3 (ii), 4 (ii)
+};
+[[nodiscard]] Routes both_routes(const Method& method);
+
+}  // namespace hvi::gen

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/methods/oscillator.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/methods/even_map.hpp"
+#include "generator/exact/numbers/number_value.hpp"
+#include "generator/exact/numbers/rational.hpp"
+#include "generator/support/progress.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+bool has_parameters(const EvenMap& map) {
+    for (const NumberPolynomial* entry : {&map.m11, &map.m12, &map.m21, &map.m22, &map.D}) {
+        for (const Number& coefficient : *entry) {
+            if (coefficient.has_parameters()) { return true; }
+        }
+    }
+    return false;
+}
+
+/// Both divided by their common divisor, and by the denominator's value at 0.
+PolynomialQuotient reduced(const NumberPolynomial& numerator, const NumberPolynomial& denominator,
+                           PolynomialArithmetic& arithmetic) {
+    const NumberPolynomial above = arithmetic.without(numerator, denominator);
+    const NumberPolynomial below = arithmetic.without(denominator, numerator);
+    const Number scale = Number(1) / below.front();
+    return {above * scale, below * scale};
+}
+
+void divide_by_common(EvenMap& map, PolynomialArithmetic& arithmetic) {
+    NumberPolynomial common = map.D;
+    for (const NumberPolynomial* entry : {&map.m11, &map.m22, &map.m12, &map.m21}) {
+        if (common.size() > 1) { common = arithmetic.gcd(common, *entry); }
+    }
+    for (NumberPolynomial* entry : {&map.m11, &map.m12, &map.m21, &map.m22, &map.D}) {
+        if (common.size() > 1) { *entry = arithmetic.divide(*entry, common).quotient; }
+    }
+}
+
+void make_D_one_at_zero(EvenMap& map) {
+    const Number scale = Number(1) / map.D.front();
+    if (is_exactly(scale, 1)) { return; }
+    for (NumberPolynomial* entry : {&map.m11, &map.m12, &map.m21, &map.m22, &map.D}) {
+        *entry = *entry * scale;
+    }
+}
+
+/// z^shift P(z^2)
+NumberPolynomial in_z(const NumberPolynomial& polynomial, std::size_t shift) {
+    NumberPolynomial result;
+    for (std::size_t k = 0; k < polynomial.size(); ++k) {
+        result.resize(2 * k + shift);
+        result.push_back(polynomial[k]);
+    }
+    return result;
+}
+
+/// Whether m11 m22 - t m12 m21 = D^2.
+Verdict has_determinant_one(const EvenMap& map, PolynomialArithmetic& arithmetic) {
+    const NumberPolynomial diagonal = product(map.m11, map.m22);
+    const NumberPolynomial other = shifted(product(map.m12, map.m21));
+    const NumberPolynomial square = product(map.D, map.D);
+    const auto coefficient = [](const NumberPolynomial& polynomial, std::size_t k) {
+        return k < polynomial.size() ? polynomial[k] : Number(0);
+    };
+    Verdict verdict;
+    for (std::size_t k = 0; k < std::max({diagonal.size(), other.size(), square.size()}); ++k) {
+        const Number difference =
+            coefficient(diagonal, k) - coefficient(other, k) - coefficient(square, k);
+        const bool holds = arithmetic.is_zero(difference);
+        verdict = verdict && Verdict{holds, !holds || is_exact(difference)};
+        if (!holds) { break; }
+    }
+    return verdict;
+}
+
+OscillatorMap completed(EvenMap map, PolynomialArithmetic arithmetic) {
+    const bool parameters = has_parameters(map);
+    if (!parameters) { divide_by_common(map, arithmetic); }
+    make_D_one_at_zero(map);
+    const NumberPolynomial trace = arithmetic.sum(map.m11, Number(1), map.m22);
+    const NumberPolynomial half = trace * (Number(1) / Number(2));
+    const PolynomialQuotient half_trace =
+        parameters ? PolynomialQuotient{half, map.D} : reduced(half, map.D, arithmetic);
+    const bool proved = arithmetic.proved();
+    return {in_z(map.m11, 0),
+            in_z(map.m12, 1),
+            in_z(map.m21, 1),
+            in_z(map.m22, 0),
+            in_z(map.D, 0),
+            {in_z(half_trace.numerator, 0), in_z(half_trace.denominator, 0)},
+            has_determinant_one(map, arithmetic),
+            proved};
+}
+
+}  // namespace
+
+OscillatorMap oscillator_map(const Tableau& tableau) {
+    if (!tableau.node_polynomial) { return oscillator_map(partitioned_method(tableau)); }
+    const Progress::Stage stage("computing the map of the harmonic oscillator");
+    return completed(even_map(*tableau.node_polynomial), {});
+}
+
+OscillatorMap oscillator_map(const PartitionedMethod& method) {
+    const Progress::Stage stage("computing the map of the harmonic oscillator");
+    PolynomialArithmetic arithmetic;
+    EvenMap map = even_map(method, arithmetic);
+    return completed(std::move(map), arithmetic);
+}
+
+bool takes_long(const PartitionedMethod& method) {
+    constexpr std::size_t most_characters = 8000;     // of rational numbers
+    constexpr std::size_t most_enclosed_stages = 32;  // where s^4 numbers are kept
+    std::size_t characters = 0;
+    bool rational = true;
+    for (const NumberMatrix* matrix : {&method.A, &method.A_tilde}) {
+        for (const NumberVector& row : *matrix) {
+            for (const Number& entry : row) {
+                const auto text = rational_text(entry);
+                rational = rational && text;
+                characters += text ? text->size() : 0;
+            }
+        }
+    }
+    return characters > most_characters || (!rational && method.stages() > most_enclosed_stages);
+}
+
+}  // namespace hvi::gen

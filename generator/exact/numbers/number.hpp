@@ -1,0 +1,75 @@
+// Real numbers that know what they are: exact where a closed form exists, certified everywhere.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "generator/exact/numbers/dyadic.hpp"
+#include "generator/expr/expression.hpp"
+
+namespace hvi::gen {
+
+/// An immutable real number, or a function of free parameters. Arithmetic is exact. Numbers that
+/// meet in one operation come from one Field (rationals fit everywhere).
+class Number {
+public:
+    Number() : Number(0) {}
+    Number(long value);  // NOLINT(google-explicit-constructor): integers are numbers
+
+    friend Number operator+(const Number& left, const Number& right);
+    friend Number operator-(const Number& left, const Number& right);
+    friend Number operator*(const Number& left, const Number& right);
+    /// Throws MathError when `right` is zero.
+    friend Number operator/(const Number& left, const Number& right);
+    friend Number operator-(const Number& argument);
+
+    /// Proved by the normal form when true; confirmed by an enclosure when false. Throws MathError
+    /// when neither can be had ("cannot decide").
+    [[nodiscard]] bool is_zero() const;
+    [[nodiscard]] bool is_one() const;
+
+    /// The same question for those who can do without an answer: empty where no normal form proves
+    /// a zero and an enclosure of some 150 digits does not tell it from one.
+    [[nodiscard]] std::optional<bool> known_zero() const;
+
+    /// -1, 0 or 1. Precondition: no free parameter.
+    [[nodiscard]] int sign() const;
+
+    /// Whether a free parameter is left, so that there is no decimal value.
+    [[nodiscard]] bool has_parameters() const;
+
+    /// In lowest terms, with a rational denominator where it is algebraic; empty where there is
+    /// none.
+    [[nodiscard]] std::optional<Expression> closed_form() const;
+
+    /// The same as a paper prints a rational function of this parameter: numerator and denominator
+    /// written out by its falling powers, `(h^2+6*h+12)/(h^2-6*h+12)`, and a polynomial by rising
+    /// ones.
+    [[nodiscard]] std::optional<Expression> expanded_form(const std::string& parameter) const;
+
+    /// The value correctly rounded (half to even) to so many significant digits, as `0.0193...`
+    /// or `1.93...e-20`. Zero is `0`. Precondition: no free parameter.
+    [[nodiscard]] std::string decimal(int digits) const;
+
+    /// The correctly rounded double. Precondition: no free parameter.
+    [[nodiscard]] double nearest_double() const;
+
+    /// The number of so many significant bits that is nearest to the value (half to even), whatever
+    /// its exponent. Preconditions: no free parameter; bits <= Dyadic::most_bits.
+    [[nodiscard]] Dyadic nearest_of(int bits) const;
+
+    /// The multiple of 2^exponent nearest to the value (half to even). Preconditions: no free
+    /// parameter, and the result is a Dyadic.
+    [[nodiscard]] Dyadic nearest_multiple(int exponent) const;
+
+    struct Value;  ///< in number_value.hpp, known to generator/exact only
+    explicit Number(std::shared_ptr<const Value> value) : value_(std::move(value)) {}
+    [[nodiscard]] const Value& value() const { return *value_; }
+
+private:
+    std::shared_ptr<const Value> value_;
+};
+
+}  // namespace hvi::gen

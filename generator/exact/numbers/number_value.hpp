@@ -1,0 +1,77 @@
+// What a Number is inside: a field element, or a real number that is known by its enclosures alone.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "generator/exact/numbers/ball.hpp"
+#include "generator/exact/numbers/field.hpp"
+#include "generator/exact/numbers/number.hpp"
+
+namespace hvi::gen {
+
+/// A real number without an exact place in the field: it can be enclosed to any precision. Sums and
+/// products of such numbers are nodes of a graph.
+class Real {
+public:
+    explicit Real(std::function<Ball(Precision)> enclose) : enclose_(std::move(enclose)) {}
+
+    [[nodiscard]] Ball enclosure(Precision bits) const { return enclose_(bits); }
+
+private:
+    std::function<Ball(Precision)> enclose_;
+};
+
+struct Number::Value {
+    Value(std::variant<Element, Real> value, std::shared_ptr<Field> ground)
+        : what(std::move(value)), field(std::move(ground)) {}
+
+    std::variant<Element, Real> what;
+    std::shared_ptr<Field> field;  ///< keeps the element's generators alive; null for rationals
+
+    [[nodiscard]] const Element* element() const { return std::get_if<Element>(&what); }
+
+    /// Computed once: a divisor often divides many numbers. Precondition: an element, not zero.
+    [[nodiscard]] const Element& inverse() const {
+        if (!inverse_) { inverse_ = hvi::gen::inverse(*element()); }
+        return *inverse_;
+    }
+
+    /// Remembered: numbers share what they are made of, and are asked for a sign, for digits and
+    /// for a double. Precondition: no free parameter.
+    [[nodiscard]] Ball enclosure(Precision bits) const {
+        return ball_.at(bits, [this](Precision wanted) {
+            return element() != nullptr ? hvi::gen::enclosure(*element(), wanted)
+                                        : std::get<Real>(what).enclosure(wanted);
+        });
+    }
+
+private:
+    mutable std::optional<Element> inverse_;
+    mutable TightestBall ball_;
+};
+
+[[nodiscard]] Number number(Element element, std::shared_ptr<Field> field);
+[[nodiscard]] Number number(Real real);
+
+/// Whether it is known to be this integer without any computation.
+[[nodiscard]] bool is_exactly(const Number& number, long integer);
+
+/// Precondition: no free parameter.
+[[nodiscard]] Ball enclosure(const Number& number, Precision bits);
+
+/// Refines until `decide`, called with a ball, returns a value; MathError "cannot decide WHAT" when
+/// the last precision does not do.
+template <class Decide>
+auto refine(const Number& number, const char* what, Decide decide) {
+    for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {
+        if (auto decision = decide(enclosure(number, bits))) return *decision;
+    }
+    throw MathError(std::string("cannot decide ") + what + " with " +
+                    std::to_string(last_precision) + " bits");
+}
+
+}  // namespace hvi::gen
