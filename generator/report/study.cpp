@@ -185,12 +185,14 @@ Contender contender(const Compiler& compiler, const Method& method, const Scene&
 Reference reference(const Compiler& compiler, const Scene& scene, double until,
                     std::int64_t count) {
     constexpr double wanted = 1e-18, seconds = 20;
+    // Of so high an order, larger steps than the scene's may do.
+    const std::int64_t begin = std::max<std::int64_t>(1, count / 16);
     if (!scene.exact.empty()) return {"exact", 0, exact_state(scene, until)};
     const auto name = std::make_shared<const Source>(Source{"--method", reference_method});
     const SceneStepper stepper =
         scene_stepper(named_method(name), scene, {.solver = Solver::fixed_point, .float128 = true});
     const fs::path program = built_program(compiler, reference_program(stepper));
-    const ReferenceSolution found = find_reference(program, until, count, wanted, seconds);
+    const ReferenceSolution found = find_reference(program, until, begin, wanted, seconds);
     if (found.state.empty())
         throw MathError(
             fmt::format("there is no reference solution: {} in {} bits does not come to "

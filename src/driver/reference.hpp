@@ -33,14 +33,16 @@ public:
     void run() {
         const auto start = std::chrono::steady_clock::now();
         std::optional<State> coarse = end();
-        for (;;) {
+        for (int failures = coarse ? 0 : 1;;) {
             const auto before = std::chrono::steady_clock::now();
             steps_ *= 2;
             const std::optional<State> fine = end();
             const auto now = std::chrono::steady_clock::now();
             const double error = coarse && fine ? distance(*coarse, *fine) : infinite;
             const std::chrono::duration<double> taken = now - start, last = now - before;
-            if (error <= wanted_ || taken.count() + 2 * last.count() > seconds_) {
+            failures += fine ? 0 : 1;
+            if (error <= wanted_ || failures > most_failures ||
+                taken.count() + 2 * last.count() > seconds_) {
                 return tell(fine, error);
             }
             coarse = fine;
@@ -48,6 +50,7 @@ public:
     }
 
 private:
+    static constexpr int most_failures = 8;  // that smaller steps may mend
     static constexpr double infinite = std::numeric_limits<double>::infinity();
 
     /// Empty where a step fails.

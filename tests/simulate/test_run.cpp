@@ -1,7 +1,6 @@
 // `hvi-gen run`.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -10,18 +9,11 @@
 #include <catch2/catch.hpp>
 
 #include "tests/cli/program.hpp"
+#include "tests/simulate/cache.hpp"
 
 using namespace hvi::test;
 
 namespace {
-
-/// Compiled programs of these tests, which are kept for all of them.
-struct Cache {
-    Directory directory;
-    Cache() { ::setenv("XDG_CACHE_HOME", directory.path().c_str(), 1); }
-};
-
-void use_cache() { static const Cache cache; }
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;

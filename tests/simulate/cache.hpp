@@ -1,0 +1,20 @@
+// Where tests of `run` and `report` keep what they compile.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdlib>
+
+#include "tests/cli/program.hpp"
+
+namespace hvi::test {
+
+/// From now on programs are kept in a directory that is removed with the last test.
+inline void use_cache() {
+    struct Cache {
+        Directory directory;
+        Cache() { ::setenv("XDG_CACHE_HOME", directory.path().c_str(), 1); }
+    };
+    static const Cache cache;
+}
+
+}  // namespace hvi::test
