@@ -41,5 +41,6 @@ private:
 
 [[nodiscard]] std::string contents(const std::filesystem::path& file);
 void write(const std::filesystem::path& file, const std::string& text);
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
 }  // namespace hvi::test

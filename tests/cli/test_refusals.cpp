@@ -11,13 +11,6 @@ using namespace hvi::test;
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
 /// The text above the caret of a message, from the caret on as far as it is underlined.
 std::string pointed_at(const std::string& message) {
     const auto lines = lines_of(message);

@@ -156,6 +156,24 @@ double difference(Iterated iterated) {
     return scenes::distance_of_states(x, y);
 }
 
+/// After x was edited, and after reset(), the next step is that of a fresh stepper.
+template <class Stepper>
+void check_forgetting(const Stepper& stepper, const typename Stepper::State& x) {
+    for (const bool is_edited : {true, false}) {
+        Stepper used = stepper;
+        typename Stepper::State edited = x;
+        if (is_edited) {
+            edited.p[1] = -edited.p[1];
+        } else {
+            used.reset();
+        }
+        typename Stepper::State fresh = edited;
+        REQUIRE(used.step(edited, 0.1).ok());
+        REQUIRE(Stepper().step(fresh, 0.1).ok());
+        CHECK(scenes::same_bits(edited, fresh));
+    }
+}
+
 }  // namespace
 
 TEST_CASE("the matrix of Gauss with two stages is that of (6.6)") {
@@ -295,19 +313,7 @@ TEST_CASE("what the map of coupled masses remembers") {
     CHECK(scenes::distance_of_states(x, start) < 1e-15);
 
     for (int i = 0; i < 100; ++i) { REQUIRE(stepper.step(x, 0.1).ok()); }
-    for (const bool is_edited : {true, false}) {
-        ChainGauss used = stepper;
-        ChainGauss::State edited = x;
-        if (is_edited) {
-            edited.p[2] = -edited.p[2];
-        } else {
-            used.reset();
-        }
-        ChainGauss::State fresh = edited;
-        REQUIRE(used.step(edited, 0.1).ok());
-        REQUIRE(ChainGauss().step(fresh, 0.1).ok());
-        CHECK(scenes::same_bits(edited, fresh));
-    }
+    check_forgetting(stepper, x);
 }
 
 TEST_CASE("steps that coupled masses do not have leave the state") {
@@ -384,19 +390,7 @@ TEST_CASE("what a step by a matrix remembers") {
         differ = differ || !scenes::same_bits(next, alone);
     }
     CHECK(differ);  // by what the sums cut off
-    for (const bool is_edited : {true, false}) {
-        RotatingLobatto used = stepper;
-        RotatingLobatto::State edited = x;
-        if (is_edited) {
-            edited.p[1] = -edited.p[1];
-        } else {
-            used.reset();
-        }
-        RotatingLobatto::State fresh = edited;
-        REQUIRE(used.step(edited, 0.1).ok());
-        REQUIRE(RotatingLobatto().step(fresh, 0.1).ok());
-        CHECK(scenes::same_bits(edited, fresh));
-    }
+    check_forgetting(stepper, x);
 }
 
 TEST_CASE("with shears at one step size and none at another, one memory is alive") {

@@ -15,13 +15,6 @@ using namespace hvi::test;
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
 std::vector<double> numbers_of(const std::string& row) {
     std::vector<double> numbers;
     std::istringstream stream(row);
