@@ -53,15 +53,15 @@ std::string slopes(const std::vector<std::size_t>& indices, std::string_view let
     return writer.str();
 }
 
+/// NOTE: with q, or p, since a stage may be near 0 where that is not.
 std::string size(const std::vector<std::size_t>& values, std::string_view letter,
                  const std::vector<std::size_t>& slopes, std::string_view slope_letter) {
     if (values.empty()) { return "return 0;"; }
-    std::string sum;
+    std::string sum = fmt::format("hvi::detail::abs(s.at.{}[k])", letter == "Q" ? "q" : "p");
     for (const auto& [indices, name] :
          {std::pair{values, letter}, std::pair{slopes, slope_letter}}) {
         for (const std::size_t i : indices) {
-            sum +=
-                fmt::format("{}hvi::detail::abs(s.{}[{}][k])", sum.empty() ? "" : " + ", name, i);
+            sum += fmt::format(" + hvi::detail::abs(s.{}[{}][k])", name, i);
         }
     }
     return Writer(3).line("return {};", sum).str();

@@ -149,11 +149,11 @@ std::string more_text(const Scheme& scheme, const std::vector<std::size_t>& unkn
 std::string coupled_text(const Scheme& scheme) {
     const Block& block = coupled_block(scheme);
     const std::vector<std::size_t> Q = block.of(Kind::Q);
-    std::string size;
+    // NOTE: a stage may be near 0 where q is not, and moves by what q is rounded to.
+    std::string size = "hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.h * s.velocity[k])";
     for (const std::string_view letter : {"Q", "W"}) {
         for (const std::size_t i : Q) {
-            size += fmt::format("{}hvi::detail::abs(s.{}[{}][k])", size.empty() ? "" : " + ",
-                                letter, i);
+            size += fmt::format(" + hvi::detail::abs(s.{}[{}][k])", letter, i);
         }
     }
     std::string text =

@@ -20,6 +20,7 @@
 #include <scene/fixed_quartic.hpp>
 #include <scene/fixed_stiff.hpp>
 #include <scene/gauss_4_separable.hpp>
+#include <scene/iterated_oscillator.hpp>
 #include <scene/lobatto_3_kepler.hpp>
 #include <scene/newton_barrier.hpp>
 #include <scene/newton_bead.hpp>
@@ -327,6 +328,17 @@ TEST_CASE("a stiff step from an edited state is that of a fresh stepper") {
         REQUIRE(other.step(fresh, 0.1).ok());
         REQUIRE(scenes::same_bits(x, fresh));
     }
+}
+
+TEST_CASE("a stage near 0 does not keep the iteration from its end") {
+    // There the last bit of q, which is 2e4 times as large, went up and down for ever.
+    IteratedOscillator::Parameters parameters;
+    parameters.omega = 21.336342914613184;
+    IteratedOscillator stepper(parameters);
+    IteratedOscillator::State x{{-0x1.095ff9ed660b8p-5}, {0x1.c4156f684dc9dp-1}};
+    const hvi::Status status = stepper.step(x, 1.0 / 16);
+    CHECK(status.ok());
+    CHECK(status.iterations < 100);
 }
 
 TEST_CASE("auto for pairs of positions and momenta") {

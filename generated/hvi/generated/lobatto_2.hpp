@@ -224,7 +224,8 @@ private:
 
         /// The same of P.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
-            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.Lp[0][k]);
+            return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[0][k])
+                + hvi::detail::abs(s.Lp[0][k]);
         }
     };
 
@@ -273,7 +274,8 @@ private:
 
         /// What the rounding of component k of Q is to be compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
-            return hvi::detail::abs(s.Q[1][k]) + hvi::detail::abs(s.Lq[1][k]);
+            return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[1][k])
+                + hvi::detail::abs(s.Lq[1][k]);
         }
 
         /// The same of P.

@@ -177,7 +177,8 @@ private:
 
         /// The same of P.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
-            return hvi::detail::abs(s.P[0][k]) + hvi::detail::abs(s.Lp[0][k]);
+            return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[0][k])
+                + hvi::detail::abs(s.Lp[0][k]);
         }
     };
 
