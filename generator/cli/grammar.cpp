@@ -116,7 +116,7 @@ void describe(CLI::App& app) {
     add_value(report, "--until", "T", "Time at the end, in place of the scene's");
     add_value(report, "--only", "LIST", "Of html, json, csv, svg; all when not given");
     add_flag(report, "--peers", "Other libraries too (to come)");
-    add_flag(report, "--edges", "Stiff and extreme cases (to come)");
+    add_flag(report, "--edges", "Stiff and extreme cases; needs no SCENE");
     add_value(report, "-o,--output", "DIR", "Write to this directory (report)");
 
     CLI::App& list = *app.add_subcommand("list", "Print what can be named");

@@ -204,11 +204,11 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
 ReportOptions report_options(const Words& words, const CommandLine& line) {
     ReportOptions options;
     options.scenes = words.values("SCENE");
-    if (options.scenes.empty())
+    options.edges = words.flag("--edges");
+    if (options.scenes.empty() && !options.edges)
         throw InputError("no scene is given", line.end(),
                          "for example kepler, which `hvi-gen list scenes` shows");
-    for (const char* flag : {"--peers", "--edges"})
-        if (words.flag(flag)) to_come(flag, words.place(flag));
+    if (words.flag("--peers")) to_come("--peers", words.place("--peers"));
     options.methods = words.value("--methods");
     options.steps = words.value("--steps");
     if (options.steps == "auto") options.steps.reset();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/edges.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/cli/words.hpp"
 #include "generator/exact/functions/step_count.hpp"
@@ -73,6 +74,7 @@ void run(const ReportOptions& options) {
 
     const InterruptionsHeld held;
     const Compiler compiler = find_compiler();
+    if (subjects.empty()) return report_edges(options, compiler);
     Report report{this_machine(),
                   joined(compiler.command) + " " + joined(compiler_options()),
                   compiler.version,
@@ -91,6 +93,7 @@ void run(const ReportOptions& options) {
         }
     }
     write(report, options, directory);
+    if (options.edges) report_edges(options, compiler);
 }
 
 }  // namespace hvi::gen

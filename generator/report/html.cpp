@@ -5,31 +5,12 @@
 
 #include "generator/emit/embedded.hpp"
 #include "generator/emit/text.hpp"
+#include "generator/report/markup.hpp"
 #include "generator/report/render.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&': result += "&amp;"; break;
-        case '<': result += "&lt;"; break;
-        case '>': result += "&gt;"; break;
-        case '"': result += "&quot;"; break;
-        default: result += c;
-        }
-    }
-    return result;
-}
-
-/// From its first element on: what stands before belongs to a file of its own.
-std::string inlined(const std::string& svg) {
-    const std::size_t begin = svg.find("<svg");
-    return begin == std::string::npos ? "" : svg.substr(begin);
-}
 
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/edges/program.hpp"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <memory>
+
+#include "generator/emit/text.hpp"
+#include "generator/exact/functions/step_count.hpp"
+#include "generator/program/cache.hpp"
+#include "generator/support/child.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr const char* header_name = "stepper.hpp";
+
+/// A statement for each parameter, which are all numbers in these scenes.
+std::string set_parameters(const Scene& scene) {
+    std::string text;
+    for (std::size_t i = 0; i < scene.parameters.size(); ++i)
+        text += fmt::format("{}parameters.{} = values.at({});", i == 0 ? "" : "\n",
+                            scene.parameters[i].name, i);
+    return text;
+}
+
+std::string failure_of(int status) {
+    if (status == 0) return "";
+    if (status == 128 + SIGALRM) return "no end: ended by its time limit";
+    if (status > 128) return fmt::format("a crash: ended by signal {}", status - 128);
+    return fmt::format("a program that ends with {}", status);
+}
+
+}  // namespace
+
+Scene edge_scene(const std::string& name) {
+    return find_scene(name,
+                      {std::make_shared<const Source>(Source{"SCENE", name}), {0, name.size()}});
+}
+
+double usual_step(const Scene& scene) {
+    HVI_CHECK(scene.run.step.has_value());
+    return nearest_value(scene, *scene.run.step);
+}
+
+EdgeProgram::EdgeProgram(const Compiler& compiler, const Method& method, const Scene& scene,
+                         Solver solver) {
+    const SceneStepper stepper = scene_stepper(method, scene, {.solver = solver, .energy = true});
+    is_explicit_ = stepper.scheme.is_explicit();
+    path_ = built_program(compiler, {fill("edge.cpp.in", {{"header", header_name},
+                                                          {"stepper", stepper.class_name},
+                                                          {"set", set_parameters(scene)}}),
+                                     {{header_name, stepper.header}}});
+}
+
+EdgeProgram EdgeProgram::symplectic(const Compiler& compiler, const Method& method,
+                                    const Scene& scene) {
+    const SceneStepper stepper = scene_stepper(method, scene, {.float128 = true});
+    EdgeProgram program;
+    program.is_explicit_ = stepper.scheme.is_explicit();
+    program.path_ = built_program(
+        compiler,
+        {fill("symplectic.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
+         {{header_name, stepper.header}}});
+    return program;
+}
+
+Heard EdgeProgram::ask(std::vector<std::string> words) const {
+    words.insert(words.begin(), path_.string());
+    Heard heard;
+    const ChildResult ended =
+        run_child(words, ".", [&](std::string_view line) { heard.answers.hear(line); });
+    heard.failure = failure_of(ended.status);
+    return heard;
+}
+
+Heard EdgeProgram::ask(const std::string& command, double h, long steps,
+                       const std::vector<double>& state, const std::vector<double>& values) const {
+    std::vector<std::string> words{command, fmt::format("{}", h), std::to_string(steps)};
+    for (const double value : state) words.push_back(fmt::format("{}", value));
+    for (const double value : values) words.push_back(fmt::format("{}", value));
+    return ask(words);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,60 @@
+// Programs that go to the edges: compiled, started, and ended where they take too long.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "generator/emit/scene_stepper.hpp"
+#include "generator/program/compiler.hpp"
+#include "generator/simulate/answers.hpp"
+
+namespace hvi::gen {
+
+/// The scenes that are taken to the edges: each kind of stepper occurs, and a collision.
+inline constexpr std::array edge_scenes{"pendulum", "kepler", "henon-heiles", "nonseparable",
+                                        "harmonic-oscillator"};
+
+/// The scene of this name that comes with the program.
+[[nodiscard]] Scene edge_scene(const std::string& name);
+
+/// The size of a step that the scene itself asks for.
+[[nodiscard]] double usual_step(const Scene& scene);
+
+/// What a program has said.
+struct Heard {
+    Answers answers;
+    std::string failure;  ///< why it did not end well, that is to say, a bug; else empty
+};
+
+class EdgeProgram {
+public:
+    /// Of src/driver/edge_main.hpp. Throws what scene_stepper() and built_program() do.
+    EdgeProgram(const Compiler& compiler, const Method& method, const Scene& scene,
+                Solver solver = Solver::automatic);
+
+    /// Of src/driver/edge_symplectic.hpp, in the widest numbers.
+    [[nodiscard]] static EdgeProgram symplectic(const Compiler& compiler, const Method& method,
+                                                const Scene& scene);
+
+    /// Throws Interruption.
+    [[nodiscard]] Heard ask(std::vector<std::string> words) const;
+
+    /// With numbers after the command, the steps and their size.
+    [[nodiscard]] Heard ask(const std::string& command, double h, long steps,
+                            const std::vector<double>& state,
+                            const std::vector<double>& values = {}) const;
+
+    /// Whether steps solve nothing.
+    [[nodiscard]] bool is_explicit() const { return is_explicit_; }
+
+private:
+    EdgeProgram() = default;
+
+    std::filesystem::path path_;
+    bool is_explicit_ = false;
+};
+
+}  // namespace hvi::gen

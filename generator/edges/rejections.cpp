@@ -1,0 +1,153 @@
+// Steps that cannot be, and states from which there are none.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "generator/certify/certificate.hpp"
+#include "generator/edges/edges.hpp"
+#include "generator/edges/program.hpp"
+#include "generator/support/bar.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double denormal = std::numeric_limits<double>::denorm_min();
+
+/// What a step is held to.
+enum class Promise {
+    identity,  ///< ok, and every bit of the state as it was
+    back,      ///< steps and as many of size -h end where they began, up to round-off
+    refusal,   ///< a status, and every bit of the state as it was
+    either,    ///< a finite state, or a refusal
+};
+
+std::string text(Promise promise) {
+    switch (promise) {
+    case Promise::identity: return "ok, the state untouched";
+    case Promise::back: return "ok, back within 1e-12";
+    case Promise::refusal: return "a status, the state untouched";
+    case Promise::either: return "ok and finite, or a status and the state untouched";
+    }
+    return {};
+}
+
+struct Case {
+    std::string what;
+    double h;
+    std::vector<double> state;
+    Promise promise;
+};
+
+/// The largest difference, divided by the largest component.
+double distance(const std::vector<double>& x, const std::vector<double>& y) {
+    double difference = 0, size = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        difference = std::max(difference, std::abs(x[i] - y[i]));
+        size = std::max(size, std::abs(y[i]));
+    }
+    return difference / size;
+}
+
+struct Seen {
+    std::string text;
+    bool agrees;
+};
+
+Seen judged(const Heard& heard, const Case& edge) {
+    if (!heard.failure.empty()) return {heard.failure, false};
+    const Answers& answers = heard.answers;
+    const bool ok = answers.text("status") == "ok", untouched = answers.integer("untouched") == 1;
+    const std::vector<double> end = answers.numbers("end");
+    const bool finite =
+        std::all_of(end.begin(), end.end(), [](double x) { return std::isfinite(x); });
+    const std::string where = untouched ? ", the state untouched"
+                              : finite  ? ", a finite state"
+                                        : ", a state that is not finite";
+    std::string text = answers.text("status") + where;
+    switch (edge.promise) {
+    case Promise::identity: return {text, ok && untouched};
+    case Promise::refusal: return {text, !ok && untouched};
+    case Promise::either: return {text, ok ? finite : untouched};
+    case Promise::back: break;
+    }
+    const double off = distance(end, edge.state);
+    return {ok ? fmt::format("ok, back within {:.1e}", off) : text, ok && off <= 1e-12};
+}
+
+std::vector<Case> cases(const std::string& scene, double h, const std::vector<double>& start,
+                        bool is_symmetric) {
+    std::vector<Case> all{{"h = 0", 0, start, Promise::identity}};
+    if (is_symmetric)
+        all.push_back({fmt::format("ten steps of {} and back", h), h, start, Promise::back});
+    for (const double large : {1e3, -1e3, 1e10, 1e300, -1e300})
+        all.push_back({fmt::format("h = {}", large), large, start, Promise::either});
+    for (const double none : {infinity, -infinity, not_a_number})
+        all.push_back({fmt::format("h = {}", none), none, start, Promise::refusal});
+    for (const double tiny : {denormal, 1e-300})
+        all.push_back({fmt::format("h = {}", tiny), tiny, start, Promise::either});
+    for (std::size_t i = 0; i < start.size(); ++i)
+        for (const double none : {not_a_number, infinity, -infinity}) {
+            std::vector<double> state = start;
+            state[i] = none;
+            const bool is_q = i < start.size() / 2;
+            const std::size_t k = i % (start.size() / 2) + 1;
+            all.push_back(
+                {fmt::format("{}{} = {}", is_q ? "q" : "p", k, none), h, state, Promise::refusal});
+        }
+    all.push_back(
+        {"all of the state 1e300", h, std::vector<double>(start.size(), 1e300), Promise::either});
+    // In all scenes but this one the origin is a point of rest, in this one the collision.
+    const bool collides = scene == "kepler";
+    all.push_back({"all of the state 0", h, std::vector<double>(start.size(), 0.0),
+                   collides ? Promise::refusal : Promise::identity});
+    all.push_back({fmt::format("all of the state {}", denormal), h,
+                   std::vector<double>(start.size(), denormal),
+                   collides ? Promise::refusal : Promise::either});
+    return all;
+}
+
+}  // namespace
+
+EdgeChapter rejections(const Compiler& compiler, const std::vector<Method>& methods) {
+    EdgeChapter chapter{
+        "rejections",
+        "Steps that cannot be",
+        "A step ends with ok and a finite state, or with a status and every bit of the state as it "
+        "was, and it ends. h = 0 is the identity, a step from or with what is no finite number is "
+        "refused, the origin is a point of rest or, in Kepler's problem, the collision; and "
+        "self-adjoint methods, which the exact coefficients tell, come back with -h. Each case is "
+        "a step of a new stepper in a program of its own, which has a minute.",
+        {},
+        {}};
+    Bar bar;
+    double done = 0;
+    const double all = static_cast<double>(methods.size() * edge_scenes.size());
+    for (const Method& method : methods) {
+        const Certificate certificate = certify(method, 1);
+        for (const std::string name : edge_scenes) {
+            bar.show(done++ / all, fmt::format("rejections: {}, {}", certificate.name, name));
+            const Scene scene = edge_scene(name);
+            const EdgeProgram program(compiler, method, scene);
+            const std::vector<double> start = program.ask({"start"}).answers.numbers("start");
+            for (const Case& edge :
+                 cases(name, usual_step(scene), start, certificate.symmetric.holds)) {
+                const bool back = edge.promise == Promise::back;
+                const Seen seen = judged(
+                    program.ask(back ? "return" : "advance", edge.h, back ? 10 : 1, edge.state),
+                    edge);
+                chapter.checks.push_back({certificate.name, name, edge.what, text(edge.promise),
+                                          seen.text, seen.agrees});
+            }
+        }
+    }
+    return chapter;
+}
+
+}  // namespace hvi::gen

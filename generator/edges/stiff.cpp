@@ -1,0 +1,271 @@
+// The harmonic oscillator in steps that are small, and large, against its period.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "generator/edges/edges.hpp"
+#include "generator/edges/oscillation.hpp"
+#include "generator/edges/program.hpp"
+#include "generator/exact/methods/galerkin.hpp"
+#include "generator/support/bar.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr const char* scene_name = "harmonic-oscillator";
+constexpr double h = 1.0 / 16;  // omega = z/h is then exact
+
+/// A stepper of one form.
+struct Form {
+    std::string name;
+    Solver solver;
+    EdgeProgram program;
+};
+
+/// What is known of the method beforehand.
+struct Known {
+    Certificate certificate;
+    double contraction;
+};
+
+/// One run from (omega q, p) = (1, 1/2).
+struct Orbit {
+    std::string failure, status;
+    long steps = 0;
+    bool untouched = false;
+    double growth = 0;      ///< the largest |(omega q, p)| by that at the start, or nearly so
+    double iterations = 0;  ///< a step
+
+    [[nodiscard]] bool ok() const { return failure.empty() && status == "ok"; }
+    /// Whether it ended early, by a status and with the state of the last good step.
+    [[nodiscard]] bool is_stopped() const { return failure.empty() && status != "ok" && untouched; }
+    /// Whether it never began.
+    [[nodiscard]] bool is_refused() const { return is_stopped() && steps == 0; }
+};
+
+Orbit orbit(const EdgeProgram& program, double z, long steps) {
+    const double omega = z / h;
+    const Heard heard = program.ask("advance", h, steps, {1 / omega, 0.5}, {omega});
+    Orbit result;
+    result.failure = heard.failure;
+    if (!heard.failure.empty()) return result;
+    result.status = heard.answers.text("status");
+    result.steps = heard.answers.integer("steps");
+    result.untouched = heard.answers.integer("untouched") == 1;
+    const std::vector<double> largest = heard.answers.numbers("largest");
+    result.growth = std::max(omega * largest.at(0), largest.at(1)) / std::hypot(1, 0.5);
+    const double tried = static_cast<double>(std::max(1L, result.steps));
+    result.iterations = static_cast<double>(heard.answers.integer("iterations")) / tried;
+    return result;
+}
+
+bool is_bounded(const Orbit& orbit, const Oscillation& expected) {
+    constexpr double rounding = 1.001;
+    return orbit.ok() && orbit.growth <= rounding * expected.bound;
+}
+
+/// Half of the digits of the growth are asked for, as some of the start lies along the other
+/// eigenvector; and up to 1e100, as numbers that are too large end the run, by a status.
+bool grows(const Orbit& orbit, const Oscillation& expected, long steps) {
+    const double digits = std::min(100.0, static_cast<double>(steps) * expected.growth / 2);
+    return orbit.failure.empty() && (orbit.ok() || orbit.untouched) &&
+           std::log10(orbit.growth) >= digits;
+}
+
+/// What has to become of an orbit.
+enum class Fate {
+    as_map,  ///< bounded or growing as the exact map is
+    either,  ///< the same, or stopped: fixed points contract so little that it depends on the state
+             ///< whether they come to round-off within their 200 iterations
+    refused,  ///< fixed points do not contract
+};
+
+Fate fate(const Known& known, const Form& form, double z) {
+    if (form.solver != Solver::fixed_point) return Fate::as_map;
+    const double factor = z * z * known.contraction;
+    return factor < 0.7 ? Fate::as_map : factor < 1.01 ? Fate::either : Fate::refused;
+}
+
+bool agrees(Fate fate, const Orbit& orbit, const Oscillation& expected, long steps) {
+    if (fate == Fate::refused) return orbit.is_refused();
+    if (fate == Fate::either && orbit.is_stopped()) return true;
+    return expected.is_stable ? is_bounded(orbit, expected) : grows(orbit, expected, steps);
+}
+
+std::string text(const Orbit& orbit) {
+    if (!orbit.failure.empty()) return orbit.failure;
+    const std::string grown =
+        fmt::format("grows to {:.3g} times in {} steps", orbit.growth, orbit.steps);
+    if (orbit.is_refused()) return orbit.status + ", the state untouched";
+    return orbit.ok() ? grown
+                      : grown + ", then: " + orbit.status +
+                            (orbit.untouched ? "" : ", and the state is changed");
+}
+
+std::string text(Fate fate, const Oscillation& expected) {
+    if (fate == Fate::refused) return "refused, the state untouched";
+    const std::string map =
+        expected.is_stable ? fmt::format("at most {:.3g} times", expected.bound)
+                           : fmt::format("10^({:.3g} n) times in n steps, or so", expected.growth);
+    return fate == Fate::either ? map + ", or stopped" : map;
+}
+
+// ---- from 1e-3 to 1e4 ----
+
+/// How many points are expected to be what.
+struct Tally {
+    int bounded = 0, growing = 0, either = 0, refused = 0;
+
+    void expect(Fate fate, const Oscillation& map) {
+        ++(fate == Fate::refused  ? refused
+           : fate == Fate::either ? either
+           : map.is_stable        ? bounded
+                                  : growing);
+    }
+    [[nodiscard]] std::string text() const {
+        std::string text = fmt::format("bounded at {}, growing at {}", bounded, growing);
+        if (either > 0) text += fmt::format(", that or stopped at {}", either);
+        if (refused > 0) text += fmt::format(", refused at {}", refused);
+        return text;
+    }
+};
+
+/// Runs at some points a decade, as one check; adds a curve to the pictures of the growth and of
+/// the iterations.
+EdgeCheck sweep(const Known& known, const Form& form, std::vector<CurvesPicture>& pictures) {
+    constexpr long steps = 1000;
+    constexpr int points = 57;
+    Tally tally;
+    int right = 0;
+    std::string wrong;
+    CurvesPicture::Curve growth{known.certificate.name, {}}, iterations = growth;
+    for (int k = 0; k < points; ++k) {
+        const double z = std::pow(10, -3 + k / 8.0);
+        const Oscillation map = oscillation(known.certificate, z);
+        const Fate expected = fate(known, form, z);
+        const Orbit found = orbit(form.program, z, steps);
+        tally.expect(expected, map);
+        if (agrees(expected, found, map, steps))
+            ++right;
+        else if (wrong.empty())
+            wrong = fmt::format("; at z = {} not {}: {}", z, text(expected, map), text(found));
+        if (std::isfinite(found.growth) && found.growth > 0)
+            growth.points.emplace_back(z, std::min(found.growth, 1e20));
+        if (found.ok() && found.iterations > 0) iterations.points.emplace_back(z, found.iterations);
+    }
+    pictures.at(0).curves.push_back(std::move(growth));
+    pictures.at(1).curves.push_back(std::move(iterations));
+    return {known.certificate.name,
+            scene_name,
+            fmt::format("{}: {} z from 0.001 to 10000, {} steps", form.name, points, steps),
+            tally.text(),
+            fmt::format("so at {} of {}{}", right, points, wrong),
+            right == points};
+}
+
+// ---- at the ends of the intervals, and at poles ----
+
+EdgeCheck beside(const Known& known, const Form& form, double z, const std::string& where) {
+    constexpr long steps = 100'000;
+    const Oscillation map = oscillation(known.certificate, z);
+    const Fate expected = fate(known, form, z);
+    const Orbit found = orbit(form.program, z, steps);
+    return {
+        known.certificate.name, scene_name,  fmt::format("{}: z = {:.9g}, {}", form.name, z, where),
+        text(expected, map),    text(found), agrees(expected, found, map, steps)};
+}
+
+EdgeCheck at_pole(const Known& known, const Form& form, double z) {
+    const Orbit found = orbit(form.program, z, 1);
+    return {known.certificate.name,
+            scene_name,
+            fmt::format("{}: z = {:.17g}, the double nearest to a pole", form.name, z),
+            "a status and the state untouched, or more than 1e6 times",
+            text(found),
+            found.is_refused() || (found.ok() && found.growth > 1e6)};
+}
+
+std::vector<EdgeCheck> at_ends(const Known& known, const Form& form) {
+    constexpr double aside = 1e-6;
+    const LinearStability& stability = *known.certificate.stability;
+    std::vector<double> ends;
+    for (const StabilityInterval& interval : stability.stable)
+        for (const Number* end : {&interval.low, &interval.high}) {
+            const double z = end->nearest_double();
+            if (z > 0 && z < static_cast<double>(stability.until)) ends.push_back(z);
+        }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<EdgeCheck> checks;
+    for (const double z : ends) {
+        const std::string end = fmt::format("the end {:.9g}", z);
+        checks.push_back(beside(known, form, z * (1 - aside), "below " + end));
+        checks.push_back(beside(known, form, z * (1 + aside), "above " + end));
+    }
+    for (const Number& pole : stability.poles)
+        checks.push_back(at_pole(known, form, pole.nearest_double()));
+    return checks;
+}
+
+/// The steppers of a method: where there is nothing to solve they are one.
+std::vector<Form> forms(const Compiler& compiler, const Method& method) {
+    const Scene scene = edge_scene(scene_name);
+    std::vector<Form> result{
+        {"as is", Solver::automatic, EdgeProgram(compiler, method, scene, Solver::automatic)}};
+    if (EdgeProgram iterated(compiler, method, scene, Solver::fixed_point);
+        !iterated.is_explicit()) {
+        result.push_back({"fixed points", Solver::fixed_point, std::move(iterated)});
+        result.push_back(
+            {"Newton", Solver::newton, EdgeProgram(compiler, method, scene, Solver::newton)});
+    }
+    return result;
+}
+
+CurvesPicture picture(const std::string& form, const std::string& y) {
+    return {"Harmonic oscillator, " + form, "h omega", y, true, true, {}};
+}
+
+}  // namespace
+
+EdgeChapter stiff(const Compiler& compiler, const std::vector<Method>& methods) {
+    EdgeChapter chapter{
+        "stiff",
+        "Stiff",
+        "The harmonic oscillator over z = h omega, in three forms: as is, which is a matrix "
+        "computed "
+        "once or explicit; iterated with fixed points; and with Newton's method. The orbit is "
+        "bounded or grows as the exact map of the method says: below 20 by the certified intervals "
+        "of stability (hvi-gen check), and beyond by half its trace, exactly at this z. How far it "
+        "may go where it is stable, and how fast it grows where it is not, follow from that map "
+        "too. Fixed points contract where z^2 times the spectral radius of A A~ is less than 1: "
+        "they have to converge below 0.7, and to be refused above 1.01. Growth is that of "
+        "|(omega q, p)|, cut off at 1e20 in the pictures.",
+        {},
+        {}};
+    std::map<std::string, std::vector<CurvesPicture>> pictures;
+    Bar bar;
+    double done = 0;
+    for (const Method& method : methods) {
+        const Known known{certify(method, 1), contraction(derive(method))};
+        bar.show(done++ / static_cast<double>(methods.size()), "stiff: " + known.certificate.name);
+        for (const Form& form : forms(compiler, method)) {
+            auto& of_form =
+                pictures
+                    .try_emplace(form.name, std::vector{picture(form.name, "growth"),
+                                                        picture(form.name, "iterations a step")})
+                    .first->second;
+            chapter.checks.push_back(sweep(known, form, of_form));
+            for (EdgeCheck& check : at_ends(known, form))
+                chapter.checks.push_back(std::move(check));
+        }
+    }
+    for (auto& [form, all] : pictures)
+        for (CurvesPicture& each : all) chapter.pictures.push_back(std::move(each));
+    return chapter;
+}
+
+}  // namespace hvi::gen

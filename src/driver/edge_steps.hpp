@@ -1,0 +1,140 @@
+// Steps of any size from any state, and what became of them.
+// SPDX-License-Identifier: MIT
+//
+// `Problem` names its Stepper and has static members stepper(values), which makes one with these
+// values of its parameters, or with those of the scene where there are none, and initial().
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include <driver/answer.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi::driver {
+
+/// The words `H STEPS STATE... VALUES...` that commands on edges have in common; without a state
+/// it is that of the scene.
+template <class Problem>
+struct EdgeWords {
+    using State = typename Problem::Stepper::State;
+
+    double h = 0;
+    std::int64_t steps = 0;
+    State x = Problem::initial();
+    std::vector<double> values;
+
+    /// False where this is not what they are.
+    [[nodiscard]] bool read(const std::vector<std::string_view>& words) {
+        const std::size_t n = x.q.size();
+        if (words.size() < 2 || !driver::read(words[0], h) || !driver::read(words[1], steps)) {
+            return false;
+        }
+        for (std::size_t i = 2; i < words.size(); ++i) {
+            double value = 0;
+            if (!driver::read(words[i], value)) { return false; }
+            const std::size_t k = i - 2;
+            if (k < n) {
+                x.q[k] = value;
+            } else if (k < 2 * n) {
+                x.p[k - n] = value;
+            } else {
+                values.push_back(value);
+            }
+        }
+        return steps >= 0 && (words.size() == 2 || words.size() >= 2 + 2 * n);
+    }
+};
+
+/// Whether they hold the same bits, also of zeros and of what is no number.
+template <class State>
+[[nodiscard]] bool same_bits(const State& x, const State& y) {
+    return std::memcmp(x.q.data(), y.q.data(), sizeof x.q) == 0 &&
+           std::memcmp(x.p.data(), y.p.data(), sizeof x.p) == 0;
+}
+
+template <class Problem>
+class EdgeSteps {
+public:
+    using State = typename Problem::Stepper::State;
+
+    explicit EdgeSteps(const EdgeWords<Problem>& words)
+        : stepper_(Problem::stepper(words.values)), x_(words.x) {}
+
+    /// Until one fails.
+    void take(double h, std::int64_t steps) {
+        for (std::int64_t i = 0; i < steps && status_.ok(); ++i) {
+            const State before = x_;
+            status_ = stepper_.step(x_, h);
+            is_untouched_ = same_bits(before, x_);
+            iterations_ += status_.iterations;
+            taken_ += status_.ok() ? 1 : 0;
+            for (std::size_t k = 0; k < x_.q.size(); ++k) {
+                largest_.q[k] = std::fmax(largest_.q[k], std::abs(x_.q[k]));
+                largest_.p[k] = std::fmax(largest_.p[k], std::abs(x_.p[k]));
+            }
+        }
+    }
+
+    void tell() const {
+        say("status", status_.ok() ? "ok" : status_.message());
+        say("steps", taken_);
+        say("iterations", iterations_);
+        say("untouched", static_cast<std::int64_t>(is_untouched_));
+        tell("largest", largest_);
+        tell("end", x_);
+    }
+
+private:
+    static void tell(std::string_view key, const State& x) {
+        for (const double q : x.q) { say(key, q); }
+        for (const double p : x.p) { say(key, p); }
+    }
+
+    typename Problem::Stepper stepper_;
+    State x_;
+    State largest_{};  ///< of the absolute values of its components after a step
+    Status status_;
+    bool is_untouched_ = true;  ///< by the last step
+    std::int64_t taken_ = 0, iterations_ = 0;
+};
+
+/// The command `advance H STEPS STATE... VALUES...`.
+template <class Problem>
+int advance(const std::vector<std::string_view>& words) {
+    EdgeWords<Problem> edge;
+    if (!edge.read(words)) { return 2; }
+    EdgeSteps<Problem> steps(edge);
+    steps.take(edge.h, edge.steps);
+    steps.tell();
+    return 0;
+}
+
+/// The command `return H STEPS STATE... VALUES...`: so many steps, and as many of size -H.
+template <class Problem>
+int there_and_back(const std::vector<std::string_view>& words) {
+    EdgeWords<Problem> edge;
+    if (!edge.read(words)) { return 2; }
+    EdgeSteps<Problem> steps(edge);
+    steps.take(edge.h, edge.steps);
+    steps.take(-edge.h, edge.steps);
+    steps.tell();
+    return 0;
+}
+
+/// The command `start`: says the first state of the scene.
+template <class Problem>
+int start(const std::vector<std::string_view>& words) {
+    if (!words.empty()) { return 2; }
+    const auto x = Problem::initial();
+    for (const double q : x.q) { say("start", q); }
+    for (const double p : x.p) { say("start", p); }
+    return 0;
+}
+
+}  // namespace hvi::driver
