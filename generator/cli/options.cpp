@@ -22,10 +22,6 @@ constexpr std::array hamiltonian_options = {"--hamiltonian", "--coordinates", "-
 
 const std::vector<std::string_view> topics = {"", "bases", "nodes", "methods", "scenes"};
 
-[[noreturn]] void to_come(const std::string& what, Place place) {
-    throw InputError(what + " is announced, but not built yet", std::move(place));
-}
-
 const OptionGroups forms_of_method{
     {"--method"}, {"--basis", "--nodes", "--weights"}, {"--method-file"}};
 
@@ -208,7 +204,7 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
     if (options.scenes.empty() && !options.edges)
         throw InputError("no scene is given", line.end(),
                          "for example kepler, which `hvi-gen list scenes` shows");
-    if (words.flag("--peers")) to_come("--peers", words.place("--peers"));
+    options.peers = words.flag("--peers");
     options.methods = words.value("--methods");
     options.steps = words.value("--steps");
     if (options.steps == "auto") options.steps.reset();

@@ -73,6 +73,7 @@ struct ReportOptions {
     std::optional<std::string> methods;  ///< names between commas
     std::optional<std::string> steps;    ///< sizes between commas; chosen where there are none
     std::optional<std::string> until;    ///< in place of the scenes'
+    bool peers = false;                  ///< integrators of other libraries too
     bool html = true, json = true, csv = true, svg = true;
     bool edges = false;  ///< stiff and extreme cases too; then there need be no scene
     std::optional<std::filesystem::path> output;  ///< a directory

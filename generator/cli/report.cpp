@@ -51,6 +51,17 @@ std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, " "));
 }
 
+/// What is not installed is left out, and the report says so.
+void find_peers(const Compiler& compiler, StudyWishes& wishes, Report& report) {
+    for (const PeerLibrary& library : peer_libraries()) {
+        const auto version = installed_version(compiler, library);
+        if (version) wishes.libraries.push_back(library);
+        report.notes.push_back(
+            version ? fmt::format("{} is {} {}", library.name, library.title, *version)
+                    : fmt::format("{} is not installed, and left out", library.title));
+    }
+}
+
 void write(const Report& report, const ReportOptions& options, const fs::path& directory) {
     make_directory(directory);
     if (options.json) write_file(directory / "report.json", report_json(report));
@@ -79,7 +90,9 @@ void run(const ReportOptions& options) {
                   joined(compiler.command) + " " + joined(compiler_options()),
                   compiler.version,
                   {},
+                  {},
                   {}};
+    if (options.peers) find_peers(compiler, wishes, report);
     const fs::path directory = options.output.value_or("report");
     for (Subject& subject : subjects) {
         wishes.steps = subject.steps;

@@ -29,6 +29,18 @@ constexpr std::array<Style, 8> styles{{{"#00508c", "solid", 7},
                                        {"#00788c", "'-'", 4},
                                        {"#b40064", "'.-'", 8}}};
 
+constexpr std::array<Style, 6> styles_aside{{{"#303030", "solid", 12},
+                                             {"#606060", "'-'", 10},
+                                             {"#808080", "solid", 14},
+                                             {"#404040", "'.'", 1},
+                                             {"#707070", "'.-'", 2},
+                                             {"#909090", "'_'", 3}}};
+
+/// The k-th of its kind.
+const Style& style(const CurvesPicture::Curve& curve, std::size_t k) {
+    return curve.is_aside ? styles_aside.at(k % styles_aside.size()) : styles.at(k % styles.size());
+}
+
 /// NOTE: gnuplot reads data of its own script only from its standard input or as blocks, which need
 /// line ends; so each curve is an array.
 std::string array(const std::string& name, const std::vector<double>& values) {
@@ -49,8 +61,10 @@ std::string draw(const CurvesPicture& picture) {
     script += "set grid linecolor rgb '#d8d8d8'\nset border linecolor rgb '#505050'\n"
               "set key outside right top samplen 3\n";
     std::string plots;
+    std::size_t aside = 0, drawn = 0;
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
         const CurvesPicture::Curve& curve = picture.curves[k];
+        const Style& look = style(curve, curve.is_aside ? aside++ : drawn++);
         if (curve.points.empty()) continue;
         std::vector<double> xs, ys;
         for (const auto& [x, y] : curve.points) {
@@ -58,14 +72,13 @@ std::string draw(const CurvesPicture& picture) {
             ys.push_back(y);
         }
         script += array(fmt::format("x{}", k), xs) + array(fmt::format("y{}", k), ys);
-        const Style& style = styles.at(k % styles.size());
         const std::string marks =
-            picture.has_marks ? fmt::format("linespoints pointtype {} pointsize 0.7", style.mark)
+            picture.has_marks ? fmt::format("linespoints pointtype {} pointsize 0.7", look.mark)
                               : std::string("lines");
         plots += fmt::format("{} x{} using (x{}[$1]):(y{}[$1]) with {} linecolor rgb '{}' "
-                             "dashtype {} linewidth 1.5 title {}",
-                             plots.empty() ? "" : ",", k, k, k, marks, style.colour, style.dashes,
-                             gnuplot_label(curve.name));
+                             "dashtype {} linewidth {} title {}",
+                             plots.empty() ? "" : ",", k, k, k, marks, look.colour, look.dashes,
+                             curve.is_aside ? 0.8 : 1.5, gnuplot_label(curve.name));
     }
     if (plots.empty()) plots = " [1:10][1e-16:1] 1/0 notitle";
     return gnuplot_svg(script + "plot" + plots + "\n", page_width, page_height, ".");

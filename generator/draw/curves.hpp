@@ -12,6 +12,7 @@ struct CurvesPicture {
     struct Curve {
         std::string name;
         std::vector<std::pair<double, double>> points;  ///< finite, above 0 on a logarithmic axis
+        bool is_aside = false;  ///< thin and grey: others are compared with it
     };
 
     std::string title;

@@ -48,11 +48,12 @@ Files files_of(const ProgramText& text) {
 }
 
 /// All that the program depends on.
-std::string key_of(const Compiler& compiler, const Files& files) {
+std::string key_of(const Compiler& compiler, const ProgramText& text, const Files& files) {
     const Machine machine = this_machine();
     std::string key = compiler.version + "\n" + machine.processor + "\n" + machine.extensions;
     for (const std::string& word : compiler.command) key += "\n" + word;
     for (const std::string& word : compiler_options()) key += "\n" + word;
+    for (const std::string& library : text.libraries) key += "\n-l" + library;
     for (const auto& [name, content] : files)
         key.append("\n").append(name).append("\n").append(content);
     return key;
@@ -101,7 +102,7 @@ private:
 
 fs::path built_program(const Compiler& compiler, const ProgramText& text) {
     const Files files = files_of(text);
-    const std::string key = key_of(compiler, files);
+    const std::string key = key_of(compiler, text, files);
     const fs::path directory = cache_directory() / hash(key);
     const fs::path program = directory / "program";
     if (holds(directory / "key", key) && fs::exists(program)) return program;
@@ -111,7 +112,7 @@ fs::path built_program(const Compiler& compiler, const ProgramText& text) {
         make_directories((workshop.path() / name).parent_path());
         write_file(workshop.path() / name, content);
     }
-    compile(compiler, workshop.path());
+    compile(compiler, workshop.path(), text.libraries);
     write_file(workshop.path() / "key", key);
     std::error_code error;
     fs::remove_all(directory, error);

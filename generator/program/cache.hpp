@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "generator/program/compiler.hpp"
 
@@ -15,6 +16,7 @@ namespace hvi::gen {
 struct ProgramText {
     std::string main;
     std::map<std::string, std::string> headers;  ///< by the names under which it includes them
+    std::vector<std::string> libraries = {};     ///< that it is linked with: `gsl`
 };
 
 /// Where the compiled program is: in hvi-gen/ of XDG_CACHE_HOME, else of .cache in HOME, else of

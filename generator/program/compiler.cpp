@@ -58,11 +58,13 @@ const std::vector<std::string>& compiler_options() {
     return options;
 }
 
-void compile(const Compiler& compiler, const std::filesystem::path& directory) {
+void compile(const Compiler& compiler, const std::filesystem::path& directory,
+             const std::vector<std::string>& libraries) {
     const Progress::Stage stage("compiling");
     std::vector<std::string> words = compiler.command;
     words.insert(words.end(), compiler_options().begin(), compiler_options().end());
     words.insert(words.end(), {"main.cpp", "-o", "program"});
+    for (const std::string& library : libraries) words.push_back("-l" + library);
     const ChildResult result = run_child(words, directory);
     if (!result.ok())
         throw EnvironmentError("the compiler failed: " +

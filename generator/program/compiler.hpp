@@ -20,7 +20,9 @@ struct Compiler {
 [[nodiscard]] const std::vector<std::string>& compiler_options();
 
 /// Makes of `main.cpp` in the directory, which may include what lies there, the program `program`
-/// beside it. Throws EnvironmentError with the first error of the compiler.
-void compile(const Compiler& compiler, const std::filesystem::path& directory);
+/// beside it, linked with the libraries. Throws EnvironmentError with the first error of the
+/// compiler.
+void compile(const Compiler& compiler, const std::filesystem::path& directory,
+             const std::vector<std::string>& libraries = {});
 
 }  // namespace hvi::gen

@@ -22,17 +22,21 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::string report_csv(const Report& report) {
-    std::string text = "scene,method,order,peer,h,steps,error,energy_error,seconds,spread,"
-                       "evaluations,iterations,status\n";
+    std::string text =
+        "scene,method,order,peer,h,tolerance,steps,error,energy_error,seconds,spread,"
+        "evaluations,iterations,status\n";
     for (const SceneReport& scene : report.scenes)
         for (const WorkCurve& curve : scene.curves)
             for (const WorkPoint& point : curve.points)
-                text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(scene.name),
-                                    quoted(curve.name), curve.order, curve.is_peer, point.h,
-                                    point.steps, cell(point.error), cell(point.energy_error),
-                                    point.seconds > 0 ? cell(point.seconds) : "",
-                                    point.seconds > 0 ? cell(point.spread) : "", point.evaluations,
-                                    point.iterations, quoted(point.status));
+                text += fmt::format(
+                    "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(scene.name),
+                    quoted(curve.name), curve.order > 0 ? std::to_string(curve.order) : "",
+                    curve.is_peer, point.h, point.tolerance > 0 ? cell(point.tolerance) : "",
+                    point.steps, cell(point.error), cell(point.energy_error),
+                    point.seconds > 0 ? cell(point.seconds) : "",
+                    point.seconds > 0 ? cell(point.spread) : "", point.evaluations,
+                    point.iterations, quoted(point.status));
+    for (const std::string& note : report.notes) text += "# " + note + "\n";
     if (!report.incomplete.empty()) text += "# incomplete: " + report.incomplete + "\n";
     return text;
 }

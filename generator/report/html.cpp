@@ -16,11 +16,17 @@ std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";
 }
 
+/// With the tolerance that has led to it.
+std::string step_size(const WorkPoint& point) {
+    const std::string h = fmt::format("{:.5g}", point.h);
+    return point.tolerance > 0 ? fmt::format("{} ({:.0e})", h, point.tolerance) : h;
+}
+
 std::string row(const WorkCurve& curve, const WorkPoint& point, bool is_first) {
     const std::vector<std::string> cells{
         is_first ? escaped(curve.name) : "",
-        is_first ? std::to_string(curve.order) : "",
-        fmt::format("{:.5g}", point.h),
+        is_first ? (curve.order > 0 ? std::to_string(curve.order) : "varies") : "",
+        step_size(point),
         number(point.error),
         number(point.energy_error),
         point.seconds > 0 ? fmt::format("{:.3g}", 1e3 * point.seconds) : "-",
@@ -71,12 +77,15 @@ std::string report_html(const Report& report, const Pictures& pictures) {
         report.incomplete.empty()
             ? ""
             : fmt::format("<p class=\"incomplete\">Incomplete: {}</p>", escaped(report.incomplete));
+    std::string notes;
+    for (const std::string& note : report.notes) notes += "<br>" + escaped(note);
     return fill("report.html.in",
                 {{"style", std::string(embedded_template("report.css"))},
                  {"incomplete", incomplete},
                  {"machine", escaped(fmt::format("{}, {} threads, {}", report.machine.processor,
                                                  report.machine.threads, report.machine.system))},
                  {"compiler", escaped(report.compiler_version + ": " + report.compiler)},
+                 {"notes", notes},
                  {"scenes", scenes}});
 }
 

@@ -11,6 +11,7 @@ using Json = nlohmann::ordered_json;  // NOTE: it writes null for what is no fin
 
 Json json_of(const WorkPoint& point) {
     return {{"h", point.h},
+            {"tolerance", point.tolerance > 0 ? Json(point.tolerance) : Json(nullptr)},
             {"steps", point.steps},
             {"error", point.error},
             {"energy_error", point.energy_error},
@@ -25,7 +26,7 @@ Json json_of(const WorkCurve& curve) {
     Json points = Json::array();
     for (const WorkPoint& point : curve.points) points.push_back(json_of(point));
     return {{"name", curve.name},
-            {"order", curve.order},
+            {"order", curve.order > 0 ? Json(curve.order) : Json(nullptr)},
             {"peer", curve.is_peer},
             {"points", std::move(points)}};
 }
@@ -48,6 +49,7 @@ std::string report_json(const Report& report) {
                 {"threads", report.machine.threads},
                 {"system", report.machine.system}}},
               {"compiler", {{"command", report.compiler}, {"version", report.compiler_version}}}};
+    if (!report.notes.empty()) json["notes"] = report.notes;
     if (!report.incomplete.empty()) json["incomplete"] = report.incomplete;
     json["scenes"] = Json::array();
     for (const SceneReport& scene : report.scenes) json["scenes"].push_back(json_of(scene));

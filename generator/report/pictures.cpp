@@ -18,7 +18,7 @@ template <class Cost>
 CurvesPicture work(const SceneReport& scene, const std::string& axis, Cost cost) {
     CurvesPicture picture{scene.name, axis, "error at the end", true, true, {}};
     for (const WorkCurve& curve : scene.curves) {
-        Curve drawn{curve.name, {}};
+        Curve drawn{curve.name, {}, curve.is_peer};
         for (const WorkPoint& point : curve.points) {
             const bool is_there = point.ok() && point.error > 0 && std::isfinite(point.error);
             if (is_there && cost(point) > 0) drawn.points.emplace_back(cost(point), point.error);
@@ -34,7 +34,7 @@ CurvesPicture over_time(const SceneReport& scene, const std::string& axis,
     CurvesPicture picture{scene.name, "t", axis, false, false, {}};
     for (const WorkCurve& curve : scene.curves) {
         const Departures& departures = curve.departures;
-        Curve drawn{fmt::format("{}, h = {:.3g}", curve.name, departures.h), {}};
+        Curve drawn{fmt::format("{}, h = {:.3g}", curve.name, departures.h), {}, curve.is_peer};
         const std::vector<double>& all = departures.*values;
         for (std::size_t i = 0; i < all.size(); ++i)
             if (all[i] > 0 && std::isfinite(all[i]))

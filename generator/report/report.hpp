@@ -10,9 +10,10 @@
 
 namespace hvi::gen {
 
-/// One run of a method to the end, in steps of one size.
+/// One run of a method to the end, in steps of one size or of sizes that it chooses.
 struct WorkPoint {
-    double h = 0;
+    double h = 0;          ///< the mean of them
+    double tolerance = 0;  ///< by which they are chosen; 0 where they are equal
     std::int64_t steps = 0;
     double error = 0;  ///< distance of (q, p) from the reference, relative where that is not 0
     double energy_error = 0;  ///< the largest on the way; NaN where the energy is not conserved
@@ -34,10 +35,10 @@ struct Departures {
 };
 
 struct WorkCurve {
-    std::string name;  ///< of the method
-    int order = 0;
+    std::string name;               ///< of the method
+    int order = 0;                  ///< 0 where it varies
     bool is_peer = false;           ///< of another library
-    std::vector<WorkPoint> points;  ///< by rising number of steps
+    std::vector<WorkPoint> points;  ///< by rising number of steps, or falling tolerance
     Departures departures;
 };
 
@@ -61,7 +62,8 @@ struct Report {
     std::string compiler;  ///< its name and options
     std::string compiler_version;
     std::vector<SceneReport> scenes;
-    std::string incomplete;  ///< why there is not more; empty where it is whole
+    std::vector<std::string> notes;  ///< sentences without a full stop
+    std::string incomplete;          ///< why there is not more; empty where it is whole
 };
 
 }  // namespace hvi::gen

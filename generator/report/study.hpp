@@ -10,6 +10,7 @@
 #include "generator/read/method.hpp"
 #include "generator/read/scene.hpp"
 #include "generator/report/report.hpp"
+#include "generator/simulate/peers.hpp"
 
 namespace hvi::gen {
 
@@ -18,6 +19,7 @@ struct StudyWishes {
     std::vector<Method> methods;
     std::vector<double> steps;  ///< sizes, of which none is 0; empty: chosen for each method so
                                 ///< that errors go from 1e-2 to round-off
+    std::vector<PeerLibrary> libraries = {};  ///< whose integrators are measured too
 };
 
 /// Compiles and runs all of it, and says on standard error what it is at, where that is a terminal.

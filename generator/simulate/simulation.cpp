@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "generator/emit/text.hpp"
-#include "generator/simulate/answers.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -55,16 +54,25 @@ StepperWishes simulation_wishes(Solver solver) {
     return {.solver = solver, .energy = true, .invariants = true, .evaluations = true};
 }
 
-ProgramText simulation_program(const SceneStepper& stepper) {
-    const std::vector<std::string> conserved = conserved_names(stepper.lowered);
-    return {
-        fill("driver.cpp.in", {{"header", header_name},
-                               {"stepper", stepper.class_name},
-                               {"variables", quoted(variables(stepper.lowered.scene.hamiltonian))},
-                               {"invariants", quoted(conserved)},
-                               {"count", std::to_string(conserved.size())},
-                               {"values", values(stepper.lowered)}}),
-        {{header_name, stepper.header}}};
+ProgramText simulation_program(const SceneStepper& stepper) { return driver_program(stepper, {}); }
+
+ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
+    const LoweredScene& lowered = stepper.lowered;
+    const std::vector<std::string> conserved = conserved_names(lowered);
+    const auto fact = [](bool is_true) { return std::string(is_true ? "true" : "false"); };
+    return {fill("driver.cpp.in", {{"driver", driver.header},
+                                   {"main", driver.main},
+                                   {"header", header_name},
+                                   {"stepper", stepper.class_name},
+                                   {"variables", quoted(variables(lowered.scene.hamiltonian))},
+                                   {"invariants", quoted(conserved)},
+                                   {"count", std::to_string(conserved.size())},
+                                   {"values", values(lowered)},
+                                   {"separable", fact(lowered.structure.is_separable)},
+                                   {"quadratic", fact(lowered.structure.kinetic_is_quadratic)},
+                                   {"time", fact(lowered.system.time.has_value())}}),
+            {{header_name, stepper.header}},
+            driver.libraries};
 }
 
 ProgramText reference_program(const SceneStepper& stepper) {
@@ -105,8 +113,11 @@ Simulation run_simulation(const std::filesystem::path& program, const SceneStepp
 }
 
 Measurement measure(const std::filesystem::path& program, const Steps& steps, double seconds) {
-    const Answers answers = ask(program, {"measure", fmt::format("{}", steps.size),
-                                          std::to_string(steps.count), fmt::format("{}", seconds)});
+    return measurement(ask(program, {"measure", fmt::format("{}", steps.size),
+                                     std::to_string(steps.count), fmt::format("{}", seconds)}));
+}
+
+Measurement measurement(const Answers& answers) {
     Measurement result;
     result.status = answers.text("status");
     result.steps = answers.integer("steps");

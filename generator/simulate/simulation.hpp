@@ -11,6 +11,7 @@
 #include "generator/emit/scene_stepper.hpp"
 #include "generator/exact/functions/step_count.hpp"
 #include "generator/program/cache.hpp"
+#include "generator/simulate/answers.hpp"
 
 namespace hvi::gen {
 
@@ -48,6 +49,16 @@ void check_simulation(const SceneStepper& stepper);
 /// checked.
 [[nodiscard]] ProgramText simulation_program(const SceneStepper& stepper);
 
+/// What a compiled program does with a scene.
+struct Driver {
+    std::string header = "main";              ///< of src/driver, which has
+    std::string main = "main";                ///< this function, below hvi::driver
+    std::vector<std::string> libraries = {};  ///< that it is linked with
+};
+
+/// The same with another driver.
+[[nodiscard]] ProgramText driver_program(const SceneStepper& stepper, const Driver& driver);
+
 /// The program of find_reference(). Precondition: `stepper` is made with float128.
 [[nodiscard]] ProgramText reference_program(const SceneStepper& stepper);
 
@@ -79,12 +90,16 @@ struct Measurement {
     std::int64_t evaluations = 0;    ///< of dH/dq
     std::vector<double> departures;  ///< the largest, of what is conserved
     std::vector<double> end;         ///< coordinates and momenta where the last good step ended
-    std::vector<double> velocity;    ///< their derivatives there, to some digits
+    std::vector<double> velocity;    ///< their derivatives there, to some digits; empty where the
+                                     ///< last step was made to end at the time that was wished for
     double seconds = 0;              ///< the median of repetitions; 0 where none was timed
     double spread = 0;               ///< the middle half of these, as a part of the median
 
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
+
+/// As a driver has said it.
+[[nodiscard]] Measurement measurement(const Answers& answers);
 
 /// Runs the compiled program once, and again for timing over so many seconds, at least three times;
 /// never for 0. Throws as ask() does.

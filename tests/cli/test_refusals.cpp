@@ -249,7 +249,6 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "0", {"check", "--method", "gauss:2", "--max-order", "0"}},
         {2, "latex", {"check", "--method", "gauss:2", "--format", "latex"}},
         {2, "", {"check", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--plot", "x.svg"}},
-        {2, "--peers", {"report", "kepler", "--peers"}},
         {2, "scene.toml", {"stepper", "--method", "gauss:2", "scene.toml"}},
         {2, "w", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+w*q"}},
         {2, "(q-q)", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+1/(q-q)"}},

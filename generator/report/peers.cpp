@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/report/peers.hpp"
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+
+namespace hvi::gen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array tolerances{1e-3, 1e-5, 1e-6, 1e-8, 1e-9, 1e-11, 1e-12, 1e-14};
+
+/// Of the equations in implicit methods of equal steps. A looser one shows in errors of 1e-10, a
+/// tighter one is below round-off where coordinates are large.
+constexpr double tolerance_of_equations = 1e-12;
+
+/// Runs of what chooses its steps.
+std::vector<WorkPoint> by_tolerance(const fs::path& program, const Peer& peer,
+                                    const Course& course) {
+    std::vector<WorkPoint> points;
+    for (const double tolerance : tolerances) {
+        const auto start = std::chrono::steady_clock::now();
+        const Measurement run = measure_peer(program, peer, course.until, course.first_count,
+                                             tolerance, seconds_of_timing);
+        points.push_back(work_point(course, run));
+        points.back().tolerance = tolerance;
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        // It was run once to be looked at, and three times to be timed.
+        if (taken.count() > 4 * longest_of_search) break;
+    }
+    return points;
+}
+
+}  // namespace
+
+std::vector<WorkCurve> peer_curves(const Compiler& compiler, const PeerLibrary& library,
+                                   const Scene& scene, const Course& course) {
+    const SceneStepper stepper = stepper_for_peers(scene);
+    const fs::path program = built_program(compiler, driver_program(stepper, library.driver));
+    std::vector<WorkCurve> curves;
+    for (const Peer& peer : library.peers) {
+        if (!applies(peer, stepper.lowered)) continue;
+        WorkCurve& curve = curves.emplace_back();
+        curve.name = library.name + ":" + peer.name;
+        curve.order = peer.order;
+        curve.is_peer = true;
+        curve.points = !peer.takes_equal_steps
+                           ? by_tolerance(program, peer, course)
+                           : work_points(course, [&](std::int64_t count, double seconds) {
+                                 return measure_peer(program, peer, course.until, count,
+                                                     tolerance_of_equations, seconds);
+                             });
+    }
+    return curves;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/report/work.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::size_t points_of_curve = 8;
+
+/// NOTE: so many steps of the double h end a little beside the time that the reference is of,
+/// which would show where the rest is small.
+double error_of(const Course& course, const Measurement& run) {
+    const auto count = static_cast<double>(run.steps);
+    const double late = std::fma(count, course.until / count, -course.until);
+    double sum = 0, size = 0;
+    for (std::size_t k = 0; k < run.end.size(); ++k) {
+        const double there = course.reference.state[k];
+        const double moved = run.velocity.empty() ? 0 : late * run.velocity[k];
+        const double difference = run.end[k] - there - moved;
+        sum += difference * difference;
+        size += there * there;
+    }
+    return std::sqrt(size > 0 ? sum / size : sum);
+}
+
+/// Runs of one method, each looked at once.
+class Runs {
+public:
+    Runs(const Course& course, const MeasureSteps& measure) : course_(course), measure_(measure) {}
+
+    /// Without timing.
+    const WorkPoint& with(std::int64_t count) {
+        const auto known = points_.find(count);
+        if (known != points_.end()) return known->second;
+        const auto start = std::chrono::steady_clock::now();
+        const WorkPoint& point = points_.emplace(count, point_of(count, 0)).first->second;
+        last_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return point;
+    }
+
+    [[nodiscard]] WorkPoint timed(std::int64_t count) const {
+        return point_of(count, seconds_of_timing);
+    }
+
+    /// How long the last run took that had to be made.
+    [[nodiscard]] double seconds_of_last() const { return last_; }
+
+private:
+    /// NOTE: also where it stopped early, h is the one that was wished for.
+    [[nodiscard]] WorkPoint point_of(std::int64_t count, double seconds) const {
+        WorkPoint point = work_point(course_, measure_(count, seconds));
+        point.h = course_.until / static_cast<double>(count);
+        point.steps = count;
+        return point;
+    }
+
+    const Course& course_;
+    const MeasureSteps& measure_;
+    std::map<std::int64_t, WorkPoint> points_;
+    double last_ = 0;
+};
+
+/// From how many steps to how many the error goes from 1e-2 to where more of them do not help.
+struct Range {
+    std::int64_t least, most;
+};
+
+Range useful_range(Runs& runs, std::int64_t first) {
+    constexpr double coarse = 1e-2, fine = 1e-8;
+    constexpr std::int64_t most_steps = 100'000'000;
+    const auto is_good = [&](std::int64_t count) {
+        const WorkPoint& point = runs.with(count);
+        return point.ok() && point.error < coarse;
+    };
+    Range range{first, first};
+    while (!is_good(range.most) && range.most < most_steps &&
+           runs.seconds_of_last() < longest_of_search)
+        range.most *= 2;
+    range.least = range.most;
+    while (range.least > 1 && is_good(range.least)) range.least /= 2;
+    while (2 * range.most < most_steps && runs.seconds_of_last() < longest_of_search) {
+        const double before = runs.with(range.most).error;
+        const double after = runs.with(2 * range.most).error;
+        range.most *= 2;
+        if (before < fine && !(after < before / 2)) break;
+    }
+    return range;
+}
+
+std::vector<std::int64_t> spread_out(const Range& range) {
+    std::vector<std::int64_t> counts;
+    const double ratio = static_cast<double>(range.most) / static_cast<double>(range.least);
+    for (std::size_t i = 0; i < points_of_curve; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(points_of_curve - 1);
+        counts.push_back(std::llround(static_cast<double>(range.least) * std::pow(ratio, part)));
+    }
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    return counts;
+}
+
+std::vector<std::int64_t> counts_of(const std::vector<double>& steps, double until) {
+    std::vector<std::int64_t> counts;
+    for (const double h : steps)
+        counts.push_back(std::max<std::int64_t>(1, std::llround(std::abs(until / h))));
+    std::sort(counts.begin(), counts.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    return counts;
+}
+
+}  // namespace
+
+WorkPoint work_point(const Course& course, const Measurement& run) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const auto steps = static_cast<double>(run.steps);
+    WorkPoint point;
+    point.h = run.steps > 0 ? course.until / steps : 0;
+    point.steps = run.steps;
+    point.status = run.status;
+    point.error = run.ok() ? error_of(course, run) : nothing;
+    point.energy_error = course.keeps_energy ? run.departures.at(0) : nothing;
+    point.seconds = run.seconds;
+    point.spread = run.spread;
+    point.evaluations = run.evaluations;
+    if (run.steps > 0) point.iterations = static_cast<double>(run.iterations) / steps;
+    return point;
+}
+
+std::vector<WorkPoint> work_points(const Course& course, const MeasureSteps& measure) {
+    Runs runs(course, measure);
+    std::vector<WorkPoint> points;
+    for (const std::int64_t count : course.steps.empty()
+                                        ? spread_out(useful_range(runs, course.first_count))
+                                        : counts_of(course.steps, course.until))
+        points.push_back(runs.timed(count));
+    return points;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,34 @@
+// What runs of a method cost, and how far off they end.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "generator/report/report.hpp"
+#include "generator/simulate/simulation.hpp"
+
+namespace hvi::gen {
+
+/// What runs are compared by.
+struct Course {
+    Reference reference;
+    double until = 0;
+    std::int64_t first_count = 1;  ///< steps to begin a search with
+    std::vector<double> steps;     ///< sizes that are wished for; empty: found by search
+    bool keeps_energy = true;      ///< the exact motion does
+};
+
+constexpr double seconds_of_timing = 0.1;  // of each point
+constexpr double longest_of_search = 0.5;  // seconds: no more work is looked for after such a run
+
+[[nodiscard]] WorkPoint work_point(const Course& course, const Measurement& run);
+
+/// Measures a run in so many equal steps, timed over so many seconds.
+using MeasureSteps = std::function<Measurement(std::int64_t count, double seconds)>;
+
+/// Runs of sizes that are wished for, or else such that errors go from 1e-2 to round-off.
+[[nodiscard]] std::vector<WorkPoint> work_points(const Course& course, const MeasureSteps& measure);
+
+}  // namespace hvi::gen

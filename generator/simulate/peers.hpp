@@ -1,0 +1,49 @@
+// Integrators of other libraries, which a scene is given to as it is to a stepper.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/program/compiler.hpp"
+#include "generator/simulate/simulation.hpp"
+
+namespace hvi::gen {
+
+struct Peer {
+    std::string name;                ///< in its library, and for the driver
+    int order = 0;                   ///< 0 where it varies
+    bool takes_equal_steps = false;  ///< else it chooses them by a tolerance
+    bool needs_separable = false;    ///< H, and without explicit time
+};
+
+struct PeerLibrary {
+    std::string name;
+    std::string title;  ///< for people
+    std::string probe;  ///< a program that prints the version
+    Driver driver;
+    std::vector<Peer> peers;
+};
+
+[[nodiscard]] const std::vector<PeerLibrary>& peer_libraries();
+
+/// Its version; empty where it is not installed, as far as the compiler finds it. Throws
+/// Interruption.
+[[nodiscard]] std::optional<std::string> installed_version(const Compiler& compiler,
+                                                           const PeerLibrary& library);
+
+[[nodiscard]] bool applies(const Peer& peer, const LoweredScene& lowered);
+
+/// A scene with what peers evaluate. Throws as scene_stepper() does.
+[[nodiscard]] SceneStepper stepper_for_peers(const Scene& scene);
+
+/// Runs a program that is made with the library's driver, as measure() does. `tolerance` is that of
+/// what chooses its steps, of which then the first has the size that `steps` has.
+[[nodiscard]] Measurement measure_peer(const std::filesystem::path& program, const Peer& peer,
+                                       double until, std::int64_t steps, double tolerance,
+                                       double seconds);
+
+}  // namespace hvi::gen
