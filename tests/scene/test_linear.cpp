@@ -359,9 +359,10 @@ TEST_CASE("in a rotating frame and in a magnetic field the energy does not drift
 
 TEST_CASE("products of q and p in float and long double") {
     const auto change = [](auto stepper, auto h) {
+        using Number = typename decltype(stepper)::Scalar;
         typename decltype(stepper)::State x;
-        x.q = {0.5F, -0.25F};
-        x.p = {0.125F, 0.75F};
+        x.q = {Number(0.5), Number(-0.25)};
+        x.p = {Number(0.125), Number(0.75)};
         const auto energy = stepper.energy(x);
         for (int i = 0; i < 100'000; ++i) { REQUIRE(stepper.step(x, h).ok()); }
         return std::abs(stepper.energy(x) / energy - 1);
