@@ -20,7 +20,8 @@ CurvesPicture work(const SceneReport& scene, const std::string& axis, Cost cost)
     for (const WorkCurve& curve : scene.curves) {
         Curve drawn{curve.name, {}, curve.is_peer};
         for (const WorkPoint& point : curve.points) {
-            const bool is_there = point.ok() && point.error > 0 && std::isfinite(point.error);
+            // NOTE: an orbit that got lost is as far away as one likes, and would hide the others.
+            const bool is_there = point.ok() && point.error > 0 && point.error < 10;
             if (is_there && cost(point) > 0) drawn.points.emplace_back(cost(point), point.error);
         }
         picture.curves.push_back(std::move(drawn));
