@@ -46,7 +46,7 @@ std::string plot(const TrajectoryPicture& picture, const std::vector<Line>& line
         const Line& line = lines[i];
         text += fmt::format("{} {} using (column({})):(column({})-({:.17g})) with lines "
                             "linestyle {} title {}",
-                            i == 0 ? "" : ",", gnuplot_quoted(picture.table.string()),
+                            i == 0 ? "" : ",", gnuplot_quoted(picture.table.filename().string()),
                             gnuplot_quoted(line.x), gnuplot_quoted(line.y), line.less,
                             i % style_count + 1, gnuplot_label(line.name));
     }
@@ -116,7 +116,9 @@ std::string draw(const TrajectoryPicture& picture) {
     const std::string script =
         styles + fmt::format("set multiplot title {}\n", gnuplot_label(picture.title)) +
         over_time(picture, middle) + in_space(picture, middle) + "unset multiplot\n";
-    return gnuplot_svg(script, page_width, page_height, ".");
+    // NOTE: in its directory, whose name may have in it what no script can quote.
+    return gnuplot_svg(script, page_width, page_height,
+                       picture.table.has_parent_path() ? picture.table.parent_path() : ".");
 }
 
 std::vector<std::pair<std::string, std::string>>

@@ -208,6 +208,17 @@ TEST_CASE("an interrupted run leaves nothing half written") {
     CHECK(std::filesystem::is_empty(directory / "out"));
 }
 
+TEST_CASE("directories of any name") {
+    use_cache();
+    const Directory directory;
+    const std::string name = "a'b \"c\"\n; $d";
+    const Outcome result =
+        hvi_gen({"run", "pendulum", "--until", "1", "-o", name}, directory.path());
+    INFO(result.err);
+    CHECK(result.status == 0);
+    CHECK(!contents(directory / (name + "/picture.svg")).empty());
+}
+
 TEST_CASE("runs that cannot be") {
     use_cache();
     CHECK(hvi_gen({"run"}).status == 2);
