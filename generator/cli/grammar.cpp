@@ -114,7 +114,9 @@ void describe(CLI::App& app) {
     add_value(report, "--methods", "LIST", "Names of methods between commas");
     add_value(report, "--steps", "LIST", "Sizes of steps between commas, or auto");
     add_value(report, "--until", "T", "Time at the end, in place of the scene's");
-    add_value(report, "--only", "LIST", "Of html, json, csv, svg; all when not given");
+    add_value(report, "--only", "LIST",
+              "Of html, json, csv, svg; and of work, rejections, stiff, extreme, long, "
+              "symplecticity");
     add_flag(report, "--peers", "Boost.Odeint and GSL too, where they are installed");
     add_flag(report, "--edges", "Stiff and extreme cases; needs no SCENE");
     add_value(report, "-o,--output", "DIR", "Write to this directory (report)");

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generator/cli/grammar.hpp"
+#include "generator/cli/only.hpp"
 #include "generator/cli/words.hpp"
 #include "generator/exact/methods/trees.hpp"
 #include "generator/read/nearest.hpp"
@@ -189,10 +190,10 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.solver = solver_option(words);
     options.step = words.value("--step");
     options.until = words.value("--until");
-    const std::vector<bool> only = words.chosen("--only", {"table", "picture", "summary"});
-    options.table = only[0];
-    options.picture = only[1];
-    options.summary = only[2];
+    const Only only(words, {"table", "picture", "summary"});
+    options.table = only.wants("table");
+    options.picture = only.wants("picture");
+    options.summary = only.wants("summary");
     options.output = file_option(words, "--output");
     return options;
 }
@@ -200,21 +201,28 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
 ReportOptions report_options(const Words& words, const CommandLine& line) {
     ReportOptions options;
     options.scenes = words.values("SCENE");
-    options.edges = words.flag("--edges");
-    if (options.scenes.empty() && !options.edges)
-        throw InputError("no scene is given", line.end(),
-                         "for example kepler, which `hvi-gen list scenes` shows");
+    const bool has_scenes = !options.scenes.empty(), edges = words.flag("--edges");
     options.peers = words.flag("--peers");
     options.methods = words.value("--methods");
     options.steps = words.value("--steps");
     if (options.steps == "auto") options.steps.reset();
     options.until = words.value("--until");
-    const std::vector<bool> only = words.chosen("--only", {"html", "json", "csv", "svg"});
-    options.html = only[0];
-    options.json = only[1];
-    options.csv = only[2];
-    options.svg = only[3];
+    const Only only(words, {"html", "json", "csv", "svg"},
+                    {"work", "rejections", "stiff", "extreme", "long", "symplecticity"});
+    options.html = only.wants("html");
+    options.json = only.wants("json");
+    options.csv = only.wants("csv");
+    options.svg = only.wants("svg");
+    options.parts.work = only.wants_part("work", has_scenes);
+    options.parts.rejections = only.wants_part("rejections", true);
+    options.parts.stiff = only.wants_part("stiff", edges);
+    options.parts.extreme = only.wants_part("extreme", edges);
+    options.parts.long_runs = only.wants_part("long", edges);
+    options.parts.symplecticity = only.wants_part("symplecticity", true);
     options.output = file_option(words, "--output");
+    if (!has_scenes && (options.parts.work || !(edges || only.names_parts())))
+        throw InputError("no scene is given", line.end(),
+                         "for example kepler, which `hvi-gen list scenes` shows");
     return options;
 }
 

@@ -68,14 +68,22 @@ struct RunOptions {
     std::optional<std::filesystem::path> output;  ///< a directory
 };
 
+/// What a report is made of.
+struct ReportParts {
+    bool work = false;  ///< error against run time
+    // At the edges:
+    bool rejections = false, stiff = false, extreme = false, long_runs = false,
+         symplecticity = false;
+};
+
 struct ReportOptions {
     std::vector<std::string> scenes;     ///< names or files
     std::optional<std::string> methods;  ///< names between commas
     std::optional<std::string> steps;    ///< sizes between commas; chosen where there are none
     std::optional<std::string> until;    ///< in place of the scenes'
     bool peers = false;                  ///< integrators of other libraries too
+    ReportParts parts;                   ///< work only where there are scenes
     bool html = true, json = true, csv = true, svg = true;
-    bool edges = false;  ///< stiff and extreme cases too; then there need be no scene
     std::optional<std::filesystem::path> output;  ///< a directory
 };
 

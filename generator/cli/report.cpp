@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "generator/cli/commands.hpp"
-#include "generator/cli/edges.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/cli/words.hpp"
+#include "generator/edges/edges.hpp"
+#include "generator/edges/program.hpp"
 #include "generator/exact/functions/step_count.hpp"
-#include "generator/report/pictures.hpp"
 #include "generator/report/render.hpp"
-#include "generator/report/study.hpp"
+#include "generator/study/study.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
 
@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* usual_methods = "stormer-verlet, lobatto:3, gauss:2, gauss:4, gauss:8";
+constexpr const char* usual_on_scenes = "stormer-verlet, lobatto:3, gauss:2, gauss:4, gauss:8";
+constexpr const char* usual_at_edges = "stormer-verlet, trig3, lobatto:3, gauss:2, gauss:4";
 
 /// A scene with the words of [run] that a report needs.
 struct Subject {
@@ -52,9 +53,9 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// What is not installed is left out, and the report says so.
-void find_peers(const Compiler& compiler, StudyWishes& wishes, Report& report) {
+void find_peers(Builds& builds, StudyWishes& wishes, Report& report) {
     for (const PeerLibrary& library : peer_libraries()) {
-        const auto version = installed_version(compiler, library);
+        const auto version = installed_version(builds, library);
         if (version) wishes.libraries.push_back(library);
         report.notes.push_back(
             version ? fmt::format("{} is {} {}", library.name, library.title, *version)
@@ -62,21 +63,102 @@ void find_peers(const Compiler& compiler, StudyWishes& wishes, Report& report) {
     }
 }
 
-void write(const Report& report, const ReportOptions& options, const fs::path& directory) {
+void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subjects,
+                StudyWishes wishes) {
+    for (const Subject& subject : subjects) {
+        wishes.steps = subject.steps;
+        SceneReport& of_scene = report.scenes.emplace_back();
+        try {
+            study(builds, subject.scene, subject.until, subject.first_count, wishes, of_scene,
+                  report.time_spent);
+        } catch (const Error& error) {
+            report.incomplete = subject.scene.name + ": " + error.what();
+            if (of_scene.curves.empty()) report.scenes.pop_back();
+            throw;
+        }
+    }
+}
+
+std::vector<Scene> scenes_by_name(const std::vector<std::string>& names) {
+    std::vector<Scene> scenes;
+    for (const std::string& name : names) scenes.push_back(edge_scene(name));
+    return scenes;
+}
+
+std::vector<std::string> all_scenes() {
+    std::vector<std::string> names;
+    for (const SceneEntry& entry : scenes()) names.emplace_back(entry.name);
+    return names;
+}
+
+/// On the scenes of the report; where it has none, on some that come with the program.
+void add_edges(Report& report, Builds& builds, const std::vector<Method>& methods,
+               const std::vector<Subject>& subjects, const ReportParts& parts) {
+    // Each kind of stepper occurs, and a collision.
+    const std::vector<std::string> various{"pendulum", "kepler", "henon-heiles", "nonseparable",
+                                           "harmonic-oscillator"};
+    std::vector<Scene> given;
+    for (const Subject& subject : subjects) given.push_back(subject.scene);
+    const auto add = [&](bool is_wished_for, const std::string& name, auto chapter) {
+        if (!is_wished_for) return;
+        const TimeSpent::Part part(report.time_spent, name);
+        report.edges.push_back(chapter());
+    };
+    add(parts.rejections, "rejections", [&] {
+        return rejections(builds, methods, given.empty() ? scenes_by_name(various) : given);
+    });
+    add(parts.stiff, "stiff", [&] { return stiff(builds, methods); });
+    add(parts.stiff, "chain", [&] { return chain(builds, methods); });
+    add(parts.extreme, "extreme", [&] { return extreme(builds, methods); });
+    add(parts.long_runs, "long runs", [&] { return long_runs(builds, methods); });
+    add(parts.symplecticity, "symplecticity", [&] {
+        return symplecticity(builds, methods, given.empty() ? scenes_by_name(all_scenes()) : given);
+    });
+}
+
+void write(Report& report, const ReportOptions& options, const fs::path& directory) {
     make_directory(directory);
+    Pictures pictures;
+    if (options.html || options.svg) {
+        const TimeSpent::Part part(report.time_spent, "drawing");
+        pictures = report_pictures(report);
+    }
     if (options.json) write_file(directory / "report.json", report_json(report));
-    if (options.csv) write_file(directory / "report.csv", report_csv(report));
-    if (!options.html && !options.svg) return;
-    Pictures all;
-    for (const SceneReport& scene : report.scenes) all.merge(report_pictures(scene));
+    if (options.csv && !report.scenes.empty())
+        write_file(directory / "report.csv", report_csv(report));
+    if (options.csv && !report.edges.empty())
+        write_file(directory / "edges.csv", edges_csv(report));
     if (options.svg)
-        for (const auto& [name, svg] : all) write_file(directory / (name + ".svg"), svg);
-    if (options.html) write_file(directory / "report.html", report_html(report, all));
+        for (const auto* subjects : {&pictures.of_scenes, &pictures.of_edges})
+            for (const std::vector<Picture>& all : *subjects)
+                for (const Picture& picture : all)
+                    write_file(directory / (picture.name + ".svg"), picture.svg);
+    if (options.html) write_file(directory / "report.html", report_html(report, pictures));
+}
+
+/// Throws MathError with the first case that is not as expected.
+void check_edges(const Report& report, const fs::path& directory) {
+    const EdgeCheck* first = nullptr;
+    std::size_t wrong = 0, all = 0;
+    for (const EdgeChapter& chapter : report.edges)
+        for (const EdgeCheck& check : chapter.checks) {
+            ++all;
+            if (check.agrees) continue;
+            ++wrong;
+            if (first == nullptr) first = &check;
+        }
+    if (first == nullptr) return;
+    throw MathError(
+        fmt::format("{} on {}, {}: expected {}; seen {}", first->method, first->scene, first->what,
+                    first->expected, first->seen),
+        {},
+        fmt::format("{} of {} cases are not as expected: see {}", wrong, all, directory.string()));
 }
 
 }  // namespace
 
 void run(const ReportOptions& options) {
+    const std::string usual_methods = options.scenes.empty() ? usual_at_edges : usual_on_scenes;
     StudyWishes wishes;
     for (const auto& name : list_items("--methods", options.methods.value_or(usual_methods)))
         wishes.methods.push_back(named_method(name));
@@ -84,29 +166,22 @@ void run(const ReportOptions& options) {
     for (const std::string& scene : options.scenes) subjects.push_back(subject(scene, options));
 
     const InterruptionsHeld held;
-    const Compiler compiler = find_compiler();
-    if (subjects.empty()) return report_edges(options, compiler);
-    Report report{this_machine(),
-                  joined(compiler.command) + " " + joined(compiler_options()),
-                  compiler.version,
-                  {},
-                  {},
-                  {}};
-    if (options.peers) find_peers(compiler, wishes, report);
+    Builds builds(find_compiler());
+    const Compiler& compiler = builds.compiler();
+    Report report{this_machine(), joined(compiler.command) + " " + joined(compiler_options()),
+                  compiler.version};
     const fs::path directory = options.output.value_or("report");
-    for (Subject& subject : subjects) {
-        wishes.steps = subject.steps;
-        try {
-            report.scenes.push_back(
-                study(compiler, subject.scene, subject.until, subject.first_count, wishes));
-        } catch (const Interruption&) { throw; } catch (const Error& error) {
-            report.incomplete = subject.scene.name + ": " + error.what();
-            write(report, options, directory);
-            throw;
-        }
+    try {
+        if (options.peers) find_peers(builds, wishes, report);
+        if (options.parts.work) add_scenes(report, builds, subjects, wishes);
+        add_edges(report, builds, wishes.methods, subjects, options.parts);
+    } catch (const Interruption&) { throw; } catch (const Error& error) {
+        if (report.incomplete.empty()) report.incomplete = error.what();
+        write(report, options, directory);
+        throw;
     }
     write(report, options, directory);
-    if (options.edges) report_edges(options, compiler);
+    check_edges(report, directory);
 }
 
 }  // namespace hvi::gen

@@ -13,6 +13,7 @@
 #include "generator/cli/run_wishes.hpp"
 #include "generator/draw/trajectory.hpp"
 #include "generator/emit/names.hpp"
+#include "generator/program/builds.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/output_file.hpp"
@@ -176,7 +177,8 @@ void run(const RunOptions& options) {
     check_simulation(stepper);
 
     const InterruptionsHeld held;
-    const fs::path program = built_program(find_compiler(), simulation_program(stepper));
+    Builds builds(find_compiler());
+    const fs::path program = built(builds.order(simulation_program(stepper)));
     const std::optional<fs::path> directory = hvi::gen::directory(stepper, options);
     Results results(directory);
     const Simulation simulation = simulate(program, stepper, steps, results.table());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/words.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
@@ -91,22 +93,20 @@ std::size_t Words::choice(const std::string& option,
                      value_place(option, *given), did_you_mean(*given, choices, "one of " + all));
 }
 
-std::vector<bool> Words::chosen(const std::string& option,
-                                const std::vector<std::string_view>& choices) const {
+std::set<std::string> Words::chosen(const std::string& option,
+                                    const std::vector<std::string_view>& choices) const {
     const auto given = value(option);
-    std::vector<bool> is_chosen(choices.size(), !given);
-    if (!given) return is_chosen;
-    std::string all;
-    for (const std::string_view each : choices) all.append(all.empty() ? "" : ", ").append(each);
+    std::set<std::string> chosen;
+    if (!given) return chosen;
+    const std::string all = fmt::format("{}", fmt::join(choices, ", "));
     for (const auto& item : list_items(option, *given)) {
-        const auto found = std::find(choices.begin(), choices.end(), item->text);
-        if (found == choices.end())
+        if (std::find(choices.begin(), choices.end(), item->text) == choices.end())
             throw InputError("no such item of " + option + ": `" + item->text + "`",
                              Place{item, {0, item->text.size()}},
                              did_you_mean(item->text, choices, "some of " + all));
-        is_chosen[static_cast<std::size_t>(found - choices.begin())] = true;
+        chosen.insert(item->text);
     }
-    return is_chosen;
+    return chosen;
 }
 
 std::vector<std::shared_ptr<const Source>> list_items(const std::string& option,

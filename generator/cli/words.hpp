@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,9 +53,9 @@ public:
     [[nodiscard]] std::size_t choice(const std::string& option,
                                      const std::vector<std::string_view>& choices) const;
 
-    /// Which of the choices are items of a list between commas; all when it is not given.
-    [[nodiscard]] std::vector<bool> chosen(const std::string& option,
-                                           const std::vector<std::string_view>& choices) const;
+    /// The items of a list between commas, which are among the choices; none when it is not given.
+    [[nodiscard]] std::set<std::string> chosen(const std::string& option,
+                                               const std::vector<std::string_view>& choices) const;
 
 private:
     const CLI::App& command_;

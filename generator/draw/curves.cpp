@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int page_width = 760, page_height = 560;
+constexpr int page_width = 720, page_height = 600;
 
 struct Style {
     const char* colour;
@@ -59,7 +59,7 @@ std::string draw(const CurvesPicture& picture) {
     script += picture.x_is_logarithmic ? "set logscale xy\nset format xy '10^{%L}'\n"
                                        : "set logscale y\nset format y '10^{%L}'\n";
     script += "set grid linecolor rgb '#d8d8d8'\nset border linecolor rgb '#505050'\n"
-              "set key outside right top samplen 3\n";
+              "set key below maxcols 2 Left reverse samplen 3\n";
     std::string plots;
     std::size_t aside = 0, drawn = 0;
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "generator/draw/curves.hpp"
-#include "generator/program/compiler.hpp"
-#include "generator/program/machine.hpp"
+#include "generator/program/builds.hpp"
 #include "generator/read/method.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -28,26 +28,20 @@ struct EdgeChapter {
     std::vector<CurvesPicture> pictures;
 };
 
-struct EdgeReport {
-    Machine machine;
-    std::string compiler;  ///< its name and options
-    std::string compiler_version;
-    std::vector<EdgeChapter> chapters;
-};
-
 /// The chapters of a report. They compile and run programs, each under a time limit, and say on
 /// standard error what they are at, where that is a terminal. All throw what scene_stepper() and
-/// built_program() do, and Interruption.
-[[nodiscard]] EdgeChapter rejections(const Compiler& compiler, const std::vector<Method>& methods);
-[[nodiscard]] EdgeChapter stiff(const Compiler& compiler, const std::vector<Method>& methods);
-[[nodiscard]] EdgeChapter long_runs(const Compiler& compiler, const std::vector<Method>& methods);
-[[nodiscard]] EdgeChapter symplecticity(const Compiler& compiler,
-                                        const std::vector<Method>& methods);
+/// a Build do, and Interruption.
+///
+/// Precondition: the scenes have initial data and say their step.
+[[nodiscard]] EdgeChapter rejections(Builds& builds, const std::vector<Method>& methods,
+                                     const std::vector<Scene>& scenes);
+[[nodiscard]] EdgeChapter symplecticity(Builds& builds, const std::vector<Method>& methods,
+                                        const std::vector<Scene>& scenes);
 
-/// Schema hvi-edges/1.
-[[nodiscard]] std::string edges_json(const EdgeReport& report);
-
-/// One page that needs nothing beside it. Throws as draw() does.
-[[nodiscard]] std::string edges_html(const EdgeReport& report);
+/// The same on scenes of their own.
+[[nodiscard]] EdgeChapter stiff(Builds& builds, const std::vector<Method>& methods);
+[[nodiscard]] EdgeChapter chain(Builds& builds, const std::vector<Method>& methods);
+[[nodiscard]] EdgeChapter extreme(Builds& builds, const std::vector<Method>& methods);
+[[nodiscard]] EdgeChapter long_runs(Builds& builds, const std::vector<Method>& methods);
 
 }  // namespace hvi::gen

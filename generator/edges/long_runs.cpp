@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "generator/edges/edges.hpp"
-#include "generator/edges/program.hpp"
+#include "generator/edges/energy_shifts.hpp"
+#include "generator/edges/rounded_tableau.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/support/bar.hpp"
 
 namespace hvi::gen {
@@ -13,33 +15,23 @@ namespace hvi::gen {
 namespace {
 
 constexpr double most = 0.75;  // between 1/2 of a random walk and 1 of a drift
-constexpr std::size_t longest_windows = 7;
+constexpr std::size_t fewest_windows = 7;
 
-/// Runs from several states of a scene.
-struct LongRun {
-    std::string scene;
-    Solver solver;
-    long steps;
-    double h;
-    std::size_t starts;
+/// A stepper over one kind of run.
+struct Runner {
+    std::string method;
+    LongRun run;
+    bool is_iterated;
+    EdgeProgram program;
 };
 
-/// Of n steps, the root of the mean square, over the runs, of the change of the mean energy.
-using Shifts = std::vector<std::pair<double, double>>;
-
-/// The start of run i, a little away from that of the scene.
-std::vector<double> moved(std::vector<double> start, std::size_t i) {
-    for (double& x : start) x *= 1 + 0.01 * static_cast<double>(i);
-    return start;
-}
-
-/// The slope of log y over log x in the longest windows, by least squares.
-double exponent(const Shifts& all) {
-    const Shifts shifts(all.end() - static_cast<std::ptrdiff_t>(longest_windows), all.end());
+/// The slope of log y over log x in the longer two thirds of the windows, by least squares.
+double exponent(const std::vector<std::pair<double, double>>& all) {
     double x = 0, y = 0, xx = 0, xy = 0;
-    const auto n = static_cast<double>(shifts.size());
-    for (const auto& [steps, shift] : shifts) {
-        const double u = std::log(steps), v = std::log(shift);
+    const std::size_t first = all.size() / 3;
+    const auto n = static_cast<double>(all.size() - first);
+    for (std::size_t i = first; i < all.size(); ++i) {
+        const double u = std::log(all[i].first), v = std::log(all[i].second);
         x += u;
         y += v;
         xx += u * u;
@@ -48,48 +40,20 @@ double exponent(const Shifts& all) {
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
-/// Empty, and why in `failure`, where one of them stops early.
-Shifts shifts(const EdgeProgram& program, const LongRun& run, std::string& failure) {
-    const std::vector<double> start = program.ask({"start"}).answers.numbers("start");
-    Shifts result;
-    for (std::size_t i = 0; i < run.starts; ++i) {
-        const Heard heard = program.ask("energy", run.h, run.steps, moved(start, i));
-        failure = heard.failure;
-        if (failure.empty() && heard.answers.text("status") != "ok")
-            failure = heard.answers.text("status");
-        if (!failure.empty()) return {};
-        const auto windows = heard.answers.numbers("window"),
-                   shift = heard.answers.numbers("shift");
-        result.resize(windows.size());
-        for (std::size_t k = 0; k < windows.size(); ++k) {
-            result[k].first = windows[k];
-            result[k].second += shift[k] * shift[k];
-        }
-    }
-    for (auto& [steps, sum] : result) sum = std::sqrt(sum / static_cast<double>(run.starts));
-    return result;
+std::string text(const LongRun& run) {
+    return fmt::format("{} runs of {} steps of {}", run.starts, run.steps, run.h);
 }
 
-/// Without what was not there at all.
-Shifts above_zero(const Shifts& shifts) {
-    Shifts result;
-    for (const auto& point : shifts)
-        if (point.second > 0) result.push_back(point);
-    return result;
-}
-
-EdgeCheck check(const std::string& method, const LongRun& run, const Shifts& all,
-                const std::string& failure) {
-    const std::string form = run.solver == Solver::automatic ? "" : ", iterated";
-    EdgeCheck check{method,
-                    run.scene,
-                    fmt::format("{} runs of {} steps of {}{}", run.starts, run.steps, run.h, form),
+EdgeCheck check(const Runner& runner, const EnergyShifts& found) {
+    EdgeCheck check{runner.method,
+                    runner.run.scene,
+                    text(runner.run) + (runner.is_iterated ? ", iterated" : ""),
                     fmt::format("an exponent below {}", most),
-                    failure,
+                    found.failure,
                     false};
-    if (!failure.empty()) return check;
-    const Shifts shifts = above_zero(all);
-    if (shifts.size() < longest_windows) {
+    if (!found.failure.empty()) return check;
+    const auto shifts = above_zero(found);
+    if (shifts.size() < fewest_windows) {
         check.seen = "the energy does not move";
         check.agrees = true;
         return check;
@@ -100,13 +64,85 @@ EdgeCheck check(const std::string& method, const LongRun& run, const Shifts& all
     return check;
 }
 
+CurvesPicture picture(const std::string& title) {
+    return {title, "steps n", "change of the mean energy", true, true, {}};
+}
+
+// ---- what it would be without ----
+
+constexpr const char* compared_scene = "kepler";
+
+/// The method with the most stages to solve for, and a stepper as one would write it first.
+struct Comparison {
+    Method method;
+    Tableau tableau;
+    EdgeProgram program, naive;
+};
+
+EdgeCheck compared(const Comparison& comparison, const LongRun& run, const std::string& what,
+                   double end, const EnergyShifts& found, CurvesPicture& picture) {
+    EdgeCheck check{
+        comparison.method.name,  run.scene,
+        text(run) + ", " + what, fmt::format("at the end more than the {:.1e} of the stepper", end),
+        found.failure,           false};
+    picture.curves.push_back({what, above_zero(found)});
+    if (!found.failure.empty()) return check;
+    const double other = found.of_windows.back().second;
+    check.seen = fmt::format("{:.1e}", other);
+    check.agrees = other > end;
+    return check;
+}
+
+/// NOTE: where rounding each entry keeps b_i a~_ij + b_j a_ji = b_i b_j there is nothing to lose by
+/// it, and nothing is compared.
+void compare(const Comparison& comparison, EdgeChapter& chapter) {
+    const LongRun run{compared_scene, 1L << 19, 0.05, 4};
+    const RoundedTableau rounded = rounded_entries(comparison.tableau);
+    CurvesPicture drawn = picture(
+        fmt::format("{}, {}: what it would be without", compared_scene, comparison.method.name));
+    const EnergyShifts whole = energy_shifts(comparison.program, "energy", run);
+    if (whole.of_windows.empty()) return;  // NOTE: the check before says why.
+    drawn.curves.push_back({"as generated", above_zero(whole)});
+    const double end = whole.of_windows.back().second;
+    const auto add = [&](const std::string& what, const EnergyShifts& found) {
+        chapter.checks.push_back(compared(comparison, run, what, end, found, drawn));
+    };
+    add("sums not compensated", energy_shifts(comparison.program, "forgetful-energy", run));
+    if (!rounded.is_symplectic)
+        add("entries rounded one by one",
+            energy_shifts(comparison.naive, "energy", run, rounded.words));
+    add("entries rounded one by one, sums not compensated",
+        energy_shifts(comparison.naive, "forgetful-energy", run, rounded.words));
+    chapter.pictures.push_back(std::move(drawn));
+}
+
+std::optional<Comparison> comparison(Builds& builds, const std::vector<Method>& methods) {
+    std::optional<Comparison> best;
+    const Scene scene = edge_scene(compared_scene);
+    for (const Method& method : methods) {
+        const Tableau tableau = derive(method);
+        EdgeProgram program(builds, method, scene);
+        if (program.is_explicit() || (best && best->tableau.stages() >= tableau.stages())) continue;
+        best = Comparison{method, tableau, program, EdgeProgram::naive(builds, scene)};
+    }
+    return best;
+}
+
+std::vector<Runner> runners(Builds& builds, const std::vector<Method>& methods, const LongRun& run,
+                            Solver solver) {
+    std::vector<Runner> result;
+    const bool is_iterated = solver != Solver::automatic;
+    for (const Method& method : methods) {
+        EdgeProgram program(builds, method, edge_scene(run.scene), solver);
+        if (is_iterated && program.is_explicit()) continue;  // there is nothing to iterate
+        result.push_back({method.name, run, is_iterated, std::move(program)});
+    }
+    return result;
+}
+
 }  // namespace
 
-EdgeChapter long_runs(const Compiler& compiler, const std::vector<Method>& methods) {
-    const std::vector<LongRun> runs{
-        {"harmonic-oscillator", Solver::automatic, 1L << 23, 0.125, 8},
-        {"harmonic-oscillator", Solver::fixed_point, 1L << 19, 0.125, 8},
-        {"kepler", Solver::automatic, 1L << 20, 0.05, 8}};
+EdgeChapter long_runs(Builds& builds, const std::vector<Method>& methods) {
     EdgeChapter chapter{
         "long",
         "Long runs",
@@ -114,35 +150,36 @@ EdgeChapter long_runs(const Compiler& compiler, const std::vector<Method>& metho
         "the first. The means are weighted so that the oscillation of the energy, which each "
         "method has and in which a drift would hide, falls out of them where the windows are long; "
         "what remains grows like n^(1/2) in a random walk of rounding errors, and like n in a "
-        "drift. The exponent is fitted to the longest windows, over several runs from states that "
+        "drift. The exponent is fitted to the longer two thirds of the windows, over several runs "
+        "from states that "
         "differ by one per cent; at the end is the last of the values it is fitted to: a drift "
-        "that is "
-        "still smaller by then is not seen.",
+        "that is still smaller by then is not seen. At last, what a stepper would lose without "
+        "compensated sums, and with entries of the tableau that are rounded each for itself, which "
+        "breaks b_i a~_ij + b_j a_ji = b_i b_j in the last bits.",
         {},
         {}};
+    const std::vector<std::vector<Runner>> kinds{
+        runners(builds, methods, {"harmonic-oscillator", 1L << 27, 0.125, 4}, Solver::automatic),
+        runners(builds, methods, {"harmonic-oscillator", 1L << 19, 0.125, 8}, Solver::fixed_point),
+        runners(builds, methods, {"kepler", 1L << 20, 0.05, 8}, Solver::automatic)};
+    const std::optional<Comparison> without = comparison(builds, methods);
     Bar bar;
     double done = 0;
-    const double all = static_cast<double>(methods.size() * runs.size());
-    for (const LongRun& run : runs) {
-        const bool iterated = run.solver != Solver::automatic;
-        CurvesPicture picture{run.scene + (iterated ? ", iterated" : ""),
-                              "steps n",
-                              "change of the mean energy",
-                              true,
-                              true,
-                              {}};
-        for (const Method& method : methods) {
-            bar.show(done++ / all, "long runs: " + run.scene);
-            const EdgeProgram program(compiler, method, edge_scene(run.scene), run.solver);
-            const std::string name = method.name;
-            if (iterated && program.is_explicit()) continue;
-            std::string failure;
-            const Shifts found = shifts(program, run, failure);
-            chapter.checks.push_back(check(name, run, found, failure));
-            picture.curves.push_back({name, above_zero(found)});
+    const double all = static_cast<double>(methods.size() * kinds.size() + 1);
+    for (const std::vector<Runner>& kind : kinds) {
+        if (kind.empty()) continue;
+        CurvesPicture drawn =
+            picture(kind.front().run.scene + (kind.front().is_iterated ? ", iterated" : ""));
+        for (const Runner& runner : kind) {
+            bar.show(done++ / all,
+                     fmt::format("long runs: {}, {}", runner.run.scene, runner.method));
+            const EnergyShifts found = energy_shifts(runner.program, "energy", runner.run);
+            chapter.checks.push_back(check(runner, found));
+            drawn.curves.push_back({runner.method, above_zero(found)});
         }
-        chapter.pictures.push_back(std::move(picture));
+        chapter.pictures.push_back(std::move(drawn));
     }
+    if (without) compare(*without, chapter);
     return chapter;
 }
 

@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
+
+#include "generator/exact/numbers/exact_number.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-/// Exactly.
-Number number(double value) {
-    int exponent = 0;
-    Number result(static_cast<long>(std::ldexp(std::frexp(value, &exponent), 53)));
-    for (exponent -= 53; exponent < 0; ++exponent) result = result / Number(2);
-    for (; exponent > 0; --exponent) result = result * Number(2);
-    return result;
-}
 
 Number at(const NumberVector& polynomial, const Number& z) {
     Number value(0);
@@ -67,13 +62,43 @@ double largest(const Matrix& A) {
     return result;
 }
 
+/// y with M^T y = w, by Gauss' elimination.
+std::vector<double> solved_transposed(const Matrix& M, std::vector<double> w) {
+    const std::size_t n = w.size();
+    Matrix rows(n, std::vector<double>(n));
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) rows[i][j] = M[j][i];
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t i = k + 1; i < n; ++i)
+            if (std::abs(rows[i][k]) > std::abs(rows[pivot][k])) pivot = i;
+        std::swap(rows[k], rows[pivot]);
+        std::swap(w[k], w[pivot]);
+        for (std::size_t i = k + 1; i < n; ++i) {
+            const double factor = rows[i][k] / rows[k][k];
+            for (std::size_t j = k; j < n; ++j) rows[i][j] -= factor * rows[k][j];
+            w[i] -= factor * w[k];
+        }
+    }
+    for (std::size_t k = n; k-- > 0;) {
+        for (std::size_t j = k + 1; j < n; ++j) w[k] -= rows[k][j] * w[j];
+        w[k] /= rows[k][k];
+    }
+    return w;
+}
+
+double sum_of_sizes(const std::vector<double>& row) {
+    return std::accumulate(row.begin(), row.end(), 0.0,
+                           [](double sum, double entry) { return sum + std::abs(entry); });
+}
+
 }  // namespace
 
 // With determinant 1, R^n = U_(n-1)(t) R - U_(n-2)(t) where t is half the trace and U are the
 // polynomials of Chebyshev of the second kind: |U| <= 1/sqrt(1 - t^2) where |t| < 1. Where |t| > 1
 // the larger eigenvalue is |t| + sqrt(t^2 - 1).
 Oscillation oscillation(const Certificate& certificate, double z) {
-    const Number argument = number(z);
+    const Number argument = exact_number(z);
     const OscillatorMap& map = *certificate.oscillator;
     const Number t =
         at(map.half_trace.numerator, argument) / at(map.half_trace.denominator, argument);
@@ -86,6 +111,21 @@ Oscillation oscillation(const Certificate& certificate, double z) {
                                     : std::numeric_limits<double>::infinity();
     if (!result.is_stable) result.growth = std::log10(std::abs(t.nearest_double()) + root);
     return result;
+}
+
+// With stages Y = 1 omega q + z A P and P = 1 p - z A~ Y + h A~ g, forces g add z b^T A~ K h g to
+// omega q and b^T K h g to p, where K is the inverse of 1 + z^2 A A~. (b = b~.)
+double response(const Tableau& tableau, double z) {
+    const Matrix A_tilde = rounded(tableau.A_tilde);
+    Matrix M = product(rounded(tableau.A), A_tilde);
+    for (std::size_t i = 0; i < M.size(); ++i)
+        for (std::size_t j = 0; j < M.size(); ++j) M[i][j] = z * z * M[i][j] + (i == j ? 1 : 0);
+    const std::vector<double> b = rounded({tableau.b}).front();
+    std::vector<double> zbA(b.size(), 0.0);
+    for (std::size_t i = 0; i < b.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j) zbA[j] += z * b[i] * A_tilde[i][j];
+    return std::hypot(sum_of_sizes(solved_transposed(M, zbA)),
+                      sum_of_sizes(solved_transposed(M, b)));
 }
 
 // Gelfand: |M^n|^(1/n), for n = 2^12.

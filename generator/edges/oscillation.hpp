@@ -26,4 +26,9 @@ struct Oscillation {
 /// times this.
 [[nodiscard]] double contraction(const Tableau& tableau);
 
+/// How much of a force on the oscillator reaches (omega q, p) in a step: where the stages meet
+/// forces of at most G, they move it by at most h G times this from where R leaves it.
+/// Precondition: z is no pole.
+[[nodiscard]] double response(const Tableau& tableau, double z);
+
 }  // namespace hvi::gen

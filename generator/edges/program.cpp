@@ -6,9 +6,10 @@
 #include <csignal>
 #include <memory>
 
+#include "generator/emit/scene_code.hpp"
 #include "generator/emit/text.hpp"
 #include "generator/exact/functions/step_count.hpp"
-#include "generator/program/cache.hpp"
+#include "generator/simulate/peers.hpp"
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"
 
@@ -18,12 +19,13 @@ namespace {
 
 constexpr const char* header_name = "stepper.hpp";
 
-/// A statement for each parameter, which are all numbers in these scenes.
-std::string set_parameters(const Scene& scene) {
+/// A statement for each parameter.
+std::string set_parameters(const LoweredScene& lowered) {
+    const NodeNames names = parameter_names(lowered);
     std::string text;
-    for (std::size_t i = 0; i < scene.parameters.size(); ++i)
-        text += fmt::format("{}parameters.{} = values.at({});", i == 0 ? "" : "\n",
-                            scene.parameters[i].name, i);
+    for (const Parameter& parameter : lowered.scene.parameters)
+        text += fmt::format("{}{} = *value++;", text.empty() ? "" : "\n",
+                            names.at(lowered.system.symbols.at(parameter.name).node));
     return text;
 }
 
@@ -46,30 +48,34 @@ double usual_step(const Scene& scene) {
     return nearest_value(scene, *scene.run.step);
 }
 
-EdgeProgram::EdgeProgram(const Compiler& compiler, const Method& method, const Scene& scene,
-                         Solver solver) {
+EdgeProgram::EdgeProgram(Builds& builds, const Method& method, const Scene& scene, Solver solver) {
     const SceneStepper stepper = scene_stepper(method, scene, {.solver = solver, .energy = true});
     is_explicit_ = stepper.scheme.is_explicit();
-    path_ = built_program(compiler, {fill("edge.cpp.in", {{"header", header_name},
-                                                          {"stepper", stepper.class_name},
-                                                          {"set", set_parameters(scene)}}),
-                                     {{header_name, stepper.header}}});
+    build_ = builds.order({fill("edge.cpp.in", {{"header", header_name},
+                                                {"stepper", stepper.class_name},
+                                                {"set", set_parameters(stepper.lowered)}}),
+                           {{header_name, stepper.header}}});
 }
 
-EdgeProgram EdgeProgram::symplectic(const Compiler& compiler, const Method& method,
-                                    const Scene& scene) {
+EdgeProgram EdgeProgram::symplectic(Builds& builds, const Method& method, const Scene& scene) {
     const SceneStepper stepper = scene_stepper(method, scene, {.float128 = true});
     EdgeProgram program;
     program.is_explicit_ = stepper.scheme.is_explicit();
-    program.path_ = built_program(
-        compiler,
+    program.build_ = builds.order(
         {fill("symplectic.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
          {{header_name, stepper.header}}});
     return program;
 }
 
+EdgeProgram EdgeProgram::naive(Builds& builds, const Scene& scene) {
+    EdgeProgram program;
+    program.build_ =
+        builds.order(driver_program(stepper_for_peers(scene), {"naive", "naive::main", {}}));
+    return program;
+}
+
 Heard EdgeProgram::ask(std::vector<std::string> words) const {
-    words.insert(words.begin(), path_.string());
+    words.insert(words.begin(), built(build_).string());
     Heard heard;
     const ChildResult ended =
         run_child(words, ".", [&](std::string_view line) { heard.answers.hear(line); });

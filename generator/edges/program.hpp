@@ -2,20 +2,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <array>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "generator/emit/scene_stepper.hpp"
-#include "generator/program/compiler.hpp"
+#include "generator/program/builds.hpp"
 #include "generator/simulate/answers.hpp"
 
 namespace hvi::gen {
-
-/// The scenes that are taken to the edges: each kind of stepper occurs, and a collision.
-inline constexpr std::array edge_scenes{"pendulum", "kepler", "henon-heiles", "nonseparable",
-                                        "harmonic-oscillator"};
 
 /// The scene of this name that comes with the program.
 [[nodiscard]] Scene edge_scene(const std::string& name);
@@ -31,15 +25,19 @@ struct Heard {
 
 class EdgeProgram {
 public:
-    /// Of src/driver/edge_main.hpp. Throws what scene_stepper() and built_program() do.
-    EdgeProgram(const Compiler& compiler, const Method& method, const Scene& scene,
+    /// Of src/driver/edge_main.hpp. Throws what scene_stepper() does.
+    EdgeProgram(Builds& builds, const Method& method, const Scene& scene,
                 Solver solver = Solver::automatic);
 
-    /// Of src/driver/edge_symplectic.hpp, in the widest numbers.
-    [[nodiscard]] static EdgeProgram symplectic(const Compiler& compiler, const Method& method,
+    /// Of src/driver/edge_symplectic.hpp, in dual numbers.
+    [[nodiscard]] static EdgeProgram symplectic(Builds& builds, const Method& method,
                                                 const Scene& scene);
 
-    /// Throws Interruption.
+    /// The same as from a scene, of src/driver/naive.hpp: in place of values of parameters it takes
+    /// a tableau.
+    [[nodiscard]] static EdgeProgram naive(Builds& builds, const Scene& scene);
+
+    /// Throws what the Build does, and Interruption.
     [[nodiscard]] Heard ask(std::vector<std::string> words) const;
 
     /// With numbers after the command, the steps and their size.
@@ -53,7 +51,7 @@ public:
 private:
     EdgeProgram() = default;
 
-    std::filesystem::path path_;
+    Build build_;
     bool is_explicit_ = false;
 };
 

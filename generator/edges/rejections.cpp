@@ -9,6 +9,7 @@
 
 #include "generator/certify/certificate.hpp"
 #include "generator/edges/edges.hpp"
+#include "generator/edges/origin.hpp"
 #include "generator/edges/program.hpp"
 #include "generator/support/bar.hpp"
 
@@ -81,7 +82,7 @@ Seen judged(const Heard& heard, const Case& edge) {
     return {ok ? fmt::format("ok, back within {:.1e}", off) : text, ok && off <= 1e-12};
 }
 
-std::vector<Case> cases(const std::string& scene, double h, const std::vector<double>& start,
+std::vector<Case> cases(Origin origin, double h, const std::vector<double>& start,
                         bool is_symmetric) {
     std::vector<Case> all{{"h = 0", 0, start, Promise::identity}};
     if (is_symmetric)
@@ -103,19 +104,44 @@ std::vector<Case> cases(const std::string& scene, double h, const std::vector<do
         }
     all.push_back(
         {"all of the state 1e300", h, std::vector<double>(start.size(), 1e300), Promise::either});
-    // In all scenes but this one the origin is a point of rest, in this one the collision.
-    const bool collides = scene == "kepler";
     all.push_back({"all of the state 0", h, std::vector<double>(start.size(), 0.0),
-                   collides ? Promise::refusal : Promise::identity});
+                   origin == Origin::singular ? Promise::refusal
+                   : origin == Origin::rest   ? Promise::identity
+                                              : Promise::either});
     all.push_back({fmt::format("all of the state {}", denormal), h,
                    std::vector<double>(start.size(), denormal),
-                   collides ? Promise::refusal : Promise::either});
+                   origin == Origin::singular ? Promise::refusal : Promise::either});
     return all;
+}
+
+/// A method on a scene.
+struct Candidate {
+    std::string method;
+    bool is_symmetric;
+    Scene scene;
+    EdgeProgram program;
+};
+
+std::vector<EdgeCheck> checks(const Candidate& candidate) {
+    const EdgeProgram& program = candidate.program;
+    const Scene& scene = candidate.scene;
+    const std::vector<double> start = program.ask({"start"}).answers.numbers("start");
+    std::vector<EdgeCheck> result;
+    for (const Case& edge :
+         cases(origin_of(scene), usual_step(scene), start, candidate.is_symmetric)) {
+        const bool back = edge.promise == Promise::back;
+        const Seen seen = judged(
+            program.ask(back ? "return" : "advance", edge.h, back ? 10 : 1, edge.state), edge);
+        result.push_back(
+            {candidate.method, scene.name, edge.what, text(edge.promise), seen.text, seen.agrees});
+    }
+    return result;
 }
 
 }  // namespace
 
-EdgeChapter rejections(const Compiler& compiler, const std::vector<Method>& methods) {
+EdgeChapter rejections(Builds& builds, const std::vector<Method>& methods,
+                       const std::vector<Scene>& scenes) {
     EdgeChapter chapter{
         "rejections",
         "Steps that cannot be",
@@ -126,26 +152,19 @@ EdgeChapter rejections(const Compiler& compiler, const std::vector<Method>& meth
         "a step of a new stepper in a program of its own, which has a minute.",
         {},
         {}};
-    Bar bar;
-    double done = 0;
-    const double all = static_cast<double>(methods.size() * edge_scenes.size());
+    std::vector<Candidate> all;
     for (const Method& method : methods) {
         const Certificate certificate = certify(method, 1);
-        for (const std::string name : edge_scenes) {
-            bar.show(done++ / all, fmt::format("rejections: {}, {}", certificate.name, name));
-            const Scene scene = edge_scene(name);
-            const EdgeProgram program(compiler, method, scene);
-            const std::vector<double> start = program.ask({"start"}).answers.numbers("start");
-            for (const Case& edge :
-                 cases(name, usual_step(scene), start, certificate.symmetric.holds)) {
-                const bool back = edge.promise == Promise::back;
-                const Seen seen = judged(
-                    program.ask(back ? "return" : "advance", edge.h, back ? 10 : 1, edge.state),
-                    edge);
-                chapter.checks.push_back({certificate.name, name, edge.what, text(edge.promise),
-                                          seen.text, seen.agrees});
-            }
-        }
+        for (const Scene& scene : scenes)
+            all.push_back({certificate.name, certificate.symmetric.holds, scene,
+                           EdgeProgram(builds, method, scene)});
+    }
+    Bar bar;
+    double done = 0;
+    for (const Candidate& candidate : all) {
+        bar.show(done++ / static_cast<double>(all.size()),
+                 fmt::format("rejections: {}, {}", candidate.method, candidate.scene.name));
+        for (EdgeCheck& check : checks(candidate)) chapter.checks.push_back(std::move(check));
     }
     return chapter;
 }

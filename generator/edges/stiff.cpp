@@ -7,6 +7,7 @@
 #include <map>
 
 #include "generator/edges/edges.hpp"
+#include "generator/edges/forms.hpp"
 #include "generator/edges/oscillation.hpp"
 #include "generator/edges/program.hpp"
 #include "generator/exact/methods/galerkin.hpp"
@@ -18,13 +19,6 @@ namespace {
 
 constexpr const char* scene_name = "harmonic-oscillator";
 constexpr double h = 1.0 / 16;  // omega = z/h is then exact
-
-/// A stepper of one form.
-struct Form {
-    std::string name;
-    Solver solver;
-    EdgeProgram program;
-};
 
 /// What is known of the method beforehand.
 struct Known {
@@ -211,27 +205,13 @@ std::vector<EdgeCheck> at_ends(const Known& known, const Form& form) {
     return checks;
 }
 
-/// The steppers of a method: where there is nothing to solve they are one.
-std::vector<Form> forms(const Compiler& compiler, const Method& method) {
-    const Scene scene = edge_scene(scene_name);
-    std::vector<Form> result{
-        {"as is", Solver::automatic, EdgeProgram(compiler, method, scene, Solver::automatic)}};
-    if (EdgeProgram iterated(compiler, method, scene, Solver::fixed_point);
-        !iterated.is_explicit()) {
-        result.push_back({"fixed points", Solver::fixed_point, std::move(iterated)});
-        result.push_back(
-            {"Newton", Solver::newton, EdgeProgram(compiler, method, scene, Solver::newton)});
-    }
-    return result;
-}
-
 CurvesPicture picture(const std::string& form, const std::string& y) {
     return {"Harmonic oscillator, " + form, "h omega", y, true, true, {}};
 }
 
 }  // namespace
 
-EdgeChapter stiff(const Compiler& compiler, const std::vector<Method>& methods) {
+EdgeChapter stiff(Builds& builds, const std::vector<Method>& methods) {
     EdgeChapter chapter{
         "stiff",
         "Stiff",
@@ -247,12 +227,15 @@ EdgeChapter stiff(const Compiler& compiler, const std::vector<Method>& methods) 
         {},
         {}};
     std::map<std::string, std::vector<CurvesPicture>> pictures;
+    std::vector<std::pair<Known, std::vector<Form>>> all;
+    for (const Method& method : methods)
+        all.push_back({{certify(method, 1), contraction(derive(method))},
+                       forms(builds, method, edge_scene(scene_name))});
     Bar bar;
     double done = 0;
-    for (const Method& method : methods) {
-        const Known known{certify(method, 1), contraction(derive(method))};
-        bar.show(done++ / static_cast<double>(methods.size()), "stiff: " + known.certificate.name);
-        for (const Form& form : forms(compiler, method)) {
+    for (const auto& [known, forms] : all) {
+        bar.show(done++ / static_cast<double>(all.size()), "stiff: " + known.certificate.name);
+        for (const Form& form : forms) {
             auto& of_form =
                 pictures
                     .try_emplace(form.name, std::vector{picture(form.name, "growth"),
@@ -263,8 +246,8 @@ EdgeChapter stiff(const Compiler& compiler, const std::vector<Method>& methods) 
                 chapter.checks.push_back(std::move(check));
         }
     }
-    for (auto& [form, all] : pictures)
-        for (CurvesPicture& each : all) chapter.pictures.push_back(std::move(each));
+    for (auto& [form, of_form] : pictures)
+        for (CurvesPicture& each : of_form) chapter.pictures.push_back(std::move(each));
     return chapter;
 }
 

@@ -115,11 +115,13 @@ fs::path built_program(const Compiler& compiler, const ProgramText& text) {
     compile(compiler, workshop.path(), text.libraries);
     write_file(workshop.path() / "key", key);
     std::error_code error;
+    fs::rename(workshop.path(), directory, error);
+    if (!error) return program;
+    // NOTE: another hvi-gen may have been faster; else something else has this name.
+    if (holds(directory / "key", key) && fs::exists(program)) return program;
     fs::remove_all(directory, error);
     fs::rename(workshop.path(), directory, error);
-    // NOTE: another hvi-gen may have been faster.
-    if (error && !(holds(directory / "key", key) && fs::exists(program)))
-        throw EnvironmentError("cannot make " + directory.string() + ": " + error.message());
+    if (error) throw EnvironmentError("cannot make " + directory.string() + ": " + error.message());
     return program;
 }
 

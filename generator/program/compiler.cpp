@@ -6,7 +6,6 @@
 
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"
-#include "generator/support/progress.hpp"
 
 namespace hvi::gen {
 
@@ -60,7 +59,6 @@ const std::vector<std::string>& compiler_options() {
 
 void compile(const Compiler& compiler, const std::filesystem::path& directory,
              const std::vector<std::string>& libraries) {
-    const Progress::Stage stage("compiling");
     std::vector<std::string> words = compiler.command;
     words.insert(words.end(), compiler_options().begin(), compiler_options().end());
     words.insert(words.end(), {"main.cpp", "-o", "program"});

@@ -19,6 +19,13 @@ std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
+std::string remarks(const Report& report) {
+    std::string text;
+    for (const std::string& note : report.notes) text += "# " + note + "\n";
+    if (!report.incomplete.empty()) text += "# incomplete: " + report.incomplete + "\n";
+    return text;
+}
+
 }  // namespace
 
 std::string report_csv(const Report& report) {
@@ -36,9 +43,17 @@ std::string report_csv(const Report& report) {
                     point.seconds > 0 ? cell(point.seconds) : "",
                     point.seconds > 0 ? cell(point.spread) : "", point.evaluations,
                     point.iterations, quoted(point.status));
-    for (const std::string& note : report.notes) text += "# " + note + "\n";
-    if (!report.incomplete.empty()) text += "# incomplete: " + report.incomplete + "\n";
-    return text;
+    return text + remarks(report);
+}
+
+std::string edges_csv(const Report& report) {
+    std::string text = "chapter,method,scene,case,expected,seen,agrees\n";
+    for (const EdgeChapter& chapter : report.edges)
+        for (const EdgeCheck& check : chapter.checks)
+            text += fmt::format("{},{},{},{},{},{},{}\n", chapter.name, quoted(check.method),
+                                quoted(check.scene), quoted(check.what), quoted(check.expected),
+                                quoted(check.seen), check.agrees);
+    return text + remarks(report);
 }
 
 }  // namespace hvi::gen

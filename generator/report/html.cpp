@@ -58,21 +58,29 @@ std::string reference(const SceneReport& scene) {
                        reference.error);
 }
 
-std::string section(const SceneReport& scene, const Pictures& pictures) {
+/// `compiling 12 s, running gauss:4 3.1 s`.
+std::string text(const TimeSpent& time_spent) {
+    std::string text;
+    for (const auto& [what, seconds] : time_spent.parts())
+        text += fmt::format("{}{} {:.2g} s", text.empty() ? "" : ", ", what, seconds);
+    return text;
+}
+
+std::string section(const SceneReport& scene, const std::vector<Picture>& pictures) {
     std::string text =
-        fmt::format("<h2>{}</h2>\n<p>{}{}To t = {:.10g}. Reference: {}.</p>\n", escaped(scene.name),
+        fmt::format("<h3>{}</h3>\n<p>{}{}To t = {:.10g}. Reference: {}.</p>\n", escaped(scene.name),
                     escaped(scene.description), scene.description.empty() ? "" : ". ", scene.until,
                     escaped(reference(scene)));
-    for (const auto& [name, svg] : pictures)
-        if (name.starts_with(scene.name + "-")) text += inlined(svg) + "\n";
+    for (const Picture& picture : pictures) text += inlined(picture.svg) + "\n";
     return text + table(scene);
 }
 
 }  // namespace
 
 std::string report_html(const Report& report, const Pictures& pictures) {
-    std::string scenes;
-    for (const SceneReport& scene : report.scenes) scenes += section(scene, pictures);
+    std::string scenes = report.scenes.empty() ? "" : std::string(embedded_template("work.html"));
+    for (std::size_t i = 0; i < report.scenes.size(); ++i)
+        scenes += section(report.scenes[i], pictures.of_scenes[i]);
     const std::string incomplete =
         report.incomplete.empty()
             ? ""
@@ -86,7 +94,9 @@ std::string report_html(const Report& report, const Pictures& pictures) {
                                                  report.machine.threads, report.machine.system))},
                  {"compiler", escaped(report.compiler_version + ": " + report.compiler)},
                  {"notes", notes},
-                 {"scenes", scenes}});
+                 {"time_spent", escaped(text(report.time_spent))},
+                 {"scenes", scenes},
+                 {"edges", edges_html(report, pictures)}});
 }
 
 }  // namespace hvi::gen

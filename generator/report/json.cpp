@@ -40,6 +40,24 @@ Json json_of(const SceneReport& scene) {
             {"methods", std::move(methods)}};
 }
 
+Json json_of(const EdgeCheck& check) {
+    return {{"method", check.method},     {"scene", check.scene}, {"case", check.what},
+            {"expected", check.expected}, {"seen", check.seen},   {"agrees", check.agrees}};
+}
+
+Json json_of(const EdgeChapter& chapter) {
+    Json checks = Json::array();
+    for (const EdgeCheck& check : chapter.checks) checks.push_back(json_of(check));
+    return {{"name", chapter.name}, {"about", chapter.about}, {"checks", std::move(checks)}};
+}
+
+Json json_of(const TimeSpent& time_spent) {
+    Json parts = Json::array();
+    for (const auto& [what, seconds] : time_spent.parts())
+        parts.push_back({{"on", what}, {"seconds", seconds}});
+    return parts;
+}
+
 }  // namespace
 
 std::string report_json(const Report& report) {
@@ -53,6 +71,9 @@ std::string report_json(const Report& report) {
     if (!report.incomplete.empty()) json["incomplete"] = report.incomplete;
     json["scenes"] = Json::array();
     for (const SceneReport& scene : report.scenes) json["scenes"].push_back(json_of(scene));
+    json["edges"] = Json::array();
+    for (const EdgeChapter& chapter : report.edges) json["edges"].push_back(json_of(chapter));
+    json["time_spent"] = json_of(report.time_spent);
     return json.dump(2) + "\n";
 }
 

@@ -51,18 +51,38 @@ bool is_empty(const CurvesPicture& picture) {
     return true;
 }
 
+void add(std::vector<Picture>& pictures, const std::string& name, const CurvesPicture& picture) {
+    if (!is_empty(picture)) pictures.push_back({name, draw(picture)});
+}
+
+std::vector<Picture> pictures_of(const SceneReport& scene) {
+    std::vector<Picture> pictures;
+    add(pictures, scene.name + "-1-time",
+        work(scene, "run time in seconds", [](const auto& p) { return p.seconds; }));
+    add(pictures, scene.name + "-2-evaluations",
+        work(scene, "evaluations of dH/dq",
+             [](const auto& p) { return static_cast<double>(p.evaluations); }));
+    add(pictures, scene.name + "-3-energy",
+        over_time(scene, "error of the energy", &Departures::energy));
+    add(pictures, scene.name + "-4-invariants",
+        over_time(scene, "error of the invariants", &Departures::invariants));
+    return pictures;
+}
+
+std::vector<Picture> pictures_of(const EdgeChapter& chapter) {
+    std::vector<Picture> pictures;
+    for (const CurvesPicture& picture : chapter.pictures)
+        add(pictures, fmt::format("edges-{}-{}", chapter.name, pictures.size() + 1), picture);
+    return pictures;
+}
+
 }  // namespace
 
-Pictures report_pictures(const SceneReport& scene) {
-    const std::map<std::string, CurvesPicture> all{
-        {"1-time", work(scene, "run time in seconds", [](const auto& p) { return p.seconds; })},
-        {"2-evaluations", work(scene, "evaluations of dH/dq",
-                               [](const auto& p) { return static_cast<double>(p.evaluations); })},
-        {"3-energy", over_time(scene, "error of the energy", &Departures::energy)},
-        {"4-invariants", over_time(scene, "error of the invariants", &Departures::invariants)}};
+Pictures report_pictures(const Report& report) {
     Pictures pictures;
-    for (const auto& [name, picture] : all)
-        if (!is_empty(picture)) pictures.emplace(scene.name + "-" + name, draw(picture));
+    for (const SceneReport& scene : report.scenes) pictures.of_scenes.push_back(pictures_of(scene));
+    for (const EdgeChapter& chapter : report.edges)
+        pictures.of_edges.push_back(pictures_of(chapter));
     return pictures;
 }
 

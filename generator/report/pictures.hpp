@@ -2,19 +2,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
+#include <vector>
 
 #include "generator/report/report.hpp"
 
 namespace hvi::gen {
 
-/// SVG by the names of their files without an ending, `kepler-1-time`, which are in the order in
-/// which they are shown.
-using Pictures = std::map<std::string, std::string>;
+struct Picture {
+    std::string name;  ///< of its file, without an ending: `kepler-1-time`
+    std::string svg;
+};
 
-/// Error against run time and against evaluations, and how energy and invariants depart over time,
-/// as far as there is anything to show. Throws as gnuplot_svg() does.
-[[nodiscard]] Pictures report_pictures(const SceneReport& scene);
+/// In the order in which they are shown.
+struct Pictures {
+    std::vector<std::vector<Picture>> of_scenes;  ///< of each
+    std::vector<std::vector<Picture>> of_edges;   ///< of each chapter
+};
+
+/// Of each scene, error against run time and against evaluations, and how energy and invariants
+/// depart over time; and those of the edges, `edges-stiff-1`; as far as there is anything to show.
+/// Throws as gnuplot_svg() does.
+[[nodiscard]] Pictures report_pictures(const Report& report);
 
 }  // namespace hvi::gen

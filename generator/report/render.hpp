@@ -1,4 +1,4 @@
-// A report as JSON, as a table, and as a page.
+// A report as JSON, as tables, and as a page.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,7 +14,14 @@ namespace hvi::gen {
 /// A row for each point.
 [[nodiscard]] std::string report_csv(const Report& report);
 
-/// One page that needs nothing beside it.
+/// A row for each case at the edges.
+[[nodiscard]] std::string edges_csv(const Report& report);
+
+/// One page that needs nothing beside it. Precondition: the pictures are those of the report, or
+/// there are none.
 [[nodiscard]] std::string report_html(const Report& report, const Pictures& pictures);
+
+/// The part of it about edges; empty where there is none.
+[[nodiscard]] std::string edges_html(const Report& report, const Pictures& pictures);
 
 }  // namespace hvi::gen

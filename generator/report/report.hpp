@@ -1,69 +1,26 @@
-// What a report says: the error of methods on scenes against what they cost.
+// What a report says.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "generator/edges/edges.hpp"
 #include "generator/program/machine.hpp"
+#include "generator/study/curves.hpp"
+#include "generator/support/time_spent.hpp"
 
 namespace hvi::gen {
-
-/// One run of a method to the end, in steps of one size or of sizes that it chooses.
-struct WorkPoint {
-    double h = 0;          ///< the mean of them
-    double tolerance = 0;  ///< by which they are chosen; 0 where they are equal
-    std::int64_t steps = 0;
-    double error = 0;  ///< distance of (q, p) from the reference, relative where that is not 0
-    double energy_error = 0;  ///< the largest on the way; NaN where the energy is not conserved
-    double seconds = 0;       ///< the median of repetitions; 0 where none was timed
-    double spread = 0;        ///< the middle half of these, as a part of the median
-    std::int64_t evaluations = 0;  ///< of dH/dq
-    double iterations = 0;         ///< of the solver, a step
-    std::string status;            ///< `ok`, or why the run stopped
-
-    [[nodiscard]] bool ok() const { return status == "ok"; }
-};
-
-/// How what is conserved departs, over a run of one step size.
-struct Departures {
-    double h = 0;
-    std::vector<double> times;
-    std::vector<double> energy;      ///< the largest between two times; empty where it is not kept
-    std::vector<double> invariants;  ///< the same of the norm of the others' departures
-};
-
-struct WorkCurve {
-    std::string name;               ///< of the method
-    int order = 0;                  ///< 0 where it varies
-    bool is_peer = false;           ///< of another library
-    std::vector<WorkPoint> points;  ///< by rising number of steps, or falling tolerance
-    Departures departures;
-};
-
-/// What errors are measured against.
-struct Reference {
-    std::string kind;           ///< `exact`, of the scene; else the numbers it was computed in
-    double error = 0;           ///< of itself, as an estimate; 0 for exact
-    std::vector<double> state;  ///< coordinates, then momenta, at the end
-};
-
-struct SceneReport {
-    std::string name;
-    std::string description;
-    double until = 0;
-    Reference reference;
-    std::vector<WorkCurve> curves;
-};
 
 struct Report {
     Machine machine;
     std::string compiler;  ///< its name and options
     std::string compiler_version;
-    std::vector<SceneReport> scenes;
-    std::vector<std::string> notes;  ///< sentences without a full stop
-    std::string incomplete;          ///< why there is not more; empty where it is whole
+    std::vector<SceneReport> scenes = {};
+    std::vector<EdgeChapter> edges = {};
+    TimeSpent time_spent = {};
+    std::vector<std::string> notes = {};  ///< sentences without a full stop
+    std::string incomplete = {};          ///< why there is not more; empty where it is whole
 };
 
 }  // namespace hvi::gen

@@ -34,6 +34,16 @@ int main() {
 }
 )";
 
+std::vector<std::string> words(const std::string& command, const Peer& peer, const PeerRun& run,
+                               const std::string& last) {
+    return {command,
+            peer.name,
+            fmt::format("{}", run.until),
+            std::to_string(run.steps),
+            fmt::format("{}", run.tolerance),
+            last};
+}
+
 }  // namespace
 
 const std::vector<PeerLibrary>& peer_libraries() {
@@ -51,9 +61,9 @@ const std::vector<PeerLibrary>& peer_libraries() {
     return libraries;
 }
 
-std::optional<std::string> installed_version(const Compiler& compiler, const PeerLibrary& library) {
+std::optional<std::string> installed_version(Builds& builds, const PeerLibrary& library) {
     try {
-        const auto program = built_program(compiler, {library.probe, {}, library.driver.libraries});
+        const auto program = built(builds.order({library.probe, {}, library.driver.libraries}));
         const ChildResult answer = run_child({program.string()}, ".");
         if (answer.ok()) return answer.output.substr(0, answer.output.find('\n'));
     } catch (const EnvironmentError&) {}
@@ -70,10 +80,14 @@ SceneStepper stepper_for_peers(const Scene& scene) {
     return scene_stepper(named_method(name), scene, simulation_wishes(Solver::newton));
 }
 
-Measurement measure_peer(const std::filesystem::path& program, const Peer& peer, double until,
-                         std::int64_t steps, double tolerance, double seconds) {
-    return measurement(ask(program, {peer.name, fmt::format("{}", until), std::to_string(steps),
-                                     fmt::format("{}", tolerance), fmt::format("{}", seconds)}));
+Measurement measure_peer(const std::filesystem::path& program, const Peer& peer, const PeerRun& run,
+                         double seconds) {
+    return measurement(ask(program, words("measure", peer, run, fmt::format("{}", seconds))));
+}
+
+DepartureSamples sample_departures_of_peer(const std::filesystem::path& program, const Peer& peer,
+                                           const PeerRun& run, std::int64_t samples) {
+    return departure_samples(ask(program, words("departures", peer, run, std::to_string(samples))));
 }
 
 }  // namespace hvi::gen

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/program/compiler.hpp"
+#include "generator/program/builds.hpp"
 #include "generator/simulate/simulation.hpp"
 
 namespace hvi::gen {
@@ -32,7 +32,7 @@ struct PeerLibrary {
 
 /// Its version; empty where it is not installed, as far as the compiler finds it. Throws
 /// Interruption.
-[[nodiscard]] std::optional<std::string> installed_version(const Compiler& compiler,
+[[nodiscard]] std::optional<std::string> installed_version(Builds& builds,
                                                            const PeerLibrary& library);
 
 [[nodiscard]] bool applies(const Peer& peer, const LoweredScene& lowered);
@@ -40,10 +40,21 @@ struct PeerLibrary {
 /// A scene with what peers evaluate. Throws as scene_stepper() does.
 [[nodiscard]] SceneStepper stepper_for_peers(const Scene& scene);
 
-/// Runs a program that is made with the library's driver, as measure() does. `tolerance` is that of
-/// what chooses its steps, of which then the first has the size that `steps` has.
+/// A run of a peer. `tolerance` is that of what chooses its steps, of which then the first has the
+/// size that `steps` has.
+struct PeerRun {
+    double until = 0;
+    std::int64_t steps = 1;
+    double tolerance = 0;
+};
+
+/// Runs a program that is made with the library's driver, as measure() does.
 [[nodiscard]] Measurement measure_peer(const std::filesystem::path& program, const Peer& peer,
-                                       double until, std::int64_t steps, double tolerance,
-                                       double seconds);
+                                       const PeerRun& run, double seconds);
+
+/// The same as sample_departures() does.
+[[nodiscard]] DepartureSamples sample_departures_of_peer(const std::filesystem::path& program,
+                                                         const Peer& peer, const PeerRun& run,
+                                                         std::int64_t samples);
 
 }  // namespace hvi::gen

@@ -135,8 +135,11 @@ Measurement measurement(const Answers& answers) {
 
 DepartureSamples sample_departures(const std::filesystem::path& program, const Steps& steps,
                                    std::int64_t samples) {
-    const Answers answers = ask(program, {"departures", fmt::format("{}", steps.size),
-                                          std::to_string(steps.count), std::to_string(samples)});
+    return departure_samples(ask(program, {"departures", fmt::format("{}", steps.size),
+                                           std::to_string(steps.count), std::to_string(samples)}));
+}
+
+DepartureSamples departure_samples(const Answers& answers) {
     DepartureSamples result{answers.numbers("time"), {}};
     const std::vector<double> all = answers.numbers("departure");
     if (result.times.empty()) return result;

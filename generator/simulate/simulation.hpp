@@ -112,6 +112,9 @@ struct DepartureSamples {
     std::vector<std::vector<double>> departures;  ///< in each part, of all that is conserved
 };
 
+/// As a driver has said them.
+[[nodiscard]] DepartureSamples departure_samples(const Answers& answers);
+
 /// Ends where the run does. Throws as ask() does.
 [[nodiscard]] DepartureSamples sample_departures(const std::filesystem::path& program,
                                                  const Steps& steps, std::int64_t samples);

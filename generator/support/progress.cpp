@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <csignal>
 #include <string>
-#include <system_error>
+
+#include "generator/support/thread.hpp"
 
 namespace hvi::gen {
 
@@ -20,29 +20,13 @@ constexpr auto interval = 5s;
 
 std::atomic<const char*> current_stage = "working";
 
-/// A thread without signals, which are for the main thread: that one holds them back while it
-/// writes a file. Where no thread is to be had, there is no word on progress, and all else goes on.
-template <class Run>
-std::thread start_watcher(Run run) {
-    sigset_t all;
-    sigset_t before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before);
-    std::thread thread;
-    try {
-        thread = std::thread(run);
-    } catch (const std::system_error&) {}
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    return thread;
-}
-
 }  // namespace
 
 Progress::Stage::Stage(const char* text) noexcept : outer_(current_stage.exchange(text)) {}
 
 Progress::Stage::~Stage() { current_stage.store(outer_); }
 
-Progress::Progress() : watcher_(start_watcher([this] { watch(); })) {}
+Progress::Progress() : watcher_(start_thread([this] { watch(); })) {}
 
 Progress::~Progress() {
     {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,8 +18,35 @@
 
 namespace hvi::driver {
 
-/// The command `departures H STEPS SAMPLES`: says the time and the largest departure of each
-/// invariant in so many parts of the run, of steps in a row. As for trajectory().
+/// Says the time and the largest departure of each invariant in so many parts of a run.
+template <class Problem>
+class DepartureSamples {
+public:
+    DepartureSamples(double until, std::int64_t parts) : until_(until), parts_(parts) {}
+
+    /// Precondition: the invariants are those at t.
+    void see(double t, const Invariants<Problem>& invariants) {
+        for (std::size_t i = 0; i < largest_.size(); ++i) {
+            largest_[i] = std::max(largest_[i], std::abs(invariants.departures()[i].last));
+        }
+        const double part = t / until_ * static_cast<double>(parts_);
+        // NOTE: t may be a little less than what it stands for.
+        if (part + 1e-6 < static_cast<double>(next_)) { return; }
+        next_ = static_cast<std::int64_t>(part + 1e-6) + 1;
+        say("time", t);
+        for (double& value : largest_) {
+            say("departure", value);
+            value = 0;
+        }
+    }
+
+private:
+    double until_;
+    std::int64_t parts_, next_ = 1;
+    std::array<double, Invariants<Problem>::count> largest_{};
+};
+
+/// The command `departures H STEPS SAMPLES`: a run with so many samples. As for trajectory().
 template <class Problem>
 int departures(const std::vector<std::string_view>& words) {
     double h = 0;
@@ -30,20 +58,11 @@ int departures(const std::vector<std::string_view>& words) {
     auto stepper = Problem::stepper();
     auto x = Problem::initial();
     Invariants<Problem> invariants(stepper, x);
-    std::vector<double> largest(Problem::invariants.size());
-    const std::int64_t each = (steps + samples - 1) / samples;
+    DepartureSamples<Problem> all(h * static_cast<double>(steps), samples);
     for (std::int64_t taken = 1; taken <= steps; ++taken) {
         if (!stepper.step(x, h).ok()) { return 0; }
         invariants.see(stepper, x);
-        for (std::size_t i = 0; i < largest.size(); ++i) {
-            largest[i] = std::max(largest[i], std::abs(invariants.departures()[i].last));
-        }
-        if (taken % each != 0 && taken != steps) { continue; }
-        say("time", static_cast<double>(taken) * h);
-        for (double& value : largest) {
-            say("departure", value);
-            value = 0;
-        }
+        all.see(static_cast<double>(taken) * h, invariants);
     }
     return 0;
 }

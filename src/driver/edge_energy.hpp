@@ -37,6 +37,26 @@ private:
     Mean first_, second_;
 };
 
+/// A problem whose steps forget what the step before has left, above all what rounding cut off.
+template <class Problem>
+struct Forgetful {
+    struct Stepper : Problem::Stepper {
+        using Base = typename Problem::Stepper;
+
+        explicit Stepper(const Base& base) : Base(base) {}
+
+        [[nodiscard]] Status step(typename Base::State& x, double h) {
+            Base::reset();
+            return Base::step(x, h);
+        }
+    };
+
+    static Stepper stepper(const std::vector<double>& values) {
+        return Stepper(Problem::stepper(values));
+    }
+    static typename Stepper::Base::State initial() { return Problem::initial(); }
+};
+
 /// The command `energy H STEPS STATE... VALUES...`: for windows of n to 2n steps, n = 256, 512, ...
 /// up to STEPS, says 2n and by how much the mean energy of the second half of the window differs
 /// from that of the first: see HalfMeans.

@@ -28,11 +28,12 @@ int edge_main(int argc, char** argv) {
     if (command == "advance") { status = advance<Problem>(words); }
     if (command == "return") { status = there_and_back<Problem>(words); }
     if (command == "energy") { status = energy<Problem>(words); }
+    if (command == "forgetful-energy") { status = energy<Forgetful<Problem>>(words); }
     if (status == 2) {
         std::fprintf(stderr, "usage: start\n"
                              "       advance H STEPS [STATE... [VALUES...]]\n"
                              "       return H STEPS [STATE... [VALUES...]]\n"
-                             "       energy H STEPS [STATE... [VALUES...]]\n");
+                             "       [forgetful-]energy H STEPS [STATE... [VALUES...]]\n");
     }
     return status;
 }

@@ -64,7 +64,7 @@ public:
     using State = typename Problem::Stepper::State;
 
     explicit EdgeSteps(const EdgeWords<Problem>& words)
-        : stepper_(Problem::stepper(words.values)), x_(words.x) {}
+        : stepper_(Problem::stepper(words.values)), x_(words.x), energy_(stepper_.energy(x_)) {}
 
     /// Until one fails.
     void take(double h, std::int64_t steps) {
@@ -74,6 +74,7 @@ public:
             is_untouched_ = same_bits(before, x_);
             iterations_ += status_.iterations;
             taken_ += status_.ok() ? 1 : 0;
+            energy_error_ = std::fmax(energy_error_, std::abs(stepper_.energy(x_) - energy_));
             for (std::size_t k = 0; k < x_.q.size(); ++k) {
                 largest_.q[k] = std::fmax(largest_.q[k], std::abs(x_.q[k]));
                 largest_.p[k] = std::fmax(largest_.p[k], std::abs(x_.p[k]));
@@ -86,6 +87,7 @@ public:
         say("steps", taken_);
         say("iterations", iterations_);
         say("untouched", static_cast<std::int64_t>(is_untouched_));
+        say("energy_error", energy_error_);
         tell("largest", largest_);
         tell("end", x_);
     }
@@ -98,7 +100,9 @@ private:
 
     typename Problem::Stepper stepper_;
     State x_;
-    State largest_{};  ///< of the absolute values of its components after a step
+    State largest_{};          ///< of the absolute values of its components after a step
+    double energy_;            ///< at the start
+    double energy_error_ = 0;  ///< the largest after a step
     Status status_;
     bool is_untouched_ = true;  ///< by the last step
     std::int64_t taken_ = 0, iterations_ = 0;

@@ -18,6 +18,7 @@
 #include <driver/answer.hpp>
 #include <driver/cost.hpp>
 #include <driver/departure.hpp>
+#include <driver/departures.hpp>
 #include <driver/equations.hpp>
 #include <hvi/state.hpp>
 
@@ -49,22 +50,49 @@ void tell_velocity_of_peer(const State& x, double t) {
     for (const double value : velocity) { say("velocity", value); }
 }
 
+/// A run from the start, whose invariants are watched.
+template <class Problem, class Peer>
+class WatchedRun {
+public:
+    /// `see(t, invariants)` is called where the run comes to.
+    template <class See>
+    Outcome run(const PeerWishes& wishes, See see) {
+        return Peer(wishes).run([&](const double* q, const double* p, double t) {
+            std::copy(q, q + x_.q.size(), x_.q.begin());
+            std::copy(p, p + x_.p.size(), x_.p.begin());
+            if constexpr (Problem::depends_on_time) { x_.t = t; }
+            invariants_.see(stepper_, x_);
+            see(t, invariants_);
+        });
+    }
+
+    [[nodiscard]] const auto& state() const { return x_; }
+    [[nodiscard]] const Invariants<Problem>& invariants() const { return invariants_; }
+
+private:
+    typename Problem::Stepper stepper_ = Problem::stepper();
+    typename Problem::Stepper::State x_ = Problem::initial();
+    Invariants<Problem> invariants_{stepper_, x_};
+};
+
+/// Says what departures() does.
+template <class Problem, class Peer>
+void departures_of_peer(const PeerWishes& wishes, std::int64_t samples) {
+    DepartureSamples<Problem> all(wishes.until, samples);
+    static_cast<void>(WatchedRun<Problem, Peer>().run(
+        wishes, [&](double t, const auto& invariants) { all.see(t, invariants); }));
+}
+
 /// Says what measure() does; the velocity only where a run of equal steps may miss the end by what
 /// their sum is rounded.
 template <class Problem, class Peer>
 void measure_peer(const PeerWishes& wishes, double seconds) {
-    auto x = Problem::initial();
-    const auto stepper = Problem::stepper();
-    Invariants<Problem> invariants(stepper, x);
-    const Outcome outcome = Peer(wishes).run([&](const double* q, const double* p, double t) {
-        std::copy(q, q + x.q.size(), x.q.begin());
-        std::copy(p, p + x.p.size(), x.p.begin());
-        if constexpr (Problem::depends_on_time) { x.t = t; }
-        static_cast<void>(t);
-        invariants.see(stepper, x);
-    });
-    tell(outcome, invariants, x);
-    if constexpr (Peer::takes_equal_steps) { tell_velocity_of_peer<Problem>(x, wishes.until); }
+    WatchedRun<Problem, Peer> watched;
+    const Outcome outcome = watched.run(wishes, [](double, const auto&) {});
+    tell(outcome, watched.invariants(), watched.state());
+    if constexpr (Peer::takes_equal_steps) {
+        tell_velocity_of_peer<Problem>(watched.state(), wishes.until);
+    }
     if (!outcome.ok() || seconds <= 0) { return; }
     tell_time(seconds, [&] {
         return [peer = Peer(wishes)]() mutable {
@@ -77,22 +105,36 @@ void measure_peer(const PeerWishes& wishes, double seconds) {
 struct NamedPeer {
     std::string_view name;
     void (*measure)(const PeerWishes& wishes, double seconds);
+    void (*departures)(const PeerWishes& wishes, std::int64_t samples);
 };
 
-/// The main() of a program that is called as `program NAME UNTIL STEPS TOLERANCE SECONDS`.
+template <class Problem, class Peer>
+[[nodiscard]] NamedPeer named(std::string_view name) {
+    return {name, measure_peer<Problem, Peer>, departures_of_peer<Problem, Peer>};
+}
+
+/// The main() of a program that is called as `program measure NAME UNTIL STEPS TOLERANCE SECONDS`
+/// or as `program departures NAME UNTIL STEPS TOLERANCE SAMPLES`.
 inline int main_of_peers(int argc, char** argv, const std::vector<NamedPeer>& peers) {
     const std::vector<std::string_view> words(argv + (argc > 0 ? 1 : 0), argv + argc);
     PeerWishes wishes;
     double seconds = 0;
-    const bool is_right = words.size() == 5 && read(words[1], wishes.until) &&
-                          read(words[2], wishes.steps) && read(words[3], wishes.tolerance) &&
-                          read(words[4], seconds) && wishes.steps >= 1;
+    std::int64_t samples = 1;
+    const bool measures = !words.empty() && words[0] == "measure",
+               samples_departures = !words.empty() && words[0] == "departures";
+    const bool is_right = words.size() == 6 && read(words[2], wishes.until) &&
+                          read(words[3], wishes.steps) && read(words[4], wishes.tolerance) &&
+                          wishes.steps >= 1 &&
+                          ((measures && read(words[5], seconds)) ||
+                           (samples_departures && read(words[5], samples) && samples >= 1));
     for (const NamedPeer& peer : peers) {
-        if (!is_right || peer.name != words[0]) { continue; }
-        peer.measure(wishes, seconds);
+        if (!is_right || peer.name != words[1]) { continue; }
+        measures ? peer.measure(wishes, seconds) : peer.departures(wishes, samples);
         return 0;
     }
-    std::fprintf(stderr, "usage: NAME UNTIL STEPS TOLERANCE SECONDS, where NAME is one of\n");
+    std::fprintf(stderr, "usage: measure NAME UNTIL STEPS TOLERANCE SECONDS\n"
+                         "       departures NAME UNTIL STEPS TOLERANCE SAMPLES\n"
+                         "where NAME is one of\n");
     for (const NamedPeer& peer : peers) {
         std::fprintf(stderr, "       %.*s\n", static_cast<int>(peer.name.size()), peer.name.data());
     }

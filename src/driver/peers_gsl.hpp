@@ -141,8 +141,8 @@ template <class Problem>
 int main(int argc, char** argv) {
     gsl_set_error_handler_off();
     return main_of_peers(argc, argv,
-                         {{"rk4imp", measure_peer<Problem, Gauss<Problem>>},
-                          {"rk8pd", measure_peer<Problem, PrinceDormand<Problem>>}});
+                         {named<Problem, Gauss<Problem>>("rk4imp"),
+                          named<Problem, PrinceDormand<Problem>>("rk8pd")});
 }
 
 }  // namespace hvi::driver::gsl

@@ -127,11 +127,11 @@ private:
 template <class Problem>
 int main(int argc, char** argv) {
     std::vector<NamedPeer> peers{
-        {"bulirsch-stoer", measure_peer<Problem, BulirschStoer<Problem>>},
-        {"rkf78", measure_peer<Problem, Fehlberg78<Problem>>},
+        named<Problem, BulirschStoer<Problem>>("bulirsch-stoer"),
+        named<Problem, Fehlberg78<Problem>>("rkf78"),
     };
     if constexpr (Problem::is_separable && !Problem::depends_on_time) {
-        peers.push_back({"sb3a", measure_peer<Problem, McLachlan<Problem>>});
+        peers.push_back(named<Problem, McLachlan<Problem>>("sb3a"));
     }
     return main_of_peers(argc, argv, peers);
 }

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] bool fit(const Coupled& coupled) {
         if (slopes_.size() == r<Coupled> * static_cast<std::size_t>(coupled.s.n)) { return false; }
         n_ = static_cast<std::size_t>(coupled.s.n);
-        G_ = GK_ = SquareMatrix<Scalar>(n_);
+        G_ = hGK_ = SquareMatrix<Scalar>(n_);
         slopes_.resize(r<Coupled> * n_);
         correction_.resize(r<Coupled> * n_);
         return true;
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] bool factorise_start(const Coupled& coupled) {
         G_.set_zero();
         coupled.hessian_at_start(G_);
-        set_GK(coupled.system, G_);
+        set_hGK(coupled, G_);
         is_decoupled_ = Coupled::Modes::exist;
         if constexpr (Coupled::Modes::exist) {
             return factorise_modes<typename Coupled::Modes>(coupled.s.h);
@@ -65,12 +65,12 @@ public:
         return factorise_all(coupled, [&](std::size_t j) {
             G.set_zero();
             coupled.hessian(j, G);
-            set_GK(coupled.system, G);
+            set_hGK(coupled, G);
         });
     }
 
     /// Whether J was, or should have been.
-    [[nodiscard]] bool is_finite() const { return GK_.is_finite(); }
+    [[nodiscard]] bool is_finite() const { return hGK_.is_finite(); }
 
     /// Lp -= J^-1 (Lp + h b dH/dq).
     ///
@@ -139,18 +139,20 @@ private:
         }
     }
 
-    /// NOTE: row k of G K is K times row k of G, as K is symmetric.
-    template <class System>
-    void set_GK(const System& system, const SquareMatrix<Scalar>& G) {
+    /// NOTE: row k of G K is K times row k of G, as K is symmetric. The factors of h^2 G K go one
+    /// by one, as h^2 may be too large or too small where this is not: with H = s H_0 and h =
+    /// h_0/s.
+    template <class Coupled>
+    void set_hGK(const Coupled& coupled, const SquareMatrix<Scalar>& G) {
         Vector row{}, product{};
         for (std::size_t k = 0; k < n_; ++k) {
-            for (std::size_t l = 0; l < n_; ++l) { at(row, l) = G(k, l); }
-            system.inverse_mass(row, product);
-            for (std::size_t l = 0; l < n_; ++l) { GK_(k, l) = at(product, l); }
+            for (std::size_t l = 0; l < n_; ++l) { at(row, l) = coupled.s.h * G(k, l); }
+            coupled.system.inverse_mass(row, product);
+            for (std::size_t l = 0; l < n_; ++l) { hGK_(k, l) = at(product, l); }
         }
     }
 
-    /// J as a whole; `set` puts G K at stage j into GK_.
+    /// J as a whole; `set` puts h G K at stage j into hGK_.
     template <class Coupled, class Set>
     [[nodiscard]] bool factorise_all(const Coupled& coupled, Set set) {
         const auto& s = coupled.s;
@@ -161,18 +163,18 @@ private:
             set(j);
             for (std::size_t column = 0; column < r<Coupled>; ++column) {
                 const Scalar n_ji = Coupled::coefficient(j, Coupled::unknown[column]);
-                add(J, row, column, s.h * s.hb[j] * n_ji);
+                add(J, row, column, s.hb[j] * n_ji);
             }
         }
         factors_.resize(1);
         return factors_.front().compute(J);
     }
 
-    /// Adds factor G K to a block of J.
+    /// Adds factor h G K to a block of J.
     void add(SquareMatrix<Scalar>& J, std::size_t row, std::size_t column, Scalar factor) const {
         for (std::size_t k = 0; k < n_; ++k) {
             for (std::size_t l = 0; l < n_; ++l) {
-                J(row * n_ + k, column * n_ + l) += factor * GK_(k, l);
+                J(row * n_ + k, column * n_ + l) += factor * hGK_(k, l);
             }
         }
     }
@@ -182,13 +184,13 @@ private:
         factors_.resize(Modes::real_ones + Modes::pairs);
         bool regular = true;
         for (std::size_t m = 0; m < factors_.size(); ++m) {
-            const Scalar alpha = h * h * Modes::real_parts[m];
+            const Scalar alpha = h * Modes::real_parts[m];
             const bool is_pair = m >= Modes::real_ones;
             SquareMatrix<Scalar> J(is_pair ? 2 * n_ : n_);
             J.set_identity();
             add(J, 0, 0, alpha);
             if (is_pair) {
-                const Scalar beta = h * h * Modes::imaginary_parts[m - Modes::real_ones];
+                const Scalar beta = h * Modes::imaginary_parts[m - Modes::real_ones];
                 add(J, 0, 1, beta);
                 add(J, 1, 0, -beta);
                 add(J, 1, 1, alpha);
@@ -223,7 +225,7 @@ private:
         }
     }
 
-    SquareMatrix<Scalar> G_, GK_;
+    SquareMatrix<Scalar> G_, hGK_;
     std::vector<Factors<Scalar>> factors_;  ///< of the modes, or one of all
     std::vector<Scalar> slopes_, correction_;
     std::size_t n_ = 0;

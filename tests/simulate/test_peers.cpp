@@ -45,7 +45,7 @@ Curves curves_of(const std::string& csv) {
 std::string report(const std::vector<std::string>& words, const std::string& before = "") {
     use_cache();
     const Directory directory;
-    std::string line = before + "hvi-gen report --peers --only csv -o out";
+    std::string line = before + "hvi-gen report --peers --only csv,work -o out";
     for (const std::string& word : words) line += " '" + word + "'";
     const Outcome result = shell(line, directory.path());
     INFO(result.err);
@@ -99,6 +99,26 @@ TEST_CASE("peers come to the end of Kepler's problem as well as their order and 
     CHECK((has(csv, "odeint is ") || has(csv, "Boost.Odeint is not installed, and left out")));
     CHECK((has(csv, "gsl is ") ||
            has(csv, "the GNU Scientific Library is not installed, and left out")));
+}
+
+TEST_CASE("peers are in the pictures over time too") {
+    use_cache();
+    const Directory directory;
+    const Outcome result = hvi_gen({"report", "kepler", "--peers", "--until", "8", "--methods",
+                                    "gauss:2", "--steps", "1/32, 1/64", "--only", "svg,csv,work"},
+                                   directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    const std::string csv = contents(directory / "report/report.csv");
+    for (const char* name : {"kepler-3-energy.svg", "kepler-4-invariants.svg"}) {
+        const std::string svg = contents(directory / "report" / name);
+        CHECK(svg.find("gauss:2, h = ") != std::string::npos);
+        for (const std::string peer : {"odeint:rkf78", "odeint:sb3a", "gsl:rk4imp"}) {
+            const std::string library = peer.substr(0, peer.find(':'));
+            // NOTE: SB3A keeps the angular momentum to the last bit or so.
+            CHECK((svg.find(peer + ", h = ") != std::string::npos) == has(csv, library + " is "));
+        }
+    }
 }
 
 TEST_CASE("peers take a quadratic H that is not separable, with explicit time") {

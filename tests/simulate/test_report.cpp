@@ -46,9 +46,10 @@ double order_of(const Json& points) {
 TEST_CASE("errors against an exact solution") {
     use_cache();
     const Directory directory;
-    const Json json = report({"harmonic-oscillator", "--methods", "gauss:2, stormer-verlet",
-                              "--steps", "1/10, 1/20, 1/40", "--until", "20", "--only", "json"},
-                             directory);
+    const Json json =
+        report({"harmonic-oscillator", "--methods", "gauss:2, stormer-verlet", "--steps",
+                "1/10, 1/20, 1/40", "--until", "20", "--only", "json,work"},
+               directory);
     CHECK(directory.names() == std::vector<std::string>{"out"});
     CHECK(json["schema"] == "hvi-report/1");
     CHECK(json["machine"]["threads"] >= 1);
@@ -111,10 +112,24 @@ TEST_CASE("errors against a reference solution, with steps that are chosen") {
     const std::vector<std::string> files{"kepler-1-time.svg",   "kepler-2-evaluations.svg",
                                          "kepler-3-energy.svg", "kepler-4-invariants.svg",
                                          "report.csv",          "report.html",
-                                         "report.json"};
+                                         "report.json",         "edges.csv"};
     for (const std::string& file : files) CHECK(!contents(directory / ("out/" + file)).empty());
     const std::string csv = contents(directory / "out/report.csv");
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 2 * 8);
+    for (const char* chapter : {"rejections", "symplecticity"}) {
+        const auto& edges = json["edges"];
+        const auto found = std::find_if(edges.begin(), edges.end(),
+                                        [&](const Json& each) { return each["name"] == chapter; });
+        REQUIRE(found != edges.end());
+        for (const Json& check : (*found)["checks"]) {
+            CHECK(check["scene"] == "kepler");
+            CHECK(check["agrees"] == true);
+        }
+    }
+    CHECK(json["edges"].size() == 2);
+    double spent = 0;
+    for (const Json& part : json["time_spent"]) spent += part["seconds"].get<double>();
+    CHECK(spent > 0);
     const std::string html = contents(directory / "out/report.html");
     CHECK(html.find("<svg") != std::string::npos);
     CHECK(html.find("http-equiv") == std::string::npos);
@@ -126,7 +141,7 @@ TEST_CASE("a point that fails has a status and no error") {
     use_cache();
     const Directory directory;
     const Json json = report({"nonseparable", "--methods", "midpoint", "--steps", "2,1/50",
-                              "--until", "4", "--only", "json,html,csv"},
+                              "--until", "4", "--only", "json,html,csv,work"},
                              directory);
     const Json& points = json["scenes"][0]["methods"][0]["points"];
     REQUIRE(points.size() == 2);
@@ -164,7 +179,7 @@ TEST_CASE("what is there of a report is kept when a scene of it fails") {
                                     "hamiltonian = \"p^2/2 - q^4/4\"\ninitial = {q = 1, p = 1}\n"
                                     "run = {step = 0.1, until = 9}\n");
     const Outcome result = hvi_gen({"report", "harmonic-oscillator", "falls.toml", "--methods",
-                                    "midpoint", "--only", "json,html", "--until", "9"},
+                                    "midpoint", "--only", "json,html,work", "--until", "9"},
                                    directory.path());
     CHECK(result.status == 1);
     CHECK(result.err.find("error: there is no reference solution") == 0);

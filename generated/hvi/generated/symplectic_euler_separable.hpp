@@ -129,20 +129,24 @@ template <class Scalar>
     }
 }
 
+template <class Scalar>
+inline constexpr int bits = count_bits<Scalar>();
+
+/// Whether it may be a number: a class says so, and what its `bits` are, by specialisations.
+template <class Scalar>
+inline constexpr bool is_number = !std::is_class_v<Scalar>;
+
 /// Whether there are coefficients for it: a floating-point number of 24, 53, 64 or 113 bits.
 template <class Scalar>
 [[nodiscard]] constexpr bool is_supported() {
-    if constexpr (std::is_class_v<Scalar> || std::is_const_v<Scalar> ||
+    if constexpr (!is_number<Scalar> || std::is_const_v<Scalar> ||
                   std::numeric_limits<Scalar>::is_integer) {
         return false;
     } else {
-        constexpr int bits = count_bits<Scalar>();
-        return bits == 24 || bits == 53 || bits == 64 || bits == 113;
+        return bits<Scalar> == 24 || bits<Scalar> == 53 || bits<Scalar> == 64 ||
+               bits<Scalar> == 113;
     }
 }
-
-template <class Scalar>
-inline constexpr int bits = count_bits<Scalar>();
 
 template <class Scalar>
 [[nodiscard]] constexpr bool is_finite(Scalar x) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/functions/start.hpp"
 
-#include "generator/exact/functions/value_at.hpp"
-
 namespace hvi::gen {
 
 namespace {
@@ -17,6 +15,8 @@ Ball value_of(const Parameter& parameter) {
     }
 }
 
+}  // namespace
+
 SymbolValues parameter_values(const Scene& scene) {
     SymbolValues values;
     for (const Parameter& parameter : scene.parameters) {
@@ -24,8 +24,6 @@ SymbolValues parameter_values(const Scene& scene) {
     }
     return values;
 }
-
-}  // namespace
 
 void check_start(const Scene& scene) {
     if (scene.initial.empty()) { return; }

@@ -4,9 +4,13 @@
 
 #include <vector>
 
+#include "generator/exact/functions/value_at.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
+
+/// Throws MathError, with its place, where one has no value.
+[[nodiscard]] SymbolValues parameter_values(const Scene& scene);
 
 /// Throws MathError, with its place, where an initial value, or H or an invariant at the start, is
 /// provably no real number: the root of a negative number, a division by a mass of zero, two bodies

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/report/peers.hpp"
+#include "generator/study/peers.hpp"
 
 #include <array>
 #include <chrono>
-#include <filesystem>
+
+#include "generator/study/departures.hpp"
 
 namespace hvi::gen {
 
@@ -23,8 +24,8 @@ std::vector<WorkPoint> by_tolerance(const fs::path& program, const Peer& peer,
     std::vector<WorkPoint> points;
     for (const double tolerance : tolerances) {
         const auto start = std::chrono::steady_clock::now();
-        const Measurement run = measure_peer(program, peer, course.until, course.first_count,
-                                             tolerance, seconds_of_timing);
+        const Measurement run = measure_peer(
+            program, peer, {course.until, course.first_count, tolerance}, seconds_of_timing);
         points.push_back(work_point(course, run));
         points.back().tolerance = tolerance;
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -36,10 +37,8 @@ std::vector<WorkPoint> by_tolerance(const fs::path& program, const Peer& peer,
 
 }  // namespace
 
-std::vector<WorkCurve> peer_curves(const Compiler& compiler, const PeerLibrary& library,
-                                   const Scene& scene, const Course& course) {
-    const SceneStepper stepper = stepper_for_peers(scene);
-    const fs::path program = built_program(compiler, driver_program(stepper, library.driver));
+std::vector<WorkCurve> peer_curves(const fs::path& program, const PeerLibrary& library,
+                                   const SceneStepper& stepper, const Course& course) {
     std::vector<WorkCurve> curves;
     for (const Peer& peer : library.peers) {
         if (!applies(peer, stepper.lowered)) continue;
@@ -47,12 +46,19 @@ std::vector<WorkCurve> peer_curves(const Compiler& compiler, const PeerLibrary& 
         curve.name = library.name + ":" + peer.name;
         curve.order = peer.order;
         curve.is_peer = true;
-        curve.points = !peer.takes_equal_steps
-                           ? by_tolerance(program, peer, course)
-                           : work_points(course, [&](std::int64_t count, double seconds) {
-                                 return measure_peer(program, peer, course.until, count,
-                                                     tolerance_of_equations, seconds);
-                             });
+        curve.points =
+            !peer.takes_equal_steps
+                ? by_tolerance(program, peer, course)
+                : work_points(course, [&](std::int64_t count, double seconds) {
+                      return measure_peer(program, peer,
+                                          {course.until, count, tolerance_of_equations}, seconds);
+                  });
+        curve.departures = departures(course, curve.points, [&](const WorkPoint& point) {
+            const PeerRun run = peer.takes_equal_steps
+                                    ? PeerRun{course.until, point.steps, tolerance_of_equations}
+                                    : PeerRun{course.until, course.first_count, point.tolerance};
+            return sample_departures_of_peer(program, peer, run, departure_parts);
+        });
     }
     return curves;
 }

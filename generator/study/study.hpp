@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "generator/program/compiler.hpp"
+#include "generator/program/builds.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/scene.hpp"
-#include "generator/report/report.hpp"
 #include "generator/simulate/peers.hpp"
+#include "generator/study/curves.hpp"
+#include "generator/support/time_spent.hpp"
 
 namespace hvi::gen {
 
@@ -23,8 +24,9 @@ struct StudyWishes {
 };
 
 /// Compiles and runs all of it, and says on standard error what it is at, where that is a terminal.
-/// `until` is the time at the end. Throws what scene_stepper(), built_program() and ask() do.
-[[nodiscard]] SceneReport study(const Compiler& compiler, const Scene& scene, double until,
-                                std::int64_t first_count, const StudyWishes& wishes);
+/// `until` is the time at the end. It adds to `report` as it goes, so that what there is can be
+/// kept where it throws, as scene_stepper(), a Build and ask() do.
+void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
+           const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent);
 
 }  // namespace hvi::gen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/report/work.hpp"
+#include "generator/study/work.hpp"
 
 #include <algorithm>
 #include <chrono>

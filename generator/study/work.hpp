@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "generator/report/report.hpp"
 #include "generator/simulate/simulation.hpp"
+#include "generator/study/curves.hpp"
 
 namespace hvi::gen {
 

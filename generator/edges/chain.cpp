@@ -1,0 +1,264 @@
+// A chain of soft and stiff springs in steps that are small, and large, against the stiff ones.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "generator/edges/edges.hpp"
+#include "generator/edges/forms.hpp"
+#include "generator/edges/oscillation.hpp"
+#include "generator/exact/methods/galerkin.hpp"
+#include "generator/support/bar.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr const char* scene_name = "fpu";
+constexpr double h = 1.0 / 32;  // omega = z/h is then exact
+constexpr long steps = 256;
+constexpr std::size_t springs = 3;
+
+/// Soft springs have the energy xi^4/4 where xi is what they are longer. Where omega > 9.6 the
+/// energy at the start is at most 2.04; while that of a soft spring is not above twice this, |xi|
+/// <= 2.01, and forces of two of them on a stiff spring are at most 2 |xi|^3 < 17. As each x and d
+/// is an end of two soft springs, which depend on four coordinates, these add at most 2 4 3 xi^2 <
+/// 98 to the squares of frequencies.
+constexpr double most_force = 17, most_added = 98;
+
+/// The same where omega < 9.6: the energy is at most 5.5, then |xi| <= 2.17.
+constexpr double most_soft = 114;
+
+/// Up to here the stiff springs are resolved as well as the soft ones.
+constexpr double resolved_until = 0.3;
+
+struct Known {
+    Certificate certificate;
+    Tableau tableau;
+    double contraction;
+};
+
+/// One run, from omega d = p = 1 in the first stiff spring, or d = 1 where that is less.
+struct Motion {
+    std::string failure, status;
+    long steps = 0;
+    bool untouched = false;
+    double start = 0;         ///< |(omega d, p)| of the stiff spring that moves
+    double largest = 0;       ///< omega |d| or |p| of a stiff spring
+    double energy_error = 0;  ///< relative
+    double iterations = 0;    ///< a step
+
+    [[nodiscard]] bool ok() const { return failure.empty() && status == "ok"; }
+    [[nodiscard]] bool is_stopped() const { return failure.empty() && status != "ok" && untouched; }
+    [[nodiscard]] bool is_refused() const { return is_stopped() && steps == 0; }
+};
+
+Motion motion(const EdgeProgram& program, double z) {
+    const double omega = z / h, d = 1 / std::max(omega, 1.0);
+    const Heard heard =
+        program.ask("advance", h, steps, {1, 0, 0, d, 0, 0, 1, 0, 0, 1, 0, 0}, {omega});
+    Motion result;
+    result.failure = heard.failure;
+    if (!heard.failure.empty()) return result;
+    const Answers& answers = heard.answers;
+    result.status = answers.text("status");
+    result.steps = answers.integer("steps");
+    result.untouched = answers.integer("untouched") == 1;
+    const std::vector<double> largest = answers.numbers("largest");
+    for (std::size_t i = springs; i < 2 * springs; ++i)
+        result.largest =
+            std::max({result.largest, omega * largest.at(i), largest.at(i + 2 * springs)});
+    result.start = std::hypot(omega * d, 1);
+    const double energy =
+        1 + std::pow(omega * d, 2) / 2 + (std::pow(1 - d, 4) + std::pow(1 + d, 4)) / 4;
+    result.energy_error = answers.number("energy_error") / energy;
+    result.iterations = static_cast<double>(answers.integer("iterations")) /
+                        static_cast<double>(std::max(1L, result.steps));
+    return result;
+}
+
+enum class Fate {
+    resolved,  ///< the energy is nearly conserved
+    bounded,   ///< the stiff springs stay within a bound
+    growing,   ///< they do not
+    either,    ///< the theory does not tell
+    refused,   ///< fixed points do not contract
+};
+
+struct Expected {
+    Fate fate;
+    bool may_stop;   ///< fixed points contract little
+    double measure;  ///< the bound, or what they grow to
+};
+
+/// h times a frequency, whose square is omega^2 and this.
+double with(double added, double z) { return std::sqrt(z * z + added * h * h); }
+
+/// Whether there is a pole or an end of an interval of stability from z = low to high.
+bool changes(const LinearStability& stability, double low, double high) {
+    const auto is_between = [&](const Number& z) {
+        const double value = z.nearest_double();
+        return value > 0 && low <= value && value <= high;
+    };
+    return std::any_of(stability.poles.begin(), stability.poles.end(), is_between) ||
+           std::any_of(stability.stable.begin(), stability.stable.end(), [&](const auto& interval) {
+               return is_between(interval.low) || is_between(interval.high);
+           });
+}
+
+/// Of methods of order one the modified H differs from H by no more than h omega H/2.
+Expected by_energy(const Known& known, double z) {
+    const double fastest = with(most_soft, z);
+    if (changes(*known.certificate.stability, 0, fastest)) return {Fate::either, true, 0};
+    return {Fate::resolved, false, fastest};
+}
+
+/// Of the stiff springs, alone and with what the soft ones may add.
+Expected by_map(const Known& known, double z) {
+    const Oscillation alone = oscillation(known.certificate, z),
+                      half = oscillation(known.certificate, with(most_added / 2, z)),
+                      all = oscillation(known.certificate, with(most_added, z));
+    if (changes(*known.certificate.stability, z, with(most_added, z)) ||
+        alone.is_stable != all.is_stable)
+        return {Fate::either, true, 0};
+    if (alone.is_stable) {
+        const double time = static_cast<double>(steps) * h;
+        const double pushed = time * response(known.tableau, z) * most_force;
+        return {Fate::bounded, false, alone.bound * (std::sqrt(2.0) + pushed)};
+    }
+    // NOTE: half of the digits, as for the oscillator; and up to d = 0.1, where the soft springs
+    // are still as they were.
+    const double rate = std::min({alone.growth, half.growth, all.growth});
+    const double digits = std::min(20.0, static_cast<double>(steps) * rate / 2);
+    return {Fate::growing, true, std::min(std::pow(10, digits), 0.1 * z / h)};
+}
+
+/// NOTE: wider than for the oscillator, where the contraction is the same in every step.
+Expected expected(const Known& known, const Form& form, double z) {
+    Expected result = z <= resolved_until ? by_energy(known, z) : by_map(known, z);
+    if (form.solver != Solver::fixed_point) return result;
+    if (z * z * known.contraction > 2) return {Fate::refused, false, 0};
+    if (std::pow(with(most_added, z), 2) * known.contraction > 0.7) result.may_stop = true;
+    return result;
+}
+
+bool agrees(const Expected& expected, const Motion& seen) {
+    if (!seen.ok() && !seen.is_stopped()) return false;
+    if (expected.fate == Fate::refused) return seen.is_refused();
+    if (expected.fate == Fate::either) return true;
+    if (!seen.ok()) return expected.may_stop;
+    if (expected.fate == Fate::resolved) return seen.energy_error <= expected.measure;
+    return expected.fate == Fate::bounded ? seen.largest <= expected.measure
+                                          : seen.largest >= expected.measure;
+}
+
+std::string text(const Expected& expected) {
+    const std::string stop = expected.may_stop ? ", or stopped" : "";
+    switch (expected.fate) {
+    case Fate::resolved: return fmt::format("H off by at most {:.2g}{}", expected.measure, stop);
+    case Fate::bounded: return fmt::format("at most {:.3g}{}", expected.measure, stop);
+    case Fate::growing: return fmt::format("at least {:.3g}{}", expected.measure, stop);
+    case Fate::either: return "anything that ends well";
+    case Fate::refused: return "refused, the state untouched";
+    }
+    return {};
+}
+
+std::string text(const Motion& seen) {
+    if (!seen.failure.empty()) return seen.failure;
+    return fmt::format("{} after {} steps{}, up to {:.3g}, H off by {:.2g}", seen.status,
+                       seen.steps, seen.untouched || seen.ok() ? "" : ", the state changed",
+                       seen.largest, seen.energy_error);
+}
+
+/// How many points are expected to be what.
+std::string text(std::map<Fate, int> tally) {
+    return fmt::format(
+        "H kept at {}, bounded at {}, growing or stopped at {}, either at {}{}",
+        tally[Fate::resolved], tally[Fate::bounded], tally[Fate::growing], tally[Fate::either],
+        tally[Fate::refused] > 0 ? fmt::format(", refused at {}", tally[Fate::refused]) : "");
+}
+
+/// Runs at some points a decade, as one check; adds a curve to the pictures of the growth and of
+/// the iterations.
+EdgeCheck sweep(const Known& known, const Form& form, std::vector<CurvesPicture>& pictures) {
+    constexpr int points = 57;
+    std::map<Fate, int> tally;
+    int right = 0;
+    std::string wrong;
+    CurvesPicture::Curve growth{known.certificate.name, {}}, iterations = growth;
+    for (int k = 0; k < points; ++k) {
+        const double z = std::pow(10, -3 + k / 8.0);
+        const Expected wanted = expected(known, form, z);
+        const Motion seen = motion(form.program, z);
+        ++tally[wanted.fate];
+        if (agrees(wanted, seen))
+            ++right;
+        else if (wrong.empty())
+            wrong = fmt::format("; at z = {} not {}: {}", z, text(wanted), text(seen));
+        if (std::isfinite(seen.largest) && seen.largest > 0)
+            growth.points.emplace_back(z, std::min(seen.largest / seen.start, 1e20));
+        if (seen.ok() && seen.iterations > 0) iterations.points.emplace_back(z, seen.iterations);
+    }
+    pictures.at(0).curves.push_back(std::move(growth));
+    pictures.at(1).curves.push_back(std::move(iterations));
+    return {
+        known.certificate.name,
+        scene_name,
+        fmt::format("{}: {} z from 0.001 to 10000, {} steps of {}", form.name, points, steps, h),
+        text(tally),
+        fmt::format("so at {} of {}{}", right, points, wrong),
+        right == points};
+}
+
+CurvesPicture picture(const std::string& form, const std::string& y) {
+    return {"Soft and stiff springs, " + form, "h omega", y, true, true, {}};
+}
+
+}  // namespace
+
+EdgeChapter chain(Builds& builds, const std::vector<Method>& methods) {
+    EdgeChapter chapter{
+        "chain",
+        "Soft and stiff springs",
+        "The chain of Fermi, Pasta, Ulam and Tsingou in steps that resolve its soft springs, over "
+        "z = h omega of its stiff ones. Up to z = 0.3 these are resolved too, and the energy has "
+        "to stay within h times the largest frequency of its value. Beyond, the stiff springs are "
+        "oscillators "
+        "on which the soft ones act with a force of at most 17, as long as their energy is not "
+        "above twice that at the start: so (omega d, p) is bounded, or grows, as the exact map of "
+        "the method for the oscillator says, and by what such a force adds in that time. Where "
+        "what the soft springs add to omega^2 makes the map stable or unstable, nothing is "
+        "expected but an end. Fixed points may fail where they contract by less than 0.7, and "
+        "have to fail where they expand by 2. Growth is that of omega |d| or |p|, cut off at "
+        "1e20 in the pictures.",
+        {},
+        {}};
+    std::map<std::string, std::vector<CurvesPicture>> pictures;
+    std::vector<std::pair<Known, std::vector<Form>>> all;
+    for (const Method& method : methods) {
+        const Tableau tableau = derive(method);
+        all.push_back({{certify(method, 1), tableau, contraction(tableau)},
+                       forms(builds, method, edge_scene(scene_name))});
+    }
+    Bar bar;
+    double done = 0;
+    for (const auto& [known, forms] : all) {
+        bar.show(done++ / static_cast<double>(all.size()), "chain: " + known.certificate.name);
+        for (const Form& form : forms) {
+            auto& of_form =
+                pictures
+                    .try_emplace(form.name, std::vector{picture(form.name, "growth"),
+                                                        picture(form.name, "iterations a step")})
+                    .first->second;
+            chapter.checks.push_back(sweep(known, form, of_form));
+        }
+    }
+    for (auto& [form, of_form] : pictures)
+        for (CurvesPicture& each : of_form) chapter.pictures.push_back(std::move(each));
+    return chapter;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/edges/origin.hpp"
+
+#include "generator/exact/functions/start.hpp"
+#include "generator/hamiltonian/gradient.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+Origin origin_of(const Scene& scene) {
+    SymbolValues values = parameter_values(scene);
+    for (const auto* names : {&scene.hamiltonian.coordinates, &scene.hamiltonian.momenta})
+        for (const std::string& name : *names) values[name] = Ball();
+    values["t"] = Ball();
+    const Gradient derivatives = gradient(scene.hamiltonian);
+    Origin origin = Origin::rest;
+    for (const auto* parts : {&derivatives.by_coordinates, &derivatives.by_momenta})
+        for (const Expression& part : *parts) {
+            try {
+                const Ball value = value_at(part, values, nullptr);
+                if (arb_is_zero(value.get()) == 0) origin = Origin::other;
+            } catch (const MathError&) { return Origin::singular; }
+        }
+    return origin;
+}
+
+}  // namespace hvi::gen

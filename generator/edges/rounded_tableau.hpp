@@ -1,0 +1,18 @@
+// A tableau whose entries are rounded each for itself.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/exact/methods/tableau.hpp"
+
+namespace hvi::gen {
+
+struct RoundedTableau {
+    std::vector<double> words;   ///< as src/driver/naive.hpp takes them
+    bool is_symplectic = false;  ///< b_i a~_ij + b_j a_ji = b_i b_j still, exactly
+};
+
+[[nodiscard]] RoundedTableau rounded_entries(const Tableau& tableau);
+
+}  // namespace hvi::gen

@@ -1,0 +1,12 @@
+// Numbers that doubles stand for.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/exact/numbers/number.hpp"
+
+namespace hvi::gen {
+
+/// The double, exactly. Precondition: it is finite.
+[[nodiscard]] Number exact_number(double value);
+
+}  // namespace hvi::gen

@@ -1,0 +1,19 @@
+// Integrators of other libraries in a report.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "generator/simulate/peers.hpp"
+#include "generator/study/work.hpp"
+
+namespace hvi::gen {
+
+/// Of all that apply to the scene, by a program that is made of `stepper`, which is made for peers,
+/// and the library's driver. Throws what ask() does.
+[[nodiscard]] std::vector<WorkCurve> peer_curves(const std::filesystem::path& program,
+                                                 const PeerLibrary& library,
+                                                 const SceneStepper& stepper, const Course& course);
+
+}  // namespace hvi::gen

@@ -1,0 +1,264 @@
+// Dual numbers: the steps that compute in double, differentiated exactly.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: to be included before the header of a stepper, whose templates call functions by names that
+// are looked up where they are written: hvi::math::sin(x), hvi::detail::abs(x).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include <hvi/arithmetic.hpp>
+#include <hvi/dense.hpp>
+#include <hvi/math.hpp>
+#include <hvi/scalar.hpp>
+
+namespace hvi::driver {
+
+/// A double and its derivatives by n variables. Values are computed as they are in double, and
+/// derivatives by the rules of calculus: they are exact but for rounding, and no differences are
+/// taken. Numbers are ordered by their values; they are equal if all their parts are.
+///
+/// NOTE: sums and products are not inlined. With 36 parts a stepper then takes g++ half of the
+/// time, and its steps no longer.
+template <std::size_t n>
+class Dual {
+public:
+    double value = 0;
+    double by[n] = {};  ///< the derivatives
+
+    constexpr Dual() = default;
+    constexpr Dual(const Dual&) = default;
+    constexpr Dual& operator=(const Dual&) = default;
+    ~Dual() = default;
+
+    /// A constant.
+    template <class Real, class = std::enable_if_t<std::is_arithmetic_v<Real>>>
+    constexpr Dual(Real constant) : value(static_cast<double>(constant)) {}
+
+    /// NOTE: the runtime looks at numbers through volatile ones, where a compiler must not know
+    /// what they are.
+    Dual(const volatile Dual& x) : value(x.value) {
+        for (std::size_t i = 0; i < n; ++i) { by[i] = x.by[i]; }
+    }
+
+    /// f(x), of f(x.value) and f'(x.value). NOTE: what does not depend on a variable does not where
+    /// f' is infinite either.
+    [[nodiscard]] friend constexpr Dual chain(const Dual& x, double f, double slope) {
+        Dual result(f);
+        for (std::size_t i = 0; i < n; ++i) { result.by[i] = x.by[i] == 0 ? 0 : slope * x.by[i]; }
+        return result;
+    }
+
+    [[gnu::noinline]] constexpr Dual& operator+=(const Dual& y) {
+        value += y.value;
+        for (std::size_t i = 0; i < n; ++i) { by[i] += y.by[i]; }
+        return *this;
+    }
+    [[gnu::noinline]] constexpr Dual& operator-=(const Dual& y) {
+        value -= y.value;
+        for (std::size_t i = 0; i < n; ++i) { by[i] -= y.by[i]; }
+        return *this;
+    }
+    [[gnu::noinline]] constexpr Dual& operator*=(const Dual& y) {
+        for (std::size_t i = 0; i < n; ++i) { by[i] = by[i] * y.value + value * y.by[i]; }
+        value *= y.value;
+        return *this;
+    }
+    [[gnu::noinline]] constexpr Dual& operator/=(const Dual& y) {
+        value /= y.value;
+        for (std::size_t i = 0; i < n; ++i) { by[i] = (by[i] - value * y.by[i]) / y.value; }
+        return *this;
+    }
+
+    friend constexpr Dual operator+(Dual x, const Dual& y) { return x += y; }
+    friend constexpr Dual operator-(Dual x, const Dual& y) { return x -= y; }
+    friend constexpr Dual operator*(Dual x, const Dual& y) { return x *= y; }
+    friend constexpr Dual operator/(Dual x, const Dual& y) { return x /= y; }
+    friend constexpr Dual operator-(Dual x) {
+        x.value = -x.value;
+        for (double& part : x.by) { part = -part; }
+        return x;
+    }
+
+    friend constexpr bool operator<(const Dual& x, const Dual& y) { return x.value < y.value; }
+    friend constexpr bool operator>(const Dual& x, const Dual& y) { return x.value > y.value; }
+    friend constexpr bool operator<=(const Dual& x, const Dual& y) { return x.value <= y.value; }
+    friend constexpr bool operator>=(const Dual& x, const Dual& y) { return x.value >= y.value; }
+    friend constexpr bool operator==(const Dual& x, const Dual& y) {
+        bool equal = x.value == y.value;
+        for (std::size_t i = 0; i < n; ++i) { equal = equal && x.by[i] == y.by[i]; }
+        return equal;
+    }
+    friend constexpr bool operator!=(const Dual& x, const Dual& y) { return !(x == y); }
+};
+
+/// The variable number i at this value.
+template <std::size_t n>
+[[nodiscard]] constexpr Dual<n> variable(double value, std::size_t i) {
+    Dual<n> x(value);
+    x.by[i] = 1;
+    return x;
+}
+
+}  // namespace hvi::driver
+
+namespace hvi::math {
+
+template <std::size_t n>
+inline constexpr bool computes_in<driver::Dual<n>> = true;
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> acos(const driver::Dual<n>& x) {
+    const double v = x.value;
+    return chain(x, std::acos(v), -1 / std::sqrt((1 - v) * (1 + v)));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> asin(const driver::Dual<n>& x) {
+    const double v = x.value;
+    return chain(x, std::asin(v), 1 / std::sqrt((1 - v) * (1 + v)));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> atan(const driver::Dual<n>& x) {
+    return chain(x, std::atan(x.value), 1 / (1 + x.value * x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> cos(const driver::Dual<n>& x) {
+    return chain(x, std::cos(x.value), -std::sin(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> cosh(const driver::Dual<n>& x) {
+    return chain(x, std::cosh(x.value), std::sinh(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> exp(const driver::Dual<n>& x) {
+    return chain(x, std::exp(x.value), std::exp(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> expm1(const driver::Dual<n>& x) {
+    return chain(x, std::expm1(x.value), std::exp(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> log(const driver::Dual<n>& x) {
+    return chain(x, std::log(x.value), 1 / x.value);
+}
+
+/// NOTE: where x is below 0, which has no logarithm, y is a constant, and no derivative is by y.
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> pow(const driver::Dual<n>& x, const driver::Dual<n>& y) {
+    const double value = std::pow(x.value, y.value);
+    const double by_x = y.value == 0 ? 0 : y.value * std::pow(x.value, y.value - 1);
+    const double by_y = value == 0 ? 0 : value * std::log(x.value);
+    return chain(x, value, by_x) + chain(y, 0, by_y);
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> sin(const driver::Dual<n>& x) {
+    return chain(x, std::sin(x.value), std::cos(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> sinh(const driver::Dual<n>& x) {
+    return chain(x, std::sinh(x.value), std::cosh(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> sqrt(const driver::Dual<n>& x) {
+    const double root = std::sqrt(x.value);
+    return chain(x, root, 1 / (2 * root));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> tan(const driver::Dual<n>& x) {
+    const double cos = std::cos(x.value);
+    return chain(x, std::tan(x.value), 1 / (cos * cos));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> tanh(const driver::Dual<n>& x) {
+    const double cosh = std::cosh(x.value);
+    return chain(x, std::tanh(x.value), 1 / cosh / cosh);
+}
+
+template <std::size_t n>
+[[nodiscard]] bool islessgreater(const driver::Dual<n>& x, const driver::Dual<n>& y) {
+    return std::islessgreater(x.value, y.value);
+}
+
+template <std::size_t n>
+[[nodiscard]] bool isnormal(const driver::Dual<n>& x) {
+    return std::isnormal(x.value);
+}
+
+}  // namespace hvi::math
+
+namespace hvi::detail {
+
+template <std::size_t n>
+inline constexpr int bits<driver::Dual<n>> = std::numeric_limits<double>::digits;
+
+template <std::size_t n>
+inline constexpr bool is_number<driver::Dual<n>> = true;
+
+/// The largest absolute value of all parts, a constant; no number where a part is none.
+///
+/// NOTE: steppers ask it of the changes of their iterations, and end these where it no longer
+/// falls, and of what the changes are compared with. Values converge first and derivatives, at the
+/// same rate, some iterations later: this waits for both. No H calls it: it has no absolute values.
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> abs(const driver::Dual<n>& x) {
+    double largest = std::abs(x.value);
+    for (const double part : x.by) {
+        const double size = std::abs(part);
+        largest = size > largest || size != size ? size : largest;
+    }
+    return largest;
+}
+
+/// The factors of the values. With them Newton's method x -= J^-1 f(x) computes x as it does in
+/// double, and its derivatives converge to those of the solution with any factors, as x does.
+template <std::size_t n>
+class Factors<driver::Dual<n>> {
+public:
+    /// See Factors.
+    [[nodiscard]] bool compute(const SquareMatrix<driver::Dual<n>>& matrix) {
+        SquareMatrix<double> values(matrix.size());
+        for (std::size_t i = 0; i < matrix.size(); ++i) {
+            for (std::size_t j = 0; j < matrix.size(); ++j) { values(i, j) = matrix(i, j).value; }
+        }
+        size_ = matrix.size();
+        return factors_.compute(values);
+    }
+
+    /// Replaces the right side b by the solution.
+    void solve(driver::Dual<n>* b) const {
+        solve_part([&](std::size_t k) -> double& { return b[k].value; });
+        for (std::size_t i = 0; i < n; ++i) {
+            solve_part([&](std::size_t k) -> double& { return b[k].by[i]; });
+        }
+    }
+
+private:
+    template <class Part>
+    void solve_part(Part part) const {
+        std::vector<double> side(size_);
+        for (std::size_t k = 0; k < size_; ++k) { side[k] = part(k); }
+        factors_.solve(side.data());
+        for (std::size_t k = 0; k < size_; ++k) { part(k) = side[k]; }
+    }
+
+    Factors<double> factors_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace hvi::detail
