@@ -116,18 +116,16 @@ void add_edges(Report& report, Builds& builds, const std::vector<Method>& method
     });
 }
 
-void write(Report& report, const ReportOptions& options, const fs::path& directory) {
+/// NOTE: numbers first, as pictures take another program, which may be missing.
+void write(const Report& report, const ReportOptions& options, const fs::path& directory) {
     make_directory(directory);
-    Pictures pictures;
-    if (options.html || options.svg) {
-        const TimeSpent::Part part(report.time_spent, "drawing");
-        pictures = report_pictures(report);
-    }
     if (options.json) write_file(directory / "report.json", report_json(report));
     if (options.csv && !report.scenes.empty())
         write_file(directory / "report.csv", report_csv(report));
     if (options.csv && !report.edges.empty())
         write_file(directory / "edges.csv", edges_csv(report));
+    if (!options.html && !options.svg) return;
+    const Pictures pictures = report_pictures(report);
     if (options.svg)
         for (const auto* subjects : {&pictures.of_scenes, &pictures.of_edges})
             for (const std::vector<Picture>& all : *subjects)

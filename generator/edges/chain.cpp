@@ -9,6 +9,7 @@
 #include "generator/edges/edges.hpp"
 #include "generator/edges/forms.hpp"
 #include "generator/edges/oscillation.hpp"
+#include "generator/edges/sweep.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/support/bar.hpp"
 
@@ -181,40 +182,19 @@ std::string text(std::map<Fate, int> tally) {
         tally[Fate::refused] > 0 ? fmt::format(", refused at {}", tally[Fate::refused]) : "");
 }
 
-/// Runs at some points a decade, as one check; adds a curve to the pictures of the growth and of
-/// the iterations.
-EdgeCheck sweep(const Known& known, const Form& form, std::vector<CurvesPicture>& pictures) {
-    constexpr int points = 57;
+EdgeCheck sweep(const Known& known, const Form& form, Sweeps& sweeps) {
     std::map<Fate, int> tally;
-    int right = 0;
-    std::string wrong;
-    CurvesPicture::Curve growth{known.certificate.name, {}}, iterations = growth;
-    for (int k = 0; k < points; ++k) {
-        const double z = std::pow(10, -3 + k / 8.0);
-        const Expected wanted = expected(known, form, z);
-        const Motion seen = motion(form.program, z);
-        ++tally[wanted.fate];
-        if (agrees(wanted, seen))
-            ++right;
-        else if (wrong.empty())
-            wrong = fmt::format("; at z = {} not {}: {}", z, text(wanted), text(seen));
-        if (std::isfinite(seen.largest) && seen.largest > 0)
-            growth.points.emplace_back(z, std::min(seen.largest / seen.start, 1e20));
-        if (seen.ok() && seen.iterations > 0) iterations.points.emplace_back(z, seen.iterations);
-    }
-    pictures.at(0).curves.push_back(std::move(growth));
-    pictures.at(1).curves.push_back(std::move(iterations));
-    return {
-        known.certificate.name,
-        scene_name,
-        fmt::format("{}: {} z from 0.001 to 10000, {} steps of {}", form.name, points, steps, h),
-        text(tally),
-        fmt::format("so at {} of {}{}", right, points, wrong),
-        right == points};
-}
-
-CurvesPicture picture(const std::string& form, const std::string& y) {
-    return {"Soft and stiff springs, " + form, "h omega", y, true, true, {}};
+    EdgeCheck check = sweeps.sweep(
+        known.certificate.name, form.name, fmt::format("{} steps of {}", steps, h), [&](double z) {
+            const Expected wanted = expected(known, form, z);
+            const Motion seen = motion(form.program, z);
+            ++tally[wanted.fate];
+            return SweepPoint{
+                seen.largest / seen.start, seen.ok() ? seen.iterations : 0,
+                agrees(wanted, seen) ? "" : fmt::format("not {}: {}", text(wanted), text(seen))};
+        });
+    check.expected = text(tally);
+    return check;
 }
 
 }  // namespace
@@ -236,7 +216,7 @@ EdgeChapter chain(Builds& builds, const std::vector<Method>& methods) {
         "1e20 in the pictures.",
         {},
         {}};
-    std::map<std::string, std::vector<CurvesPicture>> pictures;
+    Sweeps sweeps(scene_name, "Soft and stiff springs");
     std::vector<std::pair<Known, std::vector<Form>>> all;
     for (const Method& method : methods) {
         const Tableau tableau = derive(method);
@@ -247,17 +227,9 @@ EdgeChapter chain(Builds& builds, const std::vector<Method>& methods) {
     double done = 0;
     for (const auto& [known, forms] : all) {
         bar.show(done++ / static_cast<double>(all.size()), "chain: " + known.certificate.name);
-        for (const Form& form : forms) {
-            auto& of_form =
-                pictures
-                    .try_emplace(form.name, std::vector{picture(form.name, "growth"),
-                                                        picture(form.name, "iterations a step")})
-                    .first->second;
-            chapter.checks.push_back(sweep(known, form, of_form));
-        }
+        for (const Form& form : forms) { chapter.checks.push_back(sweep(known, form, sweeps)); }
     }
-    for (auto& [form, of_form] : pictures)
-        for (CurvesPicture& each : of_form) chapter.pictures.push_back(std::move(each));
+    chapter.pictures = sweeps.pictures();
     return chapter;
 }
 

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "generator/edges/edges.hpp"
 #include "generator/edges/forms.hpp"
 #include "generator/edges/oscillation.hpp"
 #include "generator/edges/program.hpp"
+#include "generator/edges/sweep.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/support/bar.hpp"
 
@@ -128,37 +128,22 @@ struct Tally {
     }
 };
 
-/// Runs at some points a decade, as one check; adds a curve to the pictures of the growth and of
-/// the iterations.
-EdgeCheck sweep(const Known& known, const Form& form, std::vector<CurvesPicture>& pictures) {
+EdgeCheck sweep(const Known& known, const Form& form, Sweeps& sweeps) {
     constexpr long steps = 1000;
-    constexpr int points = 57;
     Tally tally;
-    int right = 0;
-    std::string wrong;
-    CurvesPicture::Curve growth{known.certificate.name, {}}, iterations = growth;
-    for (int k = 0; k < points; ++k) {
-        const double z = std::pow(10, -3 + k / 8.0);
-        const Oscillation map = oscillation(known.certificate, z);
-        const Fate expected = fate(known, form, z);
-        const Orbit found = orbit(form.program, z, steps);
-        tally.expect(expected, map);
-        if (agrees(expected, found, map, steps))
-            ++right;
-        else if (wrong.empty())
-            wrong = fmt::format("; at z = {} not {}: {}", z, text(expected, map), text(found));
-        if (std::isfinite(found.growth) && found.growth > 0)
-            growth.points.emplace_back(z, std::min(found.growth, 1e20));
-        if (found.ok() && found.iterations > 0) iterations.points.emplace_back(z, found.iterations);
-    }
-    pictures.at(0).curves.push_back(std::move(growth));
-    pictures.at(1).curves.push_back(std::move(iterations));
-    return {known.certificate.name,
-            scene_name,
-            fmt::format("{}: {} z from 0.001 to 10000, {} steps", form.name, points, steps),
-            tally.text(),
-            fmt::format("so at {} of {}{}", right, points, wrong),
-            right == points};
+    EdgeCheck check = sweeps.sweep(
+        known.certificate.name, form.name, fmt::format("{} steps", steps), [&](double z) {
+            const Oscillation map = oscillation(known.certificate, z);
+            const Fate expected = fate(known, form, z);
+            const Orbit found = orbit(form.program, z, steps);
+            tally.expect(expected, map);
+            return SweepPoint{found.growth, found.ok() ? found.iterations : 0,
+                              agrees(expected, found, map, steps)
+                                  ? ""
+                                  : fmt::format("not {}: {}", text(expected, map), text(found))};
+        });
+    check.expected = tally.text();
+    return check;
 }
 
 // ---- at the ends of the intervals, and at poles ----
@@ -205,10 +190,6 @@ std::vector<EdgeCheck> at_ends(const Known& known, const Form& form) {
     return checks;
 }
 
-CurvesPicture picture(const std::string& form, const std::string& y) {
-    return {"Harmonic oscillator, " + form, "h omega", y, true, true, {}};
-}
-
 }  // namespace
 
 EdgeChapter stiff(Builds& builds, const std::vector<Method>& methods) {
@@ -226,7 +207,7 @@ EdgeChapter stiff(Builds& builds, const std::vector<Method>& methods) {
         "|(omega q, p)|, cut off at 1e20 in the pictures.",
         {},
         {}};
-    std::map<std::string, std::vector<CurvesPicture>> pictures;
+    Sweeps sweeps(scene_name, "Harmonic oscillator");
     std::vector<std::pair<Known, std::vector<Form>>> all;
     for (const Method& method : methods)
         all.push_back({{certify(method, 1), contraction(derive(method))},
@@ -236,18 +217,12 @@ EdgeChapter stiff(Builds& builds, const std::vector<Method>& methods) {
     for (const auto& [known, forms] : all) {
         bar.show(done++ / static_cast<double>(all.size()), "stiff: " + known.certificate.name);
         for (const Form& form : forms) {
-            auto& of_form =
-                pictures
-                    .try_emplace(form.name, std::vector{picture(form.name, "growth"),
-                                                        picture(form.name, "iterations a step")})
-                    .first->second;
-            chapter.checks.push_back(sweep(known, form, of_form));
+            chapter.checks.push_back(sweep(known, form, sweeps));
             for (EdgeCheck& check : at_ends(known, form))
                 chapter.checks.push_back(std::move(check));
         }
     }
-    for (auto& [form, of_form] : pictures)
-        for (CurvesPicture& each : of_form) chapter.pictures.push_back(std::move(each));
+    chapter.pictures = sweeps.pictures();
     return chapter;
 }
 

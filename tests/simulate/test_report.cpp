@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -187,4 +188,19 @@ TEST_CASE("what is there of a report is kept when a scene of it fails") {
     CHECK(json["scenes"].size() == 1);
     CHECK(json["incomplete"].get<std::string>().find("falls") == 0);
     CHECK(contents(directory / "report/report.html").find("Incomplete") != std::string::npos);
+}
+
+TEST_CASE("numbers are kept where pictures cannot be drawn") {
+    use_cache();
+    const Directory directory;
+    const std::string report = "hvi-gen report harmonic-oscillator --methods midpoint "
+                               "--steps 1/10,1/20 --only work,json,csv,html";
+    const Outcome result = shell("CXX=\"$(command -v c++)\"; export CXX; " + report +
+                                     " -o first && PATH=/none && " + report + " -o second",
+                                 directory.path());
+    CHECK(result.status == 3);
+    CHECK(result.err.find("gnuplot") != std::string::npos);
+    for (const std::string kept : {"first/report.html", "second/report.json", "second/report.csv"})
+        CHECK(std::filesystem::exists(directory / kept));
+    CHECK_FALSE(std::filesystem::exists(directory / "second/report.html"));
 }

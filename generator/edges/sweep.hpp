@@ -1,0 +1,50 @@
+// Runs over h times a frequency, from resolved to stiff.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/edges/edges.hpp"
+
+namespace hvi::gen {
+
+/// What was seen at one z = h omega.
+struct SweepPoint {
+    double growth = 0;      ///< drawn where it is finite and above 0
+    double iterations = 0;  ///< a step; the same
+    std::string wrong;      ///< what was expected and what was seen; empty where they agree
+};
+
+/// Sweeps of a scene by several methods, in several forms.
+class Sweeps {
+public:
+    /// `title` is that of the pictures, before the form.
+    Sweeps(std::string scene, std::string title)
+        : scene_(std::move(scene)), title_(std::move(title)) {}
+
+    /// One check over 57 z from 1e-3 to 1e4, the same number in each decade, without what is
+    /// expected; and curves in the two pictures of the form. `steps` says how many, and of what.
+    [[nodiscard]] EdgeCheck sweep(const std::string& method, const std::string& form,
+                                  const std::string& steps,
+                                  const std::function<SweepPoint(double z)>& at);
+
+    /// Growth and iterations of each form.
+    [[nodiscard]] std::vector<CurvesPicture> pictures() const;
+
+private:
+    /// Those of a form.
+    struct Curves {
+        std::string form;
+        std::vector<CurvesPicture::Curve> growth, iterations;
+    };
+
+    Curves& of_form(const std::string& form);
+
+    std::string scene_, title_;
+    std::vector<Curves> forms_;
+};
+
+}  // namespace hvi::gen
