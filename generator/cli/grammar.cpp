@@ -77,6 +77,7 @@ void describe(CLI::App& app) {
     add_flag(stepper, "--separable", "For a class of your own with H = T(p) + U(q)");
     add_value(stepper, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
     add_flag(stepper, "--energy", "The class has a member energy(x)");
+    add_value(stepper, "--compose", "NAME", "Of higher order: yoshida:4, ..., kahan-li:8");
     add_flag(stepper, "--invariants", "And one for each invariant of the scene");
     add_flag(stepper, "--evaluations", "And one that counts those of dH/dq");
     add_flag(stepper, "--dense", "And one for positions within the last step");
@@ -99,6 +100,7 @@ void describe(CLI::App& app) {
     add_value(run, "--step", "H", "Size of a step, in place of the scene's");
     add_value(run, "--until", "T", "Time at the end, in place of the scene's");
     add_value(run, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
+    add_value(run, "--compose", "NAME", "Of higher order: yoshida:4, ..., kahan-li:8");
     add_value(run, "--only", "LIST", "Of table, picture, summary; all when not given");
     add_value(run, "-o,--output", "DIR", "Write to this directory");
 

@@ -145,6 +145,12 @@ Solver solver_option(const Words& words) {
     return solvers.at(words.choice("--solver", {"auto", "fixed-point", "newton", "newton-taylor"}));
 }
 
+std::optional<Composition> composition_option(const Words& words) {
+    const auto name = words.value("--compose");
+    if (!name) return {};
+    return named_composition(std::make_shared<const Source>(Source{"--compose", *name}));
+}
+
 StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     StepperOptions options;
     options.system = system_options(words, line);
@@ -152,6 +158,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
                                                              : method_options(words, line);
     options.separable = words.flag("--separable");
     options.wishes.solver = solver_option(words);
+    options.wishes.composition = composition_option(words);
     options.wishes.energy = words.flag("--energy");
     options.wishes.invariants = words.flag("--invariants");
     options.wishes.evaluations = words.flag("--evaluations");
@@ -188,6 +195,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
         throw InputError("no scene is given", line.end(),
                          "for example kepler, which `hvi-gen list scenes` shows");
     options.solver = solver_option(words);
+    options.composition = composition_option(words);
     options.step = words.value("--step");
     options.until = words.value("--until");
     const Only only(words, {"table", "picture", "summary"});

@@ -32,7 +32,7 @@ constexpr const char* summary_name = "summary.txt";
 
 /// `kepler-gauss_4`.
 fs::path default_directory(const SceneStepper& stepper) {
-    const std::string header = file_name(stepper.tableau.name);
+    const std::string header = file_name(stepper.method_name);
     return stepper.lowered.scene.name + "-" + header.substr(0, header.rfind('.'));
 }
 
@@ -81,7 +81,7 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
         text += fmt::format("{:<{}}  {}\n", name, width, value);
     };
     line("scene", scene.name + (scene.description.empty() ? "" : ": " + scene.description));
-    line("method", stepper.tableau.name.empty() ? stepper.tableau.origin : stepper.tableau.name);
+    line("method", stepper.method_name.empty() ? stepper.tableau.origin : stepper.method_name);
     line("steps", fmt::format("{} of {}, until t = {:.10g}", run.steps, asked.size,
                               static_cast<double>(run.steps) * asked.size));
     if (!run.ok())
@@ -104,8 +104,8 @@ TrajectoryPicture picture(const SceneStepper& stepper, const Steps& asked, const
                           const fs::path& table) {
     const Hamiltonian& H = stepper.lowered.scene.hamiltonian;
     TrajectoryPicture picture;
-    picture.title = stepper.lowered.scene.name + ", " + stepper.tableau.name +
-                    (run.ok() ? "" : " (incomplete)");
+    picture.title =
+        stepper.lowered.scene.name + ", " + stepper.method_name + (run.ok() ? "" : " (incomplete)");
     picture.until = static_cast<double>(run.steps) * asked.size;
     picture.table = table;
     for (const Conserved& kept : run.conserved) picture.kept.push_back({kept.name, kept.start});
@@ -173,7 +173,8 @@ void run(const RunOptions& options) {
     const NamedExpression step = wish(scene, options.step, scene.run.step, "step");
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
     const Steps steps = steps_until(scene, step, until);
-    const SceneStepper stepper = scene_stepper(method, scene, simulation_wishes(options.solver));
+    const SceneStepper stepper =
+        scene_stepper(method, scene, simulation_wishes(options.solver, options.composition));
     check_simulation(stepper);
 
     const InterruptionsHeld held;

@@ -26,15 +26,19 @@ void check_name(const std::string& name) {
 std::string command(const Tableau& tableau, const StepperOptions& options) {
     std::string text = "hvi-gen stepper " + tableau.origin;
     if (options.separable) text += " --separable";
+    if (options.wishes.composition) text += " --compose " + options.wishes.composition->name;
     if (options.wishes.class_name) text += " --name " + *options.wishes.class_name;
     return text;
 }
 
 void write_method(const StepperOptions& options) {
     const Tableau tableau = tableau_of(options.method);
-    const Scheme scheme = plan(tableau, {.separable = options.separable});
-    const EmitOptions emitted = {.class_name =
-                                     options.wishes.class_name.value_or(class_name(tableau.name)),
+    const std::optional<Composition>& composition = options.wishes.composition;
+    if (composition) check_composition(*composition, tableau);
+    const Scheme scheme =
+        plan(tableau, {.separable = options.separable, .composition = composition});
+    const std::string name = composed_name(tableau.name, composition);
+    const EmitOptions emitted = {.class_name = options.wishes.class_name.value_or(class_name(name)),
                                  .command = command(tableau, options)};
     const std::string header = emit(tableau, scheme, emitted);
     if (options.explain) std::fputs(dump(scheme).c_str(), stderr);

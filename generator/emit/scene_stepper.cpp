@@ -16,6 +16,7 @@ std::string command(const Tableau& tableau, const Scene& scene, const StepperWis
     if (wishes.solver == Solver::fixed_point) text += " --solver fixed-point";
     if (wishes.solver == Solver::newton) text += " --solver newton";
     if (wishes.solver == Solver::newton_taylor) text += " --solver newton-taylor";
+    if (wishes.composition) text += " --compose " + wishes.composition->name;
     if (wishes.energy) text += " --energy";
     if (wishes.invariants) text += " --invariants";
     if (wishes.evaluations) text += " --evaluations";
@@ -58,6 +59,9 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
     check_start(scene);
 
     auto [tableau, curve] = derive(method, wishes.dense);
+    if (wishes.composition) check_composition(*wishes.composition, tableau);
+    if (wishes.composition && wishes.dense)
+        throw InputError("--dense is not built for compositions, whose steps have no one curve");
     LoweredScene lowered = hvi::gen::lowered(scene);
     Scheme scheme = plan(tableau, {.separable = lowered.structure.is_separable,
                                    .depends_on_time = lowered.system.time.has_value(),
@@ -65,18 +69,20 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
                                    .is_quadratic = lowered.structure.is_quadratic,
                                    .degrees_of_freedom = lowered.system.degrees_of_freedom(),
                                    .has_curve = wishes.dense,
-                                   .solver = wishes.solver});
+                                   .solver = wishes.solver,
+                                   .composition = wishes.composition});
     check_solver(scheme, scene);
     members.curve = std::move(curve);
+    std::string method_name = composed_name(tableau.name, wishes.composition);
     std::string name = wishes.class_name.value_or(
-        class_name(scene.name.empty() ? tableau.name : scene.name + "-" + tableau.name));
+        class_name(scene.name.empty() ? method_name : scene.name + "-" + method_name));
     std::string header = emit(tableau, scheme,
                               {.class_name = name,
                                .command = command(tableau, scene, wishes),
                                .scene = &lowered,
                                .wishes = members});
-    return {std::move(tableau), std::move(lowered), std::move(scheme), std::move(name),
-            std::move(header)};
+    return {std::move(tableau), std::move(method_name), std::move(lowered),
+            std::move(scheme),  std::move(name),        std::move(header)};
 }
 
 }  // namespace hvi::gen

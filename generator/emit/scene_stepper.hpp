@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "generator/exact/methods/composition.hpp"
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/lower/lowered_scene.hpp"
 #include "generator/plan/scheme.hpp"
@@ -22,11 +23,13 @@ struct StepperWishes {
     bool dense = false;        ///< the curve of a step, the same
     std::optional<std::string> class_name =
         {};  ///< checked by check_class_name(); else from the names
+    std::optional<Composition> composition = {};  ///< a step is made of several of the method
 };
 
 /// A stepper, and what was found on the way to it.
 struct SceneStepper {
     Tableau tableau;
+    std::string method_name;  ///< `stormer-verlet-yoshida:6`; empty where the method has no name
     LoweredScene lowered;
     Scheme scheme;
     std::string class_name;

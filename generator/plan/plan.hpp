@@ -2,22 +2,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
+
+#include "generator/exact/methods/composition.hpp"
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
 
 struct PlanOptions {
-    bool separable = false;              ///< for H = T(p) + U(q) only
-    bool depends_on_time = false;        ///< H = H(q, p, t); if it is separable U(q, t)
-    bool kinetic_is_quadratic = false;   ///< and T = p^T K p/2 with constant K
-    bool is_quadratic = false;           ///< all second derivatives of H are constant
-    std::size_t degrees_of_freedom = 0;  ///< of a scene
-    bool has_curve = false;              ///< the stages of a step are asked for
-    Solver solver = Solver::of_user;     ///< what is wished for
+    bool separable = false;                       ///< for H = T(p) + U(q) only
+    bool depends_on_time = false;                 ///< H = H(q, p, t); if it is separable U(q, t)
+    bool kinetic_is_quadratic = false;            ///< and T = p^T K p/2 with constant K
+    bool is_quadratic = false;                    ///< all second derivatives of H are constant
+    std::size_t degrees_of_freedom = 0;           ///< of a scene
+    bool has_curve = false;                       ///< the stages of a step are asked for
+    Solver solver = Solver::of_user;              ///< what is wished for
+    std::optional<Composition> composition = {};  ///< a step is made of several of the method
 };
 
 /// Throws InputError when the tableau has free parameters in places that parametric() refuses.
+/// Precondition: a composed method has none.
 [[nodiscard]] Scheme plan(const Tableau& tableau, const PlanOptions& options);
 
 }  // namespace hvi::gen

@@ -50,8 +50,12 @@ void check_simulation(const SceneStepper& stepper) {
                      fmt::format("give it one: --param {}=1", name));
 }
 
-StepperWishes simulation_wishes(Solver solver) {
-    return {.solver = solver, .energy = true, .invariants = true, .evaluations = true};
+StepperWishes simulation_wishes(Solver solver, std::optional<Composition> composition) {
+    return {.solver = solver,
+            .energy = true,
+            .invariants = true,
+            .evaluations = true,
+            .composition = std::move(composition)};
 }
 
 ProgramText simulation_program(const SceneStepper& stepper) { return driver_program(stepper, {}); }

@@ -40,7 +40,8 @@ struct Simulation {
 [[nodiscard]] std::vector<std::string> conserved_names(const LoweredScene& lowered);
 
 /// What steppers of simulations are to have.
-[[nodiscard]] StepperWishes simulation_wishes(Solver solver);
+[[nodiscard]] StepperWishes simulation_wishes(Solver solver,
+                                              std::optional<Composition> composition = {});
 
 /// Throws InputError where a parameter of the method is left without a value.
 void check_simulation(const SceneStepper& stepper);

@@ -8,14 +8,18 @@ using namespace hvi::test;
 
 TEST_CASE("no option of stepper swallows the scene behind it") {
     const std::vector<std::vector<std::string>> lines = {
-        {"--param", "mu=2"}, {"--energy"},    {"--invariants"},
-        {"--dense"},         {"--float128"},  {"--solver", "newton"},
-        {"--explain"},       {"--name", "K"}, {"--method", "gauss:4"}};
+        {"--param", "mu=2"},     {"--energy"},
+        {"--invariants"},        {"--dense"},
+        {"--float128"},          {"--solver", "newton"},
+        {"--explain"},           {"--name", "K"},
+        {"--method", "gauss:4"}, {"--compose", "yoshida:4"}};
     for (const auto& options : lines) {
         const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
         INFO(outcome.err);
         CHECK(outcome.status == 0);
-        const std::string name = options.front() == "--name" ? "K" : "KeplerGauss4";
+        const std::string name = options.front() == "--name"      ? "K"
+                                 : options.front() == "--compose" ? "KeplerGauss4Yoshida4"
+                                                                  : "KeplerGauss4";
         CHECK(outcome.out.find("\nusing " + name + " = Basic" + name + "<double>;\n") !=
               std::string::npos);
     }
@@ -129,4 +133,33 @@ TEST_CASE("--explain speaks on standard error") {
     CHECK(outcome.status == 0);
     CHECK(!outcome.err.empty());
     CHECK((outcome.out == hvi_gen({"stepper", "--method", "gauss:2"}).out));
+}
+
+TEST_CASE("compositions") {
+    const std::vector<std::string> verlet = {"stepper", "--method", "stormer-verlet", "kepler"};
+    const std::string header = same_every_time(with(verlet, {"--compose", "yoshida:6"}));
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    CHECK(has(header, "using KeplerStormerVerletYoshida6 ="));
+    CHECK(has(header, "stepper --method stormer-verlet kepler --compose yoshida:6\n"));
+    CHECK(has(header, "7 steps in a row: they make a method of order 6: yoshida:6"));
+    CHECK_FALSE(has(header, "#include <hvi/"));
+    const Outcome separable =
+        hvi_gen({"stepper", "--method", "stormer-verlet", "--separable", "--compose", "suzuki:4"});
+    CHECK(separable.status == 0);
+    CHECK(has(separable.out, "class StormerVerletSuzuki4"));
+
+    const Outcome unknown = hvi_gen(with(verlet, {"--compose", "yosida:6"}));
+    CHECK(unknown.status == 2);
+    CHECK(has(unknown.err, "did you mean `yoshida:6`"));
+    const Outcome euler =
+        hvi_gen({"stepper", "--method", "symplectic-euler", "kepler", "--compose", "yoshida:4"});
+    CHECK(euler.status == 1);
+    CHECK(euler.out.empty());
+    CHECK(has(euler.err, "not its own adjoint"));
+    CHECK(hvi_gen(with(verlet, {"--compose", "yoshida:4", "--dense"})).status == 2);
+    CHECK(hvi_gen({"stepper", "--basis", "1, cos(w*tau), sin(w*tau)", "--nodes", "0, 1/2, 1",
+                   "kepler", "--compose", "yoshida:4"})
+              .status == 2);
 }

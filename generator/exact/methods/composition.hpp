@@ -1,0 +1,40 @@
+// Compositions: methods of higher order, made of steps of a method of lower order in a row.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/exact/algebra/number_vector.hpp"
+#include "generator/exact/methods/tableau.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+/// Steps of size gamma_1 h, gamma_2 h, ..., gamma_k h, where gamma_k+1-i = gamma_i and their sum is
+/// 1 (Hairer, Lubich & Wanner, Geometric Numerical Integration, Sections II.4 and V.3).
+struct Composition {
+    std::string name;  ///< `yoshida:6`
+    int order;         ///< of what it makes of a method of lower order
+    /// Every second step is one of the adjoint; then the method need not be its own.
+    bool with_adjoint;
+    NumberVector steps;  ///< gamma_1, ..., gamma_k: decimals of 50 digits and more
+};
+
+[[nodiscard]] std::vector<std::string_view> composition_names();
+
+/// `stormer-verlet-yoshida:6`; for a method without a name that of the composition.
+[[nodiscard]] std::string composed_name(const std::string& method,
+                                        const std::optional<Composition>& composition);
+
+/// Throws MathError where the method would have to be its own adjoint, and InputError where it has
+/// a free parameter.
+void check_composition(const Composition& composition, const Tableau& tableau);
+
+/// Throws InputError, with what may have been meant.
+[[nodiscard]] Composition named_composition(const std::shared_ptr<const Source>& name);
+
+}  // namespace hvi::gen
