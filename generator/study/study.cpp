@@ -55,7 +55,7 @@ Build reference_build(Builds& builds, const Scene& scene) {
 }
 
 Reference reference(const Build& build, const Scene& scene, double until, std::int64_t count) {
-    constexpr double wanted = 1e-18, seconds = 20;
+    constexpr double wanted = 1e-18, seconds = 30;
     // Of so high an order, larger steps than the scene's may do.
     const std::int64_t begin = std::max<std::int64_t>(1, count / 16);
     if (!scene.exact.empty()) return {"exact", 0, exact_state(scene, until)};
