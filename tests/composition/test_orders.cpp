@@ -45,7 +45,7 @@ double order(Wide until, int steps) {
     const auto a = end_of<Stepper>(until, steps), b = end_of<Stepper>(until, 2 * steps),
                c = end_of<Stepper>(until, 4 * steps);
     INFO(static_cast<double>(distance(b, c)));
-    REQUIRE(distance(b, c) > 1e-16);  // far above the rounding of long double
+    REQUIRE(distance(b, c) > 1e-16L);  // far above the rounding of long double
     return static_cast<double>(std::log2(distance(a, b) / distance(b, c)));
 }
 
