@@ -42,31 +42,19 @@ struct Known {
 };
 
 /// One run, from omega d = p = 1 in the first stiff spring, or d = 1 where that is less.
-struct Motion {
-    std::string failure, status;
-    long steps = 0;
-    bool untouched = false;
+struct Motion : Advance {
     double start = 0;         ///< |(omega d, p)| of the stiff spring that moves
     double largest = 0;       ///< omega |d| or |p| of a stiff spring
     double energy_error = 0;  ///< relative
-    double iterations = 0;    ///< a step
-
-    [[nodiscard]] bool ok() const { return failure.empty() && status == "ok"; }
-    [[nodiscard]] bool is_stopped() const { return failure.empty() && status != "ok" && untouched; }
-    [[nodiscard]] bool is_refused() const { return is_stopped() && steps == 0; }
 };
 
 Motion motion(const EdgeProgram& program, double z) {
     const double omega = z / h, d = 1 / std::max(omega, 1.0);
     const Heard heard =
         program.ask("advance", h, steps, {1, 0, 0, d, 0, 0, 1, 0, 0, 1, 0, 0}, {omega});
-    Motion result;
-    result.failure = heard.failure;
+    Motion result{Advance(heard), 0, 0, 0};
     if (!heard.failure.empty()) return result;
     const Answers& answers = heard.answers;
-    result.status = answers.text("status");
-    result.steps = answers.integer("steps");
-    result.untouched = answers.integer("untouched") == 1;
     const std::vector<double> largest = answers.numbers("largest");
     for (std::size_t i = springs; i < 2 * springs; ++i)
         result.largest =
@@ -75,8 +63,6 @@ Motion motion(const EdgeProgram& program, double z) {
     const double energy =
         1 + std::pow(omega * d, 2) / 2 + (std::pow(1 - d, 4) + std::pow(1 + d, 4)) / 4;
     result.energy_error = answers.number("energy_error") / energy;
-    result.iterations = static_cast<double>(answers.integer("iterations")) /
-                        static_cast<double>(std::max(1L, result.steps));
     return result;
 }
 

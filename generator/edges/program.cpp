@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <memory>
 
@@ -23,9 +24,10 @@ constexpr const char* header_name = "stepper.hpp";
 std::string set_parameters(const LoweredScene& lowered) {
     const NodeNames names = parameter_names(lowered);
     std::string text;
+    std::size_t i = 0;
     for (const Parameter& parameter : lowered.scene.parameters)
-        text += fmt::format("{}{} = *value++;", text.empty() ? "" : "\n",
-                            names.at(lowered.system.symbols.at(parameter.name).node));
+        text += fmt::format("{}{} = values.at({});", text.empty() ? "" : "\n",
+                            names.at(lowered.system.symbols.at(parameter.name).node), i++);
     return text;
 }
 
@@ -46,6 +48,15 @@ Scene edge_scene(const std::string& name) {
 double usual_step(const Scene& scene) {
     HVI_CHECK(scene.run.step.has_value());
     return nearest_value(scene, *scene.run.step);
+}
+
+Advance::Advance(const Heard& heard) : failure(heard.failure) {
+    if (!failure.empty()) return;
+    status = heard.answers.text("status");
+    steps = heard.answers.integer("steps");
+    untouched = heard.answers.integer("untouched") == 1;
+    iterations = static_cast<double>(heard.answers.integer("iterations")) /
+                 static_cast<double>(std::max(1L, steps));
 }
 
 EdgeProgram::EdgeProgram(Builds& builds, const Method& method, const Scene& scene, Solver solver) {

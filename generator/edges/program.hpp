@@ -23,6 +23,22 @@ struct Heard {
     std::string failure;  ///< why it did not end well, that is to say, a bug; else empty
 };
 
+/// What became of the steps of the command `advance`.
+struct Advance {
+    std::string failure, status;
+    long steps = 0;
+    bool untouched = false;  ///< the state, by the last step
+    double iterations = 0;   ///< a step
+
+    explicit Advance(const Heard& heard);
+
+    [[nodiscard]] bool ok() const { return failure.empty() && status == "ok"; }
+    /// Whether it ended early, by a status and with the state of the last good step.
+    [[nodiscard]] bool is_stopped() const { return failure.empty() && status != "ok" && untouched; }
+    /// Whether it never began.
+    [[nodiscard]] bool is_refused() const { return is_stopped() && steps == 0; }
+};
+
 class EdgeProgram {
 public:
     /// Of src/driver/edge_main.hpp. Throws what scene_stepper() does.

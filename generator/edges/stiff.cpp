@@ -27,33 +27,17 @@ struct Known {
 };
 
 /// One run from (omega q, p) = (1, 1/2).
-struct Orbit {
-    std::string failure, status;
-    long steps = 0;
-    bool untouched = false;
-    double growth = 0;      ///< the largest |(omega q, p)| by that at the start, or nearly so
-    double iterations = 0;  ///< a step
-
-    [[nodiscard]] bool ok() const { return failure.empty() && status == "ok"; }
-    /// Whether it ended early, by a status and with the state of the last good step.
-    [[nodiscard]] bool is_stopped() const { return failure.empty() && status != "ok" && untouched; }
-    /// Whether it never began.
-    [[nodiscard]] bool is_refused() const { return is_stopped() && steps == 0; }
+struct Orbit : Advance {
+    double growth = 0;  ///< the largest |(omega q, p)| by that at the start, or nearly so
 };
 
 Orbit orbit(const EdgeProgram& program, double z, long steps) {
     const double omega = z / h;
     const Heard heard = program.ask("advance", h, steps, {1 / omega, 0.5}, {omega});
-    Orbit result;
-    result.failure = heard.failure;
+    Orbit result{Advance(heard), 0};
     if (!heard.failure.empty()) return result;
-    result.status = heard.answers.text("status");
-    result.steps = heard.answers.integer("steps");
-    result.untouched = heard.answers.integer("untouched") == 1;
     const std::vector<double> largest = heard.answers.numbers("largest");
     result.growth = std::max(omega * largest.at(0), largest.at(1)) / std::hypot(1, 0.5);
-    const double tried = static_cast<double>(std::max(1L, result.steps));
-    result.iterations = static_cast<double>(heard.answers.integer("iterations")) / tried;
     return result;
 }
 

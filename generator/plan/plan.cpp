@@ -399,7 +399,9 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     const bool may_tabulate = options.solver == Solver::automatic && !options.has_curve;
     if (options.is_quadratic && may_tabulate) { tabulate(scheme, options); }
     if (scheme.is_tabulated) { return scheme; }
-    if (options.kinetic_is_quadratic) { eliminate_momenta(scheme); }
+    // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
+    // undo; and enclosures do not tell that entries between them are zero.
+    if (options.kinetic_is_quadratic && !options.composition) { eliminate_momenta(scheme); }
     set_solver(scheme, options.solver);
     if (!options.composition) { set_extrapolation(scheme, tableau); }
     return scheme;

@@ -159,6 +159,13 @@ TEST_CASE("compositions") {
     CHECK(euler.out.empty());
     CHECK(has(euler.err, "not its own adjoint"));
     CHECK(hvi_gen(with(verlet, {"--compose", "yoshida:4", "--dense"})).status == 2);
+    // Nodes without a closed form, and more stages than one plans for.
+    CHECK(hvi_gen({"stepper", "--method", "gauss:8", "kepler", "--compose", "yoshida:4"}).status ==
+          0);
+    const Outcome large =
+        hvi_gen({"stepper", "--method", "gauss:16", "kepler", "--compose", "kahan-li:8"});
+    CHECK(large.status == 2);
+    CHECK(has(large.err, "at most 8 stages"));
     CHECK(hvi_gen({"stepper", "--basis", "1, cos(w*tau), sin(w*tau)", "--nodes", "0, 1/2, 1",
                    "kepler", "--compose", "yoshida:4"})
               .status == 2);

@@ -10,6 +10,10 @@ namespace hvi::gen {
 
 namespace {
 
+/// In a step. NOTE: the time to plan them grows like their cube, the header like their square: with
+/// 136 they take a second and a megabyte and a half.
+constexpr std::size_t most_stages = 150;
+
 struct Entry {
     std::string_view name;
     int order;
@@ -139,6 +143,12 @@ void check_composition(const Composition& composition, const Tableau& tableau) {
     if (!tableau.parameters.empty()) {
         throw InputError("compositions of methods with a free parameter are not built", {},
                          "give it a value: --param " + tableau.parameters.front() + "=1");
+    }
+    const std::size_t most = most_stages / composition.steps.size();
+    if (tableau.stages() > most) {
+        throw InputError(std::to_string(composition.steps.size()) + " steps of " +
+                             std::to_string(tableau.stages()) + " stages are not built as one",
+                         {}, "compose a method of at most " + std::to_string(most) + " stages");
     }
     if (composition.with_adjoint || is_symmetric(tableau).holds) { return; }
     throw MathError(composition.name + " makes order " + std::to_string(composition.order) +
