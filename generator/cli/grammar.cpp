@@ -76,6 +76,7 @@ void describe(CLI::App& app) {
     add_system(stepper);
     add_flag(stepper, "--separable", "For a class of your own with H = T(p) + U(q)");
     add_value(stepper, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
+    add_value(stepper, "--lanes", "LANES", "auto, stages (side by side) or none");
     add_flag(stepper, "--energy", "The class has a member energy(x)");
     add_value(stepper, "--compose", "NAME", "Of higher order: yoshida:4, ..., kahan-li:8");
     add_flag(stepper, "--invariants", "And one for each invariant of the scene");
@@ -100,6 +101,7 @@ void describe(CLI::App& app) {
     add_value(run, "--step", "H", "Size of a step, in place of the scene's");
     add_value(run, "--until", "T", "Time at the end, in place of the scene's");
     add_value(run, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
+    add_value(run, "--lanes", "LANES", "auto, stages (side by side) or none");
     add_value(run, "--compose", "NAME", "Of higher order: yoshida:4, ..., kahan-li:8");
     add_value(run, "--only", "LIST", "Of table, picture, summary; all when not given");
     add_value(run, "-o,--output", "DIR", "Write to this directory");

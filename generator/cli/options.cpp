@@ -127,6 +127,9 @@ void check_system_flags(const Words& words, const StepperOptions& options) {
     if (!options.system && options.wishes.float128)
         throw InputError("--float128 needs a scene or --hamiltonian", words.place("--float128"),
                          "a header for any H computes in what the vectors of its class hold");
+    if (!options.system && words.value("--lanes"))
+        throw InputError("--lanes needs a scene or --hamiltonian", words.place("--lanes"),
+                         "the class of a user computes one gradient at a time");
     if (!options.system && words.value("--solver"))
         throw InputError("--solver needs a scene or --hamiltonian", words.place("--solver"),
                          "the solver of a header for any H is an argument of its class");
@@ -145,6 +148,11 @@ Solver solver_option(const Words& words) {
     return solvers.at(words.choice("--solver", {"auto", "fixed-point", "newton", "newton-taylor"}));
 }
 
+Lanes lanes_option(const Words& words) {
+    constexpr std::array lanes{Lanes::automatic, Lanes::stages, Lanes::none};
+    return lanes.at(words.choice("--lanes", {"auto", "stages", "none"}));
+}
+
 std::optional<Composition> composition_option(const Words& words) {
     const auto name = words.value("--compose");
     if (!name) return {};
@@ -158,6 +166,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
                                                              : method_options(words, line);
     options.separable = words.flag("--separable");
     options.wishes.solver = solver_option(words);
+    options.wishes.lanes = lanes_option(words);
     options.wishes.composition = composition_option(words);
     options.wishes.energy = words.flag("--energy");
     options.wishes.invariants = words.flag("--invariants");
@@ -195,6 +204,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
         throw InputError("no scene is given", line.end(),
                          "for example kepler, which `hvi-gen list scenes` shows");
     options.solver = solver_option(words);
+    options.lanes = lanes_option(words);
     options.composition = composition_option(words);
     options.step = words.value("--step");
     options.until = words.value("--until");

@@ -63,6 +63,7 @@ struct RunOptions {
     MethodOptions method;  ///< empty where the scene is to name it
     SystemOptions system;  ///< a scene
     Solver solver = Solver::automatic;
+    Lanes lanes = Lanes::automatic;
     std::optional<Composition> composition;
     std::optional<std::string> step, until;  ///< in place of those of the scene
     bool table = true, picture = true, summary = true;

@@ -173,8 +173,9 @@ void run(const RunOptions& options) {
     const NamedExpression step = wish(scene, options.step, scene.run.step, "step");
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
     const Steps steps = steps_until(scene, step, until);
-    const SceneStepper stepper =
-        scene_stepper(method, scene, simulation_wishes(options.solver, options.composition));
+    StepperWishes wishes = simulation_wishes(options.solver, options.composition);
+    wishes.lanes = options.lanes;
+    const SceneStepper stepper = scene_stepper(method, scene, wishes);
     check_simulation(stepper);
 
     const InterruptionsHeld held;

@@ -75,8 +75,6 @@ std::string members(const Scheme& scheme) {
     return writer.str();
 }
 
-std::string_view text(bool value) { return value ? "true" : "false"; }
-
 }  // namespace
 
 std::string unknowns(const Block& block) {
@@ -104,9 +102,9 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
         {{"unknowns", unknowns(block)},
          {"name", std::string(name)},
          {"types", fmt::format("{}, {}", scheme.positions.size(), scheme.momenta.size())},
-         {"separable", std::string(text(scheme.separable))},
-         {"has_q", std::string(text(!Q.empty()))},
-         {"has_p", std::string(text(!P.empty()))},
+         {"separable", std::string(truth(scheme.separable))},
+         {"has_q", std::string(truth(!Q.empty()))},
+         {"has_p", std::string(truth(!P.empty()))},
          {"unknown_q", index_list("unknown_q", Lq)},
          {"unknown_p", index_list("unknown_p", Lp)},
          {"member", members(scheme)},

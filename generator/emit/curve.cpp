@@ -145,7 +145,7 @@ std::string curve_table(const Scheme& scheme, const Curve& curve, std::string_vi
 }
 
 std::string curve_text(const Scheme& scheme, const Curve& curve, std::string_view chord,
-                       std::string_view slope) {
+                       const std::function<std::string(std::size_t)>& slope) {
     const std::size_t slopes =
         scheme.velocity_form ? scheme.positions.size() : scheme.momenta.size();
     Writer writer(1);
@@ -160,7 +160,7 @@ std::string curve_text(const Scheme& scheme, const Curve& curve, std::string_vie
     writer.line("const Scalar to_end = (1 - tau) * ({});", chord);
     std::string sum = "-to_end";
     for (std::size_t i = 0; i < slopes && !is_straight(curve); ++i) {
-        sum += fmt::format(" + bend[{0}] * s_.{1}[{0}][k]", i, slope);
+        sum += fmt::format(" + bend[{}] * {}", i, slope(i));
     }
     writer.line("q[k] = s_.at.q[k] + (s_.remainder.q[k] + ({}));", sum).close();
     return writer.line("return q;").close().str();

@@ -39,15 +39,16 @@ std::vector<std::string> solver_headers(const Scheme& scheme) {
 std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
     const SystemPart system = system_part(tableau, scheme, options);
-    ImplicitParts parts = scheme.velocity_form ? velocity_parts(scheme, options.wishes)
-                                               : pair_parts(scheme, options.wishes);
+    ImplicitParts parts = scheme.has_stage_lanes ? lane_parts(scheme, options.wishes)
+                          : scheme.velocity_form ? velocity_parts(scheme, options.wishes)
+                                                 : pair_parts(scheme, options.wishes);
     if (scheme.depends_on_time) { parts.runtime.push_back("clock.hpp"); }
     if (options.wishes.curve) {
         parts.format = 4;
         parts.runtime.push_back("curve.hpp");
     }
     if (options.wishes.float128) { parts.runtime.push_back("math.hpp"); }
-    if (options.scene != nullptr) { parts.format = 5; }
+    if (options.scene != nullptr) { parts.format = scheme.has_stage_lanes ? 6 : 5; }
     for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                     {"format", std::to_string(parts.format)},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "generator/emit/header.hpp"
@@ -22,7 +23,23 @@ struct ImplicitParts {
 /// Positions alone. Precondition: scheme.velocity_form.
 [[nodiscard]] ImplicitParts velocity_parts(const Scheme& scheme, const SceneWishes& wishes);
 
-// ---- what both are made of ----
+/// One of these, with the stages in lanes. Precondition: scheme.has_stage_lanes.
+[[nodiscard]] ImplicitParts lane_parts(const Scheme& scheme, const SceneWishes& wishes);
+
+// ---- what they are made of ----
+
+/// The tables of either form.
+[[nodiscard]] std::string pair_constants(const Scheme& scheme, const SceneWishes& wishes);
+[[nodiscard]] std::string velocity_constants(const Scheme& scheme, const SceneWishes& wishes);
+
+/// What Newton's method asks for beside forces and positions: see hvi::detail::PositionEquations.
+/// `drifts` is the body of the function that computes W_j = h K Lp_j of the unknown.
+[[nodiscard]] std::string newton_of_positions(const Scheme& scheme,
+                                              const std::vector<std::size_t>& unknown,
+                                              std::string_view drifts);
+
+/// Whether it is `true` or `false`, as C++ says it.
+[[nodiscard]] constexpr std::string_view truth(bool value) { return value ? "true" : "false"; }
 
 /// Whether the slope is at hand in `force_` or `velocity_`.
 [[nodiscard]] bool is_kept(const Scheme& scheme, const StageNode& slope);
@@ -48,10 +65,11 @@ constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix&
 [[nodiscard]] std::string curve_table(const Scheme& scheme, const Curve& curve,
                                       std::string_view library);
 
-/// The member position(tau). `chord` is the increment of the step, and `slope` the name of the
-/// slopes that the table is for.
+/// The member position(tau). `chord` is the increment of the step, and `slope(i)` component k of
+/// slope i of those that the table is for.
 [[nodiscard]] std::string curve_text(const Scheme& scheme, const Curve& curve,
-                                     std::string_view chord, std::string_view slope);
+                                     std::string_view chord,
+                                     const std::function<std::string(std::size_t)>& slope);
 
 /// `struct Modes` of the equations of Newton's method.
 [[nodiscard]] std::string modes_text(const Scheme& scheme);

@@ -38,8 +38,8 @@ Code literal_of(const SmallFraction& fraction) {
 class KernelWriter {
 public:
     KernelWriter(Writer& writer, const Graph& graph, const Kernel& kernel, NodeNames names,
-                 std::string_view library)
-        : writer_(writer), graph_(graph), kernel_(kernel), library_(library) {
+                 std::string_view library, std::string_view value)
+        : writer_(writer), graph_(graph), kernel_(kernel), library_(library), value_(value) {
         for (auto& [node, name] : names) { codes_[node] = {std::move(name)}; }
         for (const Node node : kernel.nodes) { define(node); }
     }
@@ -61,7 +61,7 @@ private:
         const bool stays = kernel_.uses[node] == 1 && code.text.size() <= longest;
         if (!stays && !is_divisor(graph_, kernel_, node)) {
             const std::string name = fmt::format("t{}", ++locals_);
-            writer_.line("const Scalar {} = {};", name, code.text);
+            writer_.line("const {} {} = {};", value_, name, code.text);
             code = {name};
         }
         codes_[node] = std::move(code);
@@ -149,7 +149,7 @@ private:
     Writer& writer_;
     const Graph& graph_;
     const Kernel& kernel_;
-    std::string_view library_;
+    std::string_view library_, value_;
     std::map<Node, Code> codes_;
     int locals_ = 0;
 };
@@ -157,8 +157,9 @@ private:
 }  // namespace
 
 std::vector<std::string> write_code(Writer& writer, const Graph& graph, const Kernel& kernel,
-                                    NodeNames names, std::string_view library) {
-    return KernelWriter(writer, graph, kernel, std::move(names), library).results();
+                                    NodeNames names, std::string_view library,
+                                    std::string_view value) {
+    return KernelWriter(writer, graph, kernel, std::move(names), library, value).results();
 }
 
 }  // namespace hvi::gen

@@ -17,9 +17,11 @@ using NodeNames = std::map<Node, std::string>;
 
 /// Writes the statements that compute a kernel, `const Scalar t1 = ...;` for what is used more than
 /// once or long, and returns an expression for each result. Functions are those of <cmath>, in the
-/// namespace `library`. Precondition: `names` has all that is given but numbers.
+/// namespace `library`. `value`: the type of what is computed; literals are Scalars. Precondition:
+/// `names` has all that is given but numbers.
 [[nodiscard]] std::vector<std::string> write_code(Writer& writer, const Graph& graph,
                                                   const Kernel& kernel, NodeNames names,
-                                                  std::string_view library);
+                                                  std::string_view library,
+                                                  std::string_view value = "Scalar");
 
 }  // namespace hvi::gen

@@ -256,16 +256,6 @@ std::string predict_text(const Scheme& scheme) {
 
 // ---- constants, members ----
 
-std::string constants_text(const Scheme& scheme, const SceneWishes& wishes) {
-    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
-    Writer writer(1);
-    writer.insert(coefficients_text(scheme));
-    if (scheme.depends_on_time) { writer.blank().insert(times_text(scheme)); }
-    if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
-    if (wishes.curve) { writer.insert(curve_table(scheme, *wishes.curve, library(wishes))); }
-    return with_rounding(writer.str());
-}
-
 std::string coupled_text(const Scheme& scheme) {
     std::string text;
     std::size_t number = 0;
@@ -301,19 +291,29 @@ std::string members_text(const Scheme& scheme) {
 
 }  // namespace
 
+std::string pair_constants(const Scheme& scheme, const SceneWishes& wishes) {
+    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
+    Writer writer(1);
+    writer.insert(coefficients_text(scheme));
+    if (scheme.depends_on_time) { writer.blank().insert(times_text(scheme)); }
+    if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
+    if (wishes.curve) { writer.insert(curve_table(scheme, *wishes.curve, library(wishes))); }
+    return with_rounding(writer.str());
+}
+
 ImplicitParts pair_parts(const Scheme& scheme, const SceneWishes& wishes) {
     ImplicitParts parts;
     parts.format = scheme.depends_on_time ? 4 : scheme.from_parameter ? 3 : 2;
     parts.runtime = {"stages.hpp"};
     if (scheme.from_parameter) { parts.runtime.push_back("parameter.hpp"); }
     parts.steps = steps_text(scheme);
-    parts.constants = constants_text(scheme, wishes);
+    parts.constants = pair_constants(scheme, wishes);
     parts.predict = predict_text(scheme);
     parts.coupled = coupled_text(scheme);
     parts.members = members_text(scheme);
     if (wishes.curve) {
-        parts.curve =
-            curve_text(scheme, *wishes.curve, sum_of_slopes("Lq", scheme.momenta.size()), "Lq");
+        parts.curve = curve_text(scheme, *wishes.curve, sum_of_slopes("Lq", scheme.momenta.size()),
+                                 [](std::size_t i) { return fmt::format("s_.Lq[{}][k]", i); });
     }
     return parts;
 }

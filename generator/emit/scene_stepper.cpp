@@ -5,6 +5,7 @@
 #include "generator/emit/names.hpp"
 #include "generator/exact/functions/start.hpp"
 #include "generator/exact/methods/galerkin.hpp"
+#include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
 
 namespace hvi::gen {
@@ -16,6 +17,8 @@ std::string command(const Tableau& tableau, const Scene& scene, const StepperWis
     if (wishes.solver == Solver::fixed_point) text += " --solver fixed-point";
     if (wishes.solver == Solver::newton) text += " --solver newton";
     if (wishes.solver == Solver::newton_taylor) text += " --solver newton-taylor";
+    if (wishes.lanes == Lanes::stages) text += " --lanes stages";
+    if (wishes.lanes == Lanes::none) text += " --lanes none";
     if (wishes.composition) text += " --compose " + wishes.composition->name;
     if (wishes.energy) text += " --energy";
     if (wishes.invariants) text += " --invariants";
@@ -35,6 +38,14 @@ void check_solver(const Scheme& scheme, const Scene& scene) {
         throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
                          "quadratic T",
                          place, "--solver newton takes any H");
+}
+
+void check_lanes(const Scheme& scheme, Lanes wished) {
+    if (wished != Lanes::stages) return;
+    const std::string obstacle = obstacle_to_stage_lanes(scheme);
+    if (!obstacle.empty())
+        throw InputError("no lanes for the stages of this method on this H: " + obstacle, {},
+                         "without --lanes they are used where they can be");
 }
 
 /// The method, and the curve of its steps where that is asked for.
@@ -70,8 +81,10 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
                                    .degrees_of_freedom = lowered.system.degrees_of_freedom(),
                                    .has_curve = wishes.dense,
                                    .solver = wishes.solver,
+                                   .lanes = wishes.lanes,
                                    .composition = wishes.composition});
     check_solver(scheme, scene);
+    check_lanes(scheme, wishes.lanes);
     members.curve = std::move(curve);
     std::string method_name = composed_name(tableau.name, wishes.composition);
     std::string name = wishes.class_name.value_or(

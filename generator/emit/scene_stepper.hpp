@@ -16,6 +16,7 @@ namespace hvi::gen {
 /// What a stepper of a scene is to be like.
 struct StepperWishes {
     Solver solver = Solver::automatic;
+    Lanes lanes = Lanes::automatic;
     bool energy = false;       ///< as a member
     bool invariants = false;   ///< the same
     bool evaluations = false;  ///< of dH/dq, counted, the same

@@ -85,6 +85,7 @@ struct Function {
     bool is_mirrored = false;         ///< out is a matrix of which the lower half is computed
     NodeNames names = {};             ///< of what it alone is given
     bool is_counted = false;          ///< each call
+    bool takes_lanes = false;         ///< as well as numbers
 };
 
 bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
@@ -191,6 +192,7 @@ std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) 
     if (scheme.velocity_form) {
         result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
     }
+    for (Function& function : result) { function.takes_lanes = scheme.has_stage_lanes; }
     if (scheme.takes_newton()) { second_derivatives(result, lowered, scheme); }
     if (scheme.solver == Solver::newton_taylor) { tangents(result, lowered); }
     return result;
@@ -253,25 +255,40 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     const SystemGraph& system = lowered.system;
     for (const auto& [node, name] : function.names) { names[node] = name; }
     std::vector<std::string> arguments;
+    const std::string_view vector = function.takes_lanes ? "Values" : "Vector";
     if (function.has_q) {
-        arguments.push_back(argument(uses_any(function.kernel, system.q), "const Vector& q"));
+        arguments.push_back(
+            argument(uses_any(function.kernel, system.q), fmt::format("const {}& q", vector)));
     }
     if (function.has_p) {
-        arguments.push_back(argument(uses_any(function.kernel, system.p), "const Vector& p"));
+        arguments.push_back(
+            argument(uses_any(function.kernel, system.p), fmt::format("const {}& p", vector)));
     }
     if (function.has_time) {
-        arguments.push_back(argument(uses_any(function.kernel, {*system.time}), "Scalar t"));
+        arguments.push_back(
+            argument(uses_any(function.kernel, {*system.time}),
+                     function.takes_lanes ? "const hvi::detail::ScalarOf<Values>& t" : "Scalar t"));
     }
     if (!function.out.empty()) {
-        arguments.push_back(argument(!function.targets.empty(), function.out));
+        arguments.push_back(argument(!function.targets.empty(),
+                                     function.takes_lanes ? "Values& out" : function.out));
     }
     const bool is_matrix = function.out.substr(0, 6) == "Matrix";
     if (is_matrix) { writer.line("template <class Matrix>"); }
+    if (function.takes_lanes) { writer.line("template <class Values>"); }
     const bool is_value = function.out.empty();
     writer.open("{}constexpr {} {}({}) const {{", is_value ? "[[nodiscard]] " : "",
                 is_value ? "Scalar" : "void", function.name, fmt::join(arguments, ", "));
-    if (function.is_counted) { writer.line("++evaluations;"); }
-    const auto results = write_code(writer, system.graph, function.kernel, names, library);
+    if (function.takes_lanes && (function.is_counted || !function.kernel.nodes.empty())) {
+        writer.line("using Value = hvi::detail::ScalarOf<Values>;");
+    }
+    if (function.is_counted) {
+        writer.line("evaluations += {};",
+                    function.takes_lanes ? "hvi::detail::lane_count<Value>" : "1");
+    }
+    const auto results = write_code(writer, system.graph, function.kernel, names,
+                                    function.takes_lanes ? "hvi::math" : library,
+                                    function.takes_lanes ? "Value" : "Scalar");
     if (is_value) { writer.line("return {};", results.front()); }
     for (std::size_t k = 0; k < function.targets.size(); ++k) {
         writer.line("{} = {};", function.targets[k], results[k]);

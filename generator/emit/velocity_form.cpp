@@ -89,28 +89,11 @@ std::string forces_text(const Scheme& scheme, const std::vector<std::size_t>& Lp
     return writer.str();
 }
 
-/// See hvi::detail::PositionEquations.
-std::string newton_text(const Scheme& scheme, const std::vector<std::size_t>& unknown) {
-    Writer writer(2);
-    writer.line("static constexpr std::array<std::size_t, {}> unknown{{{}}};", unknown.size(),
-                fmt::join(unknown, ", "));
-    writer.line("static constexpr Scalar coefficient(std::size_t i, std::size_t j) {{ return "
-                "n[i][j]; }}");
-    writer.insert(modes_text(scheme)).blank();
-    writer.comment("W_j = h K Lp_j.", "/// ").open("void drifts() {{");
+std::string drifts_text() {
+    Writer writer(3);
     writer.open("for (const std::size_t j : unknown) {{");
     write_velocity(writer, "j", "s", "system");
-    writer.close().close().blank();
-    const std::string_view start = scheme.depends_on_time ? "clock.start, " : "";
-    writer.line("void force_at_start(Vector& out) const {{ system.dHdq(s.at.q, {}out); }}", start);
-    writer.line("template <class Matrix>");
-    writer.line("void hessian_at_start(Matrix& out) const {{ system.d2Hdq2(s.at.q, {}out); }}",
-                start);
-    writer.line("template <class Matrix>");
-    writer.line(
-        "void hessian(std::size_t i, Matrix& out) const {{ system.d2Hdq2(s.Q[i], {}out); }}",
-        scheme.depends_on_time ? "clock.t[i], " : "");
-    return writer.str();
+    return writer.close().str();
 }
 
 /// See hvi::NewtonTaylor.
@@ -142,7 +125,7 @@ std::string taylor_text(const Scheme& scheme, const std::vector<std::size_t>& un
 
 /// What a solver asks for beside forces and positions.
 std::string more_text(const Scheme& scheme, const std::vector<std::size_t>& unknown) {
-    if (scheme.takes_newton()) { return newton_text(scheme, unknown); }
+    if (scheme.takes_newton()) { return newton_of_positions(scheme, unknown, drifts_text()); }
     return scheme.solver == Solver::newton_taylor ? taylor_text(scheme, unknown) : "";
 }
 
@@ -293,7 +276,46 @@ std::string predict_text(const Scheme& scheme) {
 
 // ---- constants, members ----
 
-std::string constants_text(const Scheme& scheme, const SceneWishes& wishes) {
+std::string members_text(const Scheme& scheme) {
+    Writer writer(1);
+    writer.line("System system_;");
+    if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
+    writer.line("hvi::detail::VelocityStages<Vector, stages> s_;");
+    writer.line("typename Solver::template Iteration<Vector> solver_;");
+    if (scheme.solver == Solver::newton_taylor) {
+        writer.line("hvi::detail::Tangents<System, stages> tangents_;");
+    }
+    if (scheme.keeps_force) {
+        writer.line("Vector force_{{}};  // dH/dq at s_.at.q, where the last step ended");
+    }
+    return writer.str();
+}
+
+}  // namespace
+
+std::string newton_of_positions(const Scheme& scheme, const std::vector<std::size_t>& unknown,
+                                std::string_view drifts) {
+    Writer writer(2);
+    writer.line("static constexpr std::array<std::size_t, {}> unknown{{{}}};", unknown.size(),
+                fmt::join(unknown, ", "));
+    writer.line("static constexpr Scalar coefficient(std::size_t i, std::size_t j) {{ return "
+                "n[i][j]; }}");
+    writer.insert(modes_text(scheme)).blank();
+    writer.comment("W_j = h K Lp_j.", "/// ").open("void drifts() {{");
+    writer.insert(drifts).close().blank();
+    const std::string_view start = scheme.depends_on_time ? "clock.start, " : "";
+    writer.line("void force_at_start(Vector& out) const {{ system.dHdq(s.at.q, {}out); }}", start);
+    writer.line("template <class Matrix>");
+    writer.line("void hessian_at_start(Matrix& out) const {{ system.d2Hdq2(s.at.q, {}out); }}",
+                start);
+    writer.line("template <class Matrix>");
+    writer.line("void hessian(std::size_t i, Matrix& out) const {{ system.d2Hdq2(s.position(i), "
+                "{}out); }}",
+                scheme.depends_on_time ? "clock.t[i], " : "");
+    return writer.str();
+}
+
+std::string velocity_constants(const Scheme& scheme, const SceneWishes& wishes) {
     const VelocityForm& form = *scheme.velocity_form;
     const RoundedVelocityForm values = rounded(form);
     Writer writer(1);
@@ -314,36 +336,19 @@ std::string constants_text(const Scheme& scheme, const SceneWishes& wishes) {
     return with_rounding(writer.str());
 }
 
-std::string members_text(const Scheme& scheme) {
-    Writer writer(1);
-    writer.line("System system_;");
-    if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
-    writer.line("hvi::detail::VelocityStages<Vector, stages> s_;");
-    writer.line("typename Solver::template Iteration<Vector> solver_;");
-    if (scheme.solver == Solver::newton_taylor) {
-        writer.line("hvi::detail::Tangents<System, stages> tangents_;");
-    }
-    if (scheme.keeps_force) {
-        writer.line("Vector force_{{}};  // dH/dq at s_.at.q, where the last step ended");
-    }
-    return writer.str();
-}
-
-}  // namespace
-
 ImplicitParts velocity_parts(const Scheme& scheme, const SceneWishes& wishes) {
     HVI_CHECK(scheme.velocity_form && scheme.coupled_blocks() == 1);
     ImplicitParts parts;
     parts.format = 4;
     parts.runtime = {"velocity_stages.hpp"};
     parts.steps = steps_text(scheme);
-    parts.constants = constants_text(scheme, wishes);
+    parts.constants = velocity_constants(scheme, wishes);
     parts.predict = predict_text(scheme);
     parts.coupled = coupled_text(scheme);
     parts.members = members_text(scheme);
     if (wishes.curve) {
-        parts.curve =
-            curve_text(scheme, *wishes.curve, increment_of_step(*scheme.velocity_form), "W");
+        parts.curve = curve_text(scheme, *wishes.curve, increment_of_step(*scheme.velocity_form),
+                                 [](std::size_t i) { return fmt::format("s_.W[{}][k]", i); });
     }
     return parts;
 }

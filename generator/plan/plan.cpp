@@ -8,6 +8,7 @@
 
 #include "generator/plan/equal.hpp"
 #include "generator/plan/graph.hpp"
+#include "generator/plan/lanes.hpp"
 #include "generator/plan/solver.hpp"
 #include "generator/plan/stage_graph.hpp"
 #include "generator/plan/starting_values.hpp"
@@ -403,6 +404,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     // undo; and enclosures do not tell that entries between them are zero.
     if (options.kinetic_is_quadratic && !options.composition) { eliminate_momenta(scheme); }
     set_solver(scheme, options.solver);
+    set_lanes(scheme, options.lanes);
     if (!options.composition) { set_extrapolation(scheme, tableau); }
     return scheme;
 }

@@ -18,6 +18,7 @@ struct PlanOptions {
     std::size_t degrees_of_freedom = 0;           ///< of a scene
     bool has_curve = false;                       ///< the stages of a step are asked for
     Solver solver = Solver::of_user;              ///< what is wished for
+    Lanes lanes = Lanes::none;                    ///< the same
     std::optional<Composition> composition = {};  ///< a step is made of several of the method
 };
 

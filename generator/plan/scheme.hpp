@@ -89,6 +89,13 @@ enum class Solver {
     automatic,      ///< hvi::Automatic: fixed points while they contract, else Newton's method
 };
 
+/// What is computed side by side, where a scene says what H is.
+enum class Lanes {
+    automatic,  ///< stages, where they can be
+    stages,     ///< the stages of a step
+    none,
+};
+
 /// A choice, and why.
 struct Decision {
     std::string what;
@@ -114,10 +121,11 @@ struct Scheme {
     Solver solver = Solver::of_user;
     /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
     std::optional<RealModes> modes;
-    bool is_tabulated = false;    ///< a step is one linear map, and nothing is solved
-    bool is_sheared = false;      ///< and that is a product of shears where these exist
-    bool keeps_force = false;     ///< the last force of a step is the first of the next
-    bool keeps_velocity = false;  ///< the same of dH/dp
+    bool has_stage_lanes = false;  ///< all stages are computed side by side: see hvi::Lanes
+    bool is_tabulated = false;     ///< a step is one linear map, and nothing is solved
+    bool is_sheared = false;       ///< and that is a product of shears where these exist
+    bool keeps_force = false;      ///< the last force of a step is the first of the next
+    bool keeps_velocity = false;   ///< the same of dH/dp
     /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.
     std::optional<NumberMatrix> extrapolation;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free

@@ -113,11 +113,11 @@ private:
         const auto& s = coupled.s;
         algebra_.clear();
         if constexpr (Coupled::separable) {
-            coupled.system.d2Hdp2(s.P[j], algebra_.Hpp);
+            coupled.system.d2Hdp2(s.momentum(j), algebra_.Hpp);
         } else {
             with_time(coupled, j, [&](const auto&... t) {
-                coupled.system.d2Hdp2(s.Q[j], s.P[j], t..., algebra_.Hpp);
-                coupled.system.d2Hdqdp(s.Q[j], s.P[j], t..., algebra_.Hqp);
+                coupled.system.d2Hdp2(s.position(j), s.momentum(j), t..., algebra_.Hpp);
+                coupled.system.d2Hdqdp(s.position(j), s.momentum(j), t..., algebra_.Hqp);
             });
         }
         const Scalar hb = s.h * coupled.weight_q(j);
@@ -146,10 +146,10 @@ private:
         algebra_.clear();
         with_time(coupled, i, [&](const auto&... t) {
             if constexpr (Coupled::separable) {
-                coupled.system.d2Hdq2(s.Q[i], t..., algebra_.Hqq);
+                coupled.system.d2Hdq2(s.position(i), t..., algebra_.Hqq);
             } else {
-                coupled.system.d2Hdq2(s.Q[i], s.P[i], t..., algebra_.Hqq);
-                coupled.system.d2Hdqdp(s.Q[i], s.P[i], t..., algebra_.Hqp);
+                coupled.system.d2Hdq2(s.position(i), s.momentum(i), t..., algebra_.Hqq);
+                coupled.system.d2Hdqdp(s.position(i), s.momentum(i), t..., algebra_.Hqp);
             }
         });
         const Scalar hb = s.h * coupled.weight_p(i);
@@ -201,21 +201,23 @@ private:
     template <class Coupled>
     void gather(const Coupled& coupled, std::vector<Scalar>& slopes) const {
         std::size_t offset = 0;
-        const auto take = [&](const Vector& slope) {
-            for (std::size_t k = 0; k < n_; ++k) { slopes[offset++] = at(slope, k); }
-        };
-        for (const std::size_t j : Coupled::unknown_q) { take(coupled.s.Lq[j]); }
-        for (const std::size_t i : Coupled::unknown_p) { take(coupled.s.Lp[i]); }
+        for (const std::size_t j : Coupled::unknown_q) {
+            for (std::size_t k = 0; k < n_; ++k) { slopes[offset++] = coupled.s.slope_q(j, k); }
+        }
+        for (const std::size_t i : Coupled::unknown_p) {
+            for (std::size_t k = 0; k < n_; ++k) { slopes[offset++] = coupled.s.slope_p(i, k); }
+        }
     }
 
     template <class Coupled>
     void scatter(Coupled& coupled) const {
         std::size_t offset = 0;
-        const auto put = [&](Vector& slope) {
-            for (std::size_t k = 0; k < n_; ++k) { at(slope, k) = slopes_[offset++]; }
-        };
-        for (const std::size_t j : Coupled::unknown_q) { put(coupled.s.Lq[j]); }
-        for (const std::size_t i : Coupled::unknown_p) { put(coupled.s.Lp[i]); }
+        for (const std::size_t j : Coupled::unknown_q) {
+            for (std::size_t k = 0; k < n_; ++k) { coupled.s.set_slope_q(j, k, slopes_[offset++]); }
+        }
+        for (const std::size_t i : Coupled::unknown_p) {
+            for (std::size_t k = 0; k < n_; ++k) { coupled.s.set_slope_p(i, k, slopes_[offset++]); }
+        }
     }
 
     Algebra algebra_;

@@ -85,8 +85,8 @@ public:
             coupled.forces();
         }
         is_start_ = false;
-        for_each_unknown(coupled, [&](std::size_t i, const Vector& Lp, std::size_t k) {
-            correction_[i] = slopes_[i] - at(Lp, k);
+        for_each_unknown<Coupled>([&](std::size_t i, std::size_t j, std::size_t k) {
+            correction_[i] = slopes_[i] - coupled.s.force(j, k);
         });
         if constexpr (Coupled::Modes::exist) {
             if (is_decoupled_) {
@@ -107,19 +107,20 @@ private:
     template <class Coupled>
     static constexpr std::size_t r = Coupled::unknown.size();
 
-    /// Calls f(i, Lp_j, k) for component k of each unknown Lp_j, the unknown i.
+    /// Calls f(i, j, k) for component k of each unknown Lp_j, the unknown i.
     template <class Coupled, class F>
-    void for_each_unknown(Coupled& coupled, F f) {
+    void for_each_unknown(F f) {
         std::size_t i = 0;
         for (const std::size_t j : Coupled::unknown) {
-            for (std::size_t k = 0; k < n_; ++k) { f(i++, coupled.s.Lp[j], k); }
+            for (std::size_t k = 0; k < n_; ++k) { f(i++, j, k); }
         }
     }
 
     template <class Coupled>
     void put_slopes(Coupled& coupled) {
-        for_each_unknown(coupled,
-                         [&](std::size_t i, Vector& Lp, std::size_t k) { at(Lp, k) = slopes_[i]; });
+        for_each_unknown<Coupled>([&](std::size_t i, std::size_t j, std::size_t k) {
+            coupled.s.set_force(j, k, slopes_[i]);
+        });
         coupled.drifts();
         coupled.positions();
     }
@@ -129,12 +130,13 @@ private:
         auto& s = coupled.s;
         coupled.force_at_start(s.slope);
         for (const std::size_t j : Coupled::unknown) {
+            const Vector& Q = s.position(j);
             for (std::size_t k = 0; k < n_; ++k) {
                 Scalar force = at(s.slope, k);
                 for (std::size_t l = 0; l < n_; ++l) {
-                    force += G_(k, l) * (at(s.Q[j], l) - at(s.at.q, l));
+                    force += G_(k, l) * (at(Q, l) - at(s.at.q, l));
                 }
-                at(s.Lp[j], k) = -s.hb[j] * force;
+                s.set_force(j, k, -s.hb[j] * force);
             }
         }
     }

@@ -48,6 +48,19 @@ struct Stages : StepMemory<Vector> {
         weighed_ = this->h;
     }
 
+    // ---- one stage, for Newton's method ----
+
+    [[nodiscard]] const Vector& position(std::size_t i) const { return Q[i]; }
+    [[nodiscard]] const Vector& momentum(std::size_t j) const { return P[j]; }
+    [[nodiscard]] Scalar slope_q(std::size_t j, std::size_t k) const {
+        return detail::at(Lq[j], k);
+    }
+    [[nodiscard]] Scalar slope_p(std::size_t i, std::size_t k) const {
+        return detail::at(Lp[i], k);
+    }
+    void set_slope_q(std::size_t j, std::size_t k, Scalar value) { detail::at(Lq[j], k) = value; }
+    void set_slope_p(std::size_t i, std::size_t k, Scalar value) { detail::at(Lp[i], k) = value; }
+
 private:
     Scalar weighed_ = 0;  ///< the step size of hb_q and hb_p
 };

@@ -46,6 +46,12 @@ struct VelocityStages : StepMemory<Vector> {
         weighed_ = this->h;
     }
 
+    // ---- one stage, for Newton's method ----
+
+    [[nodiscard]] const Vector& position(std::size_t j) const { return Q[j]; }
+    [[nodiscard]] Scalar force(std::size_t j, std::size_t k) const { return detail::at(Lp[j], k); }
+    void set_force(std::size_t j, std::size_t k, Scalar value) { detail::at(Lp[j], k) = value; }
+
 private:
     Scalar weighed_ = 0;  ///< the step size of hb
 };

@@ -1,0 +1,176 @@
+// Stage equations in lanes.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/implicit_parts.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+namespace {
+
+using Kind = StageNode::Kind;
+
+/// Besides the system and the stages.
+std::string member(const Scheme& scheme) {
+    return scheme.depends_on_time ? fmt::format("const {}& clock;", clock_type(scheme)) : "";
+}
+
+/// The time as the last argument but one of a function of lanes.
+std::string times(const Scheme& scheme) {
+    return scheme.depends_on_time ? ", hvi::detail::lane_row(clock.t)" : "";
+}
+
+/// `first`: what is done before the starting values.
+std::string steps_text(const Scheme& scheme, const std::vector<std::string>& first,
+                       std::string_view table) {
+    Writer writer(2);
+    writer.line("s_.weigh(b);");
+    for (const std::string& line : first) { writer.line("{}", line); }
+    writer.line("predict();").blank();
+    writer.line("status = solver_.solve(Coupled{{{}s_}});", coupled_arguments(scheme));
+    writer.line("if (!status.ok()) {{ return status; }}").blank();
+    writer.line("s_.advance({});", table);
+    return writer.line("return {};", end_of_step(scheme, "status.iterations")).str();
+}
+
+/// `name`_lanes of a table.
+void columns(Writer& writer, std::string_view name) {
+    writer.line("static constexpr auto {0}_lanes = hvi::detail::lane_columns({0});", name);
+}
+
+std::string predict_text(const Scheme& scheme, const auto& extrapolate, const auto& constant) {
+    Writer writer(1);
+    writer.comment(scheme.extrapolation
+                       ? "Starting values: the polynomial through the slopes of the last step, "
+                         "else slopes as at the start of this one."
+                       : "Starting values: slopes as at the start of the step.",
+                   "/// ");
+    writer.open("void predict() {{");
+    if (scheme.extrapolation) {
+        writer.open("if (s_.h == s_.h_before) {{");
+        extrapolate(writer);
+        writer.line("return;").close();
+    }
+    writer.line("auto&& slope = hvi::detail::scratch(s_.slope);");
+    constant(writer);
+    return writer.close().str();
+}
+
+std::string members_text(const Scheme& scheme, std::string_view stages) {
+    Writer writer(1);
+    writer.line("System system_;");
+    if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
+    writer.line("hvi::detail::{}<Vector, {}> s_;", stages, scheme.positions.size());
+    return writer.line("typename Solver::template Iteration<Vector> solver_;").str();
+}
+
+/// A template without the newline at its end.
+std::string struct_text(std::string_view template_name, const Holes& holes) {
+    std::string text = fill(template_name, holes);
+    text.pop_back();
+    return text;
+}
+
+// ---- positions alone ----
+
+std::string velocity_predict_text(const Scheme& scheme) {
+    return predict_text(
+        scheme, [](Writer& writer) { writer.line("s_.extrapolate(N_lanes);"); },
+        [&](Writer& writer) {
+            writer.line("system_.dHdq(s_.at.q, {}slope);", start_time(scheme));
+            writer.line("s_.predict(system_, slope);");
+        });
+}
+
+ImplicitParts velocity_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
+    const Block& block = scheme.blocks.front();
+    Writer constants(1);
+    constants.insert(velocity_constants(scheme, wishes)).blank();
+    constants.line("static constexpr hvi::detail::VelocityTable<Scalar, stages> table{{c, n}};");
+    if (scheme.extrapolation) { columns(constants, "N"); }
+    ImplicitParts parts;
+    parts.runtime = {"velocity_lanes.hpp"};
+    parts.steps = steps_text(
+        scheme, {"system_.dHdp(s_.at.p, s_.velocity);", "s_.drift_freely(table);"}, "table");
+    parts.constants = constants.str();
+    parts.predict = velocity_predict_text(scheme);
+    parts.coupled = struct_text(
+        "velocity_lanes.hpp.in",
+        {{"unknowns", unknowns(block)},
+         {"member", member(scheme)},
+         {"times", times(scheme)},
+         {"newton", scheme.takes_newton()
+                        ? newton_of_positions(scheme, block.of(Kind::Q), "s.drifts(system);")
+                        : ""}});
+    parts.members = members_text(scheme, "VelocityLanes");
+    if (wishes.curve) {
+        parts.curve = curve_text(
+            scheme, *wishes.curve, "s_.increment_q(table, static_cast<std::size_t>(k))",
+            [](std::size_t i) { return fmt::format("s_.W[static_cast<std::size_t>(k)][{}]", i); });
+    }
+    return parts;
+}
+
+// ---- positions and momenta ----
+
+std::string pair_predict_text(const Scheme& scheme) {
+    const bool only_p = scheme.separable;  // for separable H the slopes of p are enough
+    const std::string_view at = only_p ? "s_.at.q" : "s_.at.q, s_.at.p";
+    return predict_text(
+        scheme,
+        [&](Writer& writer) {
+            if (!only_p) { writer.line("s_.extrapolate_q(N_lanes);"); }
+            writer.line("s_.extrapolate_p(N_lanes);");
+        },
+        [&](Writer& writer) {
+            if (!only_p) {
+                writer.line("system_.dHdp({}, {}slope);", at, start_time(scheme));
+                writer.line("s_.predict_q(slope);");
+            }
+            writer.line("system_.dHdq({}, {}slope);", at, start_time(scheme));
+            writer.line("s_.predict_p(slope);");
+        });
+}
+
+ImplicitParts pair_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
+    const Block& block = scheme.blocks.front();
+    const std::string stages = std::to_string(scheme.positions.size());
+    Writer constants(1);
+    constants.insert(pair_constants(scheme, wishes)).blank();
+    columns(constants, "m");
+    if (!scheme.one_tableau()) { columns(constants, "mt"); }
+    if (scheme.extrapolation) { columns(constants, "N"); }
+    const std::string_view Q = "hvi::detail::load(s.Q)", P = "hvi::detail::load(s.P)";
+    ImplicitParts parts;
+    parts.runtime = {"stage_lanes.hpp"};
+    parts.steps = steps_text(scheme, {}, "");
+    parts.constants = constants.str();
+    parts.predict = pair_predict_text(scheme);
+    parts.coupled =
+        struct_text("pair_lanes.hpp.in",
+                    {{"unknowns", unknowns(block)},
+                     {"member", member(scheme)},
+                     {"stages", stages},
+                     {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
+                     {"separable", std::string(truth(scheme.separable))},
+                     {"mt", std::string(table_mt(scheme))},
+                     {"velocity", scheme.separable ? std::string(P)
+                                                   : fmt::format("{}, {}{}", Q, P, times(scheme))},
+                     {"force", scheme.separable ? fmt::format("{}{}", Q, times(scheme))
+                                                : fmt::format("{}, {}{}", Q, P, times(scheme))}});
+    parts.members = members_text(scheme, "StageLanes");
+    if (wishes.curve) {
+        parts.curve = curve_text(
+            scheme, *wishes.curve, "s_.increment_q(static_cast<std::size_t>(k))",
+            [](std::size_t i) { return fmt::format("s_.Lq[static_cast<std::size_t>(k)][{}]", i); });
+    }
+    return parts;
+}
+
+}  // namespace
+
+ImplicitParts lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
+    HVI_CHECK(scheme.has_stage_lanes && scheme.blocks.size() == 1);
+    return scheme.velocity_form ? velocity_lane_parts(scheme, wishes)
+                                : pair_lane_parts(scheme, wishes);
+}
+
+}  // namespace hvi::gen
