@@ -275,13 +275,12 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     }
     const bool is_matrix = function.out.substr(0, 6) == "Matrix";
     if (is_matrix) { writer.line("template <class Matrix>"); }
-    if (function.takes_lanes) { writer.line("template <class Values>"); }
+    if (function.takes_lanes) {
+        writer.line("template <class Values, class Value = hvi::detail::ScalarOf<Values>>");
+    }
     const bool is_value = function.out.empty();
     writer.open("{}constexpr {} {}({}) const {{", is_value ? "[[nodiscard]] " : "",
                 is_value ? "Scalar" : "void", function.name, fmt::join(arguments, ", "));
-    if (function.takes_lanes && (function.is_counted || !function.kernel.nodes.empty())) {
-        writer.line("using Value = hvi::detail::ScalarOf<Values>;");
-    }
     if (function.is_counted) {
         writer.line("evaluations += {};",
                     function.takes_lanes ? "hvi::detail::lane_count<Value>" : "1");

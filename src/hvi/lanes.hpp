@@ -235,10 +235,16 @@ template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> log(const Lanes<Number, count>& x) {
     return x.map([](const auto& a) { return log(a); });
 }
+/// NOTE: one by one. That of xsimd is exp(y log(x)), off by as many units in the last place as that
+/// exponent is large.
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> pow(const Lanes<Number, count>& x,
                                        const Lanes<Number, count>& y) {
-    return x.map(y, [](const auto& a, const auto& b) { return pow(a, b); });
+    typename Lanes<Number, count>::Row base, exponent;
+    x.store(base);
+    y.store(exponent);
+    for (std::size_t i = 0; i < count; ++i) { base.set(i, pow(base[i], exponent[i])); }
+    return base;
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> pow(const Lanes<Number, count>& x, const Number& y) {

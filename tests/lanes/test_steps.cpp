@@ -1,0 +1,128 @@
+// Steppers with their stages in lanes against the same without.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include <catch2/catch.hpp>
+#include <lanes/driven_lanes.hpp>
+#include <lanes/driven_plain.hpp>
+#include <lanes/fejer_lanes.hpp>
+#include <lanes/fejer_plain.hpp>
+#include <lanes/kepler_2_lanes.hpp>
+#include <lanes/kepler_2_plain.hpp>
+#include <lanes/kepler_3_lanes.hpp>
+#include <lanes/kepler_3_plain.hpp>
+#include <lanes/kepler_5_lanes.hpp>
+#include <lanes/kepler_5_plain.hpp>
+#include <lanes/kepler_8_lanes.hpp>
+#include <lanes/kepler_8_plain.hpp>
+#include <lanes/nonseparable_lanes.hpp>
+#include <lanes/nonseparable_plain.hpp>
+#include <lanes/pendulum_lanes.hpp>
+#include <lanes/pendulum_plain.hpp>
+#include <lanes/quartic_lanes.hpp>
+#include <lanes/quartic_plain.hpp>
+
+using namespace hvi::generated;
+
+namespace {
+
+/// The distance of two states over the norm of one, in units of 2^-52.
+template <class A, class B>
+double distance(const A& x, const B& y) {
+    double difference = 0, size = 0;
+    for (std::size_t k = 0; k < x.q.size(); ++k) {
+        difference += std::abs(x.q[k] - y.q[k]) + std::abs(x.p[k] - y.p[k]);
+        size += std::abs(x.q[k]) + std::abs(x.p[k]);
+    }
+    return difference / size / std::numeric_limits<double>::epsilon();
+}
+
+/// A step, ten back and forth, and how often both iterate in a hundred.
+template <class InLanes, class Plain>
+void compare(double h) {
+    InLanes lanes;
+    Plain plain;
+    auto x = InLanes::initial();
+    auto y = Plain::initial();
+    REQUIRE(lanes.step(x, h).ok());
+    REQUIRE(plain.step(y, h).ok());
+    CHECK(distance(x, y) <= 4);
+    long in_lanes = 0, one_by_one = 0;
+    for (int i = 0; i < 100; ++i) {
+        const double size = i % 7 == 6 ? -h : h;
+        const auto a = lanes.step(x, size);
+        const auto b = plain.step(y, size);
+        REQUIRE(a.ok());
+        REQUIRE(b.ok());
+        in_lanes += a.iterations;
+        one_by_one += b.iterations;
+    }
+    CHECK(distance(x, y) <= 2000);
+    CHECK(std::labs(in_lanes - one_by_one) <= one_by_one / 20);
+}
+
+}  // namespace
+
+TEST_CASE("stages in lanes take the same step but for rounding") {
+    compare<Kepler2Lanes, Kepler2Plain>(0.05);
+    compare<Kepler3Lanes, Kepler3Plain>(0.1);
+    compare<Kepler5Lanes, Kepler5Plain>(0.2);
+    compare<Kepler8Lanes, Kepler8Plain>(0.3);
+    compare<PendulumLanes, PendulumPlain>(0.3);
+    compare<NonseparableLanes, NonseparablePlain>(0.1);
+    compare<QuarticLanes, QuarticPlain>(0.2);
+    compare<FejerLanes, FejerPlain>(0.1);
+}
+
+TEST_CASE("the stages of a driven system have their times in lanes") {
+    DrivenLanes lanes;
+    DrivenPlain plain;
+    auto x = DrivenLanes::State{{{{0.5, -0.25}}, {{0.0, 1.0}}}, 0.75};
+    auto y = DrivenPlain::State{{{{0.5, -0.25}}, {{0.0, 1.0}}}, 0.75};
+    for (int i = 0; i < 20; ++i) {
+        REQUIRE(lanes.step(x, 0.2).ok());
+        REQUIRE(plain.step(y, 0.2).ok());
+    }
+    CHECK(x.t == y.t);
+    CHECK(distance(x, y) <= 100);
+}
+
+TEST_CASE("where fixed points do not contract, Newton's method finds the stages in lanes") {
+    PendulumLanes lanes;
+    PendulumPlain plain;
+    auto x = PendulumLanes::State{{{0.3}}, {{0.1}}};
+    auto y = PendulumPlain::State{{{0.3}}, {{0.1}}};
+    // h omega = 8, and fixed points contract up to 4.
+    REQUIRE(lanes.step(x, 8).ok());
+    REQUIRE(plain.step(y, 8).ok());
+    CHECK(distance(x, y) <= 100);
+    QuarticLanes pairs;
+    QuarticPlain plain_pairs;
+    auto u = QuarticLanes::State{{{1.0}}, {{2.0}}};
+    auto v = QuarticPlain::State{{{1.0}}, {{2.0}}};
+    REQUIRE(pairs.step(u, 0.6).ok());
+    REQUIRE(plain_pairs.step(v, 0.6).ok());
+    CHECK(distance(u, v) <= 100);
+}
+
+TEST_CASE(
+    "a step in lanes that fails leaves the state, and the next one is that of a new stepper") {
+    Kepler5Lanes stepper;
+    auto x = Kepler5Lanes::initial();
+    REQUIRE(stepper.step(x, 0.1).ok());
+    const auto before = x;
+    auto nowhere = x;
+    nowhere.q = {0.0, 0.0};
+    nowhere.p = {0.0, 0.0};
+    CHECK_FALSE(stepper.step(nowhere, 0.1).ok());
+    CHECK(nowhere.q[0] == 0.0);
+    Kepler5Lanes fresh;
+    auto y = before;
+    REQUIRE(stepper.step(x, 0.1).ok());
+    REQUIRE(fresh.step(y, 0.1).ok());
+    CHECK(x.q == y.q);
+    CHECK(x.p == y.p);
+}
