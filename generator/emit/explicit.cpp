@@ -5,6 +5,7 @@
 
 #include "generator/emit/banner.hpp"
 #include "generator/emit/embedded.hpp"
+#include "generator/emit/explicit_moves.hpp"
 #include "generator/emit/header.hpp"
 #include "generator/emit/system_part.hpp"
 #include "generator/plan/equal.hpp"
@@ -12,44 +13,6 @@
 
 namespace hvi::gen {
 namespace {
-
-using Kind = StageNode::Kind;
-
-/// NOTE: in an explicit scheme for separable H every m_ij is 0 or 1, since one that is neither
-/// makes Q_i and P_j depend on each other. So each stage value is the one before it plus one slope:
-/// p -= h b dH/dq and q += h b dH/dp in turn, in the order of the blocks.
-struct Move {
-    bool kick;          // of p, else a drift of q
-    std::size_t index;  // of the slope
-};
-
-std::vector<Move> moves(const Scheme& scheme) {
-    std::vector<Move> result;
-    for (const Block& block : scheme.blocks) {
-        const StageNode node = block.nodes.front();
-        if (node.kind == Kind::Lp) { result.push_back({true, node.index}); }
-        if (node.kind == Kind::Lq) { result.push_back({false, node.index}); }
-    }
-    return result;
-}
-
-/// What kicks and drifts call their things.
-struct Names {
-    std::string_view moved;  // p
-    std::string_view gradient, sign, weights, kept;
-};
-
-constexpr Names kick{"p", "dHdq", "-", "b_p", "force_"};
-constexpr Names drift{"q", "dHdp", "+", "b_q", "velocity_"};
-
-const Names& names(const Move& move) { return move.kick ? kick : drift; }
-const Names& other_names(const Move& move) { return move.kick ? drift : kick; }
-
-bool keeps(const Scheme& scheme, bool of_kick) {
-    return of_kick ? scheme.keeps_force : scheme.keeps_velocity;
-}
-
-bool keeps(const Scheme& scheme) { return scheme.keeps_force || scheme.keeps_velocity; }
 
 /// Writes the kicks and drifts of a step in turn.
 class MovesWriter {
@@ -92,9 +55,10 @@ private:
             is_moved ? within(move.kick) : fmt::format("x.{}", names(move).moved);
         writer_.open("for (Index k = 0; k < n; ++k) {{");
         if (from == target) {
-            writer_.line("{}[k] {}= {};", target, names(move).sign, change(move));
+            writer_.line("{}[k] {}= {};", target, names(move).sign, change(scheme_, move));
         } else {
-            writer_.line("{}[k] = {}[k] {} {};", target, from, names(move).sign, change(move));
+            writer_.line("{}[k] = {}[k] {} {};", target, from, names(move).sign,
+                         change(scheme_, move));
         }
         writer_.close();
     }
@@ -103,9 +67,7 @@ private:
         const bool other_moved = move.kick ? drifted_ : kicked_;
         const std::string at =
             other_moved ? within(!move.kick) : fmt::format("x.{}", other_names(move).moved);
-        const std::string call =
-            fmt::format("system_.{}({}, {}{});", names(move).gradient, at,
-                        move.kick ? stage_time(scheme_, move.index, "s_") : "", slope(move));
+        const std::string call = evaluation(scheme_, move, at);
         if (!keeps(scheme_, move.kick) || other_moved) {
             writer_.line("{}", call);
             return;
@@ -118,17 +80,6 @@ private:
         writer_.line("{}", call).close();
     }
 
-    [[nodiscard]] std::string slope(const Move& move) const {
-        return keeps(scheme_, move.kick) ? std::string(names(move).kept) : "slope";
-    }
-
-    [[nodiscard]] std::string change(const Move& move) const {
-        const StageValue& value = (move.kick ? scheme_.positions : scheme_.momenta)[move.index];
-        return equal(value.weight, 1) ? fmt::format("h * {}[k]", slope(move))
-                                      : fmt::format("h * {}{}[{}] * {}[k]", owner(scheme_, "s_"),
-                                                    names(move).weights, move.index, slope(move));
-    }
-
     Writer& writer_;
     const Scheme& scheme_;
     bool kicked_ = false, drifted_ = false;  // whether p, and q, have been moved
@@ -136,6 +87,7 @@ private:
 
 /// The vectors that a step computes in and leaves nothing in.
 std::vector<std::string> scratch(const Scheme& scheme) {
+    if (scheme.keeps_remainder) { return compensated_scratch(scheme); }
     std::vector<Move> before = moves(scheme);
     before.pop_back();
     std::vector<std::string> result;
@@ -150,10 +102,9 @@ std::vector<std::string> scratch(const Scheme& scheme) {
 }
 
 std::string moves_text(const Scheme& scheme) {
+    if (scheme.keeps_remainder) { return compensated_moves_text(scheme); }
     Writer writer(2);
-    for (const std::string& name : scratch(scheme)) {
-        writer.line("auto&& {0} = hvi::detail::scratch({0}_);", name);
-    }
+    writer.insert(scratch_text(scratch(scheme)));
     MovesWriter code(writer, scheme);
     const std::vector<Move> all = moves(scheme);
     for (std::size_t i = 0; i + 1 < all.size(); ++i) { code.write(all[i]); }
@@ -204,13 +155,14 @@ std::string support(const Scheme& scheme, const SceneWishes& wishes, bool with_r
     if (wishes.float128) { names.push_back("math.hpp"); }
     if (with_rounded) { names.push_back("rounded.hpp"); }
     names.push_back("system.hpp");
-    if (scheme.from_parameter || scheme.depends_on_time) {
+    if (scheme.from_parameter || scheme.depends_on_time || scheme.keeps_remainder) {
         names.insert(names.end(), {"arithmetic.hpp", "compensated.hpp"});
     }
     if (scheme.from_parameter) {
         names.insert(names.end(), {"pair.hpp", "series.hpp", "parameter.hpp"});
     }
     if (scheme.depends_on_time) { names.push_back("clock.hpp"); }
+    if (scheme.keeps_remainder) { names.push_back("step_sums.hpp"); }
     std::string text;
     for (const std::string_view name : names) {
         text += (text.empty() ? "" : "\n") + copy_of(name);
@@ -218,22 +170,31 @@ std::string support(const Scheme& scheme, const SceneWishes& wishes, bool with_r
     return text;
 }
 
+/// NOTE: a slope is kept for a step that goes on with the sums.
+std::string_view forget(const Scheme& scheme) {
+    if (scheme.keeps_remainder) { return "sums_.forget();"; }
+    return keeps(scheme) ? "known_ = false;" : "";
+}
+
 std::string members_text(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
     if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
     if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
+    if (scheme.keeps_remainder) { writer.line("hvi::detail::StepSums<Vector> sums_;"); }
     // NOTE: in this order. In others g++ finds it harder to keep the state in registers.
     std::vector<std::string> vectors = scratch(scheme);
-    if (scheme.keeps_velocity) { vectors.insert(vectors.begin(), "p"); }
-    if (scheme.keeps_force) { vectors.insert(vectors.begin(), "q"); }
+    if (!scheme.keeps_remainder) {
+        if (scheme.keeps_velocity) { vectors.insert(vectors.begin(), "p"); }
+        if (scheme.keeps_force) { vectors.insert(vectors.begin(), "q"); }
+    }
     writer.line("Vector {}_{{}};", fmt::join(vectors, "_{}, "));
-    if (scheme.keeps_force) {
-        writer.line("Vector force_{{}};  // dH/dq where the last step ended, at q_");
-    }
-    if (scheme.keeps_velocity) {
-        writer.line("Vector velocity_{{}};  // dH/dp where the last step ended, at p_");
-    }
+    const auto slope = [&](std::string_view name, std::string_view what, std::string_view where) {
+        writer.line("Vector {}{{}};  // {} where the last step ended{}", name, what,
+                    scheme.keeps_remainder ? "" : where);
+    };
+    if (scheme.keeps_force) { slope("force_", "dH/dq", ", at q_"); }
+    if (scheme.keeps_velocity) { slope("velocity_", "dH/dp", ", at p_"); }
     if (keeps(scheme)) { writer.line("bool known_ = false;  // whether it is kept"); }
     return writer.str();
 }
@@ -265,7 +226,7 @@ std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
                  {"state", system.state},
                  {"clock", clock_begins(scheme)},
                  {"status", scheme.depends_on_time ? "clock_.end(x.t, Status{})" : "{}"},
-                 {"forget", keeps(scheme) ? "known_ = false;" : ""},
+                 {"forget", std::string(forget(scheme))},
                  {"members", members_text(scheme)}});
 }
 

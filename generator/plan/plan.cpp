@@ -197,7 +197,7 @@ StagePattern pattern(const Scheme& scheme) {
     return result;
 }
 
-void set_blocks(Scheme& scheme, bool has_curve) {
+void set_blocks(Scheme& scheme) {
     const StageGraph graph(pattern(scheme));
     for (const auto& component : components(graph.needs())) {
         Block block;
@@ -208,15 +208,34 @@ void set_blocks(Scheme& scheme, bool has_curve) {
     if (scheme.is_explicit()) {
         scheme.decisions.push_back(
             {"no solver", "no stage depends on itself: the step is kicks and drifts in turn"});
-        scheme.decisions.push_back(has_curve
-                                       ? Decision{"the slopes are kept, in compensated sums",
-                                                  "the curve of a step is made of them"}
-                                       : Decision{"no compensated summation",
-                                                  "the error of the step is far above round-off"});
     } else if (scheme.coupled_blocks() > 1) {
         scheme.decisions.push_back(
             {fmt::format("{} smaller systems are solved in turn", scheme.coupled_blocks()),
              "the stages decouple"});
+    }
+}
+
+/// How an explicit step sums.
+///
+/// NOTE: measured in double, against the same steps in __float128. Over 200 000 steps of Kepler's
+/// problem, stormer-verlet is off by 2e-3 and rounding adds 1e-11 to that; compensated sums would
+/// bring it to 4e-14 and cost a fifth, on six bodies three fifths. For a step of yoshida:6,
+/// blanes-moan:6 and kahan-li:8 they cost an eighth or less, and rounding falls from 1e-11 to
+/// 2e-14 where kahan-li:8 is off by 5e-11.
+void set_sums(Scheme& scheme, const PlanOptions& options) {
+    constexpr int least_order = 6;
+    if (!scheme.is_explicit()) { return; }
+    if (options.has_curve) {
+        scheme.decisions.push_back(
+            {"the slopes are kept, in compensated sums", "the curve of a step is made of them"});
+    } else if (options.composition && options.composition->order >= least_order) {
+        scheme.keeps_remainder = true;
+        scheme.decisions.push_back(
+            {"compensated summation",
+             fmt::format("errors of order {} come down to round-off", options.composition->order)});
+    } else {
+        scheme.decisions.push_back(
+            {"no compensated summation", "the error of the step is far above round-off"});
     }
 }
 
@@ -393,7 +412,8 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     }
     set_stages(scheme, stages);
     set_places(scheme);
-    set_blocks(scheme, options.has_curve);
+    set_blocks(scheme);
+    set_sums(scheme, options);
     set_kept(scheme);
     if (options.depends_on_time) { set_times(scheme); }
     set_from_parameter(scheme, tableau);

@@ -126,6 +126,8 @@ struct Scheme {
     bool is_sheared = false;       ///< and that is a product of shears where these exist
     bool keeps_force = false;      ///< the last force of a step is the first of the next
     bool keeps_velocity = false;   ///< the same of dH/dp
+    /// An explicit step sums its increments apart, and keeps what rounding cuts off from the state.
+    bool keeps_remainder = false;
     /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.
     std::optional<NumberMatrix> extrapolation;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free

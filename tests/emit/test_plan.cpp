@@ -1,6 +1,7 @@
 // What is solved for and what is left out.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
+#include <memory>
 
 #include <catch2/catch.hpp>
 
@@ -134,6 +135,25 @@ TEST_CASE("the dump of a scheme is stable") {
         "no solver: no stage depends on itself: the step is kicks and drifts in turn\n"
         "no compensated summation: the error of the step is far above round-off\n"
         "one force a step is not evaluated: the last one of a step is the first one of the next\n");
+}
+
+TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
+    const auto keeps_remainder = [](const Tableau& tableau, const char* name, bool separable) {
+        const auto text = std::make_shared<const Source>(Source{"--compose", name});
+        const Scheme scheme =
+            plan(tableau, {.separable = separable, .composition = named_composition(text)});
+        const std::string said = "compensated summation: errors of order ";
+        CHECK((dump(scheme).find("\n" + said) != std::string::npos) == scheme.keeps_remainder);
+        return scheme.keeps_remainder;
+    };
+    CHECK_FALSE(plan(tableaux::verlet(), {.separable = true}).keeps_remainder);
+    CHECK_FALSE(keeps_remainder(tableaux::verlet(), "yoshida:4", true));
+    CHECK_FALSE(keeps_remainder(tableaux::verlet(), "suzuki:4", true));
+    CHECK(keeps_remainder(tableaux::verlet(), "yoshida:6", true));
+    CHECK(keeps_remainder(tableaux::verlet(), "kahan-li:8", true));
+    // Sums of steps that are solved for are always compensated.
+    CHECK_FALSE(keeps_remainder(tableaux::verlet(), "yoshida:6", false));
+    CHECK_FALSE(keeps_remainder(tableaux::midpoint(), "yoshida:8", true));
 }
 
 TEST_CASE("extrapolation is exact for polynomials through the nodes") {

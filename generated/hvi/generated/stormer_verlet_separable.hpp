@@ -321,12 +321,33 @@ scratch(Vector& own) {
     return false;
 }
 
-/// Whether a and b agree bit for bit, -0.0 and 0.0 being different. NOTE: a compiler that computes
-/// a step has no bits to compare: it remembers nothing, and comes to the same end.
+/// What same_bits() says of two numbers that a compiler computes, which has no bits to compare.
+template <class Scalar>
+[[nodiscard]] constexpr bool same_constant(Scalar x, Scalar y) {
+#ifdef __has_builtin
+#if __has_builtin(__builtin_copysign)
+    // NOTE: the sign of 0 alone, as others may be beyond the range of double.
+    if constexpr (!std::is_class_v<Scalar>) {
+        return x == y && (x != 0 || __builtin_copysign(1.0, static_cast<double>(x)) ==
+                                        __builtin_copysign(1.0, static_cast<double>(y)));
+    }
+#endif
+#endif
+    return x == y;
+}
+
+/// Whether a and b agree bit for bit, -0.0 and 0.0 being different.
 template <class Vector>
 [[nodiscard]] constexpr bool same_bits(const Vector& a, const Vector& b) {
-    if (is_constant_evaluated() || a.size() != b.size()) { return false; }
+    if (a.size() != b.size()) { return false; }
     using Scalar = ScalarOf<Vector>;
+    if (is_constant_evaluated()) {
+        bool same = true;
+        for (IndexOf<Vector> k = 0; k < a.size(); ++k) {
+            same = same && same_constant<Scalar>(a[k], b[k]);
+        }
+        return same;
+    }
     // NOTE: of the 64-bit format ten bytes are the number, the others are padding.
     constexpr std::size_t bytes = bits<Scalar> == 64 ? 10 : sizeof(Scalar);
     constexpr std::size_t words = (bytes + 7) / 8;

@@ -1,0 +1,50 @@
+// The kicks and drifts of a step that solves nothing.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/plan/scheme.hpp"
+
+namespace hvi::gen {
+
+/// NOTE: in an explicit scheme for separable H every m_ij is 0 or 1, since one that is neither
+/// makes Q_i and P_j depend on each other. So each stage value is the one before it plus one slope:
+/// p -= h b dH/dq and q += h b dH/dp in turn, in the order of the blocks.
+struct Move {
+    bool kick;          // of p, else a drift of q
+    std::size_t index;  // of the slope
+};
+
+[[nodiscard]] std::vector<Move> moves(const Scheme& scheme);
+
+/// What kicks and drifts call their things.
+struct MoveNames {
+    std::string_view moved;  // p
+    std::string_view gradient, sign, weights, kept;
+};
+
+[[nodiscard]] const MoveNames& names(const Move& move);
+[[nodiscard]] const MoveNames& other_names(const Move& move);
+
+/// Whether the first slope of kicks, or of drifts, may be the last one of the step before.
+[[nodiscard]] bool keeps(const Scheme& scheme, bool of_kick);
+[[nodiscard]] bool keeps(const Scheme& scheme);
+
+/// The vector of the slope, h b times its component k, and the call that evaluates it at `at`.
+[[nodiscard]] std::string slope(const Scheme& scheme, const Move& move);
+[[nodiscard]] std::string change(const Scheme& scheme, const Move& move);
+[[nodiscard]] std::string evaluation(const Scheme& scheme, const Move& move, std::string_view at);
+
+/// The moves where increments are summed apart, see src/hvi/step_sums.hpp, and the vectors that
+/// they compute in and leave nothing in.
+[[nodiscard]] std::string compensated_moves_text(const Scheme& scheme);
+[[nodiscard]] std::vector<std::string> compensated_scratch(const Scheme& scheme);
+
+/// The references to vectors that a step computes in.
+[[nodiscard]] std::string scratch_text(const std::vector<std::string>& names);
+
+}  // namespace hvi::gen
