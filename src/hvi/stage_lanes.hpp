@@ -15,6 +15,8 @@ namespace hvi::detail {
 
 /// Stages whose stages are lanes: there is a row of them for each component. The functions that
 /// take coefficients take the columns of m or of mt.
+///
+/// NOTE: what sweeps call is inlined, as no register of this size lives through a call.
 template <class Vector, std::size_t stages>
 struct StageLanes : StepMemory<Vector> {
     using Scalar = ScalarOf<Vector>;
@@ -42,24 +44,24 @@ struct StageLanes : StepMemory<Vector> {
     void extrapolate_p(const Matrix& N) { extrapolate(Lp, N); }
 
     /// Q_i = q + (e_q + sum_j m_ij Lq_j).
-    void positions(const Matrix& m) {
+    [[gnu::always_inline]] void positions(const Matrix& m) {
         stage_values(m, Lq, this->at.q, this->remainder.q, Q, this->change.q);
     }
 
     /// P_j = p + (e_p + sum_i mt_ji Lp_i).
-    void momenta(const Matrix& mt) {
+    [[gnu::always_inline]] void momenta(const Matrix& mt) {
         stage_values(mt, Lp, this->at.p, this->remainder.p, P, this->change.p);
     }
 
     /// Lq_j = h b_j dH/dp, of what `dHdp(out)` puts out.
     template <class Gradient>
-    void velocities(Gradient dHdp) {
+    [[gnu::always_inline]] void velocities(Gradient dHdp) {
         slopes(dHdp, Lane(hb), Lq);
     }
 
     /// Lp_i = -h b_i dH/dq, of what `dHdq(out)` puts out.
     template <class Gradient>
-    void forces(Gradient dHdq) {
+    [[gnu::always_inline]] void forces(Gradient dHdq) {
         slopes(dHdq, -Lane(hb), Lp);
     }
 
@@ -105,8 +107,9 @@ private:
         for (Row& row : rows) { product(N, row, Lane(Scalar(0))).store(row); }
     }
 
-    static void stage_values(const Matrix& m, const Rows& slopes, const Vector& start,
-                             const Vector& cut_off, Rows& values, Vector& changes) {
+    [[gnu::always_inline]] static void stage_values(const Matrix& m, const Rows& slopes,
+                                                    const Vector& start, const Vector& cut_off,
+                                                    Rows& values, Vector& changes) {
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane value =
                 detail::at(start, k) + product(m, slopes[k], Lane(detail::at(cut_off, k)));
@@ -116,7 +119,7 @@ private:
     }
 
     template <class Gradient>
-    static void slopes(Gradient gradient, const Lane& factor, Rows& rows) {
+    [[gnu::always_inline]] static void slopes(Gradient gradient, const Lane& factor, Rows& rows) {
         LaneVector<Scalar, stages, dimension> out;
         gradient(out);
         for (std::size_t k = 0; k < dimension; ++k) { (factor * out[k]).store(rows[k]); }

@@ -28,6 +28,8 @@ struct VelocityTable {
 };
 
 /// VelocityStages whose stages are lanes: there is a row of them for each component.
+///
+/// NOTE: what sweeps call is inlined, as no register of this size lives through a call.
 template <class Vector, std::size_t stages>
 struct VelocityLanes : StepMemory<Vector> {
     using Scalar = ScalarOf<Vector>;
@@ -71,7 +73,7 @@ struct VelocityLanes : StepMemory<Vector> {
     }
 
     /// Q_i = q + (e_q + h c_i v + sum_j n_ij W_j).
-    void positions(const Table& table) {
+    [[gnu::always_inline]] void positions(const Table& table) {
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane place = detail::at(this->at.q, k) + product(table.n, W[k], Lane(drifted[k]));
             detail::at(this->change.q, k) = sum(abs(place - Lane(Q[k])));
@@ -81,7 +83,7 @@ struct VelocityLanes : StepMemory<Vector> {
 
     /// Lp_i = -h b_i dH/dq, W_i = h K Lp_i; `time` are the T_i, where H depends on them.
     template <class System, class... Time>
-    void forces(const System& system, const Time&... time) {
+    [[gnu::always_inline]] void forces(const System& system, const Time&... time) {
         LaneVector<Scalar, stages, dimension> Lp_i;
         system.dHdq(load(Q), Lane(time)..., Lp_i);
         const Lane minus_hb = -Lane(hb);
