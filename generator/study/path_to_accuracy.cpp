@@ -99,10 +99,13 @@ void add_point(WorkCurve& curve, const WorkPoint& point) {
     const auto place = std::find_if(points.begin(), points.end(), [&](const WorkPoint& each) {
         return each.steps >= point.steps;
     });
-    if (place != points.end() && place->steps == point.steps)
-        *place = point;
-    else
+    if (place == points.end() || place->steps != point.steps) {
         points.insert(place, point);
+        return;
+    }
+    const double seconds = place->seconds;
+    *place = point;
+    if (seconds > 0) place->seconds = std::min(seconds, point.seconds);
 }
 
 std::optional<WorkPoint> cheapest(const WorkCurve& curve, double accuracy) {
@@ -152,6 +155,7 @@ double predicted_seconds(const WorkCurve& curve, double accuracy) {
 
 bool is_hopeless(const WorkCurve& curve, double accuracy, double seconds) {
     constexpr double small = 1e-3, far_off = 30, off = 3;
+    if (is_reached(curve.points.front(), accuracy)) return false;
     double least = 1;
     for (const WorkPoint& point : curve.points)
         if (point.ok()) least = std::min(least, point.error);

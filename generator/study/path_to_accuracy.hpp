@@ -11,7 +11,8 @@
 
 namespace hvi::gen {
 
-/// Puts a run among those of the curve, by rising number of steps, in place of one with as many.
+/// Puts a run among those of the curve, by rising number of steps, in place of one with as many; of
+/// their times the lesser stays, as what disturbs a run makes it longer.
 void add_point(WorkCurve& curve, const WorkPoint& point);
 
 /// The timed run with an error of at most `accuracy` that took the least time.
@@ -27,7 +28,8 @@ void add_point(WorkCurve& curve, const WorkPoint& point);
 [[nodiscard]] double predicted_seconds(const WorkCurve& curve, double accuracy);
 
 /// Whether there is no hope to come below `seconds`. NOTE: errors that are not small yet may fall
-/// faster than the order says.
+/// faster than the order says; and where all runs are accurate enough, fewer steps cost less, of
+/// which errors at round-off tell nothing. Precondition: the curve has a point.
 [[nodiscard]] bool is_hopeless(const WorkCurve& curve, double accuracy, double seconds);
 
 /// The curve whose cheapest run takes the least time.

@@ -73,6 +73,16 @@ TEST_CASE("the path to an accuracy ends at the fewest steps, from wherever it be
             }
 }
 
+TEST_CASE("of two times of the same run the lesser stays") {
+    WorkCurve curve = begun({2, 20, 0, 3}, 100);
+    add_point(curve, Model{2, 20, 0, 1}.run(100));
+    add_point(curve, Model{2, 20, 0, 5}.run(100));
+    add_point(curve, Model{2, 20}.run(50));
+    REQUIRE(curve.points.size() == 2);
+    CHECK(curve.points[0].steps == 50);
+    CHECK(curve.points[1].seconds == Approx(1e-4));
+}
+
 TEST_CASE("steps that are too large are no obstacle") {
     const Model model{4, 100, 0, 1, 5000};
     const auto there = cheapest(followed(model, 1e-4, 10), 1e-4);
@@ -105,6 +115,8 @@ TEST_CASE("what has no hope is not followed") {
     CHECK_FALSE(is_hopeless(begun({4, 20, 0, 1}, 200), 1e-8, best));  // 2 ms
     // An error of 4e-2 may fall faster than with order two: 13 times as long is no reason.
     CHECK_FALSE(is_hopeless(begun({2, 20, 0, 1}, 100), 1e-5, best / 2));
+    // At round-off the order says nothing of fewer steps.
+    CHECK_FALSE(is_hopeless(begun({16, 20, 1e-15, 100}, 1000), 1e-6, best));
     // Where no run comes to the end nothing is known.
     CHECK_FALSE(is_hopeless(begun({2, 20, 0, 1, 1000}, 100), 1e-8, best));
 }
