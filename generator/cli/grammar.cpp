@@ -79,6 +79,8 @@ void describe(CLI::App& app) {
     add_value(stepper, "--lanes", "LANES", "auto, stages (side by side) or none");
     add_flag(stepper, "--energy", "The class has a member energy(x)");
     add_value(stepper, "--compose", "NAME", "Of higher order: yoshida:4, ..., kahan-li:8");
+    add_value(stepper, "--accuracy", "E", "In place of METHOD: the fastest with this error");
+    add_value(stepper, "--until", "T", "At this time, in place of the scene's");
     add_flag(stepper, "--invariants", "And one for each invariant of the scene");
     add_flag(stepper, "--evaluations", "And one that counts those of dH/dq");
     add_flag(stepper, "--dense", "And one for positions within the last step");
@@ -103,6 +105,7 @@ void describe(CLI::App& app) {
     add_value(run, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
     add_value(run, "--lanes", "LANES", "auto, stages (side by side) or none");
     add_value(run, "--compose", "NAME", "Of higher order: yoshida:4, ..., kahan-li:8");
+    add_value(run, "--accuracy", "E", "In place of METHOD and H: the fastest with this error");
     add_value(run, "--only", "LIST", "Of table, picture, summary; all when not given");
     add_value(run, "-o,--output", "DIR", "Write to this directory");
 
@@ -115,7 +118,8 @@ void describe(CLI::App& app) {
         ->allow_extra_args()  // of one for each of them: as many as there are
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->type_name("SCENE...");
-    add_value(report, "--methods", "LIST", "Names of methods between commas");
+    add_value(report, "--methods", "LIST",
+              "Methods between commas, composed too: gauss:2-kahan-li:8");
     add_value(report, "--steps", "LIST", "Sizes of steps between commas, or auto");
     add_value(report, "--until", "T", "Time at the end, in place of the scene's");
     add_value(report, "--only", "LIST",

@@ -159,9 +159,32 @@ std::optional<Composition> composition_option(const Words& words) {
     return named_composition(std::make_shared<const Source>(Source{"--compose", *name}));
 }
 
+/// What is left to it is not to be given.
+std::optional<double> accuracy_option(const Words& words,
+                                      const std::vector<std::string>& left_to_it) {
+    const std::optional<double> accuracy = words.fraction("--accuracy");
+    if (!accuracy) return {};
+    OptionGroups groups = forms_of_method;
+    groups.push_back(left_to_it);
+    for (const auto& group : groups)
+        for (const std::string& option : group)
+            if (!words.values(option).empty())
+                throw InputError("--accuracy chooses what " + option + " gives",
+                                 words.place(option), "leave one of them out");
+    if (!words.value("SCENE"))
+        throw InputError("--accuracy needs a scene", words.place("--accuracy"),
+                         "one that has a start and an end, such as kepler");
+    return accuracy;
+}
+
 StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     StepperOptions options;
     options.system = system_options(words, line);
+    options.accuracy = accuracy_option(words, {"--solver", "--lanes", "--compose"});
+    options.until = words.value("--until");
+    if (options.until && !options.accuracy)
+        throw InputError("--until goes with --accuracy", words.place("--until"),
+                         "a header takes steps for as long as its user likes");
     options.method = options.system && options.system->scene ? method_beside_scene(words, line)
                                                              : method_options(words, line);
     options.separable = words.flag("--separable");
@@ -203,6 +226,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     if (!options.system.scene)
         throw InputError("no scene is given", line.end(),
                          "for example kepler, which `hvi-gen list scenes` shows");
+    options.accuracy = accuracy_option(words, {"--solver", "--lanes", "--compose", "--step"});
     options.solver = solver_option(words);
     options.lanes = lanes_option(words);
     options.composition = composition_option(words);

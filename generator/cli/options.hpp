@@ -55,6 +55,8 @@ struct StepperOptions {
     std::optional<SystemOptions> system;  ///< else that of a class of the user
     bool separable = false;               ///< for H = T(p) + U(q) of such a class
     StepperWishes wishes;                 ///< of a system, but for the name of the class
+    std::optional<double> accuracy;       ///< in place of a method
+    std::optional<std::string> until;     ///< the time of that, in place of the scene's
     bool explain = false;  ///< say on standard error what is solved and what left out
     std::optional<std::filesystem::path> output;
 };
@@ -65,6 +67,7 @@ struct RunOptions {
     Solver solver = Solver::automatic;
     Lanes lanes = Lanes::automatic;
     std::optional<Composition> composition;
+    std::optional<double> accuracy;          ///< in place of a method and a step
     std::optional<std::string> step, until;  ///< in place of those of the scene
     bool table = true, picture = true, summary = true;
     std::optional<std::filesystem::path> output;  ///< a directory

@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* usual_on_scenes = "stormer-verlet, lobatto:3, gauss:2, gauss:4, gauss:8";
+constexpr const char* usual_on_scenes =
+    "stormer-verlet, stormer-verlet-blanes-moan:6, lobatto:3, gauss:2, gauss:4, gauss:8";
 constexpr const char* usual_at_edges = "stormer-verlet, trig3, lobatto:3, gauss:2, gauss:4";
 
 /// A scene with the words of [run] that a report needs.
@@ -92,7 +93,7 @@ std::vector<std::string> all_scenes() {
 }
 
 /// On the scenes of the report; where it has none, on some that come with the program.
-void add_edges(Report& report, Builds& builds, const std::vector<Method>& methods,
+void add_edges(Report& report, Builds& builds, const std::vector<ComposedMethod>& methods,
                const std::vector<Subject>& subjects, const ReportParts& parts) {
     // Each kind of stepper occurs, and a collision.
     const std::vector<std::string> various{"pendulum", "kepler", "henon-heiles", "nonseparable",
@@ -159,7 +160,7 @@ void run(const ReportOptions& options) {
     const std::string usual_methods = options.scenes.empty() ? usual_at_edges : usual_on_scenes;
     StudyWishes wishes;
     for (const auto& name : list_items("--methods", options.methods.value_or(usual_methods)))
-        wishes.methods.push_back(named_method(name));
+        wishes.methods.push_back(composed_method(name));
     std::vector<Subject> subjects;
     for (const std::string& scene : options.scenes) subjects.push_back(subject(scene, options));
 

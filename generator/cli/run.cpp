@@ -8,6 +8,7 @@
 #include <optional>
 #include <system_error>
 
+#include "generator/cli/advice.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
@@ -60,13 +61,6 @@ public:
 private:
     fs::path path_;
 };
-
-std::string duration(double seconds) {
-    if (seconds < 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
-    if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
-    if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
-    return fmt::format("{:.3g} s", seconds);
-}
 
 double per_step(std::int64_t count, std::int64_t steps) {
     return static_cast<double>(count) / static_cast<double>(steps);
@@ -166,19 +160,39 @@ Simulation simulate(const fs::path& program, const SceneStepper& stepper, const 
                           [&](double part) { bar.show(part); });
 }
 
-}  // namespace
+/// A stepper, and the steps that it is to take.
+struct WishedRun {
+    SceneStepper stepper;
+    Steps steps;
+};
 
-void run(const RunOptions& options) {
+WishedRun wished_run(const RunOptions& options) {
     const auto [method, scene] = read_scene(options.method, options.system);
     const NamedExpression step = wish(scene, options.step, scene.run.step, "step");
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
     const Steps steps = steps_until(scene, step, until);
     StepperWishes wishes = simulation_wishes(options.solver, options.composition);
     wishes.lanes = options.lanes;
-    const SceneStepper stepper = scene_stepper(method, scene, wishes);
+    return {scene_stepper(method, scene, wishes), steps};
+}
+
+WishedRun advised_run(const RunOptions& options) {
+    const AdvisedOptions advice =
+        advised({options.method.parameters, options.system, options.until, *options.accuracy});
+    MethodOptions method_options = options.method;
+    method_options.name = advice.method;
+    const auto [method, scene] = read_scene(method_options, options.system);
+    return {scene_stepper(method, scene, simulation_wishes(advice.solver, advice.composition)),
+            advice.steps};
+}
+
+}  // namespace
+
+void run(const RunOptions& options) {
+    const InterruptionsHeld held;
+    const auto [stepper, steps] = options.accuracy ? advised_run(options) : wished_run(options);
     check_simulation(stepper);
 
-    const InterruptionsHeld held;
     Builds builds(find_compiler());
     const fs::path program = built(builds.order(simulation_program(stepper)));
     const std::optional<fs::path> directory = hvi::gen::directory(stepper, options);

@@ -22,6 +22,13 @@ NamedExpression wish(const Scene& scene, const std::optional<std::string>& given
         fmt::format("give {} 1/10, or a section [run] with {} = \"1/10\"", option, name));
 }
 
+std::string duration(double seconds) {
+    if (seconds < 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
+    if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
+    if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
+    return fmt::format("{:.3g} s", seconds);
+}
+
 void make_directory(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);

@@ -16,6 +16,9 @@ namespace hvi::gen {
                                    const std::optional<NamedExpression>& of_scene,
                                    const std::string& name);
 
+/// `1.2 ms`
+[[nodiscard]] std::string duration(double seconds);
+
 /// With those above it, where they are missing. Throws EnvironmentError.
 void make_directory(const std::filesystem::path& path);
 

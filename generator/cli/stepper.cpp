@@ -3,13 +3,16 @@
 #include <cstdio>
 #include <memory>
 
+#include "generator/cli/advice.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
+#include "generator/emit/banner.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/scene_stepper.hpp"
 #include "generator/plan/facts.hpp"
 #include "generator/plan/plan.hpp"
+#include "generator/support/process.hpp"
 
 namespace hvi::gen {
 
@@ -65,11 +68,30 @@ void write_scene(const StepperOptions& options) {
     write_result(options.output, stepper.header);
 }
 
+/// With the method and the solver that measuring finds.
+void write_advised(const StepperOptions& options) {
+    const InterruptionsHeld held;
+    const AdvisedOptions advice = advised({options.method.parameters, *options.system,
+                                           options.until, *options.accuracy, options.wishes.dense});
+    MethodOptions method_options = options.method;
+    method_options.name = advice.method;
+    const auto [method, scene] = read_scene(method_options, *options.system);
+    StepperWishes wishes = options.wishes;
+    wishes.solver = advice.solver;
+    wishes.composition = advice.composition;
+    const SceneStepper stepper = scene_stepper(method, scene, wishes);
+    if (options.explain) std::fputs(explanation(stepper.lowered, stepper.scheme).c_str(), stderr);
+    std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
+    write_result(options.output, with_note(stepper.header, advice.note));
+}
+
 }  // namespace
 
 void run(const StepperOptions& options) {
     if (options.wishes.class_name) check_name(*options.wishes.class_name);
-    if (options.system)
+    if (options.accuracy)
+        write_advised(options);
+    else if (options.system)
         write_scene(options);
     else
         write_method(options);

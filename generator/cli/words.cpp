@@ -80,6 +80,18 @@ std::optional<int> Words::number(const std::string& option, int least, int most)
     return number;
 }
 
+std::optional<double> Words::fraction(const std::string& option) const {
+    const auto given = value(option);
+    if (!given) return {};
+    double number = 0;
+    const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), number);
+    const bool whole = error == std::errc{} && end == given->data() + given->size();
+    if (!whole || !(number > 0 && number < 1))
+        throw InputError(option + " takes a positive number below 1", value_place(option, *given),
+                         "for example 1e-8");
+    return number;
+}
+
 std::size_t Words::choice(const std::string& option,
                           const std::vector<std::string_view>& choices) const {
     const auto given = value(option);

@@ -49,6 +49,9 @@ public:
 
     [[nodiscard]] std::optional<int> number(const std::string& option, int least, int most) const;
 
+    /// A positive number below 1.
+    [[nodiscard]] std::optional<double> fraction(const std::string& option) const;
+
     /// The value of an option with a few possible ones; the first when it is not given.
     [[nodiscard]] std::size_t choice(const std::string& option,
                                      const std::vector<std::string_view>& choices) const;

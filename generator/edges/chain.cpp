@@ -10,7 +10,6 @@
 #include "generator/edges/forms.hpp"
 #include "generator/edges/oscillation.hpp"
 #include "generator/edges/sweep.hpp"
-#include "generator/exact/methods/galerkin.hpp"
 #include "generator/support/bar.hpp"
 
 namespace hvi::gen {
@@ -34,12 +33,6 @@ constexpr double most_soft = 114;
 
 /// Up to here the stiff springs are resolved as well as the soft ones.
 constexpr double resolved_until = 0.3;
-
-struct Known {
-    Certificate certificate;
-    Tableau tableau;
-    double contraction;
-};
 
 /// One run, from omega d = p = 1 in the first stiff spring, or d = 1 where that is less.
 struct Motion : Advance {
@@ -96,23 +89,22 @@ bool changes(const LinearStability& stability, double low, double high) {
 }
 
 /// Of methods of order one the modified H differs from H by no more than h omega H/2.
-Expected by_energy(const Known& known, double z) {
+Expected by_energy(const KnownOscillator& known, double z) {
     const double fastest = with(most_soft, z);
-    if (changes(*known.certificate.stability, 0, fastest)) return {Fate::either, true, 0};
+    if (changes(known.stability, 0, fastest)) return {Fate::either, true, 0};
     return {Fate::resolved, false, fastest};
 }
 
 /// Of the stiff springs, alone and with what the soft ones may add.
-Expected by_map(const Known& known, double z) {
-    const Oscillation alone = oscillation(known.certificate, z),
-                      half = oscillation(known.certificate, with(most_added / 2, z)),
-                      all = oscillation(known.certificate, with(most_added, z));
-    if (changes(*known.certificate.stability, z, with(most_added, z)) ||
-        alone.is_stable != all.is_stable)
+Expected by_map(const KnownOscillator& known, double z) {
+    const Oscillation alone = oscillation(known, z),
+                      half = oscillation(known, with(most_added / 2, z)),
+                      all = oscillation(known, with(most_added, z));
+    if (changes(known.stability, z, with(most_added, z)) || alone.is_stable != all.is_stable)
         return {Fate::either, true, 0};
     if (alone.is_stable) {
         const double time = static_cast<double>(steps) * h;
-        const double pushed = time * response(known.tableau, z) * most_force;
+        const double pushed = time * response(known.stages, z) * most_force;
         return {Fate::bounded, false, alone.bound * (std::sqrt(2.0) + pushed)};
     }
     // NOTE: half of the digits, as for the oscillator; and up to d = 0.1, where the soft springs
@@ -123,7 +115,7 @@ Expected by_map(const Known& known, double z) {
 }
 
 /// NOTE: wider than for the oscillator, where the contraction is the same in every step.
-Expected expected(const Known& known, const Form& form, double z) {
+Expected expected(const KnownOscillator& known, const Form& form, double z) {
     Expected result = z <= resolved_until ? by_energy(known, z) : by_map(known, z);
     if (form.solver != Solver::fixed_point) return result;
     if (z * z * known.contraction > 2) return {Fate::refused, false, 0};
@@ -168,10 +160,10 @@ std::string text(std::map<Fate, int> tally) {
         tally[Fate::refused] > 0 ? fmt::format(", refused at {}", tally[Fate::refused]) : "");
 }
 
-EdgeCheck sweep(const Known& known, const Form& form, Sweeps& sweeps) {
+EdgeCheck sweep(const KnownOscillator& known, const Form& form, Sweeps& sweeps) {
     std::map<Fate, int> tally;
     EdgeCheck check = sweeps.sweep(
-        known.certificate.name, form.name, fmt::format("{} steps of {}", steps, h), [&](double z) {
+        known.method, form.name, fmt::format("{} steps of {}", steps, h), [&](double z) {
             const Expected wanted = expected(known, form, z);
             const Motion seen = motion(form.program, z);
             ++tally[wanted.fate];
@@ -185,7 +177,7 @@ EdgeCheck sweep(const Known& known, const Form& form, Sweeps& sweeps) {
 
 }  // namespace
 
-EdgeChapter chain(Builds& builds, const std::vector<Method>& methods) {
+EdgeChapter chain(Builds& builds, const std::vector<ComposedMethod>& methods) {
     EdgeChapter chapter{
         "chain",
         "Soft and stiff springs",
@@ -203,16 +195,13 @@ EdgeChapter chain(Builds& builds, const std::vector<Method>& methods) {
         {},
         {}};
     Sweeps sweeps(scene_name, "Soft and stiff springs");
-    std::vector<std::pair<Known, std::vector<Form>>> all;
-    for (const Method& method : methods) {
-        const Tableau tableau = derive(method);
-        all.push_back({{certify(method, 1), tableau, contraction(tableau)},
-                       forms(builds, method, edge_scene(scene_name))});
-    }
+    std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
+    for (const ComposedMethod& method : methods)
+        all.push_back({known_oscillator(method), forms(builds, method, edge_scene(scene_name))});
     Bar bar;
     double done = 0;
     for (const auto& [known, forms] : all) {
-        bar.show(done++ / static_cast<double>(all.size()), "chain: " + known.certificate.name);
+        bar.show(done++ / static_cast<double>(all.size()), "chain: " + known.method);
         for (const Form& form : forms) { chapter.checks.push_back(sweep(known, form, sweeps)); }
     }
     chapter.pictures = sweeps.pictures();

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "generator/draw/curves.hpp"
+#include "generator/exact/methods/composed_method.hpp"
 #include "generator/program/builds.hpp"
-#include "generator/read/method.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
@@ -33,15 +33,15 @@ struct EdgeChapter {
 /// a Build do, and Interruption.
 ///
 /// Precondition: the scenes have initial data and say their step.
-[[nodiscard]] EdgeChapter rejections(Builds& builds, const std::vector<Method>& methods,
+[[nodiscard]] EdgeChapter rejections(Builds& builds, const std::vector<ComposedMethod>& methods,
                                      const std::vector<Scene>& scenes);
-[[nodiscard]] EdgeChapter symplecticity(Builds& builds, const std::vector<Method>& methods,
+[[nodiscard]] EdgeChapter symplecticity(Builds& builds, const std::vector<ComposedMethod>& methods,
                                         const std::vector<Scene>& scenes);
 
 /// The same on scenes of their own.
-[[nodiscard]] EdgeChapter stiff(Builds& builds, const std::vector<Method>& methods);
-[[nodiscard]] EdgeChapter chain(Builds& builds, const std::vector<Method>& methods);
-[[nodiscard]] EdgeChapter extreme(Builds& builds, const std::vector<Method>& methods);
-[[nodiscard]] EdgeChapter long_runs(Builds& builds, const std::vector<Method>& methods);
+[[nodiscard]] EdgeChapter stiff(Builds& builds, const std::vector<ComposedMethod>& methods);
+[[nodiscard]] EdgeChapter chain(Builds& builds, const std::vector<ComposedMethod>& methods);
+[[nodiscard]] EdgeChapter extreme(Builds& builds, const std::vector<ComposedMethod>& methods);
+[[nodiscard]] EdgeChapter long_runs(Builds& builds, const std::vector<ComposedMethod>& methods);
 
 }  // namespace hvi::gen

@@ -5,26 +5,29 @@
 #include <string>
 #include <vector>
 
-#include "generator/certify/certificate.hpp"
 #include "generator/edges/edges.hpp"
 #include "generator/edges/forms.hpp"
+#include "generator/edges/passage.hpp"
 #include "generator/edges/program.hpp"
 
 namespace hvi::gen {
 
 /// A method, what is known of it beforehand, and its programs.
 struct ExtremeMethod {
-    Certificate certificate;
+    std::string name;
+    std::size_t parts = 1;  ///< steps of one method in a row that make a step
+    KnownOrder order;
     EdgeProgram kepler;
     std::vector<std::vector<Form>> scaled;  ///< of each of the scenes that are scaled
     EdgeProgram two_bodies, three_bodies;
 };
 
 /// All throw what EdgeProgram() does.
-[[nodiscard]] EdgeProgram kepler_program(Builds& builds, const Method& method);
-[[nodiscard]] std::vector<std::vector<Form>> scaled_forms(Builds& builds, const Method& method);
-[[nodiscard]] EdgeProgram two_bodies_program(Builds& builds, const Method& method);
-[[nodiscard]] EdgeProgram three_bodies_program(Builds& builds, const Method& method);
+[[nodiscard]] EdgeProgram kepler_program(Builds& builds, const ComposedMethod& method);
+[[nodiscard]] std::vector<std::vector<Form>> scaled_forms(Builds& builds,
+                                                          const ComposedMethod& method);
+[[nodiscard]] EdgeProgram two_bodies_program(Builds& builds, const ComposedMethod& method);
+[[nodiscard]] EdgeProgram three_bodies_program(Builds& builds, const ComposedMethod& method);
 
 /// These add their cases for one method, and curves to pictures of the chapter. All throw what
 /// EdgeProgram::ask() does.

@@ -61,8 +61,9 @@ double largest(std::vector<double>::const_iterator from, std::size_t n) {
 }
 
 /// How far the total momentum and the total angular momentum, both 0 or `angular` at the start, are
-/// off, in units of eps times the largest numbers, for each step. Both are at most 8 by rounding: a
-/// sum of n products of numbers each of which a step leaves with an error of a few eps/2.
+/// off, in units of eps times the largest numbers, for each step of a method of `parts`. Both are
+/// at most 8 by rounding: a sum of n products of numbers each of which a step leaves with an error
+/// of a few eps/2.
 struct Momenta {
     double total, angular;
 
@@ -72,7 +73,7 @@ struct Momenta {
     }
 };
 
-Momenta momenta(const Heard& heard, double angular) {
+Momenta momenta(const Heard& heard, std::size_t parts, double angular) {
     const std::vector<double> x = heard.answers.numbers("end"),
                               most = heard.answers.numbers("largest");
     const std::size_t half = x.size() / 2;
@@ -84,7 +85,8 @@ Momenta momenta(const Heard& heard, double angular) {
     }
     const auto p = most.begin() + static_cast<std::ptrdiff_t>(half);
     const double eps = std::numeric_limits<double>::epsilon() *
-                       static_cast<double>(std::max(1L, heard.answers.integer("steps")));
+                       static_cast<double>(std::max(1L, heard.answers.integer("steps"))) *
+                       static_cast<double>(parts);
     const double unit = eps * largest(p, half);
     return {std::max(std::abs(px), std::abs(py)) / unit,
             std::abs(off) / (unit * largest(most.begin(), half))};
@@ -116,17 +118,22 @@ void add_pair(const ExtremeMethod& method, EdgeChapter& chapter) {
         const Pair pair{1 - light, light};
         const std::string masses = fmt::format("masses 1 - {} and {}", light, light);
         const std::vector<double> start = pair.state(passage.begin());
-        const Refinement refinement = refined(passage, program, start, {pair.heavy, pair.light},
-                                              [&](const auto& end) { return pair.relative(end); });
-        chapter.checks.push_back(order_check(
-            method.certificate, scene.name, masses + ", e = 0.5: past the pericentre", refinement));
+        const Refinement refinement =
+            refined(passage, program, method.parts, start, {pair.heavy, pair.light},
+                    [&](const auto& end) { return pair.relative(end); });
+        chapter.checks.push_back(order_check(method.name, method.order, scene.name,
+                                             masses + ", e = 0.5: past the pericentre",
+                                             refinement));
         const Heard heard = program.ask("advance", 0.01, 5000, start, {pair.heavy, pair.light});
-        EdgeCheck check{
-            method.certificate.name,         scene.name,      masses + ": 5000 steps of 0.01",
-            "ok, " + std::string(conserved), end_text(heard), false};
+        EdgeCheck check{method.name,
+                        scene.name,
+                        masses + ": 5000 steps of 0.01",
+                        "ok, " + std::string(conserved),
+                        end_text(heard),
+                        false};
         if (check.seen == "ok") {
             const double l = 0.75, angular = pair.heavy * pair.light * std::sqrt(l);
-            const Momenta seen = momenta(heard, angular);
+            const Momenta seen = momenta(heard, method.parts, angular);
             check.seen += ", " + seen.text();
             check.agrees = seen.are_conserved();
         }
@@ -141,14 +148,14 @@ void add_three(const ExtremeMethod& method, EdgeChapter& chapter) {
     for (const long parts : {16, 256, 4096}) {
         const Heard heard =
             program.ask("advance", 1 / static_cast<double>(parts), 10 * parts, start);
-        EdgeCheck check{method.certificate.name,
+        EdgeCheck check{method.name,
                         scene.name,
                         fmt::format("{} steps to t = 10", 10 * parts),
                         fmt::format("{}; {}", whole, conserved),
                         end_text(heard),
                         false};
         if (is_whole(heard)) {
-            const Momenta seen = momenta(heard, 0);
+            const Momenta seen = momenta(heard, method.parts, 0);
             check.seen += ", " + seen.text();
             check.agrees = seen.are_conserved();
         }
@@ -158,11 +165,11 @@ void add_three(const ExtremeMethod& method, EdgeChapter& chapter) {
 
 }  // namespace
 
-EdgeProgram two_bodies_program(Builds& builds, const Method& method) {
+EdgeProgram two_bodies_program(Builds& builds, const ComposedMethod& method) {
     return {builds, method, scene_of(two_bodies)};
 }
 
-EdgeProgram three_bodies_program(Builds& builds, const Method& method) {
+EdgeProgram three_bodies_program(Builds& builds, const ComposedMethod& method) {
     return {builds, method, scene_of(three_bodies)};
 }
 

@@ -19,10 +19,11 @@ constexpr double most_eccentric = 0.9999;
 void add_passage(const ExtremeMethod& method, const EdgeProgram& program, double e,
                  EdgeChapter& chapter) {
     const Passage passage(e);
-    const Refinement refinement =
-        refined(passage, program, passage.begin(), {}, [](const auto& end) { return end; });
-    chapter.checks.push_back(order_check(
-        method.certificate, scene_name, fmt::format("e = {}: past the pericentre", e), refinement));
+    const Refinement refinement = refined(passage, program, method.parts, passage.begin(), {},
+                                          [](const auto& end) { return end; });
+    chapter.checks.push_back(order_check(method.name, method.order, scene_name,
+                                         fmt::format("e = {}: past the pericentre", e),
+                                         refinement));
     if (e != most_eccentric) return;  // in these units the others look alike
     CurvesPicture::Curve& curve =
         curve_of(method, chapter,
@@ -58,8 +59,8 @@ void add_orbit(const ExtremeMethod& method, const EdgeProgram& program, double e
             curve.points.emplace_back(static_cast<double>(steps), error);
     }
     chapter.checks.push_back(
-        {method.certificate.name, scene_name,
-         fmt::format("e = {}: once around in 4, 8, ... 4096 steps", e), std::string(whole),
+        {method.name, scene_name, fmt::format("e = {}: once around in 4, 8, ... 4096 steps", e),
+         std::string(whole),
          fmt::format("ok in {}, a status in {} of {}{}", ok, stopped, all, wrong),
          ok + stopped == all});
 }
@@ -68,9 +69,8 @@ void add_orbit(const ExtremeMethod& method, const EdgeProgram& program, double e
 void add_fall(const ExtremeMethod& method, const EdgeProgram& program, double h, double mu,
               const std::string& what, EdgeChapter& chapter) {
     const Heard heard = program.ask("advance", h, 1000, {1, 0, 0, 0}, {mu, 0});
-    EdgeCheck check{
-        method.certificate.name, scene_name,     what, std::string(whole) + ", on the axis",
-        end_text(heard),         is_whole(heard)};
+    EdgeCheck check{method.name,     scene_name,     what, std::string(whole) + ", on the axis",
+                    end_text(heard), is_whole(heard)};
     if (heard.failure.empty()) {
         const std::vector<double> end = heard.answers.numbers("end");
         const bool on_axis = end.at(1) == 0 && end.at(3) == 0;
@@ -82,7 +82,7 @@ void add_fall(const ExtremeMethod& method, const EdgeProgram& program, double h,
 
 }  // namespace
 
-EdgeProgram kepler_program(Builds& builds, const Method& method) {
+EdgeProgram kepler_program(Builds& builds, const ComposedMethod& method) {
     return {builds, method, edge_scene(scene_name)};
 }
 

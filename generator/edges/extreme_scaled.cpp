@@ -85,7 +85,7 @@ EdgeCheck check(const std::string& method, const std::string& scene, const Form&
 
 }  // namespace
 
-std::vector<std::vector<Form>> scaled_forms(Builds& builds, const Method& method) {
+std::vector<std::vector<Form>> scaled_forms(Builds& builds, const ComposedMethod& method) {
     std::vector<std::vector<Form>> all;
     for (const ScaledScene& scaled : scaled_scenes()) {
         const Scene scene = scene_of(scaled.text);
@@ -106,7 +106,7 @@ void add_scaled(const ExtremeMethod& method, EdgeChapter& chapter) {
         for (const Form& form : *forms++)
             for (const int exponent : {-900, -498, 498, 900})
                 chapter.checks.push_back(
-                    check(method.certificate.name, scene.name, form, scaled.start, exponent));
+                    check(method.name, scene.name, form, scaled.start, exponent));
     }
 }
 

@@ -17,6 +17,7 @@ struct Form {
 
 /// As it is without wishes, iterated with fixed points, and with Newton's method. Where there is
 /// nothing to solve they are one. Throws what EdgeProgram() does.
-[[nodiscard]] std::vector<Form> forms(Builds& builds, const Method& method, const Scene& scene);
+[[nodiscard]] std::vector<Form> forms(Builds& builds, const ComposedMethod& method,
+                                      const Scene& scene);
 
 }  // namespace hvi::gen

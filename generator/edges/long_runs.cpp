@@ -72,9 +72,10 @@ CurvesPicture picture(const std::string& title) {
 
 constexpr const char* compared_scene = "kepler";
 
-/// The method with the most stages to solve for, and a stepper as one would write it first.
+/// The method with the most stages to solve for that is no composition, and a stepper as one would
+/// write it first.
 struct Comparison {
-    Method method;
+    std::string method;
     Tableau tableau;
     EdgeProgram program, naive;
 };
@@ -82,7 +83,7 @@ struct Comparison {
 EdgeCheck compared(const Comparison& comparison, const LongRun& run, const std::string& what,
                    double end, const EnergyShifts& found, CurvesPicture& picture) {
     EdgeCheck check{
-        comparison.method.name,  run.scene,
+        comparison.method,       run.scene,
         text(run) + ", " + what, fmt::format("at the end more than the {:.1e} of the stepper", end),
         found.failure,           false};
     picture.curves.push_back({what, above_zero(found)});
@@ -98,8 +99,8 @@ EdgeCheck compared(const Comparison& comparison, const LongRun& run, const std::
 void compare(const Comparison& comparison, EdgeChapter& chapter) {
     const LongRun run{compared_scene, 1L << 19, 0.05, 4};
     const RoundedTableau rounded = rounded_entries(comparison.tableau);
-    CurvesPicture drawn = picture(
-        fmt::format("{}, {}: what it would be without", compared_scene, comparison.method.name));
+    CurvesPicture drawn =
+        picture(fmt::format("{}, {}: what it would be without", compared_scene, comparison.method));
     const EnergyShifts whole = energy_shifts(comparison.program, "energy", run);
     if (whole.of_windows.empty()) return;  // NOTE: the check before says why.
     drawn.curves.push_back({"as generated", above_zero(whole)});
@@ -116,33 +117,41 @@ void compare(const Comparison& comparison, EdgeChapter& chapter) {
     chapter.pictures.push_back(std::move(drawn));
 }
 
-std::optional<Comparison> comparison(Builds& builds, const std::vector<Method>& methods) {
+std::optional<Comparison> comparison(Builds& builds, const std::vector<ComposedMethod>& methods) {
     std::optional<Comparison> best;
     const Scene scene = edge_scene(compared_scene);
-    for (const Method& method : methods) {
-        const Tableau tableau = derive(method);
+    for (const ComposedMethod& method : methods) {
+        if (method.composition) continue;
+        const Tableau tableau = derive(method.method);
         EdgeProgram program(builds, method, scene);
         if (program.is_explicit() || (best && best->tableau.stages() >= tableau.stages())) continue;
-        best = Comparison{method, tableau, program, EdgeProgram::naive(builds, scene)};
+        best = Comparison{method.name(), tableau, program, EdgeProgram::naive(builds, scene)};
     }
     return best;
 }
 
-std::vector<Runner> runners(Builds& builds, const std::vector<Method>& methods, const LongRun& run,
-                            Solver solver) {
+/// With about as many parts of steps as steps were asked for. NOTE: windows are powers of two.
+LongRun shorter(LongRun run, std::size_t parts) {
+    for (; parts > 1; parts = (parts + 1) / 2) run.steps /= 2;
+    return run;
+}
+
+std::vector<Runner> runners(Builds& builds, const std::vector<ComposedMethod>& methods,
+                            const LongRun& run, Solver solver) {
     std::vector<Runner> result;
     const bool is_iterated = solver != Solver::automatic;
-    for (const Method& method : methods) {
+    for (const ComposedMethod& method : methods) {
         EdgeProgram program(builds, method, edge_scene(run.scene), solver);
         if (is_iterated && program.is_explicit()) continue;  // there is nothing to iterate
-        result.push_back({method.name, run, is_iterated, std::move(program)});
+        result.push_back(
+            {method.name(), shorter(run, method.parts()), is_iterated, std::move(program)});
     }
     return result;
 }
 
 }  // namespace
 
-EdgeChapter long_runs(Builds& builds, const std::vector<Method>& methods) {
+EdgeChapter long_runs(Builds& builds, const std::vector<ComposedMethod>& methods) {
     EdgeChapter chapter{
         "long",
         "Long runs",
@@ -153,7 +162,8 @@ EdgeChapter long_runs(Builds& builds, const std::vector<Method>& methods) {
         "drift. The exponent is fitted to the longer two thirds of the windows, over several runs "
         "from states that "
         "differ by one per cent; at the end is the last of the values it is fitted to: a drift "
-        "that is still smaller by then is not seen. At last, what a stepper would lose without "
+        "that is still smaller by then is not seen. Compositions take fewer steps, as each is "
+        "several. At last, what a stepper that is no composition would lose without "
         "compensated sums, and with entries of the tableau that are rounded each for itself, which "
         "breaks b_i a~_ij + b_j a_ji = b_i b_j in the last bits.",
         {},

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "generator/certify/certificate.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/numbers/exact_number.hpp"
 
 namespace hvi::gen {
@@ -92,45 +94,10 @@ double sum_of_sizes(const std::vector<double>& row) {
                            [](double sum, double entry) { return sum + std::abs(entry); });
 }
 
-}  // namespace
-
-// With determinant 1, R^n = U_(n-1)(t) R - U_(n-2)(t) where t is half the trace and U are the
-// polynomials of Chebyshev of the second kind: |U| <= 1/sqrt(1 - t^2) where |t| < 1. Where |t| > 1
-// the larger eigenvalue is |t| + sqrt(t^2 - 1).
-Oscillation oscillation(const Certificate& certificate, double z) {
-    const Number argument = exact_number(z);
-    const OscillatorMap& map = *certificate.oscillator;
-    const Number t =
-        at(map.half_trace.numerator, argument) / at(map.half_trace.denominator, argument);
-    const Number rest = Number(1) - t * t;
-    const bool is_near = z < static_cast<double>(certificate.stability->until);
-    Oscillation result;
-    result.is_stable = is_near ? in_intervals(*certificate.stability, argument) : rest.sign() > 0;
-    const double root = std::sqrt(std::abs(rest.nearest_double()));
-    result.bound = result.is_stable ? (norm(map, argument) + 1) / root
-                                    : std::numeric_limits<double>::infinity();
-    if (!result.is_stable) result.growth = std::log10(std::abs(t.nearest_double()) + root);
-    return result;
-}
-
-// With stages Y = 1 omega q + z A P and P = 1 p - z A~ Y + h A~ g, forces g add z b^T A~ K h g to
-// omega q and b^T K h g to p, where K is the inverse of 1 + z^2 A A~. (b = b~.)
-double response(const Tableau& tableau, double z) {
-    const Matrix A_tilde = rounded(tableau.A_tilde);
-    Matrix M = product(rounded(tableau.A), A_tilde);
-    for (std::size_t i = 0; i < M.size(); ++i)
-        for (std::size_t j = 0; j < M.size(); ++j) M[i][j] = z * z * M[i][j] + (i == j ? 1 : 0);
-    const std::vector<double> b = rounded({tableau.b}).front();
-    std::vector<double> zbA(b.size(), 0.0);
-    for (std::size_t i = 0; i < b.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j) zbA[j] += z * b[i] * A_tilde[i][j];
-    return std::hypot(sum_of_sizes(solved_transposed(M, zbA)),
-                      sum_of_sizes(solved_transposed(M, b)));
-}
-
-// Gelfand: |M^n|^(1/n), for n = 2^12.
-double contraction(const Tableau& tableau) {
-    Matrix M = product(rounded(tableau.A), rounded(tableau.A_tilde));
+/// The spectral radius of A A~.
+double contraction(const PartitionedMethod& method) {
+    Matrix M = product(rounded(method.A), rounded(method.A_tilde));
+    // Gelfand: |M^n|^(1/n), for n = 2^12.
     double logarithm = 0, weight = 1;
     for (int k = 0; k <= 12; ++k) {
         const double size = largest(M);
@@ -142,6 +109,65 @@ double contraction(const Tableau& tableau) {
         M = product(M, M);
     }
     return std::exp(logarithm);
+}
+
+/// The largest |gamma|.
+double largest_part(const std::optional<Composition>& composition) {
+    if (!composition) return 1;
+    double result = 0;
+    for (const Number& gamma : composition->steps)
+        result = std::max(result, std::abs(gamma.nearest_double()));
+    return result;
+}
+
+}  // namespace
+
+// NOTE: A A~ of the adjoint is similar to the transpose of that of the method.
+KnownOscillator known_oscillator(const ComposedMethod& method) {
+    const Tableau tableau = derive(method.method);
+    const PartitionedMethod own = partitioned_method(tableau);
+    KnownOscillator known{method.name(), oscillator_map(tableau), {}, own, contraction(own)};
+    if (const auto& composition = method.composition) {
+        known.map = composed(known.map, *composition);
+        known.stages = partitioned_method(composed(weighted_stages(tableau), *composition));
+        known.contraction *= std::pow(largest_part(composition), 2);
+    }
+    known.stability = linear_stability(known.map, stability_limit);
+    return known;
+}
+
+// With determinant 1, R^n = U_(n-1)(t) R - U_(n-2)(t) where t is half the trace and U are the
+// polynomials of Chebyshev of the second kind: |U| <= 1/sqrt(1 - t^2) where |t| < 1. Where |t| > 1
+// the larger eigenvalue is |t| + sqrt(t^2 - 1).
+Oscillation oscillation(const KnownOscillator& known, double z) {
+    const Number argument = exact_number(z);
+    const OscillatorMap& map = known.map;
+    const Number t =
+        at(map.half_trace.numerator, argument) / at(map.half_trace.denominator, argument);
+    const Number rest = Number(1) - t * t;
+    const bool is_near = z < static_cast<double>(known.stability.until);
+    Oscillation result;
+    result.is_stable = is_near ? in_intervals(known.stability, argument) : rest.sign() > 0;
+    const double root = std::sqrt(std::abs(rest.nearest_double()));
+    result.bound = result.is_stable ? (norm(map, argument) + 1) / root
+                                    : std::numeric_limits<double>::infinity();
+    if (!result.is_stable) result.growth = std::log10(std::abs(t.nearest_double()) + root);
+    return result;
+}
+
+// With stages Y = 1 omega q + z A P and P = 1 p - z A~ Y + h A~ g, forces g add z b^T A~ K h g to
+// omega q and b^T K h g to p, where K is the inverse of 1 + z^2 A A~. (b = b~.)
+double response(const PartitionedMethod& method, double z) {
+    const Matrix A_tilde = rounded(method.A_tilde);
+    Matrix M = product(rounded(method.A), A_tilde);
+    for (std::size_t i = 0; i < M.size(); ++i)
+        for (std::size_t j = 0; j < M.size(); ++j) M[i][j] = z * z * M[i][j] + (i == j ? 1 : 0);
+    const std::vector<double> b = rounded({method.b}).front();
+    std::vector<double> zbA(b.size(), 0.0);
+    for (std::size_t i = 0; i < b.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j) zbA[j] += z * b[i] * A_tilde[i][j];
+    return std::hypot(sum_of_sizes(solved_transposed(M, zbA)),
+                      sum_of_sizes(solved_transposed(M, b)));
 }
 
 }  // namespace hvi::gen

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/order.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -45,15 +48,16 @@ double Passage::error(const std::vector<double>& state) const {
     return result;
 }
 
-double passage_rounding(long steps) {
-    return 4 * 15 * static_cast<double>(steps) * std::numeric_limits<double>::epsilon();
+double passage_rounding(long steps, std::size_t parts) {
+    return 4 * 15 * static_cast<double>(steps) * static_cast<double>(parts) *
+           std::numeric_limits<double>::epsilon();
 }
 
-Refinement refined(const Passage& passage, const EdgeProgram& program,
+Refinement refined(const Passage& passage, const EdgeProgram& program, std::size_t parts,
                    const std::vector<double>& start, const std::vector<double>& values,
                    const std::function<std::vector<double>(const std::vector<double>&)>& relative) {
     constexpr long first = 4, last = 8192;
-    Refinement result;
+    Refinement result{parts};
     for (long steps = first; steps <= last; steps *= 2) {
         const Heard heard = program.ask("advance", passage.time() / static_cast<double>(steps),
                                         steps, start, values);
@@ -65,23 +69,29 @@ Refinement refined(const Passage& passage, const EdgeProgram& program,
         if (!result.failure.empty()) return result;
         const double error = passage.error(relative(heard.answers.numbers("end")));
         result.errors.emplace_back(static_cast<double>(steps), error);
-        if (error <= passage_rounding(steps)) return result;
+        if (error <= passage_rounding(steps, parts)) return result;
     }
     return result;
 }
 
+KnownOrder known_order(const ComposedMethod& method) {
+    constexpr int highest = 8;
+    const OrderConditions found = orders(derive(method.method), highest).nystrom;
+    return {composed_order(found.order, method.composition), found.is_at_least};
+}
+
 // Between the last two that are clear of round-off, as the other terms of the error fall faster.
-EdgeCheck order_check(const Certificate& certificate, const std::string& scene,
+EdgeCheck order_check(const std::string& method, const KnownOrder& known, const std::string& scene,
                       const std::string& what, const Refinement& refinement) {
-    const OrderConditions& known = certificate.orders.nystrom;
     const std::string order =
         fmt::format("{}{}", known.is_at_least ? "at least " : "", known.order);
-    EdgeCheck check{certificate.name,   scene, what, "errors that fall with order " + order,
-                    refinement.failure, false};
+    EdgeCheck check{method, scene, what, "errors that fall with order " + order, refinement.failure,
+                    false};
     if (!refinement.failure.empty()) return check;
     const auto& errors = refinement.errors;
-    const auto is_clear = [](const std::pair<double, double>& point) {
-        return point.second > 10 * passage_rounding(static_cast<long>(point.first));
+    const auto is_clear = [&](const std::pair<double, double>& point) {
+        return point.second >
+               10 * passage_rounding(static_cast<long>(point.first), refinement.parts);
     };
     auto finer = std::find_if_not(errors.begin(), errors.end(), is_clear);
     if (finer - errors.begin() < 2) {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "generator/certify/certificate.hpp"
 #include "generator/edges/edges.hpp"
 #include "generator/edges/program.hpp"
+#include "generator/exact/methods/composed_method.hpp"
 
 namespace hvi::gen {
 
@@ -33,27 +33,38 @@ private:
     double e_, l_, time_;
 };
 
-/// What round-off may do to a passage of so many steps. In these units no sum over a row of the
-/// derivative of the exact flow between two points of a passage is above 15 for e from 1/2 on
-/// (14.3 at e = 1/2, 13.8 as e -> 1), and a step is given four units
-/// of rounding.
-[[nodiscard]] double passage_rounding(long steps);
+/// What round-off may do to a passage of so many steps, with so many parts each. In these units no
+/// sum over a row of the derivative of the exact flow between two points of a passage is above 15
+/// for e from 1/2 on (14.3 at e = 1/2, 13.8 as e -> 1), and a part is given four units of rounding.
+[[nodiscard]] double passage_rounding(long steps, std::size_t parts);
 
 /// The errors of N = 4, 8, ... steps of a passage, up to round-off.
 struct Refinement {
-    std::string failure;                            ///< of a run, or a status; else empty
-    std::vector<std::pair<double, double>> errors;  ///< by N
+    std::size_t parts = 1;                               ///< of a step
+    std::string failure = {};                            ///< of a run, or a status; else empty
+    std::vector<std::pair<double, double>> errors = {};  ///< by N
 };
 
 /// From `start` with these `values` of parameters; `relative` makes of the end what error()
 /// takes. Steps that are too large may be refused.
 [[nodiscard]] Refinement
-refined(const Passage& passage, const EdgeProgram& program, const std::vector<double>& start,
-        const std::vector<double>& values,
+refined(const Passage& passage, const EdgeProgram& program, std::size_t parts,
+        const std::vector<double>& start, const std::vector<double>& values,
         const std::function<std::vector<double>(const std::vector<double>&)>& relative);
 
-/// The case that they fall like N^-order, the order of the method for this H: T is quadratic.
-[[nodiscard]] EdgeCheck order_check(const Certificate& certificate, const std::string& scene,
-                                    const std::string& what, const Refinement& refinement);
+/// The order of a method for a quadratic T.
+struct KnownOrder {
+    int order = 0;
+    bool is_at_least = false;  ///< no more was looked for
+};
+
+/// By its exact conditions, up to 8; of a composition it is that of the literature where this is
+/// more.
+[[nodiscard]] KnownOrder known_order(const ComposedMethod& method);
+
+/// The case that they fall like N^-order.
+[[nodiscard]] EdgeCheck order_check(const std::string& method, const KnownOrder& known,
+                                    const std::string& scene, const std::string& what,
+                                    const Refinement& refinement);
 
 }  // namespace hvi::gen

@@ -59,8 +59,11 @@ Advance::Advance(const Heard& heard) : failure(heard.failure) {
                  static_cast<double>(std::max(1L, steps));
 }
 
-EdgeProgram::EdgeProgram(Builds& builds, const Method& method, const Scene& scene, Solver solver) {
-    const SceneStepper stepper = scene_stepper(method, scene, {.solver = solver, .energy = true});
+EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Scene& scene,
+                         Solver solver) {
+    const SceneStepper stepper =
+        scene_stepper(method.method, scene,
+                      {.solver = solver, .energy = true, .composition = method.composition});
     is_explicit_ = stepper.scheme.is_explicit();
     build_ = builds.order({fill("edge.cpp.in", {{"header", header_name},
                                                 {"stepper", stepper.class_name},
@@ -68,8 +71,10 @@ EdgeProgram::EdgeProgram(Builds& builds, const Method& method, const Scene& scen
                            {{header_name, stepper.header}}});
 }
 
-EdgeProgram EdgeProgram::symplectic(Builds& builds, const Method& method, const Scene& scene) {
-    const SceneStepper stepper = scene_stepper(method, scene, {.float128 = true});
+EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method,
+                                    const Scene& scene) {
+    const SceneStepper stepper =
+        scene_stepper(method.method, scene, {.float128 = true, .composition = method.composition});
     EdgeProgram program;
     program.is_explicit_ = stepper.scheme.is_explicit();
     program.build_ = builds.order(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/emit/scene_stepper.hpp"
+#include "generator/exact/methods/composed_method.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/simulate/answers.hpp"
 
@@ -42,11 +43,11 @@ struct Advance {
 class EdgeProgram {
 public:
     /// Of src/driver/edge_main.hpp. Throws what scene_stepper() does.
-    EdgeProgram(Builds& builds, const Method& method, const Scene& scene,
+    EdgeProgram(Builds& builds, const ComposedMethod& method, const Scene& scene,
                 Solver solver = Solver::automatic);
 
     /// Of src/driver/edge_symplectic.hpp, in dual numbers.
-    [[nodiscard]] static EdgeProgram symplectic(Builds& builds, const Method& method,
+    [[nodiscard]] static EdgeProgram symplectic(Builds& builds, const ComposedMethod& method,
                                                 const Scene& scene);
 
     /// The same as from a scene, of src/driver/naive.hpp: in place of values of parameters it takes

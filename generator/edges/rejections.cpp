@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 
-#include "generator/certify/certificate.hpp"
 #include "generator/edges/edges.hpp"
 #include "generator/edges/origin.hpp"
 #include "generator/edges/program.hpp"
@@ -140,7 +139,7 @@ std::vector<EdgeCheck> checks(const Candidate& candidate) {
 
 }  // namespace
 
-EdgeChapter rejections(Builds& builds, const std::vector<Method>& methods,
+EdgeChapter rejections(Builds& builds, const std::vector<ComposedMethod>& methods,
                        const std::vector<Scene>& scenes) {
     EdgeChapter chapter{
         "rejections",
@@ -153,11 +152,10 @@ EdgeChapter rejections(Builds& builds, const std::vector<Method>& methods,
         {},
         {}};
     std::vector<Candidate> all;
-    for (const Method& method : methods) {
-        const Certificate certificate = certify(method, 1);
+    for (const ComposedMethod& method : methods) {
+        const bool comes_back = is_symmetric(method);
         for (const Scene& scene : scenes)
-            all.push_back({certificate.name, certificate.symmetric.holds, scene,
-                           EdgeProgram(builds, method, scene)});
+            all.push_back({method.name(), comes_back, scene, EdgeProgram(builds, method, scene)});
     }
     Bar bar;
     double done = 0;

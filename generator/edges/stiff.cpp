@@ -10,7 +10,6 @@
 #include "generator/edges/oscillation.hpp"
 #include "generator/edges/program.hpp"
 #include "generator/edges/sweep.hpp"
-#include "generator/exact/methods/galerkin.hpp"
 #include "generator/support/bar.hpp"
 
 namespace hvi::gen {
@@ -19,12 +18,6 @@ namespace {
 
 constexpr const char* scene_name = "harmonic-oscillator";
 constexpr double h = 1.0 / 16;  // omega = z/h is then exact
-
-/// What is known of the method beforehand.
-struct Known {
-    Certificate certificate;
-    double contraction;
-};
 
 /// One run from (omega q, p) = (1, 1/2).
 struct Orbit : Advance {
@@ -62,7 +55,7 @@ enum class Fate {
     refused,  ///< fixed points do not contract
 };
 
-Fate fate(const Known& known, const Form& form, double z) {
+Fate fate(const KnownOscillator& known, const Form& form, double z) {
     if (form.solver != Solver::fixed_point) return Fate::as_map;
     const double factor = z * z * known.contraction;
     return factor < 0.7 ? Fate::as_map : factor < 1.01 ? Fate::either : Fate::refused;
@@ -112,12 +105,12 @@ struct Tally {
     }
 };
 
-EdgeCheck sweep(const Known& known, const Form& form, Sweeps& sweeps) {
+EdgeCheck sweep(const KnownOscillator& known, const Form& form, Sweeps& sweeps) {
     constexpr long steps = 1000;
     Tally tally;
-    EdgeCheck check = sweeps.sweep(
-        known.certificate.name, form.name, fmt::format("{} steps", steps), [&](double z) {
-            const Oscillation map = oscillation(known.certificate, z);
+    EdgeCheck check =
+        sweeps.sweep(known.method, form.name, fmt::format("{} steps", steps), [&](double z) {
+            const Oscillation map = oscillation(known, z);
             const Fate expected = fate(known, form, z);
             const Orbit found = orbit(form.program, z, steps);
             tally.expect(expected, map);
@@ -132,19 +125,20 @@ EdgeCheck sweep(const Known& known, const Form& form, Sweeps& sweeps) {
 
 // ---- at the ends of the intervals, and at poles ----
 
-EdgeCheck beside(const Known& known, const Form& form, double z, const std::string& where) {
+EdgeCheck beside(const KnownOscillator& known, const Form& form, double z,
+                 const std::string& where) {
     constexpr long steps = 100'000;
-    const Oscillation map = oscillation(known.certificate, z);
+    const Oscillation map = oscillation(known, z);
     const Fate expected = fate(known, form, z);
     const Orbit found = orbit(form.program, z, steps);
     return {
-        known.certificate.name, scene_name,  fmt::format("{}: z = {:.9g}, {}", form.name, z, where),
-        text(expected, map),    text(found), agrees(expected, found, map, steps)};
+        known.method,        scene_name,  fmt::format("{}: z = {:.9g}, {}", form.name, z, where),
+        text(expected, map), text(found), agrees(expected, found, map, steps)};
 }
 
-EdgeCheck at_pole(const Known& known, const Form& form, double z) {
+EdgeCheck at_pole(const KnownOscillator& known, const Form& form, double z) {
     const Orbit found = orbit(form.program, z, 1);
-    return {known.certificate.name,
+    return {known.method,
             scene_name,
             fmt::format("{}: z = {:.17g}, the double nearest to a pole", form.name, z),
             "a status and the state untouched, or more than 1e6 times",
@@ -152,9 +146,9 @@ EdgeCheck at_pole(const Known& known, const Form& form, double z) {
             found.is_refused() || (found.ok() && found.growth > 1e6)};
 }
 
-std::vector<EdgeCheck> at_ends(const Known& known, const Form& form) {
+std::vector<EdgeCheck> at_ends(const KnownOscillator& known, const Form& form) {
     constexpr double aside = 1e-6;
-    const LinearStability& stability = *known.certificate.stability;
+    const LinearStability& stability = known.stability;
     std::vector<double> ends;
     for (const StabilityInterval& interval : stability.stable)
         for (const Number* end : {&interval.low, &interval.high}) {
@@ -176,7 +170,7 @@ std::vector<EdgeCheck> at_ends(const Known& known, const Form& form) {
 
 }  // namespace
 
-EdgeChapter stiff(Builds& builds, const std::vector<Method>& methods) {
+EdgeChapter stiff(Builds& builds, const std::vector<ComposedMethod>& methods) {
     EdgeChapter chapter{
         "stiff",
         "Stiff",
@@ -187,19 +181,19 @@ EdgeChapter stiff(Builds& builds, const std::vector<Method>& methods) {
         "of stability (hvi-gen check), and beyond by half its trace, exactly at this z. How far it "
         "may go where it is stable, and how fast it grows where it is not, follow from that map "
         "too. Fixed points contract where z^2 times the spectral radius of A A~ is less than 1: "
-        "they have to converge below 0.7, and to be refused above 1.01. Growth is that of "
+        "they have to converge below 0.7, and to be refused above 1.01; the steps of a composition "
+        "are iterated one by one, and the largest decides. Growth is that of "
         "|(omega q, p)|, cut off at 1e20 in the pictures.",
         {},
         {}};
     Sweeps sweeps(scene_name, "Harmonic oscillator");
-    std::vector<std::pair<Known, std::vector<Form>>> all;
-    for (const Method& method : methods)
-        all.push_back({{certify(method, 1), contraction(derive(method))},
-                       forms(builds, method, edge_scene(scene_name))});
+    std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
+    for (const ComposedMethod& method : methods)
+        all.push_back({known_oscillator(method), forms(builds, method, edge_scene(scene_name))});
     Bar bar;
     double done = 0;
     for (const auto& [known, forms] : all) {
-        bar.show(done++ / static_cast<double>(all.size()), "stiff: " + known.certificate.name);
+        bar.show(done++ / static_cast<double>(all.size()), "stiff: " + known.method);
         for (const Form& form : forms) {
             chapter.checks.push_back(sweep(known, form, sweeps));
             for (EdgeCheck& check : at_ends(known, form))

@@ -3,6 +3,7 @@
 
 #include "generator/emit/text.hpp"
 #include "generator/plan/facts.hpp"
+#include "generator/support/error.hpp"
 #include "generator/support/version.hpp"
 
 namespace hvi::gen {
@@ -109,7 +110,26 @@ std::string one_line(std::string_view command) {
     return "//     " + text;
 }
 
+/// What stands before the command in templates/banner.hpp.in, and where that begins in a header.
+constexpr std::string_view before_command = "to write it again:\n//     ";
+
+std::size_t begin_of_command(const std::string& header) {
+    const std::size_t found = header.find(before_command);
+    HVI_CHECK(found != std::string::npos);
+    return found + before_command.size();
+}
+
 }  // namespace
+
+std::string command_in(const std::string& header) {
+    const std::size_t begin = begin_of_command(header);
+    return header.substr(begin, header.find('\n', begin) - begin);
+}
+
+std::string with_note(std::string header, const std::string& note) {
+    const std::size_t end = header.find('\n', begin_of_command(header));
+    return header.insert(end + 1, "// " + note + "\n");
+}
 
 std::string banner(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     std::string text = fill(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/exact/methods/composed_method.hpp"
 #include "generator/plan/equal.hpp"
 #include "generator/plan/graph.hpp"
 #include "generator/plan/lanes.hpp"
@@ -45,54 +46,6 @@ NumberMatrix transposed(const NumberMatrix& a) {
     return result;
 }
 
-/// m_ij = a_ij / b_j.
-NumberMatrix scaled(const Tableau& tableau) {
-    NumberMatrix m = tableau.A;
-    for (NumberVector& row : m) {
-        for (std::size_t j = 0; j < row.size(); ++j) { row[j] = row[j] / tableau.b[j]; }
-    }
-    return m;
-}
-
-/// The stages of (4.18) before equal ones are merged.
-struct Stages {
-    NumberMatrix m;
-    NumberVector b;
-};
-
-/// Those of the adjoint: a step of size -h, solved for where it begins. Its tableau has b_s+1-i and
-/// b_s+1-j - a_s+1-i,s+1-j (Hairer, Lubich & Wanner, Geometric Numerical Integration, Theorem
-/// V.1.5).
-Stages adjoint(const Stages& stages) {
-    const std::size_t s = stages.b.size();
-    Stages result{NumberMatrix(s), {stages.b.rbegin(), stages.b.rend()}};
-    for (std::size_t i = 0; i < s; ++i) {
-        for (std::size_t j = 0; j < s; ++j) {
-            result.m[i].push_back(Number(1) - stages.m[s - 1 - i][s - 1 - j]);
-        }
-    }
-    return result;
-}
-
-/// Steps of gamma_1 h, gamma_2 h, ... in a row, as one: the stages of each have the slopes of all
-/// steps before it behind them, weighted gamma_k b.
-Stages composed(const Stages& method, const Composition& composition) {
-    const Stages partner = composition.with_adjoint ? adjoint(method) : method;
-    const std::size_t s = method.b.size(), k = composition.steps.size();
-    Stages result;
-    for (std::size_t step = 0; step < k; ++step) {
-        const Stages& own = step % 2 == 0 ? method : partner;
-        for (std::size_t i = 0; i < s; ++i) {
-            result.b.push_back(composition.steps[step] * own.b[i]);
-            NumberVector row(step * s, Number(1));
-            row.insert(row.end(), own.m[i].begin(), own.m[i].end());
-            row.resize(k * s, Number(0));
-            result.m.push_back(std::move(row));
-        }
-    }
-    return result;
-}
-
 /// One value for each distinct row, in the order of their first stages.
 std::vector<StageValue> distinct(const NumberMatrix& rows, const NumberVector& weights) {
     std::vector<StageValue> values;
@@ -120,7 +73,7 @@ std::vector<StageValue> separate(const NumberVector& weights) {
 
 /// NOTE: P_j and P_k agree, a~_ji = a~_ki for all i, exactly when a_ij/b_j = a_ik/b_k, that is when
 /// columns j and k of m agree. So equal stages are merged by striking out rows and columns of m.
-void set_stages(Scheme& scheme, const Stages& stages) {
+void set_stages(Scheme& scheme, const WeightedStages& stages) {
     const auto& [m, b] = stages;
     scheme.positions = scheme.separable ? distinct(m, b) : separate(b);
     scheme.momenta = scheme.separable ? distinct(transposed(m), b) : separate(b);
@@ -402,7 +355,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     Scheme scheme;
     scheme.separable = options.separable;
     scheme.partner = partner(tableau);
-    Stages stages{scaled(tableau), tableau.b};
+    WeightedStages stages = weighted_stages(tableau);
     if (options.composition) {
         stages = composed(stages, *options.composition);
         scheme.decisions.push_back(

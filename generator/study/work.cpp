@@ -39,27 +39,20 @@ public:
         const auto known = points_.find(count);
         if (known != points_.end()) return known->second;
         const auto start = std::chrono::steady_clock::now();
-        const WorkPoint& point = points_.emplace(count, point_of(count, 0)).first->second;
+        const WorkPoint& point =
+            points_.emplace(count, work_point(course_, measure_, count, 0)).first->second;
         last_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return point;
     }
 
     [[nodiscard]] WorkPoint timed(std::int64_t count) const {
-        return point_of(count, seconds_of_timing);
+        return work_point(course_, measure_, count, seconds_of_timing);
     }
 
     /// How long the last run took that had to be made.
     [[nodiscard]] double seconds_of_last() const { return last_; }
 
 private:
-    /// NOTE: also where it stopped early, h is the one that was wished for.
-    [[nodiscard]] WorkPoint point_of(std::int64_t count, double seconds) const {
-        WorkPoint point = work_point(course_, measure_(count, seconds));
-        point.h = course_.until / static_cast<double>(count);
-        point.steps = count;
-        return point;
-    }
-
     const Course& course_;
     const MeasureSteps& measure_;
     std::map<std::int64_t, WorkPoint> points_;
@@ -128,6 +121,15 @@ WorkPoint work_point(const Course& course, const Measurement& run) {
     point.spread = run.spread;
     point.evaluations = run.evaluations;
     if (run.steps > 0) point.iterations = static_cast<double>(run.iterations) / steps;
+    return point;
+}
+
+// NOTE: also where it stopped early, h is the one that was wished for.
+WorkPoint work_point(const Course& course, const MeasureSteps& measure, std::int64_t count,
+                     double seconds) {
+    WorkPoint point = work_point(course, measure(count, seconds));
+    point.h = course.until / static_cast<double>(count);
+    point.steps = count;
     return point;
 }
 

@@ -28,6 +28,10 @@ constexpr double longest_of_search = 0.5;  // seconds: no more work is looked fo
 /// Measures a run in so many equal steps, timed over so many seconds.
 using MeasureSteps = std::function<Measurement(std::int64_t count, double seconds)>;
 
+/// Of so many equal steps until the end of the course.
+[[nodiscard]] WorkPoint work_point(const Course& course, const MeasureSteps& measure,
+                                   std::int64_t count, double seconds);
+
 /// Runs of sizes that are wished for, or else such that errors go from 1e-2 to round-off.
 [[nodiscard]] std::vector<WorkPoint> work_points(const Course& course, const MeasureSteps& measure);
 

@@ -112,6 +112,31 @@ TEST_CASE("gauss:2 does at the edges what it should") {
     CHECK(page.find("src=") == std::string::npos);
 }
 
+TEST_CASE("a composition does at the edges what it should") {
+    const Directory directory;
+    const std::string report = "hvi-gen report --only stiff,extreme,rejections,json "
+                               "--methods stormer-verlet-yoshida:4 harmonic-oscillator -o out";
+    const Outcome result = shell(compiler(directory, "") + report, directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    const json found = json::parse(contents(directory / "out/report.json"));
+    const json extreme = checks_of(found, "extreme");
+    CHECK(find(extreme, "kepler", "e = 0.9999: past").at("expected") ==
+          "errors that fall with order 4");
+    CHECK(find(extreme, "kepler", "e = 0.9999: past")
+              .at("seen")
+              .get<std::string>()
+              .rfind("order 4.0", 0) == 0);
+    CHECK(find(extreme, "kepler", "e = 0.9999: past").at("method") == "stormer-verlet-yoshida:4");
+    const json rejections = checks_of(found, "rejections");
+    CHECK(find(rejections, "harmonic-oscillator", "and back").at("expected") ==
+          "ok, back within 1e-12");
+    const json stiff = checks_of(found, "stiff");
+    // Of the points 10^(-3 + k/8) these are k < 26: see test_oscillation.cpp.
+    CHECK(find(stiff, "harmonic-oscillator", "57 z").at("expected") ==
+          "bounded at 26, growing at 31");
+}
+
 TEST_CASE("a stepper that is wrong is seen to be wrong, in each chapter") {
     const Directory directory;
     // It takes what is not finite, drifts a little far, and loses momentum; in the chain it gains
@@ -197,6 +222,8 @@ TEST_CASE("edges of one's own scene, in its report") {
 
 TEST_CASE("edges of a method that is none") {
     CHECK(hvi_gen({"report", "--edges", "--methods", "gauss:0"}).status == 2);
+    CHECK(hvi_gen({"report", "--edges", "--methods", "gauss:2-yoshida:5"}).status == 2);
+    CHECK(hvi_gen({"report", "--edges", "--methods", "radau-left:2-yoshida:4"}).status == 1);
     CHECK(hvi_gen({"report", "--edges", "no-such-scene"}).status == 2);
     CHECK(hvi_gen({"report", "--only", "work"}).status == 2);
     CHECK(hvi_gen({"report", "--only", "json"}).status == 2);

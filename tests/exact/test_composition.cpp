@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/exact/methods/composed_method.hpp"
 #include "generator/exact/methods/composition.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/read/method.hpp"
@@ -64,4 +65,29 @@ TEST_CASE("what can be composed") {
     CHECK_THROWS_AS(check_composition(named("yoshida:4"), tableau("symplectic-euler")), MathError);
     CHECK_THROWS_AS(check_composition(named("kahan-li:8"), tableau("radau-left:2")), MathError);
     CHECK_THROWS_AS(named("yoshida:5"), InputError);
+}
+
+TEST_CASE("methods by the names that compositions are printed by") {
+    const auto composed = [](const std::string& name) {
+        return composed_method(std::make_shared<const Source>(Source{"--methods", name}));
+    };
+    for (const std::string name :
+         {"gauss:4", "symplectic-euler", "stormer-verlet-yoshida:6", "gauss:2-kahan-li:8",
+          "newton-cotes-open:3-suzuki:4", "adjoint-symplectic-euler-blanes-moan:6"})
+        CHECK(composed(name).name() == name);
+    CHECK(composed("stormer-verlet").parts() == 1);
+    CHECK(composed("gauss:2-kahan-li:8").parts() == 17);
+    const auto message_of = [&](const std::string& name) {
+        try {
+            static_cast<void>(composed(name));
+            return std::string();
+        } catch (const Error& error) { return message(error); }
+    };
+    CHECK(message_of("gauss:2-kahan-li:9") == "error: there is no composition `kahan-li:9`\n"
+                                              "  --methods: kahan-li:9\n"
+                                              "             ^~~~~~~~~~\n"
+                                              "help: did you mean `kahan-li:8`?\n");
+    CHECK(message_of("stormer-verlte").find("did you mean `stormer-verlet`?") != std::string::npos);
+    CHECK(message_of("radau-left:2-yoshida:4").find("\n  --methods: radau-left:2-yoshida:4\n") !=
+          std::string::npos);
 }

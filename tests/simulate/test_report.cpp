@@ -138,6 +138,24 @@ TEST_CASE("errors against a reference solution, with steps that are chosen") {
         CHECK(html.find(outside) == std::string::npos);
 }
 
+TEST_CASE("compositions are measured by the names that they are printed by") {
+    use_cache();
+    const Directory directory;
+    const Json json = report(
+        {"--steps", "1/2, 1/3, 1/5, 1/8, 1/12", "--until", "20", "--only", "json,work", "--methods",
+         "stormer-verlet-blanes-moan:6, gauss:2-yoshida:6, stormer-verlet", "pendulum"},
+        directory);
+    const Json& methods = json["scenes"][0]["methods"];
+    REQUIRE(methods.size() == 3);
+    CHECK(methods[0]["name"] == "stormer-verlet-blanes-moan:6");
+    CHECK(methods[1]["name"] == "gauss:2-yoshida:6");
+    for (const std::size_t i : {0, 1}) {
+        CHECK(methods[i]["order"] == 6);
+        CHECK(order_of(methods[i]["points"]) == Approx(6).margin(0.4));
+    }
+    CHECK(methods[2]["order"] == 2);
+}
+
 TEST_CASE("a point that fails has a status and no error") {
     use_cache();
     const Directory directory;
@@ -166,6 +184,9 @@ TEST_CASE("reports that cannot be") {
     CHECK(status({"report", "kepler", "--methods", "gauss:65"}) == 2);
     CHECK(status({"report", "kepler", "--methods", "gauss:2,,gauss:3"}) == 2);
     CHECK(status({"report", "kepler", "--methods", ""}) == 2);
+    CHECK(status({"report", "kepler", "--methods", "midpoint-yoshida"}) == 2);
+    CHECK(status({"report", "kepler", "--methods", "gauss:16-kahan-li:8"}) == 2);
+    CHECK(status({"report", "kepler", "--methods", "symplectic-euler-yoshida:4"}) == 1);
     CHECK(status({"report", "kepler", "--steps", "1/10,w"}) == 2);
     CHECK(status({"report", "kepler", "--steps", "0"}) == 1);
     CHECK(status({"report", "kepler", "--steps", "-1/10"}) == 1);

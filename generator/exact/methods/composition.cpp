@@ -139,21 +139,22 @@ std::string composed_name(const std::string& method,
     return method.empty() ? composition->name : method + "-" + composition->name;
 }
 
-void check_composition(const Composition& composition, const Tableau& tableau) {
+void check_composition(const Composition& composition, const Tableau& tableau,
+                       const std::optional<Place>& place) {
     if (!tableau.parameters.empty()) {
-        throw InputError("compositions of methods with a free parameter are not built", {},
+        throw InputError("compositions of methods with a free parameter are not built", place,
                          "give it a value: --param " + tableau.parameters.front() + "=1");
     }
     const std::size_t most = most_stages / composition.steps.size();
     if (tableau.stages() > most) {
         throw InputError(std::to_string(composition.steps.size()) + " steps of " +
                              std::to_string(tableau.stages()) + " stages are not built as one",
-                         {}, "compose a method of at most " + std::to_string(most) + " stages");
+                         place, "compose a method of at most " + std::to_string(most) + " stages");
     }
     if (composition.with_adjoint || is_symmetric(tableau).holds) { return; }
     throw MathError(composition.name + " makes order " + std::to_string(composition.order) +
                         " of symmetric methods, and this one is not its own adjoint",
-                    {}, "stormer-verlet is, or midpoint; blanes-moan:6 takes any method");
+                    place, "stormer-verlet is, or midpoint; blanes-moan:6 takes any method");
 }
 
 Composition named_composition(const std::shared_ptr<const Source>& name) {

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/algebra/polynomial_in_square.hpp"
+#include "generator/exact/methods/composition.hpp"
 #include "generator/exact/methods/even_map.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
@@ -79,6 +81,42 @@ Verdict has_determinant_one(const EvenMap& map, PolynomialArithmetic& arithmetic
     return verdict;
 }
 
+/// The polynomials in t of a map. Where they are not rational, in enclosures: products of exact
+/// ones would take minutes.
+EvenMap even_map(const OscillatorMap& map) {
+    EvenMap result{even(map.m11), odd(map.m12), odd(map.m21), even(map.m22), even(map.D)};
+    for (NumberPolynomial* entry :
+         {&result.m11, &result.m12, &result.m21, &result.m22, &result.D}) {
+        if (!over_rationals(*entry)) { *entry = without_closed_form(*entry); }
+    }
+    return result;
+}
+
+/// P(factor t)
+NumberPolynomial stretched(NumberPolynomial polynomial, const Number& factor) {
+    Number power(1);
+    for (Number& coefficient : polynomial) {
+        coefficient = coefficient * power;
+        power = power * factor;
+    }
+    return polynomial;
+}
+
+/// A step of gamma h.
+EvenMap stretched(const EvenMap& map, const Number& gamma) {
+    const auto all = [&](const NumberPolynomial& entry) { return stretched(entry, gamma * gamma); };
+    return {all(map.m11), all(map.m12) * gamma, all(map.m21) * gamma, all(map.m22), all(map.D)};
+}
+
+/// First `right`, then `left`.
+EvenMap product(const EvenMap& left, const EvenMap& right) {
+    return {sum(product(left.m11, right.m11), shifted(product(left.m12, right.m21))),
+            sum(product(left.m11, right.m12), product(left.m12, right.m22)),
+            sum(product(left.m21, right.m11), product(left.m22, right.m21)),
+            sum(shifted(product(left.m21, right.m12)), product(left.m22, right.m22)),
+            product(left.D, right.D)};
+}
+
 OscillatorMap completed(EvenMap map, PolynomialArithmetic arithmetic) {
     const bool parameters = has_parameters(map);
     if (!parameters) { divide_by_common(map, arithmetic); }
@@ -111,6 +149,20 @@ OscillatorMap oscillator_map(const PartitionedMethod& method) {
     PolynomialArithmetic arithmetic;
     EvenMap map = even_map(method, arithmetic);
     return completed(std::move(map), arithmetic);
+}
+
+// With determinant 1 the inverse of the step with -z, the adjoint, has m11 and m22 exchanged.
+OscillatorMap composed(const OscillatorMap& method, const Composition& composition) {
+    const EvenMap own = even_map(method);
+    EvenMap adjoint = own;
+    std::swap(adjoint.m11, adjoint.m22);
+    EvenMap map{{Number(1)}, {}, {}, {Number(1)}, {Number(1)}};
+    bool is_adjoint = false;
+    for (const Number& gamma : composition.steps) {
+        map = product(stretched(is_adjoint ? adjoint : own, gamma), map);
+        is_adjoint = composition.with_adjoint && !is_adjoint;
+    }
+    return completed(std::move(map), {});
 }
 
 bool takes_long(const PartitionedMethod& method) {

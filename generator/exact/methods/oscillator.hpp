@@ -7,6 +7,8 @@
 
 namespace hvi::gen {
 
+struct Composition;
+
 /// One step of the method (4.18) for H = (p^2 + omega^2 q^2)/2 with z = h omega takes
 /// x = (omega q, p) to 1/D (m11 m12; m21 m22) x. D, m11 and m22 are even in z, m12 and m21 odd.
 struct OscillatorMap {
@@ -25,6 +27,10 @@ struct OscillatorMap {
 
 /// The same for any coefficients: with weights b~ of its own, p1 takes these.
 [[nodiscard]] OscillatorMap oscillator_map(const PartitionedMethod& method);
+
+/// That of steps of a method in a row, whose z are gamma_1 z, gamma_2 z, ...: as exact as the map
+/// of the method. Precondition: this has determinant 1.
+[[nodiscard]] OscillatorMap composed(const OscillatorMap& method, const Composition& composition);
 
 /// Whether this map, or linear stability by it, is a matter of minutes.
 [[nodiscard]] bool takes_long(const PartitionedMethod& method);

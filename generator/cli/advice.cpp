@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "generator/cli/method.hpp"
+#include "generator/cli/run_wishes.hpp"
+#include "generator/study/advice.hpp"
+#include "generator/study/path_to_accuracy.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// NOTE: a scene is read with a method, whose symbols its own must not be; this one has none.
+Scene scene_of(const AccuracyQuestion& question) {
+    MethodOptions any;
+    any.name = "gauss:2";
+    any.parameters = question.parameters;
+    return read_scene(any, question.system).scene;
+}
+
+std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }
+
+/// Why there is no run at the accuracy: there was no hope, or no help in smaller steps.
+std::string why_not(const WorkCurve& curve, double accuracy, double seconds) {
+    if (!next_count(curve, accuracy)) return "does not get there";
+    const double predicted = predicted_seconds(curve, accuracy);
+    return fmt::format("dropped: {:.0f} times or so", predicted / seconds);
+}
+
+std::string row(const WorkCurve& curve, Solver solver, double accuracy, double seconds) {
+    const auto there = cheapest(curve, accuracy);
+    WorkPoint point = there.value_or(curve.points.back());
+    const std::string remark = there ? fmt::format("{:.2f} times", point.seconds / seconds)
+                                     : why_not(curve, accuracy, seconds);
+    return fmt::format("  {:<29} {:<12} {:<10.4g} {:>9} {:>8.1e} {:>9}  {}\n", curve.name,
+                       text(solver), point.h, point.steps, point.error,
+                       point.seconds > 0 ? duration(point.seconds) : "", remark);
+}
+
+/// By rising time.
+std::string table(const Advice& advice, double accuracy) {
+    std::string rows = fmt::format("  {:<29} {:<12} {:<10} {:>9} {:>8} {:>9}\n", "method", "solver",
+                                   "h", "steps", "error", "time");
+    std::vector<std::size_t> order(advice.curves.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        const auto a = cheapest(advice.curves[i], accuracy),
+                   b = cheapest(advice.curves[j], accuracy);
+        return a && (!b || a->seconds < b->seconds);
+    });
+    for (const std::size_t i : order)
+        rows += row(advice.curves[i], advice.candidates[i].solver, accuracy, advice.point.seconds);
+    return rows;
+}
+
+/// Of a quotient: `200`, or `(2*pi)`.
+std::string factor(const Expression& expression) {
+    const std::string text = to_text(expression);
+    return text.find_first_of("+-*/") == std::string::npos ? text : "(" + text + ")";
+}
+
+}  // namespace
+
+AdvisedOptions advised(const AccuracyQuestion& question) {
+    constexpr std::int64_t steps_of_unsaid_size = 100;
+    const Scene scene = scene_of(question);
+    const NamedExpression until = wish(scene, question.until, scene.run.until, "until");
+    const std::int64_t count =
+        scene.run.step ? steps_until(scene, *scene.run.step, until).count : steps_of_unsaid_size;
+    const double end = nearest_value(scene, until), accuracy = question.accuracy;
+
+    Builds builds(find_compiler());
+    const Advice found = advice(
+        builds, scene, {accuracy, end, std::max<std::int64_t>(1, count), question.has_curve});
+    const Candidate& chosen = found.candidates[found.chosen];
+    const std::string step = fmt::format("{}/{}", factor(until.expression), found.point.steps);
+    const std::string note = fmt::format(
+        "advised for an error of {} at t = {}: steps of {} = {:.6g}, with an error of {:.2e}",
+        accuracy, end, step, found.point.h, found.point.error);
+    std::fputs(fmt::format("errors of at most {} on {} at t = {}, beside {}{}\n{}", accuracy,
+                           scene.name, end, found.reference.kind,
+                           found.reference.kind == "exact" ? " values" : "", table(found, accuracy))
+                   .c_str(),
+               stderr);
+    return {chosen.method.method.name,          chosen.solver, chosen.method.composition,
+            {found.point.h, found.point.steps}, step,          note};
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,37 @@
+// `--accuracy`: the method and the step that take a scene to its end with an error of at most that.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "generator/cli/options.hpp"
+#include "generator/exact/functions/step_count.hpp"
+
+namespace hvi::gen {
+
+/// What `--accuracy` is asked of.
+struct AccuracyQuestion {
+    std::vector<std::string> parameters;  ///< of the scene: `mu=2`
+    SystemOptions system;                 ///< a scene
+    std::optional<std::string> until;     ///< in place of the scene's
+    double accuracy = 0;
+    bool has_curve = false;  ///< of the steps, which compositions have not
+};
+
+/// In place of options that are not given.
+struct AdvisedOptions {
+    std::string method;
+    Solver solver = Solver::automatic;
+    std::optional<Composition> composition;
+    Steps steps{};
+    std::string step;  ///< exactly, as `--step` takes it: `200/1123`
+    std::string note;  ///< what it is for, in a line
+};
+
+/// Measures, and says on standard error what was measured and chosen. Throws what advice() does.
+/// Precondition: interruptions are held.
+[[nodiscard]] AdvisedOptions advised(const AccuracyQuestion& question);
+
+}  // namespace hvi::gen

@@ -1,0 +1,45 @@
+// Which method takes a scene to an accuracy in the least time, and in which steps.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/exact/methods/composed_method.hpp"
+#include "generator/plan/scheme.hpp"
+#include "generator/program/builds.hpp"
+#include "generator/read/scene.hpp"
+#include "generator/study/curves.hpp"
+
+namespace hvi::gen {
+
+/// A way to make steps.
+struct Candidate {
+    ComposedMethod method;
+    Solver solver = Solver::automatic;
+};
+
+/// What is asked for.
+struct AdviceWishes {
+    double accuracy = 0;           ///< the largest error at the end, relative as in a report
+    double until = 0;              ///< the time at the end
+    std::int64_t first_count = 1;  ///< steps to begin with
+    bool has_curve = false;        ///< steps are to have a curve, as those of compositions have not
+};
+
+struct Advice {
+    std::vector<Candidate> candidates;
+    std::vector<WorkCurve> curves;  ///< of each the runs that were made
+    std::size_t chosen = 0;
+    WorkPoint point;  ///< of the chosen one, at that accuracy
+    Reference reference;
+};
+
+/// Compiles all candidates, runs them, and says on standard error what it is at, where that is a
+/// terminal. Throws MathError where none gets there, or nothing is known so well as to tell; and
+/// what scene_stepper(), a Build and ask() do.
+[[nodiscard]] Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes);
+
+}  // namespace hvi::gen

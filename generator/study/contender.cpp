@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/study/contender.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "generator/exact/functions/start.hpp"
+#include "generator/exact/methods/order.hpp"
+#include "generator/simulate/simulation.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr int highest_order = 16;  // that is looked for
+constexpr const char* reference_method = "gauss:10";
+
+}  // namespace
+
+Contender contender(Builds& builds, const ComposedMethod& method, const Scene& scene,
+                    Solver solver) {
+    SceneStepper stepper =
+        scene_stepper(method.method, scene, simulation_wishes(solver, method.composition));
+    check_simulation(stepper);
+    const int order =
+        composed_order(orders(stepper.tableau, highest_order).general.order, method.composition);
+    Build build = builds.order(simulation_program(stepper));
+    return {std::move(stepper), order, std::move(build)};
+}
+
+MeasureSteps measured(const Contender& contender, double until) {
+    return [build = contender.build, until](std::int64_t count, double seconds) {
+        return measure(built(build), {until / static_cast<double>(count), count}, seconds);
+    };
+}
+
+Build reference_build(Builds& builds, const Scene& scene) {
+    if (!scene.exact.empty()) return {};
+    const auto name = std::make_shared<const Source>(Source{"--method", reference_method});
+    return builds.order(reference_program(scene_stepper(
+        named_method(name), scene, {.solver = Solver::fixed_point, .float128 = true})));
+}
+
+Reference reference(const Build& build, const Scene& scene, double until, std::int64_t count,
+                    double wanted) {
+    constexpr double seconds = 30;
+    // Of so high an order, larger steps than the scene's may do.
+    const std::int64_t begin = std::max<std::int64_t>(1, count / 16);
+    if (!scene.exact.empty()) return {"exact", 0, exact_state(scene, until)};
+    const ReferenceSolution found = find_reference(built(build), until, begin, wanted, seconds);
+    if (found.state.empty())
+        throw MathError(
+            fmt::format("there is no reference solution: {} in {} bits does not come to "
+                        "the end",
+                        reference_method, found.bits),
+            {}, "give the scene an [exact] solution, or another end by `until`");
+    return {fmt::format("{} in {} bits", reference_method, found.bits), found.error, found.state};
+}
+
+}  // namespace hvi::gen

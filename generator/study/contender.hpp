@@ -1,0 +1,36 @@
+// Methods that are measured on a scene, and the solution that they are measured against.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "generator/exact/methods/composed_method.hpp"
+#include "generator/program/builds.hpp"
+#include "generator/read/scene.hpp"
+#include "generator/study/work.hpp"
+
+namespace hvi::gen {
+
+/// A method on a scene, ready to run.
+struct Contender {
+    SceneStepper stepper;
+    int order;
+    Build build;
+};
+
+/// Throws what scene_stepper() does.
+[[nodiscard]] Contender contender(Builds& builds, const ComposedMethod& method, const Scene& scene,
+                                  Solver solver);
+
+/// Measures its runs, until the time of the course.
+[[nodiscard]] MeasureSteps measured(const Contender& contender, double until);
+
+/// The program of a reference solution, where the scene has none that is exact.
+[[nodiscard]] Build reference_build(Builds& builds, const Scene& scene);
+
+/// The scene's exact solution at its end, or one by that program, with steps halved until the end
+/// moves by no more than `wanted`, or for half a minute. `count` are the scene's own steps.
+[[nodiscard]] Reference reference(const Build& build, const Scene& scene, double until,
+                                  std::int64_t count, double wanted);
+
+}  // namespace hvi::gen
