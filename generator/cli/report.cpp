@@ -123,6 +123,8 @@ void write(const Report& report, const ReportOptions& options, const fs::path& d
     if (options.json) write_file(directory / "report.json", report_json(report));
     if (options.csv && !report.scenes.empty())
         write_file(directory / "report.csv", report_csv(report));
+    if (options.csv && !report.scenes.empty())
+        write_file(directory / "times.csv", times_csv(report));
     if (options.csv && !report.edges.empty())
         write_file(directory / "edges.csv", edges_csv(report));
     if (!options.html && !options.svg) return;

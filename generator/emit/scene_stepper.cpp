@@ -43,9 +43,12 @@ void check_solver(const Scheme& scheme, const Scene& scene) {
 void check_lanes(const Scheme& scheme, Lanes wished) {
     if (wished != Lanes::stages) return;
     const std::string obstacle = obstacle_to_stage_lanes(scheme);
-    if (!obstacle.empty())
-        throw InputError("no lanes for the stages of this method on this H: " + obstacle, {},
-                         "without --lanes they are used where they can be");
+    if (obstacle.empty()) return;
+    const std::string word = "stages";
+    throw InputError(
+        "no lanes for the stages of this method on this H: " + obstacle,
+        Place{std::make_shared<const Source>(Source{"--lanes", word}), {0, word.size()}},
+        "without --lanes they are used where they can be");
 }
 
 /// The method, and the curve of its steps where that is asked for.

@@ -27,7 +27,7 @@ std::string obstacle_to_stage_lanes(const Scheme& scheme) {
         return "they are built for fixed points, and for these and Newton's method in turn";
     }
     if (!all_are_solved_for(scheme.positions) || !all_are_solved_for(scheme.momenta)) {
-        return "some stages are the state itself";
+        return "some stages are equal, or the state itself";
     }
     return scheme.positions.size() < 2 ? "there is one stage" : "";
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "generator/report/render.hpp"
+#include "generator/study/time_to_accuracy.hpp"
 
 namespace hvi::gen {
 
@@ -43,6 +44,21 @@ std::string report_csv(const Report& report) {
                     point.seconds > 0 ? cell(point.seconds) : "",
                     point.seconds > 0 ? cell(point.spread) : "", point.evaluations,
                     point.iterations, quoted(point.status));
+    return text + remarks(report);
+}
+
+std::string times_csv(const Report& report) {
+    const auto cells = [](const std::optional<Quickest>& found) {
+        return found ? fmt::format("{},{}", quoted(found->method), found->seconds) : ",";
+    };
+    std::string text = "scene,accuracy,method,seconds,peer,peer_seconds,ratio\n";
+    for (const SceneReport& scene : report.scenes)
+        for (const TimeToAccuracy& time : times_to_accuracies(scene))
+            text += fmt::format("{},{},{},{},{}\n", quoted(scene.name), time.accuracy,
+                                cells(time.own), cells(time.peer),
+                                time.own && time.peer
+                                    ? fmt::format("{:.2f}", time.peer->seconds / time.own->seconds)
+                                    : "");
     return text + remarks(report);
 }
 

@@ -7,6 +7,7 @@
 #include "generator/emit/text.hpp"
 #include "generator/report/markup.hpp"
 #include "generator/report/render.hpp"
+#include "generator/study/time_to_accuracy.hpp"
 
 namespace hvi::gen {
 
@@ -51,6 +52,31 @@ std::string table(const SceneReport& scene) {
     return text + "</table></div>\n";
 }
 
+std::string cells(const std::optional<Quickest>& found) {
+    if (!found) return "<td>-</td><td>-</td>";
+    return fmt::format("<td>{}</td><td>{:.3g}</td>", escaped(found->method), 1e3 * found->seconds);
+}
+
+/// What is there first. Other libraries have columns where they were measured.
+std::string table_of_times(const SceneReport& scene) {
+    bool has_peers = false;
+    for (const WorkCurve& curve : scene.curves) has_peers = has_peers || curve.is_peer;
+    std::string text =
+        "<div class=\"scroll\"><table>\n<tr><th>error at most</th><th>fastest</th><th>ms</th>";
+    if (has_peers) text += "<th>of other libraries</th><th>ms</th><th>times as long</th>";
+    text += "</tr>\n";
+    for (const TimeToAccuracy& time : times_to_accuracies(scene)) {
+        text += fmt::format("<tr><td>{:.0e}</td>{}", time.accuracy, cells(time.own));
+        const bool both = time.own && time.peer;
+        if (has_peers)
+            text += fmt::format("{}<td>{}</td>", cells(time.peer),
+                                both ? fmt::format("{:.2f}", time.peer->seconds / time.own->seconds)
+                                     : "-");
+        text += "</tr>\n";
+    }
+    return text + "</table></div>\n";
+}
+
 std::string reference(const SceneReport& scene) {
     const Reference& reference = scene.reference;
     if (reference.kind == "exact") return "the exact solution of the scene";
@@ -72,7 +98,7 @@ std::string section(const SceneReport& scene, const std::vector<Picture>& pictur
                     escaped(scene.description), scene.description.empty() ? "" : ". ", scene.until,
                     escaped(reference(scene)));
     for (const Picture& picture : pictures) text += inlined(picture.svg) + "\n";
-    return text + table(scene);
+    return text + table_of_times(scene) + table(scene);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/report/render.hpp"
+#include "generator/study/time_to_accuracy.hpp"
 
 namespace hvi::gen {
 
@@ -31,13 +32,28 @@ Json json_of(const WorkCurve& curve) {
             {"points", std::move(points)}};
 }
 
+Json json_of(const std::optional<Quickest>& found) {
+    if (!found) return nullptr;
+    return {{"name", found->method}, {"seconds", found->seconds}};
+}
+
+Json json_of(const TimeToAccuracy& time) {
+    return {{"error", time.accuracy},
+            {"fastest", json_of(time.own)},
+            {"fastest_peer", json_of(time.peer)}};
+}
+
 Json json_of(const SceneReport& scene) {
+    Json times = Json::array();
+    for (const TimeToAccuracy& time : times_to_accuracies(scene)) times.push_back(json_of(time));
+
     Json methods = Json::array();
     for (const WorkCurve& curve : scene.curves) methods.push_back(json_of(curve));
     return {{"name", scene.name},
             {"until", scene.until},
             {"reference", {{"kind", scene.reference.kind}, {"error", scene.reference.error}}},
-            {"methods", std::move(methods)}};
+            {"methods", std::move(methods)},
+            {"times", std::move(times)}};
 }
 
 Json json_of(const EdgeCheck& check) {

@@ -14,6 +14,10 @@ namespace hvi::gen {
 /// A row for each point.
 [[nodiscard]] std::string report_csv(const Report& report);
 
+/// A row for each scene and accuracy: the fastest method, the fastest of other libraries, and how
+/// many times faster it is.
+[[nodiscard]] std::string times_csv(const Report& report);
+
 /// A row for each case at the edges.
 [[nodiscard]] std::string edges_csv(const Report& report);
 

@@ -42,6 +42,8 @@ public:
 
         bool reused = reusable;
         Scalar last_change = 0;
+        Scalar smallest_change = infinity<Scalar>;
+        int stalls = 0;  // corrections in a row that were not smaller than all before
         for (int iteration = 1; iteration <= most_iterations; ++iteration) {
             equations_.correct(coupled);
             switch (round_off_.template judge<Coupled::has_q, Coupled::has_p>(coupled.s.change,
@@ -56,6 +58,11 @@ public:
             const bool contracts = iteration == 1 || 4 * change <= last_change;
             last_change = change;
             if (!falls && change <= rounding) { return Status(Status::Code::ok, iteration); }
+            stalls = change < smallest_change ? 0 : stalls + 1;
+            smallest_change = change < smallest_change ? change : smallest_change;
+            if (stalls >= patience && change <= noise) {
+                return Status(Status::Code::ok, iteration);
+            }
             if (contracts || change <= well) { continue; }
             if (reused) { equations_.begin(coupled); }
             factored_ =
@@ -76,6 +83,10 @@ private:
     // To end at the first one below 4 epsilon, or where the rate of contraction promised a
     // next one below 2^-58, made the energy of Kepler's problem drift.
     static constexpr Scalar rounding = 128 * epsilon<Scalar>;
+    // Components that are small beside those they are coupled with may be left with more than that:
+    // after so many corrections that got no smaller, those below this part are rounding as well.
+    static constexpr int patience = 6;
+    static constexpr Scalar noise = power_of_two<Scalar>(-3 * bits<Scalar> / 4);
     // So near to the solution any contraction does: with half of the digits and some more.
     static constexpr Scalar well = power_of_two<Scalar>(-4 * bits<Scalar> / 7);
 

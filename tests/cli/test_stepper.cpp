@@ -12,7 +12,8 @@ TEST_CASE("no option of stepper swallows the scene behind it") {
         {"--invariants"},        {"--dense"},
         {"--float128"},          {"--solver", "newton"},
         {"--explain"},           {"--name", "K"},
-        {"--method", "gauss:4"}, {"--compose", "yoshida:4"}};
+        {"--method", "gauss:4"}, {"--compose", "yoshida:4"},
+        {"--lanes", "none"}};
     for (const auto& options : lines) {
         const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
         INFO(outcome.err);
@@ -23,6 +24,47 @@ TEST_CASE("no option of stepper swallows the scene behind it") {
         CHECK(outcome.out.find("\nusing " + name + " = Basic" + name + "<double>;\n") !=
               std::string::npos);
     }
+}
+
+TEST_CASE("stages stand side by side where they can") {
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const auto header = [&](const std::string& method, const std::string& scene,
+                            const std::vector<std::string>& options) {
+        return hvi_gen(with({"stepper", "--method", method, scene}, options));
+    };
+    const std::string lanes = same_every_time(
+        {"stepper", "--method", "gauss:3", "kepler", "--lanes", "stages", "--explain"});
+    CHECK(has(lanes, "hvi::detail::VelocityLanes<Vector, stages> s_;"));
+    CHECK(has(lanes, "hvi-gen stepper --method gauss:3 kepler --lanes stages\n"));
+    CHECK(has(header("gauss:3", "kepler", {}).out, "VelocityLanes"));
+    CHECK(
+        has(header("gauss:2", "point-vortices", {}).out, "hvi::detail::StageLanes<Vector, 2> s_;"));
+    CHECK_FALSE(has(header("gauss:3", "kepler", {"--lanes", "none"}).out, "Lanes"));
+    const std::vector<std::pair<std::vector<std::string>, std::string>> obstacles = {
+        {{"stormer-verlet", "kepler"}, "each stage of an explicit method needs the one before"},
+        {{"gauss:2", "harmonic-oscillator"}, "a step is one linear map"},
+        {{"midpoint", "kepler"}, "there is one stage"},
+        {{"lobatto:3", "kepler"}, "the stages are not solved for all at once"},
+        {{"gauss:2", "kepler", "--solver", "newton"}, "they are built for fixed points"},
+        {{"gauss:2", "kepler", "--compose", "yoshida:4"}, "not solved for all at once"}};
+    for (const auto& [words, obstacle] : obstacles) {
+        const std::vector<std::string> options(words.begin() + 2, words.end());
+        INFO(obstacle);
+        CHECK_FALSE(has(header(words[0], words[1], options).out, "Lanes"));
+        const Outcome refused = header(words[0], words[1], with(options, {"--lanes", "stages"}));
+        CHECK(refused.status == 2);
+        CHECK(has(refused.err, obstacle));
+        CHECK(has(refused.err, "^~~~~~"));
+        CHECK(refused.out.empty());
+    }
+    const Outcome unknown = header("gauss:2", "kepler", {"--lanes", "stage"});
+    CHECK(unknown.status == 2);
+    CHECK(has(unknown.err, "stages"));
+    const Outcome of_user = hvi_gen({"stepper", "--method", "gauss:2", "--lanes", "stages"});
+    CHECK(of_user.status == 2);
+    CHECK(has(of_user.err, "--lanes needs a scene or --hamiltonian"));
 }
 
 TEST_CASE("a stepper of a scene has what was asked for and no more") {
@@ -36,14 +78,14 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK_FALSE(has(plain, "energy("));
     CHECK_FALSE(has(plain, "angular_momentum("));
     CHECK(has(plain, "using Solver = hvi::Automatic<hvi::NewtonOfPositions>;"));
-    CHECK_FALSE(has(plain, "position("));
+    CHECK_FALSE(has(plain, "Vector position("));
     CHECK_FALSE(has(plain, "curve"));
     const std::string all =
         hvi_gen(with(words, {"--energy", "--invariants", "--solver", "newton"})).out;
     CHECK(has(all, "Scalar energy(const State& x) const"));
     CHECK(has(all, "Scalar angular_momentum(const State& x) const"));
     CHECK(has(all, "using Solver = hvi::NewtonOfPositions;"));
-    CHECK_FALSE(has(all, "position("));
+    CHECK_FALSE(has(all, "Vector position("));
     const std::string fixed = same_every_time(with(words, {"--solver", "fixed-point"}));
     CHECK(has(fixed, "using Solver = hvi::FixedPoint;"));
     CHECK_FALSE(has(fixed, "d2Hdq2"));
@@ -75,7 +117,8 @@ TEST_CASE("--float128 changes whose functions are called, and nothing without it
     const auto has = [](const std::string& text, const std::string& part) {
         return text.find(part) != std::string::npos;
     };
-    const std::vector<std::string> pendulum = {"stepper", "--method", "gauss:2", "pendulum"};
+    const std::vector<std::string> pendulum = {"stepper",  "--method", "gauss:2",
+                                               "pendulum", "--lanes",  "none"};
     const std::string plain = hvi_gen(pendulum).out;
     CHECK(has(plain, "std::sin("));
     CHECK(has(plain, "is_standard<Number>"));
@@ -85,7 +128,7 @@ TEST_CASE("--float128 changes whose functions are called, and nothing without it
     CHECK(has(wide, "hvi::math::sin("));
     CHECK(has(wide, "#include <hvi/math.hpp>"));
     CHECK(has(wide, "hvi::math::computes_in<Number>"));
-    CHECK(has(wide, "hvi-gen stepper --method gauss:2 pendulum --float128\n"));
+    CHECK(has(wide, "hvi-gen stepper --method gauss:2 pendulum --lanes none --float128\n"));
     CHECK_FALSE(has(wide, "std::sin("));
     const std::string linear =
         hvi_gen({"stepper", "--method", "gauss:2", "harmonic-oscillator", "--float128"}).out;

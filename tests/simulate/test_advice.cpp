@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/study/path_to_accuracy.hpp"
+#include "generator/study/time_to_accuracy.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/simulate/cache.hpp"
 
@@ -119,6 +120,43 @@ TEST_CASE("what has no hope is not followed") {
     CHECK_FALSE(is_hopeless(begun({16, 20, 1e-15, 100}, 1000), 1e-6, best));
     // Where no run comes to the end nothing is known.
     CHECK_FALSE(is_hopeless(begun({2, 20, 0, 1, 1000}, 100), 1e-8, best));
+}
+
+TEST_CASE("the time to an accuracy is on the line between two runs") {
+    // Order 4: a tenth of a thousandth of the error takes ten times the steps.
+    const Model model{4, 1.0, 0, 1, 100};
+    WorkCurve curve;
+    CHECK_FALSE(seconds_to(curve, 1e-4));
+    add_point(curve, model.run(10));  // it does not come to the end
+    CHECK_FALSE(seconds_to(curve, 1e-4));
+    add_point(curve, model.run(100));    // 1e-8
+    add_point(curve, model.run(10000));  // 1e-16
+    CHECK(*seconds_to(curve, 1e-4) == Approx(1e-4).epsilon(1e-12));
+    CHECK(*seconds_to(curve, 1e-8) == Approx(1e-4).epsilon(1e-12));
+    CHECK(*seconds_to(curve, 1e-12) == Approx(1e-3).epsilon(1e-12));
+    CHECK_FALSE(seconds_to(curve, 1e-17));
+}
+
+TEST_CASE("methods and those of other libraries are told apart") {
+    SceneReport scene;
+    const auto add = [&](const std::string& name, double cost, bool is_peer) {
+        WorkCurve& curve = scene.curves.emplace_back();
+        curve.name = name;
+        curve.is_peer = is_peer;
+        for (const int steps : {1, 10, 100, 1000, 10000})
+            add_point(curve, Model{4, 1.0, 1e-9, cost}.run(steps));
+    };
+    add("slow", 3, false);
+    add("fast", 2, false);
+    add("theirs", 1, true);
+    const auto times = times_to_accuracies(scene);
+    REQUIRE(times.size() == 3);
+    CHECK(times[0].own->method == "fast");
+    CHECK(times[0].own->seconds == Approx(2e-5).epsilon(1e-12));
+    CHECK(times[0].peer->method == "theirs");
+    CHECK(times[1].own->seconds == Approx(2e-4).epsilon(1e-12));
+    CHECK_FALSE(times[2].own);  // the floor is at 1e-9
+    CHECK_FALSE(times[2].peer);
 }
 
 TEST_CASE("stepper --accuracy writes the header of the method that it advises") {

@@ -110,10 +110,15 @@ TEST_CASE("errors against a reference solution, with steps that are chosen") {
             CHECK(counted == Approx(stages * sweeps).epsilon(0.35));
         }
     }
-    const std::vector<std::string> files{"kepler-1-time.svg",   "kepler-2-evaluations.svg",
-                                         "kepler-3-energy.svg", "kepler-4-invariants.svg",
-                                         "report.csv",          "report.html",
-                                         "report.json",         "edges.csv"};
+    const std::vector<std::string> files{"kepler-1-time.svg",
+                                         "kepler-2-evaluations.svg",
+                                         "kepler-3-energy.svg",
+                                         "kepler-4-invariants.svg",
+                                         "report.csv",
+                                         "report.html",
+                                         "report.json",
+                                         "edges.csv",
+                                         "times.csv"};
     for (const std::string& file : files) CHECK(!contents(directory / ("out/" + file)).empty());
     const std::string csv = contents(directory / "out/report.csv");
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 2 * 8);
