@@ -15,24 +15,6 @@ namespace {
 
 using Kind = StageNode::Kind;
 
-/// NOTE: in an explicit scheme for separable H every m_ij is 0 or 1, since one that is neither
-/// makes Q_i and P_j depend on each other. So each stage value is the one before it plus one slope:
-/// p -= h b dH/dq and q += h b dH/dp in turn, in the order of the blocks.
-struct Move {
-    bool kick;          // of p, else a drift of q
-    std::size_t index;  // of the slope
-};
-
-std::vector<Move> moves(const Scheme& scheme) {
-    std::vector<Move> result;
-    for (const Block& block : scheme.blocks) {
-        const StageNode node = block.nodes.front();
-        if (node.kind == Kind::Lp) { result.push_back({true, node.index}); }
-        if (node.kind == Kind::Lq) { result.push_back({false, node.index}); }
-    }
-    return result;
-}
-
 /// What kicks and drifts call their things.
 struct Names {
     std::string_view moved;  // p
@@ -161,22 +143,6 @@ std::string moves_text(const Scheme& scheme) {
     return writer.str();
 }
 
-std::string weights_text(const Scheme& scheme) {
-    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
-    Writer writer(1);
-    const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
-        bool ones = true;
-        for (const StageValue& value : values) { ones = ones && equal(value.weight, 1); }
-        if (ones) { return; }
-        table(writer, name, weights(values));
-        refuse_float(writer, weights(values));
-    };
-    write("b_p", scheme.positions);
-    write("b_q", scheme.momenta);
-    if (scheme.depends_on_time) { writer.insert(times_text(scheme)); }
-    return with_rounding(writer.str());
-}
-
 /// NOTE: what a kept slope belongs to is fitted where that is not known: see MovesWriter.
 std::string fits_text(const Scheme& scheme) {
     Writer writer(2);
@@ -239,6 +205,35 @@ std::string members_text(const Scheme& scheme) {
 }
 
 }  // namespace
+
+/// NOTE: in an explicit scheme for separable H every m_ij is 0 or 1, since one that is neither
+/// makes Q_i and P_j depend on each other. So each stage value is the one before it plus one slope:
+/// the moves, in the order of the blocks.
+std::vector<Move> moves(const Scheme& scheme) {
+    std::vector<Move> result;
+    for (const Block& block : scheme.blocks) {
+        const StageNode node = block.nodes.front();
+        if (node.kind == Kind::Lp) { result.push_back({true, node.index}); }
+        if (node.kind == Kind::Lq) { result.push_back({false, node.index}); }
+    }
+    return result;
+}
+
+std::string weights_text(const Scheme& scheme) {
+    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
+    Writer writer(1);
+    const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
+        bool ones = true;
+        for (const StageValue& value : values) { ones = ones && equal(value.weight, 1); }
+        if (ones) { return; }
+        table(writer, name, weights(values));
+        refuse_float(writer, weights(values));
+    };
+    write("b_p", scheme.positions);
+    write("b_q", scheme.momenta);
+    if (scheme.depends_on_time) { writer.insert(times_text(scheme)); }
+    return with_rounding(writer.str());
+}
 
 std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {

@@ -192,7 +192,7 @@ std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) 
     if (scheme.velocity_form) {
         result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
     }
-    for (Function& function : result) { function.takes_lanes = scheme.has_stage_lanes; }
+    for (Function& function : result) { function.takes_lanes = scheme.has_lanes(); }
     if (scheme.takes_newton()) { second_derivatives(result, lowered, scheme); }
     if (scheme.solver == Solver::newton_taylor) { tangents(result, lowered); }
     return result;
@@ -280,7 +280,7 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     writer.open("{}constexpr {} {}({}) const {{", is_value ? "[[nodiscard]] " : "",
                 is_value ? "Scalar" : "void", function.name, fmt::join(arguments, ", "));
     if (function.takes_lanes && (function.is_counted || !function.kernel.nodes.empty())) {
-        writer.line("using Value = hvi::detail::ScalarOf<Values>;");
+        writer.line("using Value [[maybe_unused]] = hvi::detail::ScalarOf<Values>;");
     }
     if (function.is_counted) {
         writer.line("evaluations += {};",
