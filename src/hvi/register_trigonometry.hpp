@@ -72,10 +72,11 @@ struct SinCos {
     [[gnu::always_inline]] inline explicit SinCos(const Part& x) {
         // NOTE: n = round(2 x/pi) = 2 m + o with o = -1, 0 or 1, all as numbers: sin(r + n pi/2) is
         // sin r or o cos r, and changes its sign where m is odd.
+        const Part half(static_cast<Number>(0.5));
         const Part n = integer(x * Part(Table::two_over_pi));
-        const Part m = integer(n * Part(0.5F));
+        const Part m = integer(n * half);
         const Part o = n - (m + m);
-        const Part half_m = integer(m * Part(0.5F));
+        const Part half_m = integer(m * half);
         const Part odd = m - (half_m + half_m);
         const Part sign = Part(1) - (odd * odd + odd * odd);
 
@@ -83,7 +84,7 @@ struct SinCos {
                        n * Part(Table::half_pi[2]);
         const Part z = r * r;
         const Part s = r + (r * z) * polynomial(Table::S, z);
-        const Part c = Part(1) - (Part(0.5F) * z - (z * z) * polynomial(Table::C, z));
+        const Part c = Part(1) - (half * z - (z * z) * polynomial(Table::C, z));
 
         const auto is_even = o == Part(0);
         sin = sign * select(is_even, s, o * c);

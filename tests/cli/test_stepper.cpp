@@ -172,7 +172,11 @@ TEST_CASE("compositions") {
 }
 
 TEST_CASE("--lanes ensemble writes a stepper of trajectories side by side") {
-    const Words words{"stepper", "--method", "gauss:4", "kepler", "--lanes", "ensemble"};
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::vector<std::string> words{"stepper", "--method", "gauss:4",
+                                         "kepler",  "--lanes",  "ensemble"};
     const std::string implicit = same_every_time(with(words, {"--energy", "--invariants"}));
     CHECK(has(implicit, "using State = hvi::Trajectories<"));
     CHECK(has(implicit, "Scalar energy(const Trajectory& x) const"));
@@ -192,7 +196,10 @@ TEST_CASE("--lanes ensemble writes a stepper of trajectories side by side") {
 }
 
 TEST_CASE("what ensembles are not built for is refused, and why") {
-    const auto refusal = [](const Words& words) {
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const auto refusal = [&](const std::vector<std::string>& words) {
         const Outcome outcome = hvi_gen(with(words, {"--lanes", "ensemble"}));
         CHECK(outcome.status == 2);
         CHECK(outcome.out.empty());

@@ -51,7 +51,8 @@ double error(F f, Reference reference, double most) {
         const long double right = reference(static_cast<long double>(x));
         const double size = std::abs(static_cast<double>(right));
         const double unit = std::nextafter(size, 1e300) - size;
-        worst = std::fmax(worst, static_cast<double>(std::abs(row[3] - right)) / unit);
+        worst = std::fmax(
+            worst, static_cast<double>(std::abs(static_cast<long double>(row[3]) - right)) / unit);
     }
     return worst;
 }
