@@ -33,7 +33,8 @@ bool keeps(const Scheme& scheme, const Move& move) {
 
 bool keeps_any(const Scheme& scheme) { return scheme.keeps_force || scheme.keeps_velocity; }
 
-void write_move(Writer& writer, const Scheme& scheme, const Move& move, bool is_first) {
+void write_move(Writer& writer, const Scheme& scheme, const Move& move, bool is_first,
+                std::size_t dimension) {
     const std::string_view slope = keeps(scheme, move) ? "kept" : "slope";
     const std::string evaluate = fmt::format("system_.{}({}, {});", move.kick ? "dHdq" : "dHdp",
                                              move.kick ? "q" : "p", slope);
@@ -46,13 +47,22 @@ void write_move(Writer& writer, const Scheme& scheme, const Move& move, bool is_
     const std::string factor =
         equal(value.weight, 1) ? "h"
                                : fmt::format("(h * {}[{}])", move.kick ? "b_p" : "b_q", move.index);
+    const auto add = [&](std::string_view k) {
+        writer.line("{0}[{4}] = {0}[{4}] {1} {2} * {3}[{4}];", move.kick ? "p" : "q",
+                    move.kick ? "-" : "+", factor, slope, k);
+    };
+    // NOTE: a few are written out, so that compilers keep them in registers also below -O3.
+    constexpr std::size_t few = 4;
+    if (dimension <= few) {
+        for (std::size_t k = 0; k < dimension; ++k) { add(std::to_string(k)); }
+        return;
+    }
     writer.open("for (std::size_t k = 0; k < q.size(); ++k) {{");
-    writer.line("{0}[k] = {0}[k] {1} {2} * {3}[k];", move.kick ? "p" : "q", move.kick ? "-" : "+",
-                factor, slope);
+    add("k");
     writer.close();
 }
 
-std::string explicit_step(const Scheme& scheme) {
+std::string explicit_step(const Scheme& scheme, std::size_t dimension) {
     const std::vector<Move> all = moves(scheme);
     Writer writer(2);
     writer.line("if (!x.begins(h)) {{ return x.status(); }}");
@@ -60,7 +70,9 @@ std::string explicit_step(const Scheme& scheme) {
     writer.line("Values slope;");
     if (keeps_any(scheme)) { writer.line("Values kept = hvi::detail::load(x.carried.slope);"); }
     writer.blank();
-    for (std::size_t i = 0; i < all.size(); ++i) { write_move(writer, scheme, all[i], i == 0); }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        write_move(writer, scheme, all[i], i == 0, dimension);
+    }
     writer.blank();
     if (keeps_any(scheme)) {
         writer.open("x.end(q, p, hvi::detail::where_finite(q, p), [&](auto put) {{");
@@ -72,11 +84,11 @@ std::string explicit_step(const Scheme& scheme) {
     return writer.line("return x.status();").str();
 }
 
-EnsembleParts explicit_parts(const Scheme& scheme) {
+EnsembleParts explicit_parts(const Scheme& scheme, std::size_t dimension) {
     EnsembleParts parts;
     parts.runtime = {"trajectories.hpp"};
     parts.carried = keeps_any(scheme) ? "SlopeCarried" : "NothingCarried";
-    parts.step = explicit_step(scheme);
+    parts.step = explicit_step(scheme, dimension);
     parts.constants = weights_text(scheme);
     parts.members = Writer(1).line("System system_;").str();
     return parts;
@@ -177,7 +189,9 @@ std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
     HVI_CHECK(options.scene != nullptr);
     const SystemPart system = system_part(tableau, scheme, options);
-    EnsembleParts parts = scheme.is_explicit() ? explicit_parts(scheme) : implicit_parts(scheme);
+    EnsembleParts parts = scheme.is_explicit()
+                              ? explicit_parts(scheme, options.scene->system.degrees_of_freedom())
+                              : implicit_parts(scheme);
     return fill("ensemble.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                     {"format", "7"},
                                     {"name", system.class_name},

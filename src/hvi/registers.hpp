@@ -15,6 +15,14 @@
 #define HVI_HAS_XSIMD 0
 #endif
 
+/// Of functions of scenes that are called often. Without registers g++ vectorises what is called, and
+/// not what is inlined.
+#if HVI_HAS_XSIMD
+#define HVI_INLINE_IN_LANES [[gnu::always_inline]]
+#else
+#define HVI_INLINE_IN_LANES
+#endif
+
 namespace hvi::detail {
 
 /// `width` numbers in one register; void where the processor has none of that size.
