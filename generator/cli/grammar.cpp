@@ -76,7 +76,8 @@ void describe(CLI::App& app) {
     add_system(stepper);
     add_flag(stepper, "--separable", "For a class of your own with H = T(p) + U(q)");
     add_value(stepper, "--solver", "SOLVER", "auto, fixed-point, newton or newton-taylor");
-    add_value(stepper, "--lanes", "LANES", "auto, stages (side by side) or none");
+    add_value(stepper, "--lanes", "LANES",
+              "auto, stages or ensemble (of trajectories) side by side, or none");
     add_flag(stepper, "--energy", "The class has a member energy(x)");
     add_value(stepper, "--compose", "NAME", "Of higher order: yoshida:4, ..., kahan-li:8");
     add_value(stepper, "--accuracy", "E", "In place of METHOD: the fastest with this error");

@@ -153,6 +153,12 @@ Lanes lanes_option(const Words& words) {
     return lanes.at(words.choice("--lanes", {"auto", "stages", "none"}));
 }
 
+/// What a stepper may be, and a run, of one trajectory, not.
+Lanes lanes_of_stepper(const Words& words) {
+    constexpr std::array lanes{Lanes::automatic, Lanes::stages, Lanes::ensemble, Lanes::none};
+    return lanes.at(words.choice("--lanes", {"auto", "stages", "ensemble", "none"}));
+}
+
 std::optional<Composition> composition_option(const Words& words) {
     const auto name = words.value("--compose");
     if (!name) return {};
@@ -189,7 +195,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
                                                              : method_options(words, line);
     options.separable = words.flag("--separable");
     options.wishes.solver = solver_option(words);
-    options.wishes.lanes = lanes_option(words);
+    options.wishes.lanes = lanes_of_stepper(words);
     options.wishes.composition = composition_option(words);
     options.wishes.energy = words.flag("--energy");
     options.wishes.invariants = words.flag("--invariants");

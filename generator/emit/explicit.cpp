@@ -112,22 +112,6 @@ std::string moves_text(const Scheme& scheme) {
     return writer.str();
 }
 
-std::string weights_text(const Scheme& scheme) {
-    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
-    Writer writer(1);
-    const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
-        bool ones = true;
-        for (const StageValue& value : values) { ones = ones && equal(value.weight, 1); }
-        if (ones) { return; }
-        table(writer, name, weights(values));
-        refuse_float(writer, weights(values));
-    };
-    write("b_p", scheme.positions);
-    write("b_q", scheme.momenta);
-    if (scheme.depends_on_time) { writer.insert(times_text(scheme)); }
-    return with_rounding(writer.str());
-}
-
 /// NOTE: what a kept slope belongs to is fitted where that is not known: see MovesWriter.
 std::string fits_text(const Scheme& scheme) {
     Writer writer(2);
@@ -200,6 +184,22 @@ std::string members_text(const Scheme& scheme) {
 }
 
 }  // namespace
+
+std::string weights_text(const Scheme& scheme) {
+    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
+    Writer writer(1);
+    const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
+        bool ones = true;
+        for (const StageValue& value : values) { ones = ones && equal(value.weight, 1); }
+        if (ones) { return; }
+        table(writer, name, weights(values));
+        refuse_float(writer, weights(values));
+    };
+    write("b_p", scheme.positions);
+    write("b_q", scheme.momenta);
+    if (scheme.depends_on_time) { writer.insert(times_text(scheme)); }
+    return with_rounding(writer.str());
+}
 
 std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {

@@ -19,6 +19,12 @@ namespace hvi::gen {
 [[nodiscard]] std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                                         const EmitOptions& options);
 
+[[nodiscard]] std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
+                                        const EmitOptions& options);
+
+/// The weights b_p of kicks and b_q of drifts, as tables; see Move.
+[[nodiscard]] std::string weights_text(const Scheme& scheme);
+
 /// A coefficient in a header: what it is in each format, and exactly.
 struct Constant {
     std::string name;  ///< `m_12`, in the comment

@@ -10,17 +10,6 @@ namespace hvi::gen {
 
 namespace {
 
-std::string includes(std::vector<std::string> names) {
-    for (const char* name : {"arithmetic.hpp", "coefficients.hpp", "rounded.hpp", "scalar.hpp",
-                             "state.hpp", "system.hpp", "version.hpp"}) {
-        names.emplace_back(name);
-    }
-    std::sort(names.begin(), names.end());
-    Writer writer(0);
-    for (const std::string& name : names) { writer.line("#include <hvi/{}>", name); }
-    return writer.str();
-}
-
 std::vector<std::string> solver_headers(const Scheme& scheme) {
     const std::string newton = scheme.velocity_form ? "newton_positions.hpp" : "newton_pairs.hpp";
     if (scheme.is_explicit()) { return {}; }
@@ -35,6 +24,17 @@ std::vector<std::string> solver_headers(const Scheme& scheme) {
 }
 
 }  // namespace
+
+std::string runtime_includes(std::vector<std::string> names) {
+    for (const char* name : {"arithmetic.hpp", "coefficients.hpp", "rounded.hpp", "scalar.hpp",
+                             "state.hpp", "system.hpp", "version.hpp"}) {
+        names.emplace_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    Writer writer(0);
+    for (const std::string& name : names) { writer.line("#include <hvi/{}>", name); }
+    return writer.str();
+}
 
 std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                           const EmitOptions& options) {
@@ -54,7 +54,7 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
                                     {"format", std::to_string(parts.format)},
                                     {"name", system.class_name},
                                     {"include", system.include},
-                                    {"runtime", includes(std::move(parts.runtime))},
+                                    {"runtime", runtime_includes(std::move(parts.runtime))},
                                     {"purpose", system.purpose},
                                     {"head", system.head},
                                     {"condition", system.condition},

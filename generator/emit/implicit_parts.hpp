@@ -28,6 +28,9 @@ struct ImplicitParts {
 
 // ---- what they are made of ----
 
+/// The lines that include what every header that needs the runtime includes, and these.
+[[nodiscard]] std::string runtime_includes(std::vector<std::string> names);
+
 /// The tables of either form.
 [[nodiscard]] std::string pair_constants(const Scheme& scheme, const SceneWishes& wishes);
 [[nodiscard]] std::string velocity_constants(const Scheme& scheme, const SceneWishes& wishes);

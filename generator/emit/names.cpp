@@ -53,11 +53,12 @@ constexpr std::array<std::string_view, 92> keywords{
 
 /// What means something else where the class is declared: members, template parameters, and names
 /// of hvi and of macros that standard headers may define.
-constexpr std::array<std::string_view, 34> taken{
-    "System", "Solver", "Vector",  "State",      "Status", "Index",   "Coupled",   "Stages", "Sum",
-    "step",   "reset",  "predict", "system_",    "s_",     "solver_", "tangents_", "force_", "p_",
-    "q_",     "slope_", "known_",  "velocity_",  "m",      "mt",      "N",         "b",      "b_q",
-    "b_p",    "hvi",    "std",     "FixedPoint", "Newton", "Scalar",  "rounded",
+constexpr std::array<std::string_view, 36> taken{
+    "System",     "Solver",    "Vector", "State",      "Status", "Index",   "Coupled", "Stages",
+    "Sum",        "step",      "reset",  "Trajectory", "Values", "predict", "system_", "s_",
+    "solver_",    "tangents_", "force_", "p_",         "q_",     "slope_",  "known_",  "velocity_",
+    "m",          "mt",        "N",      "b",          "b_q",    "b_p",     "hvi",     "std",
+    "FixedPoint", "Newton",    "Scalar", "rounded",
 };
 
 /// The same where the constructor takes a parameter.

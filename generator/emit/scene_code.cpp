@@ -35,10 +35,15 @@ std::vector<ParameterMember> members_of(const std::vector<Parameter>& parameters
     return members;
 }
 
-void write_member(Writer& writer, std::string_view doc, std::string_view name,
-                  std::string_view arguments) {
+/// What begins at the initial data: a State, where that is not several.
+std::string_view state_of_one(const Scheme& scheme) {
+    return scheme.has_trajectory_lanes ? "Trajectory" : "State";
+}
+
+void write_member(Writer& writer, std::string_view doc, std::string_view state,
+                  std::string_view name, std::string_view arguments) {
     writer.comment(doc, "/// ");
-    writer.open("[[nodiscard]] Scalar {}(const State& x) const {{", name)
+    writer.open("[[nodiscard]] Scalar {}(const {}& x) const {{", name, state)
         .line("return system_.{}({});", name, arguments)
         .close()
         .blank();
@@ -92,26 +97,31 @@ std::string parameters_text(const LoweredScene& lowered) {
     return writer.close("};").str();
 }
 
-std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes) {
+std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,
+                               const Scheme& scheme) {
+    const std::string_view state = state_of_one(scheme);
     Writer writer(1);
     if (!lowered.initial.empty()) {
         writer.line("/// Where the scene begins.");
-        writer.open("[[nodiscard]] static constexpr State initial(const Parameters& parameters) {{")
-            .line("State x;")
+        writer
+            .open("[[nodiscard]] static constexpr {} initial(const Parameters& parameters) {{",
+                  state)
+            .line("{} x;", state)
             .line("System::begin(parameters, x.q, x.p);")
             .line("return x;")
             .close();
         writer.line(
-            "[[nodiscard]] static constexpr State initial() {{ return initial(Parameters{{}}); }}");
+            "[[nodiscard]] static constexpr {} initial() {{ return initial(Parameters{{}}); }}",
+            state);
         writer.blank();
     }
     if (wishes.energy) {
-        write_member(writer, "H = " + to_text(lowered.scene.hamiltonian.expression), "energy",
-                     lowered.system.time ? "x.q, x.p, x.t" : "x.q, x.p");
+        write_member(writer, "H = " + to_text(lowered.scene.hamiltonian.expression), state,
+                     "energy", lowered.system.time ? "x.q, x.p, x.t" : "x.q, x.p");
     }
     if (wishes.invariants) {
         for (const NamedExpression& invariant : lowered.scene.invariants) {
-            write_member(writer, to_text(invariant.expression), invariant.name, "x.q, x.p");
+            write_member(writer, to_text(invariant.expression), state, invariant.name, "x.q, x.p");
         }
     }
     if (wishes.evaluations) {

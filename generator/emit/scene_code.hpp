@@ -41,8 +41,8 @@ void check_members(const Scene& scene, const SceneWishes& wishes);
                                       const Scheme& scheme);
 
 /// `static State initial(...)`, and the members that are asked for.
-[[nodiscard]] std::string scene_members_text(const LoweredScene& lowered,
-                                             const SceneWishes& wishes);
+[[nodiscard]] std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,
+                                             const Scheme& scheme);
 
 /// The value of an expression without symbols as a Scalar is initialised with it. Throws as
 /// evaluate_number() and initializer() do.

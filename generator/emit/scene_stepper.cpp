@@ -18,6 +18,7 @@ std::string command(const Tableau& tableau, const Scene& scene, const StepperWis
     if (wishes.solver == Solver::newton) text += " --solver newton";
     if (wishes.solver == Solver::newton_taylor) text += " --solver newton-taylor";
     if (wishes.lanes == Lanes::stages) text += " --lanes stages";
+    if (wishes.lanes == Lanes::ensemble) text += " --lanes ensemble";
     if (wishes.lanes == Lanes::none) text += " --lanes none";
     if (wishes.composition) text += " --compose " + wishes.composition->name;
     if (wishes.energy) text += " --energy";
@@ -49,6 +50,24 @@ void check_lanes(const Scheme& scheme, Lanes wished) {
         "no lanes for the stages of this method on this H: " + obstacle,
         Place{std::make_shared<const Source>(Source{"--lanes", word}), {0, word.size()}},
         "without --lanes they are used where they can be");
+}
+
+/// An ensemble, and what is not built for it.
+void check_ensemble(const Scheme& scheme, const StepperWishes& wishes) {
+    if (wishes.lanes != Lanes::ensemble) return;
+    const auto refuse = [](bool is_wished, const char* flag, const char* reason) {
+        if (is_wished)
+            throw InputError(std::string(flag) + " is not built for ensembles: " + reason, {},
+                             "without --lanes ensemble there is a stepper of one trajectory");
+    };
+    refuse(wishes.dense, "--dense", "trajectories take all their steps at once");
+    refuse(wishes.float128, "--float128", "no processor computes several of these at once");
+    refuse(wishes.evaluations, "--evaluations", "one evaluation serves several trajectories");
+    const std::string obstacle = obstacle_to_ensemble(scheme);
+    if (!obstacle.empty())
+        throw InputError("no ensembles of this method on this H: " + obstacle, {},
+                         "they are built for explicit methods, as stormer-verlet and its "
+                         "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
 }
 
 /// The method, and the curve of its steps where that is asked for.
@@ -88,6 +107,7 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
                                    .composition = wishes.composition});
     check_solver(scheme, scene);
     check_lanes(scheme, wishes.lanes);
+    check_ensemble(scheme, wishes);
     members.curve = std::move(curve);
     std::string method_name = composed_name(tableau.name, wishes.composition);
     std::string name = wishes.class_name.value_or(

@@ -86,6 +86,7 @@ struct Function {
     NodeNames names = {};             ///< of what it alone is given
     bool is_counted = false;          ///< each call
     bool takes_lanes = false;         ///< as well as numbers
+    bool is_inlined = false;          ///< wherever it is called
 };
 
 bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
@@ -192,7 +193,14 @@ std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) 
     if (scheme.velocity_form) {
         result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
     }
-    for (Function& function : result) { function.takes_lanes = scheme.has_stage_lanes; }
+    for (Function& function : result) { function.takes_lanes = scheme.has_lanes(); }
+    // NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times.
+    // Where there is sin, or much, the call does not matter.
+    constexpr std::size_t small = 32;
+    for (Function& function : result) {
+        function.is_inlined = scheme.has_trajectory_lanes && function.kernel.counts.calls == 0 &&
+                              function.kernel.nodes.size() <= small;
+    }
     if (scheme.takes_newton()) { second_derivatives(result, lowered, scheme); }
     if (scheme.solver == Solver::newton_taylor) { tangents(result, lowered); }
     return result;
@@ -279,8 +287,11 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
         writer.line("template <class Values, class Value = hvi::detail::ScalarOf<Values>>");
     }
     const bool is_value = function.out.empty();
-    writer.open("{}constexpr {} {}({}) const {{", is_value ? "[[nodiscard]] " : "",
-                is_value ? "Scalar" : "void", function.name, fmt::join(arguments, ", "));
+    const std::string_view attribute = is_value              ? "[[nodiscard]] "
+                                       : function.is_inlined ? "HVI_INLINE_IN_LANES "
+                                                             : "";
+    writer.open("{}constexpr {} {}({}) const {{", attribute, is_value ? "Scalar" : "void",
+                function.name, fmt::join(arguments, ", "));
     if (function.is_counted) {
         writer.line("evaluations += {};",
                     function.takes_lanes ? "hvi::detail::lane_count<Value>" : "1");

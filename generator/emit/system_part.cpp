@@ -111,7 +111,7 @@ std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
     writer.line("using Vector = Numbers;");
     writer.blank().insert(parameters_text(*options.scene));
     writer.blank().insert(system_text(*options.scene, options.wishes, scheme));
-    if (!scheme.is_explicit() && !scheme.is_tabulated) {
+    if (!scheme.is_explicit() && !scheme.is_tabulated && !scheme.has_trajectory_lanes) {
         writer.blank().line("using Solver = {};", solver_type(scheme));
     }
     return writer.blank().str();
@@ -127,7 +127,9 @@ std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& opti
         writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
         writer.line("{}explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
                     constant, class_name);
-        return writer.blank().insert(scene_members_text(*options.scene, options.wishes)).str();
+        return writer.blank()
+            .insert(scene_members_text(*options.scene, options.wishes, scheme))
+            .str();
     }
     const std::string& name = scheme.from_parameter->numbers.parameter;
     const bool is_of_scene =
@@ -141,7 +143,7 @@ std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& opti
                 is_of_scene ? "" : ", Scalar parameter");
     writer.line("    : system_(parameters), coefficients_({}) {{}}",
                 is_of_scene ? "parameters." + name : "parameter");
-    return writer.blank().insert(scene_members_text(*options.scene, options.wishes)).str();
+    return writer.blank().insert(scene_members_text(*options.scene, options.wishes, scheme)).str();
 }
 
 std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {

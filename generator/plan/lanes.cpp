@@ -32,8 +32,28 @@ std::string obstacle_to_stage_lanes(const Scheme& scheme) {
     return scheme.positions.size() < 2 ? "there is one stage" : "";
 }
 
+std::string obstacle_to_ensemble(const Scheme& scheme) {
+    if (scheme.depends_on_time) { return "H depends on the time"; }
+    if (scheme.from_parameter) { return "the coefficients depend on a parameter"; }
+    if (scheme.is_explicit()) { return ""; }
+    if (scheme.solver != Solver::fixed_point) { return "they are iterated by fixed points"; }
+    if (scheme.blocks.size() > 1) { return "the stages are not solved for all at once"; }
+    const bool are_unknowns =
+        all_are_solved_for(scheme.positions) && all_are_solved_for(scheme.momenta);
+    return are_unknowns ? "" : "some stages are the state itself";
+}
+
 void set_lanes(Scheme& scheme, Lanes wished) {
-    if (wished == Lanes::none || !obstacle_to_stage_lanes(scheme).empty()) { return; }
+    if (wished == Lanes::ensemble && obstacle_to_ensemble(scheme).empty()) {
+        scheme.has_trajectory_lanes = true;
+        scheme.decisions.push_back(
+            {"eight trajectories are computed side by side",
+             "one evaluation of dH/dq, in vectors of the processor, serves them all"});
+    }
+    if (wished == Lanes::ensemble || wished == Lanes::none ||
+        !obstacle_to_stage_lanes(scheme).empty()) {
+        return;
+    }
     scheme.has_stage_lanes = true;
     scheme.decisions.push_back(
         {"the stages are computed side by side",

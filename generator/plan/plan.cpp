@@ -181,6 +181,9 @@ void set_sums(Scheme& scheme, const PlanOptions& options) {
     if (options.has_curve) {
         scheme.decisions.push_back(
             {"the slopes are kept, in compensated sums", "the curve of a step is made of them"});
+    } else if (options.lanes == Lanes::ensemble) {
+        scheme.decisions.push_back(
+            {"no compensated summation", "it is not built for kicks and drifts of ensembles"});
     } else if (options.composition && options.composition->order >= least_order) {
         scheme.keeps_remainder = true;
         scheme.decisions.push_back(
@@ -370,13 +373,17 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_kept(scheme);
     if (options.depends_on_time) { set_times(scheme); }
     set_from_parameter(scheme, tableau);
-    const bool may_tabulate = options.solver == Solver::automatic && !options.has_curve;
+    // NOTE: trajectories side by side differ in how stiff H is for them, and are all iterated.
+    const bool is_ensemble = options.lanes == Lanes::ensemble;
+    const Solver solver =
+        is_ensemble && options.solver == Solver::automatic ? Solver::fixed_point : options.solver;
+    const bool may_tabulate = solver == Solver::automatic && !options.has_curve;
     if (options.is_quadratic && may_tabulate) { tabulate(scheme, options); }
     if (scheme.is_tabulated) { return scheme; }
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.
     if (options.kinetic_is_quadratic && !options.composition) { eliminate_momenta(scheme); }
-    set_solver(scheme, options.solver);
+    set_solver(scheme, solver);
     set_lanes(scheme, options.lanes);
     if (!options.composition) { set_extrapolation(scheme, tableau); }
     return scheme;

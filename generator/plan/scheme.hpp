@@ -93,6 +93,7 @@ enum class Solver {
 enum class Lanes {
     automatic,  ///< stages, where they can be
     stages,     ///< the stages of a step
+    ensemble,   ///< trajectories of the same parameters and steps
     none,
 };
 
@@ -121,11 +122,12 @@ struct Scheme {
     Solver solver = Solver::of_user;
     /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
     std::optional<RealModes> modes;
-    bool has_stage_lanes = false;  ///< all stages are computed side by side: see hvi::Lanes
-    bool is_tabulated = false;     ///< a step is one linear map, and nothing is solved
-    bool is_sheared = false;       ///< and that is a product of shears where these exist
-    bool keeps_force = false;      ///< the last force of a step is the first of the next
-    bool keeps_velocity = false;   ///< the same of dH/dp
+    bool has_stage_lanes = false;       ///< all stages are computed side by side: see hvi::Lanes
+    bool has_trajectory_lanes = false;  ///< trajectories are: see hvi::Trajectories
+    bool is_tabulated = false;          ///< a step is one linear map, and nothing is solved
+    bool is_sheared = false;            ///< and that is a product of shears where these exist
+    bool keeps_force = false;           ///< the last force of a step is the first of the next
+    bool keeps_velocity = false;        ///< the same of dH/dp
     /// An explicit step sums its increments apart, and keeps what rounding cuts off from the state.
     bool keeps_remainder = false;
     /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.
@@ -135,6 +137,8 @@ struct Scheme {
 
     /// One table of coefficients serves for Q and for P.
     [[nodiscard]] bool one_tableau() const { return partner == Partner::same; }
+    /// H is evaluated for several states at once.
+    [[nodiscard]] bool has_lanes() const { return has_stage_lanes || has_trajectory_lanes; }
     /// Newton's method may be called for.
     [[nodiscard]] bool takes_newton() const;
     /// No equations to solve: kicks and drifts in turn.

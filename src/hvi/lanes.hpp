@@ -11,74 +11,17 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include <hvi/arithmetic.hpp>
 #include <hvi/math.hpp>
+#include <hvi/register_trigonometry.hpp>
+#include <hvi/registers.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/system.hpp>
 
-#if !defined(HVI_NO_XSIMD) && defined(__has_include)
-#if __has_include(<xsimd/xsimd.hpp>)
-#define HVI_HAS_XSIMD 1
-#include <xsimd/xsimd.hpp>
-#endif
-#endif
-#ifndef HVI_HAS_XSIMD
-#define HVI_HAS_XSIMD 0
-#endif
-
 namespace hvi {
 namespace detail {
-
-/// `width` numbers in one register; void where the processor has none of that size.
-template <class Number, std::size_t width, class = void>
-struct RegisterOf {
-    using type = void;
-};
-
-#if HVI_HAS_XSIMD
-template <class Number, std::size_t width>
-struct RegisterOf<
-    Number, width,
-    std::enable_if_t<std::is_same_v<Number, float> || std::is_same_v<Number, double>>> {
-    using type = typename xsimd::make_sized_batch<Number, width>::type;
-};
-#endif
-
-template <class Number, std::size_t width>
-inline constexpr bool has_register = !std::is_void_v<typename RegisterOf<Number, width>::type>;
-
-/// How many numbers go into one register where `places` are to fill registers; 1: there is none.
-template <class Number, std::size_t places>
-[[nodiscard]] constexpr std::size_t register_width() {
-    if (places % 8 == 0 && has_register<Number, 8>) { return 8; }
-    if (places % 4 == 0 && has_register<Number, 4>) { return 4; }
-    if (places % 2 == 0 && has_register<Number, 2>) { return 2; }
-    return 1;
-}
-
-/// What computes `width` numbers at once.
-template <class Number, std::size_t width>
-struct Register {
-    using Type = typename RegisterOf<Number, width>::type;
-    [[nodiscard]] static Type load(const Number* from) { return Type::load_aligned(from); }
-    static void store(const Type& x, Number* to) { x.store_aligned(to); }
-    [[nodiscard]] static Number sum(const Type& x) {
-#if HVI_HAS_XSIMD && XSIMD_VERSION_MAJOR < 9
-        return hadd(x);
-#else
-        return reduce_add(x);
-#endif
-    }
-};
-
-template <class Number>
-struct Register<Number, 1> {
-    using Type = Number;
-    [[nodiscard]] static const Number& load(const Number* from) { return *from; }
-    static void store(const Number& x, Number* to) { *to = x; }
-    [[nodiscard]] static const Number& sum(const Number& x) { return x; }
-};
 
 /// So many places hold `count` numbers: registers of 4 and 8 are filled.
 [[nodiscard]] constexpr std::size_t places_for(std::size_t count) {
@@ -95,6 +38,7 @@ struct LaneRow {
 
     alignas(alignment) Number at[places];
 
+    [[nodiscard]] static constexpr std::size_t size() { return count; }
     [[nodiscard]] constexpr Number& operator[](std::size_t lane) { return at[lane]; }
     [[nodiscard]] constexpr const Number& operator[](std::size_t lane) const { return at[lane]; }
 
@@ -107,47 +51,103 @@ struct LaneRow {
 
 }  // namespace detail
 
+/// Yes or no in each of the lanes, and in the places that are left over.
+template <class Part, std::size_t parts>
+class LaneMask {
+public:
+    using Bits = typename detail::MaskOf<Part>::type;
+
+    LaneMask() = default;
+
+    /// The same in all lanes.
+    explicit LaneMask(bool x) {
+        for (Bits& bits : bits_) { bits = Bits(x); }
+    }
+
+    explicit LaneMask(const std::array<Bits, parts>& bits) : bits_(bits) {}
+
+    [[nodiscard]] const Bits& operator[](std::size_t part) const { return bits_[part]; }
+
+    [[nodiscard]] friend LaneMask operator&(const LaneMask& x, const LaneMask& y) {
+        return join(
+            x, y, [](const Bits& a, const Bits& b) -> Bits { return a && b; }, each{});
+    }
+    [[nodiscard]] friend LaneMask operator|(const LaneMask& x, const LaneMask& y) {
+        return join(
+            x, y, [](const Bits& a, const Bits& b) -> Bits { return a || b; }, each{});
+    }
+    [[nodiscard]] friend LaneMask operator!(const LaneMask& x) {
+        return join(
+            x, x, [](const Bits& a, const Bits&) -> Bits { return !a; }, each{});
+    }
+
+    [[nodiscard]] friend bool any(const LaneMask& x) {
+        using detail::any;  // xsimd's is found by its argument
+        return any(x.one_of(std::make_index_sequence<parts - 1>()));
+    }
+    [[nodiscard]] friend bool all(const LaneMask& x) {
+        using detail::all;
+        return all(x.each_of(std::make_index_sequence<parts - 1>()));
+    }
+
+private:
+    using each = std::make_index_sequence<parts>;
+
+    template <class F, std::size_t... i>
+    [[nodiscard]] static LaneMask join(const LaneMask& x, const LaneMask& y, F f,
+                                       std::index_sequence<i...>) {
+        return LaneMask(std::array<Bits, parts>{f(x.bits_[i], y.bits_[i])...});
+    }
+
+    template <std::size_t... i>
+    [[nodiscard]] Bits one_of(std::index_sequence<i...>) const {
+        return (bits_[0] || ... || bits_[i + 1]);
+    }
+
+    template <std::size_t... i>
+    [[nodiscard]] Bits each_of(std::index_sequence<i...>) const {
+        return (bits_[0] && ... && bits_[i + 1]);
+    }
+
+    std::array<Bits, parts> bits_;
+};
+
 /// `count` Numbers, in registers.
+///
+/// NOTE: what is done with each register is written out: of loops over several compilers keep the
+/// registers in memory, below -O3. For the same reason Lanes are what is computed with, and not
+/// what is kept: g++ copies an array of registers from memory to memory in halves, for which the
+/// next load waits. What is kept are rows.
 template <class Number, std::size_t count>
 class Lanes {
     static constexpr std::size_t places = detail::places_for(count);
     static constexpr std::size_t width = detail::register_width<Number, places>();
+    static constexpr std::size_t parts = places / width;
     using Register = detail::Register<Number, width>;
     using Part = typename Register::Type;
 
 public:
     using Row = detail::LaneRow<Number, count>;
+    using Mask = LaneMask<Part, parts>;
 
     Lanes() = default;
 
     /// The same in all lanes.
-    Lanes(const Number& x) {
-        for (Part& part : parts_) { part = Part(x); }
-    }
+    Lanes(const Number& x) : Lanes(spread(x, each{})) {}
 
-    Lanes(const Row& row) {
-        for (std::size_t i = 0; i < parts; ++i) { parts_[i] = Register::load(row.at + i * width); }
-    }
+    Lanes(const Row& row) : Lanes(load(row, each{})) {}
 
-    void store(Row& row) const {
-        for (std::size_t i = 0; i < parts; ++i) { Register::store(parts_[i], row.at + i * width); }
-    }
+    void store(Row& row) const { store(row, each{}); }
 
     /// f(x) in each lane, f being a function of one register.
     template <class F>
     [[nodiscard]] Lanes map(F f) const {
-        Lanes result;
-        for (std::size_t i = 0; i < parts; ++i) { result.parts_[i] = f(parts_[i]); }
-        return result;
+        return map(f, each{});
     }
 
     template <class F>
     [[nodiscard]] Lanes map(const Lanes& other, F f) const {
-        Lanes result;
-        for (std::size_t i = 0; i < parts; ++i) {
-            result.parts_[i] = f(parts_[i], other.parts_[i]);
-        }
-        return result;
+        return map(other, f, each{});
     }
 
     [[nodiscard]] friend Lanes operator-(const Lanes& x) {
@@ -193,14 +193,74 @@ public:
         }
     }
 
-private:
-    static constexpr std::size_t parts = places / width;
+    // A comparison with a NaN is false in its lane.
+    [[nodiscard]] friend Mask operator<(const Lanes& x, const Lanes& y) {
+        return compare(
+            x, y, [](const Part& a, const Part& b) { return a < b; }, each{});
+    }
+    [[nodiscard]] friend Mask operator<=(const Lanes& x, const Lanes& y) {
+        return compare(
+            x, y, [](const Part& a, const Part& b) { return a <= b; }, each{});
+    }
+    [[nodiscard]] friend Mask operator==(const Lanes& x, const Lanes& y) {
+        return compare(
+            x, y, [](const Part& a, const Part& b) { return a == b; }, each{});
+    }
 
-    std::array<Part, parts> parts_;
+    /// `yes` where the mask says so, else `no`.
+    [[nodiscard]] friend Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
+        return choose(mask, yes, no, each{});
+    }
+
+private:
+    using Parts = std::array<Part, parts>;
+    using each = std::make_index_sequence<parts>;
+
+    explicit Lanes(const Parts& of) : parts_(of) {}
+
+    template <std::size_t... i>
+    [[nodiscard]] static Parts spread(const Number& x, std::index_sequence<i...>) {
+        return {(static_cast<void>(i), Part(x))...};
+    }
+
+    template <std::size_t... i>
+    [[nodiscard]] static Parts load(const Row& row, std::index_sequence<i...>) {
+        return {Register::load(row.at + i * width)...};
+    }
+
+    template <std::size_t... i>
+    void store(Row& row, std::index_sequence<i...>) const {
+        (Register::store(parts_[i], row.at + i * width), ...);
+    }
+
+    template <class F, std::size_t... i>
+    [[nodiscard]] Lanes map(F f, std::index_sequence<i...>) const {
+        return Lanes(Parts{f(parts_[i])...});
+    }
+
+    template <class F, std::size_t... i>
+    [[nodiscard]] Lanes map(const Lanes& other, F f, std::index_sequence<i...>) const {
+        return Lanes(Parts{f(parts_[i], other.parts_[i])...});
+    }
+
+    template <class F, std::size_t... i>
+    [[nodiscard]] static Mask compare(const Lanes& x, const Lanes& y, F f,
+                                      std::index_sequence<i...>) {
+        return Mask(std::array<typename Mask::Bits, parts>{f(x.parts_[i], y.parts_[i])...});
+    }
+
+    template <std::size_t... i>
+    [[nodiscard]] static Lanes choose(const Mask& mask, const Lanes& yes, const Lanes& no,
+                                      std::index_sequence<i...>) {
+        using detail::select;  // xsimd's is found by its arguments
+        return Lanes(Parts{select(mask[i], yes.parts_[i], no.parts_[i])...});
+    }
+
+    Parts parts_;
 };
 
 // NOTE: headers of scenes call functions as hvi::math::sin(x), of one number and of several. Those
-// of a register are found by its type.
+// of a register are found by its type. What comes out in a lane depends on that lane alone.
 namespace math {
 
 template <class Number, std::size_t count>
@@ -217,7 +277,7 @@ template <class Number, std::size_t count>
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> cos(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return cos(a); });
+    return x.map([](const auto& a) { return detail::cos_of(a); });
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> cosh(const Lanes<Number, count>& x) {
@@ -256,7 +316,7 @@ template <class Number, std::size_t count>
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> sin(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return sin(a); });
+    return x.map([](const auto& a) { return detail::sin_of(a); });
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> sinh(const Lanes<Number, count>& x) {
@@ -268,7 +328,7 @@ template <class Number, std::size_t count>
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> tan(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return tan(a); });
+    return x.map([](const auto& a) { return detail::tan_of(a); });
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> tanh(const Lanes<Number, count>& x) {

@@ -268,6 +268,8 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2,
          "position",
          {"stepper", "--method", "gauss:2", "--name", "position", "--dense", "kepler"}},
+        {2, "--lanes", {"stepper", "--method", "gauss:2", "--lanes", "ensemble"}},
+        {2, "ensemble", {"run", "pendulum", "--lanes", "ensemble"}},
         {2, "--solver", {"stepper", "--method", "gauss:2", "--solver", "newton"}},
         {2, "fast", {"stepper", "--method", "gauss:2", "--solver", "fast", "kepler"}},
         {2, "--separable", {"stepper", "--method", "gauss:2", "--separable", "kepler"}},

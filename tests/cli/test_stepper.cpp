@@ -213,3 +213,52 @@ TEST_CASE("compositions") {
                    "kepler", "--compose", "yoshida:4"})
               .status == 2);
 }
+
+TEST_CASE("--lanes ensemble writes a stepper of trajectories side by side") {
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::vector<std::string> words{"stepper", "--method", "gauss:4",
+                                         "kepler",  "--lanes",  "ensemble"};
+    const std::string implicit = same_every_time(with(words, {"--energy", "--invariants"}));
+    CHECK(has(implicit, "using State = hvi::Trajectories<"));
+    CHECK(has(implicit, "Scalar energy(const Trajectory& x) const"));
+    CHECK(has(implicit, "static constexpr Trajectory initial("));
+    CHECK(has(implicit, "hvi-gen stepper --method gauss:4 kepler --lanes ensemble"));
+    CHECK_FALSE(has(implicit, "hvi::Automatic"));
+    const std::string kicks =
+        same_every_time({"stepper", "--method", "stormer-verlet", "kepler", "--lanes", "ensemble"});
+    CHECK(has(kicks, "hvi::detail::SlopeCarried"));
+    CHECK_FALSE(has(kicks, "LaneSweeps"));
+    const Outcome explained = hvi_gen(with(words, {"--explain"}));
+    CHECK(has(explained.err, "eight trajectories are computed side by side"));
+    CHECK_FALSE(has(
+        hvi_gen({"stepper", "--method", "gauss:2", "harmonic-oscillator", "--lanes", "ensemble"})
+            .out,
+        "LinearMap"));
+}
+
+TEST_CASE("what ensembles are not built for is refused, and why") {
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const auto refusal = [&](const std::vector<std::string>& words) {
+        const Outcome outcome = hvi_gen(with(words, {"--lanes", "ensemble"}));
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        CHECK(has(outcome.err, "help: "));
+        return outcome.err;
+    };
+    CHECK(has(refusal({"stepper", "--method", "lobatto:3", "kepler"}),
+              "the stages are not solved for all at once"));
+    CHECK(has(refusal({"stepper", "--method", "midpoint", "kepler", "--compose", "yoshida:4"}),
+              "the stages are not solved for all at once"));
+    CHECK(has(refusal({"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2-q*cos(t)"}),
+              "H depends on the time"));
+    CHECK(has(refusal({"stepper", "--method", "gauss:2", "kepler", "--solver", "newton"}),
+              "they are iterated by fixed points"));
+    for (const std::string flag : {"--dense", "--float128", "--evaluations"}) {
+        CHECK(has(refusal({"stepper", "--method", "gauss:2", "kepler", flag}),
+                  flag + " is not built for ensembles"));
+    }
+}

@@ -1,0 +1,208 @@
+// Headers of steppers that advance trajectories side by side.
+// SPDX-License-Identifier: GPL-2.0-or-later
+
+#include "generator/emit/banner.hpp"
+#include "generator/emit/explicit_moves.hpp"
+#include "generator/emit/header.hpp"
+#include "generator/emit/implicit_parts.hpp"
+#include "generator/emit/system_part.hpp"
+#include "generator/plan/equal.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+namespace {
+
+/// See templates/ensemble.hpp.in.
+struct EnsembleParts {
+    std::vector<std::string> runtime;
+    std::string carried, step, reset, constants, coupled, members;
+};
+
+/// A template without the newline at its end.
+std::string struct_text(std::string_view template_name, const Holes& holes) {
+    std::string text = fill(template_name, holes);
+    text.pop_back();
+    return text;
+}
+
+// ---- explicit ----
+
+void write_move(Writer& writer, const Scheme& scheme, const Move& move, bool is_first,
+                std::size_t dimension) {
+    const std::string_view slope = keeps(scheme, move.kick) ? "kept" : "slope";
+    const std::string evaluate = fmt::format("system_.{}({}, {});", move.kick ? "dHdq" : "dHdp",
+                                             move.kick ? "q" : "p", slope);
+    if (keeps(scheme, move.kick) && is_first) {
+        writer.line("if (!x.carried.is_known) {{ {} }}", evaluate);
+    } else {
+        writer.line("{}", evaluate);
+    }
+    const StageValue& value = (move.kick ? scheme.positions : scheme.momenta)[move.index];
+    const std::string factor =
+        equal(value.weight, 1) ? "h"
+                               : fmt::format("(h * {}[{}])", move.kick ? "b_p" : "b_q", move.index);
+    const auto add = [&](std::string_view k) {
+        writer.line("{0}[{4}] = {0}[{4}] {1} {2} * {3}[{4}];", move.kick ? "p" : "q",
+                    move.kick ? "-" : "+", factor, slope, k);
+    };
+    // NOTE: a few are written out, so that compilers keep them in registers also below -O3.
+    constexpr std::size_t few = 4;
+    if (dimension <= few) {
+        for (std::size_t k = 0; k < dimension; ++k) { add(std::to_string(k)); }
+        return;
+    }
+    writer.open("for (std::size_t k = 0; k < q.size(); ++k) {{");
+    add("k");
+    writer.close();
+}
+
+std::string explicit_step(const Scheme& scheme, std::size_t dimension) {
+    const std::vector<Move> all = moves(scheme);
+    Writer writer(2);
+    writer.line("if (!x.begins(h)) {{ return x.status(); }}");
+    writer.line("Values q = hvi::detail::load(x.q);").line("Values p = hvi::detail::load(x.p);");
+    writer.line("Values slope;");
+    if (keeps(scheme)) { writer.line("Values kept = hvi::detail::load(x.carried.slope);"); }
+    writer.blank();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        write_move(writer, scheme, all[i], i == 0, dimension);
+    }
+    writer.blank();
+    if (keeps(scheme)) {
+        writer.open("x.end(q, p, hvi::detail::where_finite(q, p), [&](auto put) {{");
+        writer.line("put(kept, x.carried.slope);");
+        writer.line("x.carried.is_known = true;").close("});");
+    } else {
+        writer.line("x.end(q, p, hvi::detail::where_finite(q, p));");
+    }
+    return writer.line("return x.status();").str();
+}
+
+EnsembleParts explicit_parts(const Scheme& scheme, std::size_t dimension) {
+    EnsembleParts parts;
+    parts.runtime = {"trajectories.hpp"};
+    parts.carried = keeps(scheme) ? "SlopeCarried" : "NothingCarried";
+    parts.step = explicit_step(scheme, dimension);
+    parts.constants = weights_text(scheme);
+    parts.members = Writer(1).line("System system_;").str();
+    return parts;
+}
+
+// ---- implicit ----
+
+std::string solve_and_advance(std::string_view arguments) {
+    return Writer(2)
+        .blank()
+        .line("const auto outcome = solver_.solve(Coupled{{system_, s_}}, x.going());")
+        .line("return s_.advance(x, outcome{});", arguments)
+        .str();
+}
+
+/// The starting values.
+void predict(Writer& writer, const Scheme& scheme, const auto& extrapolated, const auto& constant) {
+    if (!scheme.extrapolation) {
+        constant(writer);
+        return;
+    }
+    writer.open("if (s_.extrapolates) {{");
+    extrapolated(writer);
+    writer.close().open("if (!s_.extrapolates) {{");
+    constant(writer);
+    writer.close();
+}
+
+std::string velocity_step(const Scheme& scheme) {
+    Writer writer(2);
+    writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
+    writer.line("s_.begin_drift(system_);").line("s_.drift_freely(c);");
+    predict(
+        writer, scheme, [](Writer& out) { out.line("s_.extrapolate(N);"); },
+        [](Writer& out) { out.line("s_.predict(system_);"); });
+    return writer.insert(solve_and_advance(", c")).str();
+}
+
+std::string pair_step(const Scheme& scheme) {
+    const bool only_p = scheme.separable;  // for separable H the slopes of p are enough
+    const std::string_view at =
+        only_p ? "hvi::detail::load(s_.q)" : "hvi::detail::load(s_.q), hvi::detail::load(s_.p)";
+    Writer writer(2);
+    writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
+    predict(
+        writer, scheme,
+        [&](Writer& out) {
+            if (!only_p) { out.line("s_.extrapolate_q(N);"); }
+            out.line("s_.extrapolate_p(N);");
+        },
+        [&](Writer& out) {
+            out.line("Values slope;");
+            if (!only_p) { out.line("system_.dHdp({}, slope);", at).line("s_.predict_q(slope);"); }
+            out.line("system_.dHdq({}, slope);", at).line("s_.predict_p(slope);");
+        });
+    return writer.insert(solve_and_advance("")).str();
+}
+
+std::string members_text(const Scheme& scheme, std::string_view stages) {
+    return Writer(1)
+        .line("System system_;")
+        .line("hvi::detail::{}<Vector, {}> s_;", stages, scheme.positions.size())
+        .line("hvi::detail::LaneSweeps<Scalar, hvi::detail::fixed_size<Vector>()> solver_;")
+        .str();
+}
+
+EnsembleParts implicit_parts(const Scheme& scheme) {
+    HVI_CHECK(scheme.blocks.size() == 1);
+    const std::string about = unknowns(scheme.blocks.front());
+    EnsembleParts parts;
+    parts.runtime = {"lane_sweeps.hpp", "trajectories.hpp", "trajectory_stages.hpp"};
+    parts.carried = "RemaindersCarried";
+    parts.reset = "s_.forget();";
+    if (scheme.velocity_form) {
+        parts.step = velocity_step(scheme);
+        parts.constants = velocity_constants(scheme, {});
+        parts.coupled = struct_text("velocity_ensemble.hpp.in", {{"unknowns", about}});
+        parts.members = members_text(scheme, "VelocityTrajectories");
+        return parts;
+    }
+    const std::string Q = "hvi::detail::load(s.Q[i])", P = "hvi::detail::load(s.P[i])";
+    parts.step = pair_step(scheme);
+    parts.constants = pair_constants(scheme, {});
+    parts.coupled =
+        struct_text("pair_ensemble.hpp.in", {{"unknowns", about},
+                                             {"stages", std::to_string(scheme.positions.size())},
+                                             {"separable", std::string(truth(scheme.separable))},
+                                             {"mt", std::string(table_mt(scheme))},
+                                             {"velocity", scheme.separable ? P : Q + ", " + P},
+                                             {"force", scheme.separable ? Q : Q + ", " + P}});
+    parts.members = members_text(scheme, "PairTrajectories");
+    return parts;
+}
+
+}  // namespace
+
+std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
+                          const EmitOptions& options) {
+    HVI_CHECK(options.scene != nullptr);
+    const SystemPart system = system_part(tableau, scheme, options);
+    EnsembleParts parts = scheme.is_explicit()
+                              ? explicit_parts(scheme, options.scene->system.degrees_of_freedom())
+                              : implicit_parts(scheme);
+    return fill("ensemble.hpp.in", {{"banner", banner(tableau, scheme, options)},
+                                    {"format", "7"},
+                                    {"name", system.class_name},
+                                    {"include", system.include},
+                                    {"runtime", runtime_includes(std::move(parts.runtime))},
+                                    {"purpose", system.purpose},
+                                    {"head", system.head},
+                                    {"condition", system.condition},
+                                    {"types", system.types},
+                                    {"carried", parts.carried},
+                                    {"construct", system.construct},
+                                    {"alias", system.alias},
+                                    {"step", parts.step},
+                                    {"reset", parts.reset},
+                                    {"constants", parts.constants},
+                                    {"coupled", parts.coupled},
+                                    {"members", parts.members}});
+}
+
+}  // namespace hvi::gen
