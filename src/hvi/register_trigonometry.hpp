@@ -66,10 +66,10 @@ struct Trigonometry<float> {
 ///
 /// NOTE: inlined, as no register of this size lives through a call.
 template <class Part>
-struct SinCos {
+struct RegisterSinCos {
     Part sin, cos;
 
-    [[gnu::always_inline]] inline explicit SinCos(const Part& x) {
+    [[gnu::always_inline]] inline explicit RegisterSinCos(const Part& x) {
         // NOTE: n = round(2 x/pi) = 2 m + o with o = -1, 0 or 1, all as numbers: sin(r + n pi/2) is
         // sin r or o cos r, and changes its sign where m is odd.
         const Part half(static_cast<Number>(0.5));
@@ -131,21 +131,21 @@ template <class Number, class Architecture>
 [[nodiscard, gnu::always_inline]] inline xsimd::batch<Number, Architecture>
 sin_of(const xsimd::batch<Number, Architecture>& x) {
     using Part = xsimd::batch<Number, Architecture>;
-    return with_large(x, SinCos<Part>(x).sin, [](Number a) { return std::sin(a); });
+    return with_large(x, RegisterSinCos<Part>(x).sin, [](Number a) { return std::sin(a); });
 }
 
 template <class Number, class Architecture>
 [[nodiscard, gnu::always_inline]] inline xsimd::batch<Number, Architecture>
 cos_of(const xsimd::batch<Number, Architecture>& x) {
     using Part = xsimd::batch<Number, Architecture>;
-    return with_large(x, SinCos<Part>(x).cos, [](Number a) { return std::cos(a); });
+    return with_large(x, RegisterSinCos<Part>(x).cos, [](Number a) { return std::cos(a); });
 }
 
 template <class Number, class Architecture>
 [[nodiscard, gnu::always_inline]] inline xsimd::batch<Number, Architecture>
 tan_of(const xsimd::batch<Number, Architecture>& x) {
     using Part = xsimd::batch<Number, Architecture>;
-    const SinCos<Part> both(x);
+    const RegisterSinCos<Part> both(x);
     return with_large(x, both.sin / both.cos, [](Number a) { return std::tan(a); });
 }
 

@@ -35,7 +35,9 @@ double farthest(const std::vector<double>& places, InLanes f, Exact exact) {
             const long double wanted = exact(static_cast<long double>(x[i]));
             const auto size = static_cast<double>(std::fabs(wanted));
             const double ulp = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-            largest = std::max(largest, static_cast<double>(std::fabs(y[i] - wanted)) / ulp);
+            largest = std::max(
+                largest,
+                static_cast<double>(std::fabs(static_cast<long double>(y[i]) - wanted)) / ulp);
         }
     }
     return largest;

@@ -154,7 +154,7 @@ TEST_CASE("compositions are measured by the names that they are printed by") {
     REQUIRE(methods.size() == 3);
     CHECK(methods[0]["name"] == "stormer-verlet-blanes-moan:6");
     CHECK(methods[1]["name"] == "gauss:2-yoshida:6");
-    for (const std::size_t i : {0, 1}) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
         CHECK(methods[i]["order"] == 6);
         CHECK(order_of(methods[i]["points"]) == Approx(6).margin(0.4));
     }
