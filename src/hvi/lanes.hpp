@@ -281,15 +281,20 @@ template <class Number, std::size_t count>
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> cosh(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return cosh(a); });
+    return x.map([](const auto& a) {
+        return detail::exponential(a, [](const auto& b) { return cosh(b); });
+    });
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> exp(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return exp(a); });
+    return x.map(
+        [](const auto& a) { return detail::exponential(a, [](const auto& b) { return exp(b); }); });
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> expm1(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return expm1(a); });
+    return x.map([](const auto& a) {
+        return detail::exponential(a, [](const auto& b) { return expm1(b); });
+    });
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> log(const Lanes<Number, count>& x) {
@@ -320,7 +325,9 @@ template <class Number, std::size_t count>
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> sinh(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return sinh(a); });
+    return x.map([](const auto& a) {
+        return detail::exponential(a, [](const auto& b) { return sinh(b); });
+    });
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> sqrt(const Lanes<Number, count>& x) {
@@ -332,7 +339,9 @@ template <class Number, std::size_t count>
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> tanh(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return tanh(a); });
+    return x.map([](const auto& a) {
+        return detail::exponential(a, [](const auto& b) { return tanh(b); });
+    });
 }
 
 }  // namespace math

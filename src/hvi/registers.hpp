@@ -15,8 +15,8 @@
 #define HVI_HAS_XSIMD 0
 #endif
 
-/// Of functions of scenes that are called often. Without registers g++ vectorises what is called, and
-/// not what is inlined.
+/// Of functions of scenes that are called often. Without registers g++ vectorises what is called,
+/// and not what is inlined.
 #if HVI_HAS_XSIMD
 #define HVI_INLINE_IN_LANES [[gnu::always_inline]]
 #else
@@ -51,6 +51,26 @@ template <class Number, class Architecture>
 struct MaskOf<xsimd::batch<Number, Architecture>> {
     using type = typename xsimd::batch<Number, Architecture>::batch_bool_type;
 };
+#endif
+
+/// f(x), for f made of exp.
+template <class Number, class F>
+[[nodiscard]] Number exponential(const Number& x, F f) {
+    return f(x);
+}
+
+#if HVI_HAS_XSIMD
+/// NOTE: xsimd makes an integer of the exponent, which is undefined where there is none so large,
+/// and for NaN. Beyond +-1000 all of these functions are what they are there.
+template <class Number, class Architecture, class F>
+[[nodiscard]] xsimd::batch<Number, Architecture>
+exponential(const xsimd::batch<Number, Architecture>& x, F f) {
+    using Part = xsimd::batch<Number, Architecture>;
+    const Part most(static_cast<Number>(1000));
+    const auto is_number = x == x;
+    const Part near = min(max(select(is_number, x, most), -most), most);
+    return select(is_number, f(near), x);
+}
 #endif
 
 [[nodiscard]] inline bool any(bool mask) { return mask; }

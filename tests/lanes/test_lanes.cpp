@@ -124,3 +124,23 @@ TEST_CASE("a matrix times numbers in lanes") {
         values(hvi::detail::product(hvi::detail::lane_columns(matrix), x, Lanes<double, 3>(0.5)));
     CHECK(y == std::array<double, 3>{321.5, 654.5, 1087.5});
 }
+
+TEST_CASE("functions made of exp are what they are far out, and NaN of NaN") {
+    namespace m = hvi::math;
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::array<double, 6> places{-infinite, -1e300, 1e300, infinite, nan, 0.0};
+    const Lanes<double, 6> x(hvi::detail::lane_row(places));
+    const auto check = [&](const auto& lanes, const auto& f) {
+        const auto found = values(lanes);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            INFO(places[i]);
+            CHECK((std::isnan(places[i]) ? std::isnan(found[i]) : found[i] == f(places[i])));
+        }
+    };
+    check(m::exp(x), [](double a) { return std::exp(a); });
+    check(m::expm1(x), [](double a) { return std::expm1(a); });
+    check(m::sinh(x), [](double a) { return std::sinh(a); });
+    check(m::cosh(x), [](double a) { return std::cosh(a); });
+    check(m::tanh(x), [](double a) { return std::tanh(a); });
+}
