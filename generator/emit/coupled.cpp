@@ -97,7 +97,7 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
     const auto Lp = block.of(Kind::Lp);
     const bool varies = scheme.from_parameter.has_value();
     const bool measures_p = !scheme.separable || Q.empty();
-    std::string struct_text = fill(
+    return fill_part(
         "coupled.hpp.in",
         {{"unknowns", unknowns(block)},
          {"name", std::string(name)},
@@ -127,8 +127,6 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
                         [&](std::size_t i) { return force_factor(scheme, i, "s"); })},
          {"size_q", size(Q, "Q", Lq, "Lq")},
          {"size_p", size(P, "P", Lp, "Lp")}});
-    struct_text.pop_back();
-    return struct_text;
 }
 
 }  // namespace hvi::gen

@@ -18,13 +18,6 @@ struct EnsembleParts {
     std::string carried, step, reset, constants, coupled, members;
 };
 
-/// A template without the newline at its end.
-std::string struct_text(std::string_view template_name, const Holes& holes) {
-    std::string text = fill(template_name, holes);
-    text.pop_back();
-    return text;
-}
-
 // ---- explicit ----
 
 void write_move(Writer& writer, const Scheme& scheme, const Move& move, bool is_first,
@@ -159,7 +152,7 @@ EnsembleParts implicit_parts(const Scheme& scheme) {
     if (scheme.velocity_form) {
         parts.step = velocity_step(scheme);
         parts.constants = velocity_constants(scheme, {});
-        parts.coupled = struct_text("velocity_ensemble.hpp.in", {{"unknowns", about}});
+        parts.coupled = fill_part("velocity_ensemble.hpp.in", {{"unknowns", about}});
         parts.members = members_text(scheme, "VelocityTrajectories");
         return parts;
     }
@@ -167,12 +160,12 @@ EnsembleParts implicit_parts(const Scheme& scheme) {
     parts.step = pair_step(scheme);
     parts.constants = pair_constants(scheme, {});
     parts.coupled =
-        struct_text("pair_ensemble.hpp.in", {{"unknowns", about},
-                                             {"stages", std::to_string(scheme.positions.size())},
-                                             {"separable", std::string(truth(scheme.separable))},
-                                             {"mt", std::string(table_mt(scheme))},
-                                             {"velocity", scheme.separable ? P : Q + ", " + P},
-                                             {"force", scheme.separable ? Q : Q + ", " + P}});
+        fill_part("pair_ensemble.hpp.in", {{"unknowns", about},
+                                           {"stages", std::to_string(scheme.positions.size())},
+                                           {"separable", std::string(truth(scheme.separable))},
+                                           {"mt", std::string(table_mt(scheme))},
+                                           {"velocity", scheme.separable ? P : Q + ", " + P},
+                                           {"force", scheme.separable ? Q : Q + ", " + P}});
     parts.members = members_text(scheme, "PairTrajectories");
     return parts;
 }

@@ -81,6 +81,17 @@ std::string coefficients_text(const Scheme& scheme) {
     return writer.str();
 }
 
+void open_predict(Writer& writer, const Scheme& scheme, std::string_view slopes) {
+    writer.comment(
+        scheme.extrapolation
+            ? fmt::format("Starting values: the polynomial through the {0} of the last step, else "
+                          "{0} as at the start of this one.",
+                          slopes)
+            : fmt::format("Starting values: {} as at the start of the step.", slopes),
+        "/// ");
+    writer.open("void predict() {{");
+}
+
 std::string extrapolation_text(const Scheme& scheme) {
     Writer writer(1);
     writer.comment("Slopes of the next step are about N times those of this one.");

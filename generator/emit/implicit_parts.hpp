@@ -53,6 +53,9 @@ struct ImplicitParts {
 /// The last expression of step(): the status.
 [[nodiscard]] std::string end_of_step(const Scheme& scheme, std::string_view iterations);
 
+/// The comment and the first line of predict(). `slopes`: what the starting values are.
+void open_predict(Writer& writer, const Scheme& scheme, std::string_view slopes);
+
 /// The table N of starting values.
 [[nodiscard]] std::string extrapolation_text(const Scheme& scheme);
 

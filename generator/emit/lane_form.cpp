@@ -38,12 +38,7 @@ void columns(Writer& writer, std::string_view name) {
 
 std::string predict_text(const Scheme& scheme, const auto& extrapolate, const auto& constant) {
     Writer writer(1);
-    writer.comment(scheme.extrapolation
-                       ? "Starting values: the polynomial through the slopes of the last step, "
-                         "else slopes as at the start of this one."
-                       : "Starting values: slopes as at the start of the step.",
-                   "/// ");
-    writer.open("void predict() {{");
+    open_predict(writer, scheme, "slopes");
     if (scheme.extrapolation) {
         writer.open("if (s_.h == s_.h_before) {{");
         extrapolate(writer);
@@ -62,13 +57,6 @@ std::string members_text(const Scheme& scheme, std::string_view stages) {
     return writer.line("typename Solver::template Iteration<Vector> solver_;").str();
 }
 
-/// A template without the newline at its end.
-std::string struct_text(std::string_view template_name, const Holes& holes) {
-    std::string text = fill(template_name, holes);
-    text.pop_back();
-    return text;
-}
-
 // ---- positions alone ----
 
 std::string velocity_predict_text(const Scheme& scheme) {
@@ -84,26 +72,26 @@ ImplicitParts velocity_lane_parts(const Scheme& scheme, const SceneWishes& wishe
     const Block& block = scheme.blocks.front();
     Writer constants(1);
     constants.insert(velocity_constants(scheme, wishes)).blank();
-    constants.line("static constexpr hvi::detail::VelocityTable<Scalar, stages> table{{c, n}};");
+    constants.line("static constexpr hvi::detail::VelocityTable<Scalar, stages> cn_lanes{{c, n}};");
     if (scheme.extrapolation) { columns(constants, "N"); }
     ImplicitParts parts;
     parts.runtime = {"velocity_lanes.hpp"};
     parts.steps = steps_text(
-        scheme, {"system_.dHdp(s_.at.p, s_.velocity);", "s_.drift_freely(table);"}, "table");
+        scheme, {"system_.dHdp(s_.at.p, s_.velocity);", "s_.drift_freely(cn_lanes);"}, "cn_lanes");
     parts.constants = constants.str();
     parts.predict = velocity_predict_text(scheme);
-    parts.coupled = struct_text(
-        "velocity_lanes.hpp.in",
-        {{"unknowns", unknowns(block)},
-         {"member", member(scheme)},
-         {"times", times(scheme)},
-         {"newton", scheme.takes_newton()
-                        ? newton_of_positions(scheme, block.of(Kind::Q), "s.drifts(system);")
-                        : ""}});
+    parts.coupled =
+        fill_part("velocity_lanes.hpp.in",
+                  {{"unknowns", unknowns(block)},
+                   {"member", member(scheme)},
+                   {"times", times(scheme)},
+                   {"newton", scheme.takes_newton() ? newton_of_positions(scheme, block.of(Kind::Q),
+                                                                          "s.drifts(system);")
+                                                    : ""}});
     parts.members = members_text(scheme, "VelocityLanes");
     if (wishes.curve) {
         parts.curve = curve_text(
-            scheme, *wishes.curve, "s_.increment_q(table, static_cast<std::size_t>(k))",
+            scheme, *wishes.curve, "s_.increment_q(cn_lanes, static_cast<std::size_t>(k))",
             [](std::size_t i) { return fmt::format("s_.W[static_cast<std::size_t>(k)][{}]", i); });
     }
     return parts;
@@ -145,17 +133,17 @@ ImplicitParts pair_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
     parts.constants = constants.str();
     parts.predict = pair_predict_text(scheme);
     parts.coupled =
-        struct_text("pair_lanes.hpp.in",
-                    {{"unknowns", unknowns(block)},
-                     {"member", member(scheme)},
-                     {"stages", stages},
-                     {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
-                     {"separable", std::string(truth(scheme.separable))},
-                     {"mt", std::string(table_mt(scheme))},
-                     {"velocity", scheme.separable ? std::string(P)
-                                                   : fmt::format("{}, {}{}", Q, P, times(scheme))},
-                     {"force", scheme.separable ? fmt::format("{}{}", Q, times(scheme))
-                                                : fmt::format("{}, {}{}", Q, P, times(scheme))}});
+        fill_part("pair_lanes.hpp.in",
+                  {{"unknowns", unknowns(block)},
+                   {"member", member(scheme)},
+                   {"stages", stages},
+                   {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
+                   {"separable", std::string(truth(scheme.separable))},
+                   {"mt", std::string(table_mt(scheme))},
+                   {"velocity", scheme.separable ? std::string(P)
+                                                 : fmt::format("{}, {}{}", Q, P, times(scheme))},
+                   {"force", scheme.separable ? fmt::format("{}{}", Q, times(scheme))
+                                              : fmt::format("{}, {}{}", Q, P, times(scheme))}});
     parts.members = members_text(scheme, "StageLanes");
     if (wishes.curve) {
         parts.curve = curve_text(

@@ -241,12 +241,7 @@ std::string predict_text(const Scheme& scheme) {
     if (scheme.is_explicit()) { return {}; }
     const std::vector<Slope> slopes = predicted(scheme);
     Writer writer(1);
-    writer.comment(scheme.extrapolation
-                       ? "Starting values: the polynomial through the slopes of the last step, "
-                         "else slopes as at the start of this one."
-                       : "Starting values: slopes as at the start of the step.",
-                   "/// ");
-    writer.open("void predict() {{");
+    open_predict(writer, scheme, "slopes");
     if (scheme.extrapolation) { extrapolate(writer, scheme, slopes); }
     if (!scheme.keeps_force) { writer.line("auto&& slope = hvi::detail::scratch(s_.slope);"); }
     constant(writer, scheme, slopes, "Lq");

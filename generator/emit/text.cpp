@@ -188,4 +188,10 @@ std::string fill(std::string_view template_name, const Holes& holes) {
     return tidy(result);
 }
 
+std::string fill_part(std::string_view template_name, const Holes& holes) {
+    std::string text = fill(template_name, holes);
+    text.pop_back();
+    return text;
+}
+
 }  // namespace hvi::gen

@@ -76,4 +76,7 @@ using Holes = std::map<std::string_view, std::string>;
 /// invariant.
 [[nodiscard]] std::string fill(std::string_view template_name, const Holes& holes);
 
+/// The same as a part of another text: without the newline at its end.
+[[nodiscard]] std::string fill_part(std::string_view template_name, const Holes& holes);
+
 }  // namespace hvi::gen

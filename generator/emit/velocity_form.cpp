@@ -139,20 +139,18 @@ std::string coupled_text(const Scheme& scheme) {
             size += fmt::format(" + hvi::detail::abs(s.{}[{}][k])", letter, i);
         }
     }
-    std::string text =
-        fill("coupled_positions.hpp.in",
-             {{"unknowns", unknowns(block)},
-              {"member",
-               scheme.depends_on_time ? fmt::format("const {}& clock;", clock_type(scheme)) : ""},
-              {"positions", positions_text(*scheme.velocity_form, Q)},
-              {"forces", forces_text(scheme, block.of(Kind::Lp))},
-              {"size", Writer(2).line("return {};", size).str()},
-              {"more", more_text(scheme, Q)},
-              {"tangents", scheme.solver == Solver::newton_taylor
-                               ? "hvi::detail::Tangents<System, stages>& tangents;"
-                               : ""}});
-    text.pop_back();
-    return text;
+    return fill_part(
+        "coupled_positions.hpp.in",
+        {{"unknowns", unknowns(block)},
+         {"member",
+          scheme.depends_on_time ? fmt::format("const {}& clock;", clock_type(scheme)) : ""},
+         {"positions", positions_text(*scheme.velocity_form, Q)},
+         {"forces", forces_text(scheme, block.of(Kind::Lp))},
+         {"size", Writer(2).line("return {};", size).str()},
+         {"more", more_text(scheme, Q)},
+         {"tangents", scheme.solver == Solver::newton_taylor
+                          ? "hvi::detail::Tangents<System, stages>& tangents;"
+                          : ""}});
 }
 
 // ---- step() ----
@@ -258,12 +256,7 @@ void extrapolate(Writer& writer, const std::vector<std::size_t>& unknown, std::s
 std::string predict_text(const Scheme& scheme) {
     const std::vector<std::size_t> unknown = coupled_block(scheme).of(Kind::Lp);
     Writer writer(1);
-    writer.comment(scheme.extrapolation
-                       ? "Starting values: the polynomial through the forces of the last step, "
-                         "else forces as at the start of this one."
-                       : "Starting values: forces as at the start of the step.",
-                   "/// ");
-    writer.open("void predict() {{");
+    open_predict(writer, scheme, "forces");
     if (scheme.extrapolation) { extrapolate(writer, unknown, scheme.positions.size()); }
     if (!scheme.keeps_force) {
         writer.line("system_.dHdq(s_.at.q, {}s_.slope);", start_time(scheme));

@@ -16,20 +16,24 @@ bool all_are_solved_for(const std::vector<StageValue>& values) {
     });
 }
 
+/// Why the stages cannot all be the unknowns of one iteration.
+std::string obstacle_in_stages(const Scheme& scheme) {
+    if (scheme.blocks.size() > 1) { return "the stages are not solved for all at once"; }
+    const bool are_unknowns =
+        all_are_solved_for(scheme.positions) && all_are_solved_for(scheme.momenta);
+    return are_unknowns ? "" : "some stages are equal, or the state itself";
+}
+
 }  // namespace
 
 std::string obstacle_to_stage_lanes(const Scheme& scheme) {
     if (scheme.is_tabulated) { return "a step is one linear map"; }
     if (scheme.is_explicit()) { return "each stage of an explicit method needs the one before"; }
     if (scheme.from_parameter) { return "the coefficients depend on a parameter"; }
-    if (scheme.blocks.size() > 1) { return "the stages are not solved for all at once"; }
     if (scheme.solver != Solver::fixed_point && scheme.solver != Solver::automatic) {
         return "they are built for fixed points, and for these and Newton's method in turn";
     }
-    if (!all_are_solved_for(scheme.positions) || !all_are_solved_for(scheme.momenta)) {
-        return "some stages are equal, or the state itself";
-    }
-    return scheme.positions.size() < 2 ? "there is one stage" : "";
+    return scheme.positions.size() == 1 ? "there is one stage" : obstacle_in_stages(scheme);
 }
 
 std::string obstacle_to_ensemble(const Scheme& scheme) {
@@ -37,10 +41,7 @@ std::string obstacle_to_ensemble(const Scheme& scheme) {
     if (scheme.from_parameter) { return "the coefficients depend on a parameter"; }
     if (scheme.is_explicit()) { return ""; }
     if (scheme.solver != Solver::fixed_point) { return "they are iterated by fixed points"; }
-    if (scheme.blocks.size() > 1) { return "the stages are not solved for all at once"; }
-    const bool are_unknowns =
-        all_are_solved_for(scheme.positions) && all_are_solved_for(scheme.momenta);
-    return are_unknowns ? "" : "some stages are the state itself";
+    return obstacle_in_stages(scheme);
 }
 
 void set_lanes(Scheme& scheme, Lanes wished) {

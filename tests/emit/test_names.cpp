@@ -42,3 +42,11 @@ TEST_CASE("other names are refused") {
         CHECK_THROWS_AS(check_class_name(name, {}), InputError);
     }
 }
+
+TEST_CASE("an invariant is not called as what a header with lanes or sums has") {
+    for (const char* name : {"N_lanes", "m_lanes", "mt_lanes", "cn_lanes", "sums_"}) {
+        CAPTURE(name);
+        CHECK_THROWS_AS(check_function_name(name, {}), InputError);
+    }
+    CHECK_NOTHROW(check_function_name("table", {}));
+}
