@@ -53,6 +53,39 @@ std::string slopes(const std::vector<std::size_t>& indices, std::string_view let
     return writer.str();
 }
 
+std::string joint_slopes(const Scheme& scheme, const std::vector<std::size_t>& indices) {
+    Writer writer(3);
+    writer.line("Vector dHdq, dHdp;");
+    for (const std::size_t i : indices) {
+        writer.line("system.gradient(s.Q[{0}], s.P[{0}], {1}dHdq, dHdp);", i,
+                    stage_time(scheme, i, "s"));
+        writer.open(loop);
+        writer.line("s.Lp[{}][k] = {} * dHdq[k];", i, force_factor(scheme, i, "s"));
+        writer.line("s.Lq[{}][k] = {} * dHdp[k];", i, velocity_factor(scheme, i, "s"));
+        writer.close();
+    }
+    return writer.str();
+}
+
+/// Members that evaluate H.
+std::string slopes(const Scheme& scheme, const Block& block) {
+    Writer writer(2);
+    if (scheme.has_joint_slopes) {
+        writer.line("/// Lp_i = -h b_i dH/dq and Lq_i = h b_i dH/dp.");
+        writer.open("void slopes() {{").insert(joint_slopes(scheme, block.of(Kind::Lq)));
+        return writer.close().str();
+    }
+    writer.line("/// Lq_j = h b_j dH/dp.").open("void velocities() {{");
+    writer.insert(slopes(
+        block.of(Kind::Lq), "Lq", [&](std::size_t j) { return evaluate_velocity(scheme, j, "s"); },
+        [&](std::size_t j) { return velocity_factor(scheme, j, "s"); }));
+    writer.close().blank().line("/// Lp_i = -h b_i dH/dq.").open("void forces() {{");
+    writer.insert(slopes(
+        block.of(Kind::Lp), "Lp", [&](std::size_t i) { return evaluate_force(scheme, i, "s"); },
+        [&](std::size_t i) { return force_factor(scheme, i, "s"); }));
+    return writer.close().str();
+}
+
 /// NOTE: with q, or p, since a stage may be near 0 where that is not.
 std::string size(const std::vector<std::size_t>& values, std::string_view letter,
                  const std::vector<std::size_t>& slopes, std::string_view slope_letter) {
@@ -116,15 +149,9 @@ std::string coupled(const Scheme& scheme, const Block& block, std::string_view n
          {"b_p", fmt::format("{}{}", owner(scheme, "s"), weights_p(scheme))},
          {"momenta", stage_values(P, "P", "p", measures_p,
                                   [&](std::size_t j) { return momentum_sum(scheme, j, "s"); })},
-         {"velocities",
-          slopes(
-              Lq, "Lq", [&](std::size_t j) { return evaluate_velocity(scheme, j, "s"); },
-              [&](std::size_t j) { return velocity_factor(scheme, j, "s"); })},
          {"positions", stage_values(Q, "Q", "q", true,
                                     [&](std::size_t i) { return position_sum(scheme, i, "s"); })},
-         {"forces", slopes(
-                        Lp, "Lp", [&](std::size_t i) { return evaluate_force(scheme, i, "s"); },
-                        [&](std::size_t i) { return force_factor(scheme, i, "s"); })},
+         {"slopes", slopes(scheme, block)},
          {"size_q", size(Q, "Q", Lq, "Lq")},
          {"size_p", size(P, "P", Lp, "Lp")}});
 }

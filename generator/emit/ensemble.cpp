@@ -114,21 +114,29 @@ std::string velocity_step(const Scheme& scheme) {
     return writer.insert(solve_and_advance(", c")).str();
 }
 
+/// NOTE: for separable H the slopes of p are enough.
 std::string pair_step(const Scheme& scheme) {
-    const bool only_p = scheme.separable;  // for separable H the slopes of p are enough
-    const std::string_view at =
-        only_p ? "hvi::detail::load(s_.q)" : "hvi::detail::load(s_.q), hvi::detail::load(s_.p)";
+    const std::string_view at = scheme.separable
+                                    ? "hvi::detail::load(s_.q)"
+                                    : "hvi::detail::load(s_.q), hvi::detail::load(s_.p)";
     Writer writer(2);
     writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
     predict(
         writer, scheme,
         [&](Writer& out) {
-            if (!only_p) { out.line("s_.extrapolate_q(N);"); }
+            if (!scheme.separable) { out.line("s_.extrapolate_q(N);"); }
             out.line("s_.extrapolate_p(N);");
         },
         [&](Writer& out) {
+            if (scheme.has_joint_slopes) {
+                out.line("Values dHdq, dHdp;").line("system_.gradient({}, dHdq, dHdp);", at);
+                out.line("s_.predict_q(dHdp);").line("s_.predict_p(dHdq);");
+                return;
+            }
             out.line("Values slope;");
-            if (!only_p) { out.line("system_.dHdp({}, slope);", at).line("s_.predict_q(slope);"); }
+            if (!scheme.separable) {
+                out.line("system_.dHdp({}, slope);", at).line("s_.predict_q(slope);");
+            }
             out.line("system_.dHdq({}, slope);", at).line("s_.predict_p(slope);");
         });
     return writer.insert(solve_and_advance("")).str();
@@ -140,6 +148,27 @@ std::string members_text(const Scheme& scheme, std::string_view stages) {
         .line("hvi::detail::{}<Vector, {}> s_;", stages, scheme.positions.size())
         .line("hvi::detail::LaneSweeps<Scalar, hvi::detail::fixed_size<Vector>()> solver_;")
         .str();
+}
+
+/// Members of the stage equations that evaluate H.
+std::string slopes_text(const Scheme& scheme) {
+    const std::string Q = "hvi::detail::load(s.Q[i])", P = "hvi::detail::load(s.P[i])";
+    const std::string both = Q + ", " + P;
+    const std::string_view lanes = "const typename State::Mask& lanes";
+    Writer writer(2);
+    if (scheme.has_joint_slopes) {
+        writer.open("void slopes({}) {{", lanes);
+        writer.open("s.slopes(lanes, [&](std::size_t i, Values& dHdq, Values& dHdp) {{");
+        writer.line("system.gradient({}, dHdq, dHdp);", both);
+        return writer.close("});").close().str();
+    }
+    writer.open("void velocities({}) {{", lanes);
+    writer.line("s.velocities(lanes, [&](std::size_t i, Values& out) {{ system.dHdp({}, out); }});",
+                scheme.separable ? P : both);
+    writer.close().open("void forces({}) {{", lanes);
+    writer.line("s.forces(lanes, [&](std::size_t i, Values& out) {{ system.dHdq({}, out); }});",
+                scheme.separable ? Q : both);
+    return writer.close().str();
 }
 
 EnsembleParts implicit_parts(const Scheme& scheme) {
@@ -156,7 +185,6 @@ EnsembleParts implicit_parts(const Scheme& scheme) {
         parts.members = members_text(scheme, "VelocityTrajectories");
         return parts;
     }
-    const std::string Q = "hvi::detail::load(s.Q[i])", P = "hvi::detail::load(s.P[i])";
     parts.step = pair_step(scheme);
     parts.constants = pair_constants(scheme, {});
     parts.coupled =
@@ -164,8 +192,7 @@ EnsembleParts implicit_parts(const Scheme& scheme) {
                                            {"stages", std::to_string(scheme.positions.size())},
                                            {"separable", std::string(truth(scheme.separable))},
                                            {"mt", std::string(table_mt(scheme))},
-                                           {"velocity", scheme.separable ? P : Q + ", " + P},
-                                           {"force", scheme.separable ? Q : Q + ", " + P}});
+                                           {"slopes", slopes_text(scheme)}});
     parts.members = members_text(scheme, "PairTrajectories");
     return parts;
 }
@@ -180,7 +207,7 @@ std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
                               ? explicit_parts(scheme, options.scene->system.degrees_of_freedom())
                               : implicit_parts(scheme);
     return fill("ensemble.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"format", "7"},
+                                    {"format", scheme.has_joint_slopes ? "8" : "7"},
                                     {"name", system.class_name},
                                     {"include", system.include},
                                     {"runtime", runtime_includes(std::move(parts.runtime))},

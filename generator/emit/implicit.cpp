@@ -48,7 +48,9 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
         parts.runtime.push_back("curve.hpp");
     }
     if (options.wishes.float128) { parts.runtime.push_back("math.hpp"); }
-    if (options.scene != nullptr) { parts.format = scheme.has_stage_lanes ? 6 : 5; }
+    if (options.scene != nullptr) {
+        parts.format = scheme.has_joint_slopes ? 8 : scheme.has_stage_lanes ? 6 : 5;
+    }
     for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
                                     {"format", std::to_string(parts.format)},

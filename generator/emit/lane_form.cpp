@@ -44,7 +44,6 @@ std::string predict_text(const Scheme& scheme, const auto& extrapolate, const au
         extrapolate(writer);
         writer.line("return;").close();
     }
-    writer.line("auto&& slope = hvi::detail::scratch(s_.slope);");
     constant(writer);
     return writer.close().str();
 }
@@ -63,6 +62,7 @@ std::string velocity_predict_text(const Scheme& scheme) {
     return predict_text(
         scheme, [](Writer& writer) { writer.line("s_.extrapolate(N_lanes);"); },
         [&](Writer& writer) {
+            writer.line("auto&& slope = hvi::detail::scratch(s_.slope);");
             writer.line("system_.dHdq(s_.at.q, {}slope);", start_time(scheme));
             writer.line("s_.predict(system_, slope);");
         });
@@ -99,23 +99,49 @@ ImplicitParts velocity_lane_parts(const Scheme& scheme, const SceneWishes& wishe
 
 // ---- positions and momenta ----
 
+/// NOTE: for separable H the slopes of p are enough.
 std::string pair_predict_text(const Scheme& scheme) {
-    const bool only_p = scheme.separable;  // for separable H the slopes of p are enough
-    const std::string_view at = only_p ? "s_.at.q" : "s_.at.q, s_.at.p";
     return predict_text(
         scheme,
         [&](Writer& writer) {
-            if (!only_p) { writer.line("s_.extrapolate_q(N_lanes);"); }
+            if (!scheme.separable) { writer.line("s_.extrapolate_q(N_lanes);"); }
             writer.line("s_.extrapolate_p(N_lanes);");
         },
         [&](Writer& writer) {
-            if (!only_p) {
+            const std::string_view at = scheme.separable ? "s_.at.q" : "s_.at.q, s_.at.p";
+            if (scheme.has_joint_slopes) {
+                writer.line("Vector dHdq, dHdp;");
+                writer.line("system_.gradient({}, {}dHdq, dHdp);", at, start_time(scheme));
+                writer.line("s_.predict_q(dHdp);").line("s_.predict_p(dHdq);");
+                return;
+            }
+            writer.line("auto&& slope = hvi::detail::scratch(s_.slope);");
+            if (!scheme.separable) {
                 writer.line("system_.dHdp({}, {}slope);", at, start_time(scheme));
                 writer.line("s_.predict_q(slope);");
             }
             writer.line("system_.dHdq({}, {}slope);", at, start_time(scheme));
             writer.line("s_.predict_p(slope);");
         });
+}
+
+/// Members of the stage equations that evaluate H.
+std::string slopes_text(const Scheme& scheme) {
+    const std::string Q = "hvi::detail::load(s.Q)", P = "hvi::detail::load(s.P)";
+    Writer writer(2);
+    if (scheme.has_joint_slopes) {
+        writer.open("void slopes() {{").open("s.slopes([&](auto& dHdq, auto& dHdp) {{");
+        writer.line("system.gradient({}, {}{}, dHdq, dHdp);", Q, P, times(scheme));
+        return writer.close("});").close().str();
+    }
+    writer.open("void velocities() {{");
+    const std::string both = fmt::format("{}, {}{}", Q, P, times(scheme));
+    writer.line("s.velocities([&](auto& out) {{ system.dHdp({}, out); }});",
+                scheme.separable ? P : both);
+    writer.close().open("void forces() {{");
+    writer.line("s.forces([&](auto& out) {{ system.dHdq({}, out); }});",
+                scheme.separable ? Q + times(scheme) : both);
+    return writer.close().str();
 }
 
 ImplicitParts pair_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
@@ -126,24 +152,19 @@ ImplicitParts pair_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
     columns(constants, "m");
     if (!scheme.one_tableau()) { columns(constants, "mt"); }
     if (scheme.extrapolation) { columns(constants, "N"); }
-    const std::string_view Q = "hvi::detail::load(s.Q)", P = "hvi::detail::load(s.P)";
     ImplicitParts parts;
     parts.runtime = {"stage_lanes.hpp"};
     parts.steps = steps_text(scheme, {}, "");
     parts.constants = constants.str();
     parts.predict = pair_predict_text(scheme);
-    parts.coupled =
-        fill_part("pair_lanes.hpp.in",
-                  {{"unknowns", unknowns(block)},
-                   {"member", member(scheme)},
-                   {"stages", stages},
-                   {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
-                   {"separable", std::string(truth(scheme.separable))},
-                   {"mt", std::string(table_mt(scheme))},
-                   {"velocity", scheme.separable ? std::string(P)
-                                                 : fmt::format("{}, {}{}", Q, P, times(scheme))},
-                   {"force", scheme.separable ? fmt::format("{}{}", Q, times(scheme))
-                                              : fmt::format("{}, {}{}", Q, P, times(scheme))}});
+    parts.coupled = fill_part("pair_lanes.hpp.in",
+                              {{"unknowns", unknowns(block)},
+                               {"member", member(scheme)},
+                               {"stages", stages},
+                               {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
+                               {"separable", std::string(truth(scheme.separable))},
+                               {"mt", std::string(table_mt(scheme))},
+                               {"slopes", slopes_text(scheme)}});
     parts.members = members_text(scheme, "StageLanes");
     if (wishes.curve) {
         parts.curve = curve_text(

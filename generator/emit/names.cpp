@@ -67,13 +67,13 @@ constexpr std::array<std::string_view, 7> taken_by_coefficients{
 };
 
 /// The same where a scene has functions of its own.
-constexpr std::array<std::string_view, 33> taken_by_scenes{
+constexpr std::array<std::string_view, 34> taken_by_scenes{
     "dHdq",        "dHdp",        "d2Hdq2", "d2Hdqdp",    "d2Hdp2",   "energy",
     "evaluations", "initial",     "begin",  "Parameters", "position", "curve",
     "curve_rates", "curve_terms", "c",      "n",          "q",        "p",
     "t",           "x",           "h",      "clock_",     "stages",   "inverse_mass",
     "quadratic",   "Map",         "Number", "Numbers",    "N_lanes",  "m_lanes",
-    "mt_lanes",    "cn_lanes",    "sums_",
+    "mt_lanes",    "cn_lanes",    "sums_",  "gradient",
 };
 
 bool is_identifier(std::string_view name) {

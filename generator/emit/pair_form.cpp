@@ -214,13 +214,33 @@ void extrapolate(Writer& writer, const Scheme& scheme, const std::vector<Slope>&
     writer.close().line("return;").close();
 }
 
-/// All slopes as at the step's start. `kept` is where that slope is at hand.
-void constant(Writer& writer, const Scheme& scheme, const std::vector<Slope>& slopes,
-              std::string_view letter) {
+/// The indices of the slopes of that letter.
+std::vector<std::size_t> indices_of(const std::vector<Slope>& slopes, std::string_view letter) {
     std::vector<std::size_t> indices;
     for (const Slope& slope : slopes) {
         if (slope.letter == letter) { indices.push_back(slope.index); }
     }
+    return indices;
+}
+
+/// Both slopes of all stages as at the step's start.
+void constant_jointly(Writer& writer, const Scheme& scheme, const std::vector<Slope>& slopes) {
+    writer.line("Vector dHdq, dHdp;");
+    writer.line("system_.gradient(s_.at.q, s_.at.p, {}dHdq, dHdp);", start_time(scheme));
+    writer.open(loop);
+    for (const std::size_t i : indices_of(slopes, "Lp")) {
+        writer.line("s_.Lp[{}][k] = {} * dHdq[k];", i, force_factor(scheme, i, "s_"));
+    }
+    for (const std::size_t j : indices_of(slopes, "Lq")) {
+        writer.line("s_.Lq[{}][k] = {} * dHdp[k];", j, velocity_factor(scheme, j, "s_"));
+    }
+    writer.close();
+}
+
+/// All slopes as at the step's start. `kept` is where that slope is at hand.
+void constant(Writer& writer, const Scheme& scheme, const std::vector<Slope>& slopes,
+              std::string_view letter) {
+    const std::vector<std::size_t> indices = indices_of(slopes, letter);
     if (indices.empty()) { return; }
     const bool is_force = letter == "Lp";
     const bool kept = is_force && scheme.keeps_force;
@@ -243,6 +263,10 @@ std::string predict_text(const Scheme& scheme) {
     Writer writer(1);
     open_predict(writer, scheme, "slopes");
     if (scheme.extrapolation) { extrapolate(writer, scheme, slopes); }
+    if (scheme.has_joint_slopes) {
+        constant_jointly(writer, scheme, slopes);
+        return writer.close().str();
+    }
     if (!scheme.keeps_force) { writer.line("auto&& slope = hvi::detail::scratch(s_.slope);"); }
     constant(writer, scheme, slopes, "Lq");
     constant(writer, scheme, slopes, "Lp");

@@ -5,6 +5,7 @@
 #include "generator/emit/names.hpp"
 #include "generator/exact/functions/start.hpp"
 #include "generator/exact/methods/galerkin.hpp"
+#include "generator/lower/joint_gradient.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
 
@@ -100,6 +101,7 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
                                    .depends_on_time = lowered.system.time.has_value(),
                                    .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic,
                                    .is_quadratic = lowered.structure.is_quadratic,
+                                   .joint_gradient_pays = joint_gradient_pays(lowered.system),
                                    .degrees_of_freedom = lowered.system.degrees_of_freedom(),
                                    .has_curve = wishes.dense,
                                    .solver = wishes.solver,

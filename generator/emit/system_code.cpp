@@ -5,12 +5,16 @@
 
 #include "generator/emit/header.hpp"
 #include "generator/emit/scene_code.hpp"
+#include "generator/lower/joint_gradient.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
 using Results = std::vector<Scaled>;
+
+/// The template parameter that vectors are of.
+constexpr std::string_view vector_type(bool are_lanes) { return are_lanes ? "Values" : "Vector"; }
 
 /// The names of what evaluations find: variables, members for what is made of parameters, and
 /// constants.
@@ -177,14 +181,15 @@ void tangents(std::vector<Function>& functions, const LoweredScene& lowered) {
     functions.push_back(std::move(along));
 }
 
-/// What steps evaluate.
-std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) {
+/// dH/dq and dH/dp, one by one.
+std::vector<Function> two_gradients(const LoweredScene& lowered, const Scheme& scheme) {
     const SystemGraph& system = lowered.system;
     const bool separable = scheme.separable;
     const std::vector<std::string> out = components("out", system.degrees_of_freedom());
     const auto vector = [&](std::string_view name, const std::vector<Scaled>& results, bool has_q,
                             bool has_p) {
-        return Function{name, out, kernel(system.graph, results), has_q, has_p, "Vector& out"};
+        return Function{name,  out,   kernel(system.graph, results),
+                        has_q, has_p, fmt::format("{}& out", vector_type(scheme.has_lanes()))};
     };
     std::vector<Function> result{vector("dHdq", system.dHdq, true, !separable),
                                  vector("dHdp", system.dHdp, !separable, true)};
@@ -193,6 +198,28 @@ std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) 
     if (scheme.velocity_form) {
         result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
     }
+    return result;
+}
+
+/// dH/dq and dH/dp.
+Function both_gradients(const SystemGraph& system, const Scheme& scheme) {
+    std::vector<std::string> targets = components("dHdq", system.degrees_of_freedom());
+    for (std::string& target : components("dHdp", system.degrees_of_freedom())) {
+        targets.push_back(std::move(target));
+    }
+    Function function;
+    function.name = "gradient";
+    function.targets = std::move(targets);
+    function.kernel = kernel(system.graph, joint_gradient(system));
+    function.out = fmt::format("{0}& dHdq, {0}& dHdp", vector_type(scheme.has_lanes()));
+    function.has_time = scheme.depends_on_time;
+    return function;
+}
+
+/// What steps evaluate.
+std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) {
+    std::vector<Function> result = two_gradients(lowered, scheme);
+    if (scheme.has_joint_slopes) { result = {both_gradients(lowered.system, scheme)}; }
     for (Function& function : result) { function.takes_lanes = scheme.has_lanes(); }
     // NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times.
     // Where there is sin, or much, the call does not matter.
@@ -239,7 +266,8 @@ std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& 
     std::vector<Function> result =
         scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)} : slopes(lowered, scheme);
     for (Function& function : result) {
-        function.is_counted = wishes.evaluations && function.name == "dHdq";
+        const bool has_forces = function.name == "dHdq" || function.name == "gradient";
+        function.is_counted = wishes.evaluations && has_forces;
     }
     if (wishes.energy) {
         result.push_back(value("energy", lowered.system.hamiltonian));
@@ -263,7 +291,7 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     const SystemGraph& system = lowered.system;
     for (const auto& [node, name] : function.names) { names[node] = name; }
     std::vector<std::string> arguments;
-    const std::string_view vector = function.takes_lanes ? "Values" : "Vector";
+    const std::string_view vector = vector_type(function.takes_lanes);
     if (function.has_q) {
         arguments.push_back(
             argument(uses_any(function.kernel, system.q), fmt::format("const {}& q", vector)));
@@ -278,8 +306,7 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
                      function.takes_lanes ? "const hvi::detail::ScalarOf<Values>& t" : "Scalar t"));
     }
     if (!function.out.empty()) {
-        arguments.push_back(argument(!function.targets.empty(),
-                                     function.takes_lanes ? "Values& out" : function.out));
+        arguments.push_back(argument(!function.targets.empty(), function.out));
     }
     const bool is_matrix = function.out.substr(0, 6) == "Matrix";
     if (is_matrix) { writer.line("template <class Matrix>"); }

@@ -134,6 +134,7 @@ void Writer::write(std::string_view statement) {
 }
 
 Writer& Writer::insert(std::string_view lines) {
+    if (lines.empty()) { return *this; }
     text_ += std::string(indentation(), ' ') + indented(lines, indentation()) + '\n';
     return *this;
 }

@@ -41,7 +41,7 @@ public:
 
     Writer& blank();
 
-    /// Lines of another writer, which was told how deep they will stand.
+    /// Lines of another writer, which was told how deep they will stand; or nothing.
     Writer& insert(std::string_view lines);
 
     /// A comment, broken to the page; lines but the first go on `hang` columns further in.

@@ -122,6 +122,13 @@ Kernel kernel(const Graph& graph, std::vector<Scaled> results, IsGiven is_given)
     return kernel;
 }
 
+/// What is computed for each value of the inputs of that role.
+Kernel kernel_of(Role role, const Graph& graph, std::vector<Scaled> results) {
+    return kernel(graph, std::move(results), [&](const Computation& computation) {
+        return computation.operation == Operation::input || !has(computation.roles, role);
+    });
+}
+
 }  // namespace
 
 Kernel kernel(const Graph& graph, std::vector<Scaled> results) {
@@ -138,10 +145,11 @@ Kernel kernel_of_inputs(const Graph& graph, std::vector<Scaled> results) {
 }
 
 Kernel kernel_of_direction(const Graph& graph, std::vector<Scaled> results) {
-    return kernel(graph, std::move(results), [](const Computation& computation) {
-        return computation.operation == Operation::input ||
-               !has(computation.roles, Role::direction);
-    });
+    return kernel_of(Role::direction, graph, std::move(results));
+}
+
+Kernel kernel_of_momenta(const Graph& graph, std::vector<Scaled> results) {
+    return kernel_of(Role::momentum, graph, std::move(results));
 }
 
 bool is_divisor(const Graph& graph, const Kernel& kernel, Node node) {

@@ -36,6 +36,9 @@ struct Kernel {
 /// What is computed for each direction. Given is all that does not depend on it.
 [[nodiscard]] Kernel kernel_of_direction(const Graph& graph, std::vector<Scaled> results);
 
+/// What is computed for each p at the same q and t. Given is all that does not depend on p.
+[[nodiscard]] Kernel kernel_of_momenta(const Graph& graph, std::vector<Scaled> results);
+
 /// Whether it is 1/b and used once: in a product with a it is the division a/b.
 [[nodiscard]] bool is_divisor(const Graph& graph, const Kernel& kernel, Node node);
 

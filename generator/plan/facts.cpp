@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "generator/lower/joint_gradient.hpp"
 #include "generator/lower/kernel.hpp"
 
 namespace hvi::gen {
@@ -137,8 +138,12 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme
     result.push_back(
         unknowns == 0 ? "no unknowns: nothing is solved for"
                       : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
-    result.push_back("dH/dq once: " + operations(system.dHdq));
-    result.push_back("dH/dp once: " + operations(system.dHdp));
+    if (scheme.has_joint_slopes) {
+        result.push_back("dH/dq and dH/dp once: " + operations(joint_gradient(system)));
+    } else {
+        result.push_back("dH/dq once: " + operations(system.dHdq));
+        result.push_back("dH/dp once: " + operations(system.dHdp));
+    }
     if (scheme.takes_newton()) {
         result.push_back("second derivatives once, where Newton's method is needed: " +
                          operations(second_derivatives(lowered.structure, scheme)));

@@ -383,7 +383,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.
     if (options.kinetic_is_quadratic && !options.composition) { eliminate_momenta(scheme); }
-    set_solver(scheme, solver);
+    set_solver(scheme, solver, options.joint_gradient_pays);
     set_lanes(scheme, options.lanes);
     if (!options.composition) { set_extrapolation(scheme, tableau); }
     return scheme;

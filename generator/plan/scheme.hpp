@@ -120,6 +120,7 @@ struct Scheme {
     /// Where the momenta are eliminated: the blocks then have no P and no Lq.
     std::optional<VelocityForm> velocity_form;
     Solver solver = Solver::of_user;
+    bool has_joint_slopes = false;  ///< one function evaluates dH/dq and dH/dp, for both slopes
     /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
     std::optional<RealModes> modes;
     bool has_stage_lanes = false;       ///< all stages are computed side by side: see hvi::Lanes

@@ -38,9 +38,22 @@ void set_modes(Scheme& scheme) {
          "at the start of a step all stages have the same second derivatives"});
 }
 
+/// Where both slopes of a stage are unknown, they may be evaluated at the same Q and P.
+void set_joint_slopes(Scheme& scheme, bool joint_gradient_pays) {
+    if (scheme.separable || !joint_gradient_pays) { return; }
+    for (const Block& block : scheme.blocks) {
+        if (block.of(StageNode::Kind::Lq) != block.of(StageNode::Kind::Lp)) { return; }
+    }
+    scheme.has_joint_slopes = true;
+    scheme.decisions.push_back(
+        {"dH/dq and dH/dp are evaluated together",
+         "what they have in common is computed once, and neither waits for the other, by the count "
+         "of operations for less than the iterations that this may add"});
+}
+
 }  // namespace
 
-void set_solver(Scheme& scheme, Solver wished) {
+void set_solver(Scheme& scheme, Solver wished, bool joint_gradient_pays) {
     if (scheme.is_explicit()) { return; }
     scheme.solver = wished;
     if (scheme.solver == Solver::automatic) {
@@ -48,6 +61,7 @@ void set_solver(Scheme& scheme, Solver wished) {
             {"fixed points, and Newton's method for steps on which they are slow",
              "how stiff H is depends on h and on the state"});
     }
+    set_joint_slopes(scheme, joint_gradient_pays);
     set_modes(scheme);
 }
 

@@ -7,7 +7,7 @@
 namespace hvi::gen {
 
 /// Decides it from what is wished for and what can be had. Precondition: the momenta are eliminated
-/// where they can be.
-void set_solver(Scheme& scheme, Solver wished);
+/// where they can be. `joint_gradient_pays`: see PlanOptions.
+void set_solver(Scheme& scheme, Solver wished, bool joint_gradient_pays);
 
 }  // namespace hvi::gen

@@ -73,6 +73,7 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
                                    {"count", std::to_string(conserved.size())},
                                    {"values", values(lowered)},
                                    {"separable", fact(lowered.structure.is_separable)},
+                                   {"joint", fact(stepper.scheme.has_joint_slopes)},
                                    {"quadratic", fact(lowered.structure.kinetic_is_quadratic)},
                                    {"time", fact(lowered.system.time.has_value())}}),
             {{header_name, stepper.header}},

@@ -34,8 +34,12 @@ public:
     void slope(const double* y, double* dydt, double t) const {
         const auto [q, p] = parts(y);
         Vector by_q{}, by_p{};
-        of_q([&](const auto&... x) { system_.dHdq(x..., by_q); }, q, p, t);
-        of_p([&](const auto&... x) { system_.dHdp(x..., by_p); }, q, p, t);
+        if constexpr (Problem::has_joint_gradient) {
+            of_q([&](const auto&... x) { system_.gradient(x..., by_q, by_p); }, q, p, t);
+        } else {
+            of_q([&](const auto&... x) { system_.dHdq(x..., by_q); }, q, p, t);
+            of_p([&](const auto&... x) { system_.dHdp(x..., by_p); }, q, p, t);
+        }
         for (std::size_t k = 0; k < n; ++k) {
             dydt[k] = by_p[k];
             dydt[n + k] = -by_q[k];

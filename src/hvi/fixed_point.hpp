@@ -4,6 +4,7 @@
 #pragma once
 
 #include <hvi/arithmetic.hpp>
+#include <hvi/joint_slopes.hpp>
 #include <hvi/round_off.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
@@ -12,7 +13,9 @@ namespace hvi {
 namespace detail {
 
 /// Partitioned sweeps, each new value used at once: P from Lp, Lq from dHdp, Q from Lq, Lp from
-/// dHdq. For separable H one of them contracts as much as two sweeps of Jacobi's.
+/// dHdq. For separable H one of them contracts as much as two sweeps of Jacobi's, in which Q and P
+/// come from the slopes of the sweep before. Where H couples q and p there is little in it, and
+/// equations with joint slopes are iterated as Jacobi does: neither gradient waits for the other.
 ///
 /// `first_order`: between two evaluations of dHdq there is a sweep with their first-order change.
 template <class Vector, bool first_order>
@@ -24,7 +27,8 @@ public:
     /// separable H Lp does.
     template <class Coupled>
     [[nodiscard]] Status solve(Coupled coupled, int most = most_iterations) {
-        if constexpr (!Coupled::separable) { coupled.positions(); }
+        constexpr bool is_joint = HasJointSlopes<Coupled>::value;
+        if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
         round_off_.begin(coupled.s.n);
         sweep(coupled);  // what it changes is measured against values of no meaning
         for (int iteration = 2; iteration <= most; ++iteration) {
@@ -33,7 +37,7 @@ public:
             switch (judge(coupled)) {
             case Verdict::go_on: break;
             case Verdict::unchanged: return Status(Status::Code::ok, iteration);
-            case Verdict::at_noise: coupled.forces(); return Status(Status::Code::ok, iteration);
+            case Verdict::at_noise: close(coupled); return Status(Status::Code::ok, iteration);
             case Verdict::not_finite:
                 // NOTE: later than in the first sweeps it is the iteration that diverges.
                 return Status(iteration == 2 ? Status::Code::not_finite
@@ -54,6 +58,16 @@ private:
         if constexpr (first_order) {
             coupled.forces_and_tangents();
         } else {
+            close(coupled);
+        }
+    }
+
+    /// The slopes that belong to the last stages.
+    template <class Coupled>
+    static void close(Coupled& coupled) {
+        if constexpr (HasJointSlopes<Coupled>::value) {
+            coupled.slopes();
+        } else {
             coupled.forces();
         }
     }
@@ -61,7 +75,7 @@ private:
     template <class Coupled>
     static void sweep(Coupled& coupled) {
         coupled.momenta();
-        coupled.velocities();
+        if constexpr (!HasJointSlopes<Coupled>::value) { coupled.velocities(); }
         coupled.positions();
     }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include <hvi/arithmetic.hpp>
+#include <hvi/joint_slopes.hpp>
 #include <hvi/trajectories.hpp>
 
 namespace hvi::detail {
@@ -125,13 +126,18 @@ public:
     template <class Coupled>
     [[nodiscard]] Outcome solve(Coupled coupled, const Mask& going) {
         Outcome outcome{Mask(false), Mask(false), Lane(Number(0))};
-        if constexpr (!Coupled::separable) { coupled.positions(); }
+        constexpr bool is_joint = HasJointSlopes<Coupled>::value;
+        if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
         round_off_.begin();
         Mask moving = going;
-        Mask closing(false);  // at noise: they take one more force
+        Mask closing(false);  // at noise: they take the slopes of the last stages
         sweep(coupled, moving);
         for (int iteration = 2; any(moving | closing); ++iteration) {
-            coupled.forces(moving | closing);
+            if constexpr (is_joint) {
+                coupled.slopes(moving | closing);
+            } else {
+                coupled.forces(moving | closing);
+            }
             if (!any(moving) || iteration > most_iterations) { break; }
             sweep(coupled, moving);
             const auto verdicts = judge(coupled, moving);
@@ -149,9 +155,9 @@ public:
 
 private:
     template <class Coupled>
-    static void sweep(Coupled& coupled, const Mask& moving) {
+    static void sweep(Coupled& coupled, [[maybe_unused]] const Mask& moving) {
         coupled.momenta();
-        coupled.velocities(moving);
+        if constexpr (!HasJointSlopes<Coupled>::value) { coupled.velocities(moving); }
         coupled.positions();
     }
 

@@ -9,6 +9,7 @@
 
 #include <hvi/arithmetic.hpp>
 #include <hvi/dense.hpp>
+#include <hvi/joint_slopes.hpp>
 #include <hvi/newton_loop.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
@@ -72,8 +73,12 @@ public:
     /// corrected stages: those would carry the rounding of the stages times (h omega)^2.
     template <class Coupled>
     void correct(Coupled& coupled) {
-        coupled.velocities();
-        coupled.forces();
+        if constexpr (HasJointSlopes<Coupled>::value) {
+            coupled.slopes();
+        } else {
+            coupled.velocities();
+            coupled.forces();
+        }
         gather(coupled, correction_);
         for (std::size_t i = 0; i < slopes_.size(); ++i) {
             correction_[i] = slopes_[i] - correction_[i];

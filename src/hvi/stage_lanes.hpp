@@ -56,13 +56,22 @@ struct StageLanes : StepMemory<Vector> {
     /// Lq_j = h b_j dH/dp, of what `dHdp(out)` puts out.
     template <class Gradient>
     [[gnu::always_inline]] void velocities(Gradient dHdp) {
-        slopes(dHdp, Lane(hb), Lq);
+        evaluate(dHdp, Lane(hb), Lq);
     }
 
     /// Lp_i = -h b_i dH/dq, of what `dHdq(out)` puts out.
     template <class Gradient>
     [[gnu::always_inline]] void forces(Gradient dHdq) {
-        slopes(dHdq, -Lane(hb), Lp);
+        evaluate(dHdq, -Lane(hb), Lp);
+    }
+
+    /// Both, of what `gradient(dHdq, dHdp)` puts out.
+    template <class Gradient>
+    [[gnu::always_inline]] void slopes(Gradient gradient) {
+        LaneVector<Scalar, stages, dimension> dHdq, dHdp;
+        gradient(dHdq, dHdp);
+        store_scaled(-Lane(hb), dHdq, Lp);
+        store_scaled(Lane(hb), dHdp, Lq);
     }
 
     /// Moves `at` to the end of the step.
@@ -119,10 +128,17 @@ private:
     }
 
     template <class Gradient>
-    [[gnu::always_inline]] static void slopes(Gradient gradient, const Lane& factor, Rows& rows) {
+    [[gnu::always_inline]] static void evaluate(Gradient gradient, const Lane& factor,
+                                                Rows& slopes) {
         LaneVector<Scalar, stages, dimension> out;
         gradient(out);
-        for (std::size_t k = 0; k < dimension; ++k) { (factor * out[k]).store(rows[k]); }
+        store_scaled(factor, out, slopes);
+    }
+
+    [[gnu::always_inline]] static void
+    store_scaled(const Lane& factor, const LaneVector<Scalar, stages, dimension>& gradient,
+                 Rows& slopes) {
+        for (std::size_t k = 0; k < dimension; ++k) { (factor * gradient[k]).store(slopes[k]); }
     }
 
     Scalar weighed_ = 0;  ///< the step size of hb

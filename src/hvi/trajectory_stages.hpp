@@ -299,6 +299,18 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages> {
         }
     }
 
+    /// Both, of what `gradient(i, dHdq, dHdp)` puts out.
+    template <class Gradient>
+    void slopes(const Mask& lanes, Gradient gradient) {
+        const bool are_all = all(lanes);
+        for (std::size_t i = 0; i < stages; ++i) {
+            Values dHdq, dHdp;
+            gradient(i, dHdq, dHdp);
+            keep_scaled(lanes, are_all, -this->hb[i], dHdq, Lp[i]);
+            keep_scaled(lanes, are_all, this->hb[i], dHdp, Lq[i]);
+        }
+    }
+
     /// q grows by sum_j Lq_j, p by sum_i Lp_i.
     template <class Outcome>
     [[nodiscard]] const LaneStatus& advance(typename Base::State& x, const Outcome& outcome) {
@@ -330,8 +342,13 @@ private:
                       Scalar factor, Slopes& slopes) {
         Values out;
         gradient(i, out);
-        for (Lane& component : out) { component = factor * component; }
-        Base::keep(lanes, are_all, out, slopes[i]);
+        keep_scaled(lanes, are_all, factor, out, slopes[i]);
+    }
+
+    static void keep_scaled(const Mask& lanes, bool are_all, Scalar factor, Values& gradient,
+                            Rows& slope) {
+        for (Lane& component : gradient) { component = factor * component; }
+        Base::keep(lanes, are_all, gradient, slope);
     }
 
     static void stage_values(const Scalar (&m)[stages][stages], const Slopes& slopes,

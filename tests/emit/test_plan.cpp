@@ -281,6 +281,22 @@ TEST_CASE("who solves the equations") {
     CHECK_FALSE(scheme("stormer-verlet", true, false, Solver::automatic).takes_newton());
 }
 
+TEST_CASE("both slopes at once, where both are unknown") {
+    const auto joint = [](const char* method, bool separable, bool pays) {
+        return plan(named(method), {.separable = separable,
+                                    .joint_gradient_pays = pays,
+                                    .solver = Solver::automatic})
+            .has_joint_slopes;
+    };
+    CHECK(joint("gauss:3", false, true));
+    CHECK(joint("midpoint", false, true));
+    CHECK_FALSE(joint("gauss:3", true, true));
+    CHECK_FALSE(joint("gauss:3", false, false));
+    // P_1 is solved for, then Q_2: dH/dp at the start has its P when dH/dq has.
+    CHECK_FALSE(joint("stormer-verlet", false, true));
+    CHECK_FALSE(joint("symplectic-euler", false, true));
+}
+
 TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
     const auto tabulated = [](const char* method, PlanOptions options) {
         options.is_quadratic = true;

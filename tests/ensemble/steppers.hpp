@@ -10,6 +10,7 @@
 #include <ensemble/blanes_moan_henon_heiles.hpp>
 #include <ensemble/euler_pendulum.hpp>
 #include <ensemble/gauss_2_quartic.hpp>
+#include <ensemble/gauss_2_double_pendulum.hpp>
 #include <ensemble/gauss_3_nonseparable.hpp>
 #include <ensemble/gauss_4_kepler.hpp>
 #include <ensemble/gauss_8_henon_heiles.hpp>
@@ -17,6 +18,7 @@
 #include <ensemble/one/blanes_moan_henon_heiles.hpp>
 #include <ensemble/one/euler_pendulum.hpp>
 #include <ensemble/one/gauss_2_quartic.hpp>
+#include <ensemble/one/gauss_2_double_pendulum.hpp>
 #include <ensemble/one/gauss_3_nonseparable.hpp>
 #include <ensemble/one/gauss_4_kepler.hpp>
 #include <ensemble/one/gauss_8_henon_heiles.hpp>
@@ -43,6 +45,7 @@ using VerletKepler = Pair<made::VerletKeplers, made::VerletKepler>;
 using BlanesMoanHenonHeiles = Pair<made::BlanesMoanHenonHeileses, made::BlanesMoanHenonHeiles>;
 using MidpointPendulum = Pair<made::MidpointPendulums, made::MidpointPendulum>;
 using Gauss2Quartic = Pair<made::Gauss2Quartics, made::Gauss2Quartic>;
+using Gauss2DoublePendulum = Pair<made::Gauss2DoublePendulums, made::Gauss2DoublePendulum>;
 using Gauss3Nonseparable = Pair<made::Gauss3Nonseparables, made::Gauss3Nonseparable>;
 using Gauss4Kepler = Pair<made::Gauss4Keplers, made::Gauss4Kepler>;
 using Gauss8HenonHeiles = Pair<made::Gauss8HenonHeileses, made::Gauss8HenonHeiles>;
@@ -52,7 +55,8 @@ using Gauss8HenonHeiles = Pair<made::Gauss8HenonHeileses, made::Gauss8HenonHeile
         ensemble_test::BlanesMoanHenonHeiles
 #define HVI_IMPLICIT_PAIRS                                                                         \
     ensemble_test::MidpointPendulum, ensemble_test::Gauss2Quartic,                                 \
-        ensemble_test::Gauss3Nonseparable, ensemble_test::Gauss4Kepler,                            \
+        ensemble_test::Gauss2DoublePendulum, ensemble_test::Gauss3Nonseparable,                    \
+        ensemble_test::Gauss4Kepler,                                                               \
         ensemble_test::Gauss8HenonHeiles
 
 template <class Stepper>

@@ -72,6 +72,8 @@ void gradient(const System& system, const Vector& q, const Vector& p, Vector& dq
     } else if constexpr (requires { system.dHdq(q, dq); }) {
         system.dHdq(q, dq);
         system.dHdp(p, dp);
+    } else if constexpr (requires { system.gradient(q, p, dq, dp); }) {
+        system.gradient(q, p, dq, dp);
     } else {
         system.dHdq(q, p, dq);
         system.dHdp(q, p, dp);

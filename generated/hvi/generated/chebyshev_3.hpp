@@ -276,23 +276,6 @@ private:
             }
         }
 
-        /// Lq_j = h b_j dH/dp.
-        void velocities() {
-            auto&& slope = hvi::detail::scratch(s.slope);
-            system.dHdp(s.Q[0], s.P[0], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.hb_q[0] * slope[k];
-            }
-            system.dHdp(s.Q[1], s.P[1], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.hb_q[1] * slope[k];
-            }
-            system.dHdp(s.Q[2], s.P[2], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[2][k] = s.hb_q[2] * slope[k];
-            }
-        }
-
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
@@ -309,6 +292,23 @@ private:
                 s.Q[0][k] = Q_1;
                 s.Q[1][k] = Q_2;
                 s.Q[2][k] = Q_3;
+            }
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdp(s.Q[0], s.P[0], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[0][k] = s.hb_q[0] * slope[k];
+            }
+            system.dHdp(s.Q[1], s.P[1], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[1][k] = s.hb_q[1] * slope[k];
+            }
+            system.dHdp(s.Q[2], s.P[2], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[2][k] = s.hb_q[2] * slope[k];
             }
         }
 

@@ -173,19 +173,6 @@ private:
             }
         }
 
-        /// Lq_j = h b_j dH/dp.
-        void velocities() {
-            auto&& slope = hvi::detail::scratch(s.slope);
-            system.dHdp(s.P[0], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.h * b[0] * slope[k];
-            }
-            system.dHdp(s.P[1], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.h * b[1] * slope[k];
-            }
-        }
-
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
@@ -197,6 +184,19 @@ private:
                     - s.Q[1][k]);
                 s.Q[0][k] = Q_1;
                 s.Q[1][k] = Q_2;
+            }
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdp(s.P[0], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[0][k] = s.h * b[0] * slope[k];
+            }
+            system.dHdp(s.P[1], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[1][k] = s.h * b[1] * slope[k];
             }
         }
 

@@ -344,27 +344,6 @@ private:
             }
         }
 
-        /// Lq_j = h b_j dH/dp.
-        void velocities() {
-            auto&& slope = hvi::detail::scratch(s.slope);
-            system.dHdp(s.Q[0], s.P[0], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.hb_q[0] * slope[k];
-            }
-            system.dHdp(s.Q[1], s.P[1], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.hb_q[1] * slope[k];
-            }
-            system.dHdp(s.Q[2], s.P[2], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[2][k] = s.hb_q[2] * slope[k];
-            }
-            system.dHdp(s.Q[3], s.P[3], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[3][k] = s.hb_q[3] * slope[k];
-            }
-        }
-
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
@@ -385,6 +364,27 @@ private:
                 s.Q[1][k] = Q_2;
                 s.Q[2][k] = Q_3;
                 s.Q[3][k] = Q_4;
+            }
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdp(s.Q[0], s.P[0], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[0][k] = s.hb_q[0] * slope[k];
+            }
+            system.dHdp(s.Q[1], s.P[1], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[1][k] = s.hb_q[1] * slope[k];
+            }
+            system.dHdp(s.Q[2], s.P[2], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[2][k] = s.hb_q[2] * slope[k];
+            }
+            system.dHdp(s.Q[3], s.P[3], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[3][k] = s.hb_q[3] * slope[k];
             }
         }
 

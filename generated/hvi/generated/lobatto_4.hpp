@@ -336,6 +336,24 @@ private:
             }
         }
 
+        /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
+        void positions() {
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                    + m[1][2] * s.Lq[2][k] + m[1][3] * s.Lq[3][k]));
+                const Scalar Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
+                    + m[2][2] * s.Lq[2][k] + m[2][3] * s.Lq[3][k]));
+                const Scalar Q_4 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k] + s.Lq[3][k]));
+                s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]) + hvi::detail::abs(Q_3
+                    - s.Q[2][k]) + hvi::detail::abs(Q_4 - s.Q[3][k]);
+                s.Q[1][k] = Q_2;
+                s.Q[2][k] = Q_3;
+                s.Q[3][k] = Q_4;
+            }
+        }
+
         /// Lq_j = h b_j dH/dp.
         void velocities() {
             auto&& slope = hvi::detail::scratch(s.slope);
@@ -354,24 +372,6 @@ private:
             system.dHdp(s.Q[3], s.P[3], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 s.Lq[3][k] = s.hb_q[3] * slope[k];
-            }
-        }
-
-        /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
-        void positions() {
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                const Scalar q = s.at.q[k];
-                const Scalar e_q = s.remainder.q[k];
-                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
-                    + m[1][2] * s.Lq[2][k] + m[1][3] * s.Lq[3][k]));
-                const Scalar Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
-                    + m[2][2] * s.Lq[2][k] + m[2][3] * s.Lq[3][k]));
-                const Scalar Q_4 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k] + s.Lq[3][k]));
-                s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]) + hvi::detail::abs(Q_3
-                    - s.Q[2][k]) + hvi::detail::abs(Q_4 - s.Q[3][k]);
-                s.Q[1][k] = Q_2;
-                s.Q[2][k] = Q_3;
-                s.Q[3][k] = Q_4;
             }
         }
 

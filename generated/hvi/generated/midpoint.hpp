@@ -146,15 +146,6 @@ private:
             }
         }
 
-        /// Lq_j = h b_j dH/dp.
-        void velocities() {
-            auto&& slope = hvi::detail::scratch(s.slope);
-            system.dHdp(s.Q[0], s.P[0], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[0][k] = s.h * slope[k];
-            }
-        }
-
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
@@ -163,6 +154,15 @@ private:
                 const Scalar Q_1 = q + (e_q + m[0][0] * s.Lq[0][k]);
                 s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]);
                 s.Q[0][k] = Q_1;
+            }
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdp(s.Q[0], s.P[0], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[0][k] = s.h * slope[k];
             }
         }
 

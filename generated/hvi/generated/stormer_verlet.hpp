@@ -200,12 +200,12 @@ private:
             }
         }
 
-        /// Lq_j = h b_j dH/dp.
-        void velocities() {
-        }
-
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
         }
 
         /// Lp_i = -h b_i dH/dq.
@@ -248,15 +248,6 @@ private:
         void momenta() {
         }
 
-        /// Lq_j = h b_j dH/dp.
-        void velocities() {
-            auto&& slope = hvi::detail::scratch(s.slope);
-            system.dHdp(s.Q[1], s.P[1], slope);
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                s.Lq[1][k] = s.h * b[1] * slope[k];
-            }
-        }
-
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
             for (Index k = 0; k < s.at.q.size(); ++k) {
@@ -265,6 +256,15 @@ private:
                 const Scalar Q_2 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k]));
                 s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]);
                 s.Q[1][k] = Q_2;
+            }
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
+            auto&& slope = hvi::detail::scratch(s.slope);
+            system.dHdp(s.Q[1], s.P[1], slope);
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                s.Lq[1][k] = s.h * b[1] * slope[k];
             }
         }
 

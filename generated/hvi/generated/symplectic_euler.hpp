@@ -153,12 +153,12 @@ private:
             }
         }
 
-        /// Lq_j = h b_j dH/dp.
-        void velocities() {
-        }
-
         /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
         void positions() {
+        }
+
+        /// Lq_j = h b_j dH/dp.
+        void velocities() {
         }
 
         /// Lp_i = -h b_i dH/dq.

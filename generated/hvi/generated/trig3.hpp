@@ -252,6 +252,21 @@ private:
             }
         }
 
+        /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
+        void positions() {
+            for (Index k = 0; k < s.at.q.size(); ++k) {
+                const Scalar q = s.at.q[k];
+                const Scalar e_q = s.remainder.q[k];
+                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
+                    + m[1][2] * s.Lq[2][k]));
+                const Scalar Q_3 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k]));
+                s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]) + hvi::detail::abs(Q_3
+                    - s.Q[2][k]);
+                s.Q[1][k] = Q_2;
+                s.Q[2][k] = Q_3;
+            }
+        }
+
         /// Lq_j = h b_j dH/dp.
         void velocities() {
             auto&& slope = hvi::detail::scratch(s.slope);
@@ -266,21 +281,6 @@ private:
             system.dHdp(s.Q[2], s.P[2], slope);
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 s.Lq[2][k] = s.hb_q[2] * slope[k];
-            }
-        }
-
-        /// (4.18c): Q_i = q + (e_q + sum_j m_ij Lq_j).
-        void positions() {
-            for (Index k = 0; k < s.at.q.size(); ++k) {
-                const Scalar q = s.at.q[k];
-                const Scalar e_q = s.remainder.q[k];
-                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
-                    + m[1][2] * s.Lq[2][k]));
-                const Scalar Q_3 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k] + s.Lq[2][k]));
-                s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]) + hvi::detail::abs(Q_3
-                    - s.Q[2][k]);
-                s.Q[1][k] = Q_2;
-                s.Q[2][k] = Q_3;
             }
         }
 

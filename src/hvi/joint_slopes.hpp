@@ -1,0 +1,16 @@
+// Both slopes of a stage at once.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+namespace hvi::detail {
+
+/// Whether stage equations have slopes(), which sets all Lq and Lp at the present stages, in place
+/// of velocities() and forces(), of which one sets Lq and the other Lp.
+template <class Coupled, class = void>
+struct HasJointSlopes : std::false_type {};
+template <class Coupled>
+struct HasJointSlopes<Coupled, std::void_t<decltype(&Coupled::slopes)>> : std::true_type {};
+
+}  // namespace hvi::detail
