@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
-#include "generator/emit/scene_stepper.hpp"
+#include "generator/emit/steps/scene_stepper.hpp"
 
 namespace hvi::gen {
 

@@ -13,7 +13,7 @@
 #include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/draw/trajectory.hpp"
-#include "generator/emit/names.hpp"
+#include "generator/emit/text/names.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/bar.hpp"

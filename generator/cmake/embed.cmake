@@ -1,7 +1,7 @@
 # Writes OUTPUT, the source of FUNCTION(), which returns the files of the list FILES.
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-#   cmake -D OUTPUT=embedded.cpp -D HEADER=generator/emit/embedded.hpp -D FUNCTION=embedded_templates
+#   cmake -D OUTPUT=embedded.cpp -D HEADER=generator/emit/text/embedded.hpp -D FUNCTION=embedded_templates
 #       -D "FILES=a.hpp.in;b.hpp" -P embed.cmake
 #
 # A file is known by its last name. Raw string literals end where MSVC's limit of 16 kB ends; the

@@ -7,8 +7,8 @@
 #include <csignal>
 #include <memory>
 
-#include "generator/emit/scene_code.hpp"
-#include "generator/emit/text.hpp"
+#include "generator/emit/system/scene_code.hpp"
+#include "generator/emit/text/text.hpp"
 #include "generator/exact/functions/step_count.hpp"
 #include "generator/simulate/peers.hpp"
 #include "generator/support/child.hpp"

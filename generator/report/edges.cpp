@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "generator/emit/embedded.hpp"
+#include "generator/emit/text/embedded.hpp"
 #include "generator/report/markup.hpp"
 #include "generator/report/render.hpp"
 

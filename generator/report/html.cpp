@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "generator/emit/embedded.hpp"
-#include "generator/emit/text.hpp"
+#include "generator/emit/text/embedded.hpp"
+#include "generator/emit/text/text.hpp"
 #include "generator/report/markup.hpp"
 #include "generator/report/render.hpp"
 #include "generator/study/time_to_accuracy.hpp"

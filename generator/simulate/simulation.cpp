@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/emit/text.hpp"
+#include "generator/emit/text/text.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/emit/emit.hpp"
-#include "generator/emit/text.hpp"
+#include "generator/emit/steps/emit.hpp"
+#include "generator/emit/text/text.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 #include "tests/emit/tableaux.hpp"

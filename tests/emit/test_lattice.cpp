@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/emit/emit.hpp"
+#include "generator/emit/steps/emit.hpp"
 #include "generator/plan/lattice.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"

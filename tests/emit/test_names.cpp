@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/emit/names.hpp"
+#include "generator/emit/text/names.hpp"
 
 using namespace hvi::gen;
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/banner.hpp"
+
+#include "generator/emit/text/text.hpp"
+#include "generator/plan/facts.hpp"
+#include "generator/support/error.hpp"
+#include "generator/support/version.hpp"
+
+namespace hvi::gen {
+namespace {
+
+std::string method_title(const Tableau& tableau) {
+    return tableau.name.empty() ? "A method of its own basis and nodes" : tableau.name;
+}
+
+void list(Writer& writer, std::string_view letter, const NumberVector& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        writer.comment(fmt::format("{}_{} = {}", letter, i + 1, exact_text(values[i])), "//     ",
+                       4);
+    }
+}
+
+void list(Writer& writer, std::string_view letter, const NumberMatrix& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        for (std::size_t j = 0; j < values[i].size(); ++j) {
+            writer.comment(
+                fmt::format("{}_{},{} = {}", letter, i + 1, j + 1, exact_text(values[i][j])),
+                "//     ", 4);
+        }
+    }
+}
+
+std::string tableau_text(const Tableau& tableau, const Scheme& scheme) {
+    Writer writer(0);
+    list(writer, "c", tableau.c);
+    list(writer, "b", tableau.b);
+    list(writer, "a", tableau.A);
+    if (scheme.one_tableau()) {
+        writer.comment("a~_i,j = a_i,j", "//     ", 4);
+    } else {
+        list(writer, "a~", tableau.A_tilde);
+    }
+    return writer.str();
+}
+
+std::string negative_weights(const Tableau& tableau) {
+    std::string names;
+    for (std::size_t i = 0; i < tableau.b.size(); ++i) {
+        if (!tableau.b[i].has_parameters() && tableau.b[i].sign() < 0) {
+            names += fmt::format("{}b_{}", names.empty() ? "" : ", ", i + 1);
+        }
+    }
+    return names;
+}
+
+std::string_view partner_text(Partner partner) {
+    switch (partner) {
+    case Partner::same:
+        return "A == A~: a Runge-Kutta method, which conserves all quadratic invariants.";
+    case Partner::different:
+        return "A != A~: a partitioned method, which conserves q^T C p for constant C.";
+    case Partner::undecided: break;
+    }
+    return "A and A~ agree as far as they were compared; that they are equal is not proved. The "
+           "method conserves q^T C p for constant C.";
+}
+
+std::string method_text(const Tableau& tableau, const Scheme& scheme) {
+    Writer writer(0);
+    std::string basis;
+    for (const Expression& psi : tableau.basis) {
+        basis += (basis.empty() ? "" : ", ") + to_text(psi);
+    }
+    writer.comment(fmt::format(
+        "{}: symplectic, {} stage{}, for {} Hamiltonians.", method_title(tableau), tableau.stages(),
+        tableau.stages() == 1 ? "" : "s", scheme.separable ? "separable" : "general"));
+    if (!basis.empty()) { writer.comment(fmt::format("Basis functions of tau: {}.", basis)); }
+    writer.comment(partner_text(scheme.partner));
+    if (const std::string names = negative_weights(tableau); !names.empty()) {
+        writer.comment(fmt::format("Negative weights: {}.", names));
+    }
+    return writer.str();
+}
+
+std::string choices_text(const Scheme& scheme) {
+    if (scheme.decisions.empty()) { return {}; }
+    Writer writer(0);
+    writer.line("//").comment("Choices:").line("//");
+    for (const Decision& decision : scheme.decisions) {
+        writer.comment(fmt::format("{}: {}", decision.what, decision.why), "//     ", 4);
+    }
+    return writer.str();
+}
+
+/// What was found in the H of a scene, and what it costs.
+std::string scene_text(const Scheme& scheme, const LoweredScene& lowered) {
+    Writer writer(0);
+    writer.line("//").comment("Found in H:").line("//");
+    for (const std::string& fact : facts(lowered)) { writer.comment(fact, "//     ", 4); }
+    writer.line("//").comment("Cost:").line("//");
+    for (const std::string& cost : costs(lowered, scheme)) { writer.comment(cost, "//     ", 4); }
+    return writer.str();
+}
+
+/// The command as one line that ends no comment and continues none.
+std::string one_line(std::string_view command) {
+    std::string text;
+    for (const char c : command) { text += static_cast<unsigned char>(c) < ' ' ? ' ' : c; }
+    while (!text.empty() && text.back() == '\\') { text.pop_back(); }
+    return "//     " + text;
+}
+
+/// What stands before the command in templates/banner.hpp.in, and where that begins in a header.
+constexpr std::string_view before_command = "to write it again:\n//     ";
+
+std::size_t begin_of_command(const std::string& header) {
+    const std::size_t found = header.find(before_command);
+    HVI_CHECK(found != std::string::npos);
+    return found + before_command.size();
+}
+
+}  // namespace
+
+std::string command_in(const std::string& header) {
+    const std::size_t begin = begin_of_command(header);
+    return header.substr(begin, header.find('\n', begin) - begin);
+}
+
+std::string with_note(std::string header, const std::string& note) {
+    const std::size_t end = header.find('\n', begin_of_command(header));
+    return header.insert(end + 1, "// " + note + "\n");
+}
+
+std::string banner(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+    std::string text = fill(
+        "banner.hpp.in",
+        {{"version", std::string(version)},
+         {"command", one_line(options.command)},
+         {"method", method_text(tableau, scheme)},
+         {"tableau", tableau_text(tableau, scheme)},
+         {"scene", options.scene == nullptr ? std::string() : scene_text(scheme, *options.scene)},
+         {"choices", choices_text(scheme)}});
+    text.pop_back();
+    return text;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,169 @@
+// The curve of the last step.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/plan/lattice.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+// ---- the table ----
+
+/// F with the rows of equal stages, which have one slope, added up.
+NumberMatrix of_stages(const Scheme& scheme, const Curve& curve) {
+    NumberMatrix result;
+    for (const StageValue& value : scheme.momenta) {
+        NumberVector sum(curve.F.front().size());
+        for (const std::size_t stage : value.stages) {
+            for (std::size_t k = 0; k < sum.size(); ++k) { sum[k] = sum[k] + curve.F[stage][k]; }
+        }
+        result.push_back(std::move(sum));
+    }
+    return result;
+}
+
+/// Of Lq_j = h b_j dH/dp(Q_j, P_j): F_jk/b_j.
+NumberMatrix of_velocities(const Scheme& scheme, const Curve& curve) {
+    NumberMatrix result = of_stages(scheme, curve);
+    for (std::size_t j = 0; j < result.size(); ++j) {
+        for (Number& entry : result[j]) { entry = entry / scheme.momenta[j].weight; }
+    }
+    return result;
+}
+
+/// Of W_i, with h dH/dp(P_j) = h v + sum_i mt_ji W_i: sum_j mt_ji F_jk. NOTE: h v comes with
+/// sum_j F_jk = 0, as the phi_j add up to 1, the curve of which is its chord.
+NumberMatrix of_forces(const Scheme& scheme, const Curve& curve) {
+    const NumberMatrix F = of_stages(scheme, curve);
+    NumberMatrix result(scheme.positions.size(), NumberVector(F.front().size()));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        for (std::size_t j = 0; j < F.size(); ++j) {
+            const Number mt_ji = Number(1) - scheme.m[i][j];
+            for (std::size_t k = 0; k < F[j].size(); ++k) {
+                result[i][k] = result[i][k] + mt_ji * F[j][k];
+            }
+        }
+    }
+    return result;
+}
+
+/// NOTE: symmetry makes zeros that enclosures do not prove. What is below 2^-300 can be one.
+Constant constant(std::string name, const Number& value) {
+    constexpr int least = -300;
+    if (!value.known_zero() && value.nearest_multiple(least).is_zero()) {
+        return {std::move(name), nearest(Number(0)), fmt::format("0 within 2^{}", least)};
+    }
+    return {std::move(name), nearest_or_small(value), exact_text(value)};
+}
+
+bool is_straight(const Curve& curve) { return curve.F.front().empty(); }
+
+// ---- functions that are not polynomials ----
+
+std::vector<Constant> rates(const Curve& curve) {
+    std::vector<Constant> result;
+    for (const Antiderivative& A : curve.A) {
+        if (A.kind == Antiderivative::Kind::power) { continue; }
+        result.push_back(constant(fmt::format("rate_{}", result.size() + 1), A.rate));
+    }
+    return result;
+}
+
+/// `tau * tau * tau`
+std::string power(unsigned exponent) {
+    std::string text = "tau";
+    for (unsigned i = 1; i < exponent; ++i) { text += " * tau"; }
+    return text;
+}
+
+std::string value(const Antiderivative& A, std::size_t rate, std::string_view library) {
+    switch (A.kind) {
+    case Antiderivative::Kind::power: return power(A.power);
+    case Antiderivative::Kind::exponential:
+        return fmt::format("{}::expm1(curve_rates[{}] * tau)", library, rate);
+    case Antiderivative::Kind::sine:
+        return fmt::format("{}::sin(curve_rates[{}] * tau)", library, rate);
+    case Antiderivative::Kind::cosine:
+        return fmt::format("{}::cos(curve_rates[{}] * tau) - 1", library, rate);
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string antiderivatives(const Curve& curve, std::string_view library) {
+    Writer writer(1);
+    const std::vector<Constant> all = rates(curve);
+    if (!all.empty()) {
+        table(writer, "curve_rates", all);
+        refuse_float(writer, all);
+    }
+    writer.open("[[nodiscard]] static std::array<Scalar, {}> curve_terms(Scalar tau) {{",
+                curve.A.size());
+    writer.line("std::array<Scalar, {}> A{{}};", curve.A.size());
+    std::size_t rate = 0;
+    for (std::size_t k = 0; k < curve.A.size(); ++k) {
+        writer.line("A[{}] = {};", k, value(curve.A[k], rate, library));
+        if (curve.A[k].kind != Antiderivative::Kind::power) { ++rate; }
+    }
+    return writer.line("return A;").close().str();
+}
+
+// ---- position(tau) ----
+
+std::string comment(const Curve& curve) {
+    return fmt::format(
+        "The position q_d(tau h) within the last step, on the curve of the method (Section 4.1 of "
+        "the paper): where the step began at tau = 0, where it ended at 1. From the exact solution "
+        "through its beginning it is O(h^{}) away for all tau in [0, 1]. A step of size 0, or of "
+        "one that is not finite, leaves the curve of the one before. After any other step that "
+        "failed, after reset() and before any step the position is NaN.",
+        curve.order + 1);
+}
+
+}  // namespace
+
+std::string curve_table(const Scheme& scheme, const Curve& curve, std::string_view library) {
+    if (is_straight(curve)) { return {}; }
+    const NumberMatrix exact =
+        scheme.velocity_form ? of_forces(scheme, curve) : of_velocities(scheme, curve);
+    std::vector<std::vector<Constant>> rows(exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        for (std::size_t k = 0; k < exact[i].size(); ++k) {
+            rows[i].push_back(constant(fmt::format("curve_{},{}", i + 1, k + 1), exact[i][k]));
+        }
+    }
+    Writer writer(1);
+    writer.blank().comment(
+        fmt::format("q_d(tau h) is on the chord but for sum_k curve_ik g_k(tau) times slope i, "
+                    "with g_k(tau) = {}.",
+                    curve.A.empty() ? "(P_{k+1}-P_{k-1})(2*tau-1)/2 of Legendre's polynomials P_k"
+                                    : "A_k(tau)-tau*A_k(1) of the antiderivatives A_k"));
+    table(writer, "curve", rows);
+    if (!curve.A.empty()) { writer.insert(antiderivatives(curve, library)); }
+    return writer.str();
+}
+
+std::string curve_text(const Scheme& scheme, const Curve& curve, std::string_view chord,
+                       const std::function<std::string(std::size_t)>& slope) {
+    const std::size_t slopes =
+        scheme.velocity_form ? scheme.positions.size() : scheme.momenta.size();
+    Writer writer(1);
+    writer.comment(comment(curve), "/// ")
+        .open("[[nodiscard]] Vector position(Scalar tau) const {{");
+    writer.line("if (!s_.has_ended()) {{ return hvi::detail::nowhere<Vector>(); }}");
+    if (!is_straight(curve)) {
+        writer.line("const auto bend = hvi::detail::departures(curve, {});",
+                    curve.A.empty() ? "tau" : "tau, curve_terms(tau), curve_terms(1)");
+    }
+    writer.line("Vector q{{}};").open("for (Index k = 0; k < s_.at.q.size(); ++k) {{");
+    writer.line("const Scalar to_end = (1 - tau) * ({});", chord);
+    std::string sum = "-to_end";
+    for (std::size_t i = 0; i < slopes && !is_straight(curve); ++i) {
+        sum += fmt::format(" + bend[{}] * {}", i, slope(i));
+    }
+    writer.line("q[k] = s_.at.q[k] + (s_.remainder.q[k] + ({}));", sum).close();
+    return writer.line("return q;").close().str();
+}
+
+}  // namespace hvi::gen

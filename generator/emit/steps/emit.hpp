@@ -1,0 +1,25 @@
+// From a scheme to the text of a C++ header.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/emit/system/scene_code.hpp"
+#include "generator/exact/methods/tableau.hpp"
+#include "generator/plan/scheme.hpp"
+
+namespace hvi::gen {
+
+struct EmitOptions {
+    std::string class_name;               ///< checked by check_class_name()
+    std::string command;                  ///< the command line that writes the same header again
+    const LoweredScene* scene = nullptr;  ///< whose H it is; null: that of a class of the user
+    SceneWishes wishes = {};              ///< of the scene
+};
+
+/// The header: one class hvi::generated::CLASS_NAME. A function of its arguments and of the version
+/// of the program alone. Precondition: `scheme` is plan(tableau, ...).
+[[nodiscard]] std::string emit(const Tableau& tableau, const Scheme& scheme,
+                               const EmitOptions& options);
+
+}  // namespace hvi::gen

@@ -1,0 +1,48 @@
+// Headers for quadratic Hamiltonians: a step is one linear map.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/banner.hpp"
+#include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/system_part.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// NOTE: of __float128 std::numeric_limits and std::abs know nothing under -std=c++17.
+Holes words_for_numbers(const SceneWishes& wishes) {
+    const bool quad = wishes.float128;
+    return {{"library", std::string(library(wishes))},
+            {"abs", quad ? "hvi::detail::abs" : "std::abs"},
+            {"infinity",
+             quad ? "hvi::detail::infinity<Scalar>" : "std::numeric_limits<Scalar>::infinity()"},
+            {"is_finite",
+             quad ? "< hvi::detail::infinity<Scalar>" : "<= std::numeric_limits<Scalar>::max()"}};
+}
+
+}  // namespace
+
+std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+    const SystemPart system = system_part(tableau, scheme, options);
+    const LoweredScene& scene = *options.scene;
+    Holes holes{{"banner", banner(tableau, scheme, options)},
+                {"format", "5"},
+                {"include", system.include},
+                {"purpose", system.purpose},
+                {"head", system.head},
+                {"name", system.class_name},
+                {"condition", system.condition},
+                {"types", system.types},
+                {"construct", system.construct},
+                {"math", options.wishes.float128 ? "#include <hvi/math.hpp>" : ""},
+                {"constants", with_rounding(coefficients_text(scheme))},
+                {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme), weights_q(scheme),
+                                       weights_p(scheme))},
+                {"n", std::to_string(scene.system.degrees_of_freedom())},
+                {"alias", system.alias}};
+    if (!scheme.is_sheared) { return fill("increments.hpp.in", holes); }
+    holes["shifted"] = has_linear_part(scene.structure) ? "true" : "false";
+    holes.merge(words_for_numbers(options.wishes));
+    return fill("linear.hpp.in", holes);
+}
+
+}  // namespace hvi::gen

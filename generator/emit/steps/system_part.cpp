@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/system_part.hpp"
+
+#include <algorithm>
+
+#include "generator/emit/steps/header.hpp"
+#include "generator/emit/text/text.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// What needs no solver may be computed by the compiler.
+std::string_view constant_if_explicit(const Scheme& scheme) {
+    return scheme.is_explicit() ? "constexpr " : "";
+}
+
+// ---- a class of the user ----
+
+std::string purpose_for_users(const Scheme& scheme) {
+    Writer writer(0);
+    writer.comment(
+        fmt::format("{}`System` names its `Vector`, std::array<double, n> or one of Eigen, also of "
+                    "float, long double or __float128, and has const members {}.",
+                    scheme.separable ? "For H(q, p) = T(p) + U(q). " : "",
+                    scheme.separable ? "dHdq(q, out) = grad U and dHdp(p, out) = grad T"
+                                     : "dHdq(q, p, out) and dHdp(q, p, out)"),
+        "/// ");
+    if (!scheme.is_explicit()) {
+        writer.comment("`Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps "
+                       "that are not small against the fastest period.",
+                       "/// ");
+    }
+    return writer.str();
+}
+
+std::string constructor_for_users(const Scheme& scheme, std::string_view class_name) {
+    Writer writer(1);
+    const std::string_view constant = constant_if_explicit(scheme);
+    if (!scheme.from_parameter) {
+        writer.line("{}explicit {}(System system = System{{}})", constant, class_name);
+        writer.line("    : system_(std::move(system)) {{}}");
+        return writer.str();
+    }
+    writer.comment(fmt::format("`parameter`: {}, for w = omega h of a basis that is fitted to the "
+                               "frequency omega and steps of size h. See status().",
+                               scheme.from_parameter->numbers.parameter),
+                   "/// ");
+    writer.line("{}(System system, Scalar parameter)", class_name);
+    writer.line("    : system_(std::move(system)), coefficients_(parameter) {{}}");
+    return writer.str();
+}
+
+SystemPart for_users(const Scheme& scheme, const EmitOptions& options) {
+    SystemPart part;
+    part.include = scheme.is_explicit() ? "" : "#include <array>";
+    part.purpose = purpose_for_users(scheme);
+    part.head = scheme.is_explicit() ? "template <class System>"
+                                     : "template <class System, class Solver = hvi::FixedPoint>";
+    part.class_name = options.class_name;
+    part.condition = fmt::format("static_assert(hvi::detail::check_system<System, {}>());",
+                                 scheme.separable ? "true" : "false");
+    part.types = Writer(1)
+                     .line("using Vector = typename System::Vector;")
+                     .line("using Scalar = hvi::detail::ScalarOf<Vector>;")
+                     .str();
+    part.state = "hvi::State<Vector>";
+    part.construct = constructor_for_users(scheme, options.class_name);
+    return part;
+}
+
+// ---- a scene ----
+
+std::string_view numbers(const SceneWishes& wishes) {
+    return wishes.float128 ? "float, double, long double, or hvi::math::Widest, which is "
+                             "__float128 where libm has functions of it, else long double"
+                           : "float, double or long double";
+}
+
+std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options) {
+    const Scene& scene = options.scene->scene;
+    const std::string method =
+        tableau.name.empty() ? "a method of its own basis and nodes" : tableau.name;
+    const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
+    Writer writer(0);
+    writer.comment(fmt::format("{} with {}, computed in Number: {}. "
+                               "States hold Numbers: arrays, or vectors of Eigen of fixed size.",
+                               what, method, numbers(options.wishes)),
+                   "/// ");
+    if (!scene.description.empty()) { writer.comment(scene.description, "/// "); }
+    return writer.str();
+}
+
+std::string solver_type(const Scheme& scheme) {
+    const std::string newton =
+        scheme.velocity_form ? "hvi::NewtonOfPositions" : "hvi::NewtonOfPairs";
+    switch (scheme.solver) {
+    case Solver::of_user: break;
+    case Solver::fixed_point: return "hvi::FixedPoint";
+    case Solver::newton: return newton;
+    case Solver::newton_taylor: return "hvi::NewtonTaylor";
+    case Solver::automatic: return fmt::format("hvi::Automatic<{}>", newton);
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
+    Writer writer(1);
+    writer.line("using Scalar = Number;");
+    writer.line("using Vector = Numbers;");
+    writer.blank().insert(parameters_text(*options.scene));
+    writer.blank().insert(system_text(*options.scene, options.wishes, scheme));
+    if (!scheme.is_explicit() && !scheme.is_tabulated && !scheme.has_trajectory_lanes) {
+        writer.blank().line("using Solver = {};", solver_type(scheme));
+    }
+    return writer.blank().str();
+}
+
+/// NOTE: two constructors, since a default argument would need Parameters to be complete.
+std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& options,
+                                   std::string_view class_name) {
+    Writer writer(1);
+    const std::string_view constant = constant_if_explicit(scheme);
+    const std::vector<Parameter>& parameters = options.scene->scene.parameters;
+    if (!scheme.from_parameter) {
+        writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
+        writer.line("{}explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
+                    constant, class_name);
+        return writer.blank()
+            .insert(scene_members_text(*options.scene, options.wishes, scheme))
+            .str();
+    }
+    const std::string& name = scheme.from_parameter->numbers.parameter;
+    const bool is_of_scene =
+        std::any_of(parameters.begin(), parameters.end(),
+                    [&](const Parameter& parameter) { return parameter.name == name; });
+    writer.comment(fmt::format("`{}`: for w = omega h of a basis that is fitted to the frequency "
+                               "omega and steps of size h. See status().",
+                               is_of_scene ? "parameters." + name : "parameter"),
+                   "/// ");
+    writer.line("{}(const Parameters& parameters{})", class_name,
+                is_of_scene ? "" : ", Scalar parameter");
+    writer.line("    : system_(parameters), coefficients_({}) {{}}",
+                is_of_scene ? "parameters." + name : "parameter");
+    return writer.blank().insert(scene_members_text(*options.scene, options.wishes, scheme)).str();
+}
+
+std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
+    Writer writer(1);
+    writer.line("static_assert(hvi::{}<Number>,",
+                wishes.float128 ? "math::computes_in" : "detail::is_standard");
+    writer.line("              \"hvi: a scene is computed in float, double{}\");",
+                wishes.float128 ? ", long double or hvi::math::Widest" : " or long double");
+    writer.line("static_assert(hvi::detail::is_fixed_vector<Numbers, Number, {}>(),", n);
+    writer.line(
+        "              \"hvi: vectors are of these numbers, and of fixed size: std::array, or "
+        "Eigen's\");");
+    return writer.str();
+}
+
+SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+    SystemPart part;
+    part.include = "#include <array>\n#include <cmath>";
+    if (options.wishes.evaluations) { part.include += "\n#include <cstdint>"; }
+    part.purpose = purpose_for_scene(tableau, options);
+    part.class_name = "Basic" + options.class_name;
+    const std::size_t n = options.scene->system.degrees_of_freedom();
+    part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>", n);
+    part.condition = conditions_for_scene(n, options.wishes);
+    part.types = types_for_scene(scheme, options);
+    part.state = scheme.depends_on_time ? "hvi::TimedState<Vector>" : "hvi::State<Vector>";
+    part.construct = constructors_for_scene(scheme, options, part.class_name);
+    part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
+    return part;
+}
+
+}  // namespace
+
+SystemPart system_part(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+    return options.scene == nullptr ? for_users(scheme, options)
+                                    : for_scene(tableau, scheme, options);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,28 @@
+// What of a header depends on where H comes from: a class of the user, or a scene.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/emit/steps/emit.hpp"
+
+namespace hvi::gen {
+
+/// Pieces of text; see the templates of headers.
+struct SystemPart {
+    std::string about;       ///< in the banner, as comment lines; may be empty
+    std::string include;     ///< of the standard library
+    std::string purpose;     ///< doc comment of the class
+    std::string head;        ///< `template <...>`
+    std::string class_name;  ///< of the template
+    std::string condition;   ///< a static_assert
+    std::string types;       ///< public ones up to Vector and Scalar, and the scene's System
+    std::string state;       ///< type of the state
+    std::string construct;   ///< constructors, and members that are not of every stepper
+    std::string alias;       ///< what follows the class; may be empty
+};
+
+[[nodiscard]] SystemPart system_part(const Tableau& tableau, const Scheme& scheme,
+                                     const EmitOptions& options);
+
+}  // namespace hvi::gen

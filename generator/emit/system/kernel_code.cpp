@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/system/kernel_code.hpp"
+
+#include <utility>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// How tightly the outermost operator of a piece of code binds.
+enum class Binding { sum, product, sign, primary };
+
+struct Code {
+    std::string text;
+    Binding binding = Binding::primary;
+};
+
+/// As an operand of something that binds so, or more tightly.
+std::string operand(const Code& code, Binding least) {
+    return code.binding < least ? "(" + code.text + ")" : code.text;
+}
+
+/// The double is exact, or the quotient is computed by the compiler.
+Code literal_of(const SmallFraction& fraction) {
+    constexpr long most_of_float = 1L << 24;
+    const bool is_dyadic = (fraction.below & (fraction.below - 1)) == 0;
+    if (is_dyadic && fraction.size().above <= most_of_float) {
+        const double value =
+            static_cast<double>(fraction.above) / static_cast<double>(fraction.below);
+        return {fmt::format("Scalar({})", literal(value))};
+    }
+    return {fmt::format("Scalar({}) / Scalar({})", fraction.above, fraction.below),
+            Binding::product};
+}
+
+class KernelWriter {
+public:
+    KernelWriter(Writer& writer, const Graph& graph, const Kernel& kernel, NodeNames names,
+                 std::string_view library, std::string_view value)
+        : writer_(writer), graph_(graph), kernel_(kernel), library_(library), value_(value) {
+        for (auto& [node, name] : names) { codes_[node] = {std::move(name)}; }
+        for (const Node node : kernel.nodes) { define(node); }
+    }
+
+    [[nodiscard]] std::vector<std::string> results() const {
+        std::vector<std::string> texts;
+        for (const Scaled& result : kernel_.results) {
+            texts.push_back(graph_.is_number(result) ? literal_of(result.factor).text
+                                                     : scaled(result).text);
+        }
+        return texts;
+    }
+
+private:
+    /// NOTE: a divisor stays where it is used, as what stands below the bar.
+    void define(Node node) {
+        constexpr std::size_t longest = 60;
+        Code code = this->code(graph_.at(node));
+        const bool stays = kernel_.uses[node] == 1 && code.text.size() <= longest;
+        if (!stays && !is_divisor(graph_, kernel_, node)) {
+            const std::string name = fmt::format("t{}", ++locals_);
+            writer_.line("const {} {} = {};", value_, name, code.text);
+            code = {name};
+        }
+        codes_[node] = std::move(code);
+    }
+
+    [[nodiscard]] const Code& at(Node node) const {
+        const auto found = codes_.find(node);
+        HVI_CHECK(found != codes_.end());
+        return found->second;
+    }
+
+    [[nodiscard]] Code code(const Computation& computation) const {
+        switch (computation.operation) {
+        case Operation::sum: return sum(computation.terms);
+        case Operation::product:
+            return product(computation.arguments.front(), computation.arguments.back());
+        case Operation::inverse:
+        case Operation::inverse_square_root:
+            return {"Scalar(1.0) / " + below(computation), Binding::product};
+        case Operation::square_root: return call("sqrt", computation);
+        case Operation::power: return call("pow", computation);
+        case Operation::call: return call(computation.name, computation);
+        case Operation::constant:
+        case Operation::input: break;
+        }
+        HVI_CHECK(false);
+        return {};
+    }
+
+    /// factor * node, of a positive factor.
+    [[nodiscard]] Code term(const SmallFraction& factor, Node node) const {
+        if (graph_.is_number({factor, node})) { return literal_of(factor); }
+        if (factor.is_one()) { return at(node); }
+        return {literal_of(factor).text + " * " + operand(at(node), Binding::sign),
+                Binding::product};
+    }
+
+    [[nodiscard]] Code scaled(const Scaled& a) const {
+        if (a.factor.above > 0) { return term(a.factor, a.node); }
+        return {"-" + operand(term(-a.factor, a.node), Binding::product), Binding::sign};
+    }
+
+    /// NOTE: the first term is positive, but for one that is alone.
+    [[nodiscard]] Code sum(const std::vector<Scaled>& terms) const {
+        if (terms.size() == 1) { return scaled(terms.front()); }
+        std::string text;
+        for (const Scaled& part : terms) {
+            const bool negative = part.factor.above < 0;
+            if (!text.empty()) { text += negative ? " - " : " + "; }
+            const Code code = term(part.factor.size(), part.node);
+            text += operand(code, text.empty() ? Binding::sum : Binding::product);
+        }
+        return {std::move(text), Binding::sum};
+    }
+
+    [[nodiscard]] Code product(Node a, Node b) const {
+        if (is_divisor(graph_, kernel_, a)) { std::swap(a, b); }
+        if (is_divisor(graph_, kernel_, b)) {
+            return {operand(at(a), Binding::product) + " / " + below(graph_.at(b)),
+                    Binding::product};
+        }
+        if (at(b).binding == Binding::product && at(a).binding != Binding::product) {
+            std::swap(a, b);
+        }
+        return {operand(at(a), Binding::product) + " * " + operand(at(b), Binding::sign),
+                Binding::product};
+    }
+
+    /// What an inverse divides by.
+    [[nodiscard]] std::string below(const Computation& computation) const {
+        if (computation.operation == Operation::inverse_square_root) {
+            return call("sqrt", computation).text;
+        }
+        return operand(at(computation.arguments.front()), Binding::sign);
+    }
+
+    [[nodiscard]] Code call(const std::string& function, const Computation& computation) const {
+        std::string arguments;
+        for (const Node argument : computation.arguments) {
+            arguments += (arguments.empty() ? "" : ", ") + at(argument).text;
+        }
+        return {fmt::format("{}::{}({})", library_, function, arguments)};
+    }
+
+    Writer& writer_;
+    const Graph& graph_;
+    const Kernel& kernel_;
+    std::string_view library_, value_;
+    std::map<Node, Code> codes_;
+    int locals_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> write_code(Writer& writer, const Graph& graph, const Kernel& kernel,
+                                    NodeNames names, std::string_view library,
+                                    std::string_view value) {
+    return KernelWriter(writer, graph, kernel, std::move(names), library, value).results();
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/system/scene_code.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "generator/emit/text/constants.hpp"
+#include "generator/emit/text/names.hpp"
+#include "generator/exact/functions/evaluate.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// `m[3]` without its index.
+std::string base_of(const std::string& name) { return name.substr(0, name.find('[')); }
+
+/// A member of Parameters: a number, or an array with the values of m[1], m[2], ...
+struct ParameterMember {
+    std::string name;  // in C++
+    bool is_array;
+    std::vector<const Parameter*> parameters;
+};
+
+std::vector<ParameterMember> members_of(const std::vector<Parameter>& parameters) {
+    std::vector<ParameterMember> members;
+    for (const Parameter& parameter : parameters) {
+        const std::string base = base_of(parameter.name);
+        const bool is_array = base != parameter.name;
+        const bool goes_on = is_array && !members.empty() && members.back().is_array &&
+                             base_of(members.back().parameters.front()->name) == base;
+        if (!goes_on) { members.push_back({member_name(base), is_array, {}}); }
+        members.back().parameters.push_back(&parameter);
+    }
+    return members;
+}
+
+/// What begins at the initial data: a State, where that is not several.
+std::string_view state_of_one(const Scheme& scheme) {
+    return scheme.has_trajectory_lanes ? "Trajectory" : "State";
+}
+
+void write_member(Writer& writer, std::string_view doc, std::string_view state,
+                  std::string_view name, std::string_view arguments) {
+    writer.comment(doc, "/// ");
+    writer.open("[[nodiscard]] Scalar {}(const {}& x) const {{", name, state)
+        .line("return system_.{}({});", name, arguments)
+        .close()
+        .blank();
+}
+
+}  // namespace
+
+std::string_view library(const SceneWishes& wishes) {
+    return wishes.float128 ? "hvi::math" : "std";
+}
+
+std::string initializer(const Expression& expression) {
+    // NOTE: read again, so that an error points into a text that stands for the number alone.
+    const std::string name = to_text(expression);
+    const auto text = std::make_shared<const Source>(Source{"number", name});
+    const Rounded value = on_new_ground([&](const Ground& ground) {
+        return nearest(evaluate_number(parse_expression(text), text, ground));
+    });
+    return qualified_initializer(Constant{name, value, name});
+}
+
+NodeNames parameter_names(const LoweredScene& lowered) {
+    NodeNames names;
+    for (const ParameterMember& member : members_of(lowered.scene.parameters)) {
+        for (std::size_t i = 0; i < member.parameters.size(); ++i) {
+            const Node node = lowered.system.symbols.at(member.parameters[i]->name).node;
+            names[node] =
+                "parameters." + member.name + (member.is_array ? fmt::format("[{}]", i) : "");
+        }
+    }
+    return names;
+}
+
+std::string parameters_text(const LoweredScene& lowered) {
+    Writer writer(1);
+    writer.line("/// As the scene has them.").open("struct Parameters {{");
+    for (const ParameterMember& member : members_of(lowered.scene.parameters)) {
+        const auto line = [&](const Parameter& parameter, std::string_view begin,
+                              std::string_view end) {
+            writer.line("{}{}{}  // {} = {}", begin, initializer(parameter.value), end,
+                        parameter.name, to_text(parameter.value));
+        };
+        if (member.is_array) {
+            writer.open("std::array<Scalar, {}> {}{{{{", member.parameters.size(), member.name);
+            for (const Parameter* parameter : member.parameters) { line(*parameter, "", ","); }
+            writer.close("}};");
+        } else {
+            line(*member.parameters.front(), fmt::format("Scalar {} = ", member.name), ";");
+        }
+    }
+    return writer.close("};").str();
+}
+
+std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,
+                               const Scheme& scheme) {
+    const std::string_view state = state_of_one(scheme);
+    Writer writer(1);
+    if (!lowered.initial.empty()) {
+        writer.line("/// Where the scene begins.");
+        writer
+            .open("[[nodiscard]] static constexpr {} initial(const Parameters& parameters) {{",
+                  state)
+            .line("{} x;", state)
+            .line("System::begin(parameters, x.q, x.p);")
+            .line("return x;")
+            .close();
+        writer.line(
+            "[[nodiscard]] static constexpr {} initial() {{ return initial(Parameters{{}}); }}",
+            state);
+        writer.blank();
+    }
+    if (wishes.energy) {
+        write_member(writer, "H = " + to_text(lowered.scene.hamiltonian.expression), state,
+                     "energy", lowered.system.time ? "x.q, x.p, x.t" : "x.q, x.p");
+    }
+    if (wishes.invariants) {
+        for (const NamedExpression& invariant : lowered.scene.invariants) {
+            write_member(writer, to_text(invariant.expression), state, invariant.name, "x.q, x.p");
+        }
+    }
+    if (wishes.evaluations) {
+        writer.line("/// How often dH/dq was evaluated, at one stage each time.");
+        writer.line(
+            "[[nodiscard]] std::int64_t evaluations() const {{ return system_.evaluations; }}");
+        writer.blank();
+    }
+    return writer.str();
+}
+
+void check_members(const Scene& scene, const SceneWishes& wishes) {
+    if (!wishes.invariants) { return; }
+    for (const NamedExpression& invariant : scene.invariants) {
+        check_function_name(invariant.name, invariant.place);
+    }
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,51 @@
+// The parts of a header that a scene decides: parameters, initial data, H and its derivatives.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/emit/system/kernel_code.hpp"
+#include "generator/exact/methods/curve.hpp"
+#include "generator/lower/lowered_scene.hpp"
+#include "generator/plan/scheme.hpp"
+
+namespace hvi::gen {
+
+/// What a header is to offer beside step().
+struct SceneWishes {
+    bool energy = false;
+    bool invariants = false;
+    bool evaluations = false;    ///< of dH/dq, counted
+    bool float128 = false;       ///< among the numbers that it computes in
+    std::optional<Curve> curve;  ///< of the last step, as a member
+};
+
+/// The namespace of the functions that it calls: `std`, or that of src/hvi/math.hpp.
+[[nodiscard]] std::string_view library(const SceneWishes& wishes);
+
+/// Throws InputError where an invariant that is asked for is called as something else that each
+/// stepper has, or is a word of C++.
+void check_members(const Scene& scene, const SceneWishes& wishes);
+
+/// The parameters where `parameters` is an object of the struct.
+[[nodiscard]] NodeNames parameter_names(const LoweredScene& lowered);
+
+/// `struct Parameters`, with the values of the scene as defaults.
+[[nodiscard]] std::string parameters_text(const LoweredScene& lowered);
+
+/// `struct System`: what a stepper with this scheme needs of H, as straight-line code.
+[[nodiscard]] std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
+                                      const Scheme& scheme);
+
+/// `static State initial(...)`, and the members that are asked for.
+[[nodiscard]] std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,
+                                             const Scheme& scheme);
+
+/// The value of an expression without symbols as a Scalar is initialised with it. Throws as
+/// evaluate_number() and initializer() do.
+[[nodiscard]] std::string initializer(const Expression& expression);
+
+}  // namespace hvi::gen

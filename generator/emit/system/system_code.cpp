@@ -1,0 +1,437 @@
+// The class System of a scene.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <set>
+
+#include "generator/emit/system/scene_code.hpp"
+#include "generator/lower/joint_gradient.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using Results = std::vector<Scaled>;
+
+/// The template parameter that vectors are of.
+constexpr std::string_view vector_type(bool are_lanes) { return are_lanes ? "Values" : "Vector"; }
+
+/// The names of what evaluations find: variables, members for what is made of parameters, and
+/// constants.
+class Given {
+public:
+    explicit Given(const LoweredScene& lowered) : lowered_(lowered), graph_(lowered.system.graph) {
+        const auto variables = [&](const std::vector<Node>& nodes, std::string_view letter) {
+            for (std::size_t k = 0; k < nodes.size(); ++k) {
+                names_[nodes[k]] = fmt::format("{}[{}]", letter, k);
+            }
+        };
+        variables(lowered.system.q, "q");
+        variables(lowered.system.p, "p");
+        if (lowered.system.time) { names_[*lowered.system.time] = "t"; }
+    }
+
+    /// Gives a name to everything that the kernel is given.
+    void name(const Kernel& kernel, const NodeNames& named = {}) {
+        name_constants(kernel);
+        for (const Node node : kernel.given) {
+            const bool has_name = names_.count(node) != 0 || named.count(node) != 0;
+            if (has_name || graph_.is_number({{1, 1}, node})) { continue; }
+            members_.push_back(node);
+            names_[node] = fmt::format("c{}_", members_.size());
+        }
+    }
+
+    void name_constants(const Kernel& kernel) {
+        for (const Node node : kernel.given) {
+            const bool is_constant = graph_.at(node).operation == Operation::constant;
+            if (!is_constant || names_.count(node) != 0 || graph_.is_number({{1, 1}, node})) {
+                continue;
+            }
+            constants_.push_back(node);
+            names_[node] = fmt::format("k{}", constants_.size());
+        }
+    }
+
+    /// What computes the members.
+    [[nodiscard]] Kernel setup() const {
+        Results results;
+        for (const Node node : members_) { results.push_back({{1, 1}, node}); }
+        return kernel_of_inputs(graph_, results);
+    }
+
+    /// The names at hand where there are parameters in place of members and variables.
+    [[nodiscard]] NodeNames of_inputs() const {
+        NodeNames names = parameter_names(lowered_);
+        for (const Node node : constants_) { names[node] = names_.at(node); }
+        return names;
+    }
+
+    [[nodiscard]] const NodeNames& names() const { return names_; }
+    [[nodiscard]] const std::vector<Node>& members() const { return members_; }
+    [[nodiscard]] const std::vector<Node>& constants() const { return constants_; }
+
+private:
+    const LoweredScene& lowered_;
+    const Graph& graph_;
+    NodeNames names_;
+    std::vector<Node> members_, constants_;
+};
+
+/// A function of (q, p), or of one of them.
+struct Function {
+    std::string_view name;
+    std::vector<std::string> targets;  ///< of the results; empty where the only one is returned
+    Kernel kernel;
+    bool has_q = true, has_p = true;  ///< among its arguments
+    std::string out;                  ///< its last argument, if any
+    bool has_time = false;            ///< among its arguments, before that
+    bool is_mirrored = false;         ///< out is a matrix of which the lower half is computed
+    NodeNames names = {};             ///< of what it alone is given
+    bool is_counted = false;          ///< each call
+    bool takes_lanes = false;         ///< as well as numbers
+    bool is_inlined = false;          ///< wherever it is called
+};
+
+bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
+    return std::any_of(nodes.begin(), nodes.end(),
+                       [&](Node node) { return kernel.uses[node] != 0; });
+}
+
+/// `const Vector& q`, marked where the function does not look at it.
+std::string argument(bool is_used, std::string_view type_and_name) {
+    return fmt::format("{}{}", is_used ? "" : "[[maybe_unused]] ", type_and_name);
+}
+
+std::vector<std::string> components(std::string_view letter, std::size_t count) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < count; ++k) { names.push_back(fmt::format("{}[{}]", letter, k)); }
+    return names;
+}
+
+/// The entries that are not zero; those of a symmetric block are computed once.
+Function hessian(const Graph& graph, std::string_view name, const HessianBlock& block,
+                 bool is_symmetric) {
+    Function function;
+    function.name = name;
+    function.out = "Matrix& out";
+    Results results;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        for (std::size_t j = 0; j < (is_symmetric ? i + 1 : block.size()); ++j) {
+            if (block[i][j].is_zero()) { continue; }
+            function.targets.push_back(fmt::format("out({}, {})", i, j));
+            function.is_mirrored = function.is_mirrored || (is_symmetric && i != j);
+            results.push_back(block[i][j]);
+        }
+    }
+    function.kernel = kernel(graph, std::move(results));
+    return function;
+}
+
+/// Adds what Newton's method evaluates.
+void second_derivatives(std::vector<Function>& functions, const LoweredScene& lowered,
+                        const Scheme& scheme) {
+    const Graph& graph = lowered.system.graph;
+    const Structure& second = lowered.structure;
+    Function qq = hessian(graph, "d2Hdq2", second.qq, true);
+    qq.has_p = !scheme.separable;
+    qq.has_time = scheme.depends_on_time;
+    functions.push_back(std::move(qq));
+    if (scheme.velocity_form) { return; }
+    const bool mixed_depends_on_time = scheme.depends_on_time && !scheme.separable;
+    if (!scheme.separable) {
+        functions.push_back(hessian(graph, "d2Hdqdp", second.qp, false));
+        functions.back().has_time = mixed_depends_on_time;
+    }
+    functions.push_back(hessian(graph, "d2Hdp2", second.pp, true));
+    functions.back().has_q = !scheme.separable;
+    functions.back().has_time = mixed_depends_on_time;
+}
+
+/// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
+void tangents(std::vector<Function>& functions, const LoweredScene& lowered) {
+    const SystemGraph& system = lowered.system;
+    const Structure& second = lowered.structure;
+    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
+    Function along{"d2Hdq2", out,   kernel_of_direction(system.graph, second.qq_along),
+                   true,     false, ""};
+    Function slope{"dHdq", out, {}, true, false, ""};
+    slope.has_time = system.time.has_value();
+    for (std::size_t k = 0; k < second.direction.size(); ++k) {
+        along.names[second.direction[k]] = fmt::format("v[{}]", k);
+    }
+    Results results = system.dHdq;
+    for (const Node node : along.kernel.given) {
+        const bool is_position = std::count(system.q.begin(), system.q.end(), node) != 0;
+        if (is_position || along.names.count(node) != 0 || !varies(system.graph.at(node).roles)) {
+            continue;
+        }
+        const std::string place = fmt::format("at[{}]", slope.targets.size() - out.size());
+        along.names[node] = place;
+        slope.targets.push_back(place);
+        results.push_back({{1, 1}, node});
+    }
+    slope.kernel = kernel(system.graph, std::move(results));
+    const bool is_constant = slope.targets.size() == out.size();
+    slope.out = "Vector& out, " + argument(!is_constant, "Tangent& at");
+    along.out = argument(!is_constant, "const Tangent& at") + ", " +
+                argument(uses_any(along.kernel, second.direction), "const Vector& v") +
+                ", Vector& out";
+    functions.push_back(std::move(slope));
+    functions.push_back(std::move(along));
+}
+
+/// dH/dq and dH/dp, one by one.
+std::vector<Function> two_gradients(const LoweredScene& lowered, const Scheme& scheme) {
+    const SystemGraph& system = lowered.system;
+    const bool separable = scheme.separable;
+    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
+    const auto vector = [&](std::string_view name, const std::vector<Scaled>& results, bool has_q,
+                            bool has_p) {
+        return Function{name,  out,   kernel(system.graph, results),
+                        has_q, has_p, fmt::format("{}& out", vector_type(scheme.has_lanes()))};
+    };
+    std::vector<Function> result{vector("dHdq", system.dHdq, true, !separable),
+                                 vector("dHdp", system.dHdp, !separable, true)};
+    result[0].has_time = scheme.depends_on_time;
+    result[1].has_time = scheme.depends_on_time && !separable;
+    if (scheme.velocity_form) {
+        result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
+    }
+    return result;
+}
+
+/// dH/dq and dH/dp.
+Function both_gradients(const SystemGraph& system, const Scheme& scheme) {
+    std::vector<std::string> targets = components("dHdq", system.degrees_of_freedom());
+    for (std::string& target : components("dHdp", system.degrees_of_freedom())) {
+        targets.push_back(std::move(target));
+    }
+    Function function;
+    function.name = "gradient";
+    function.targets = std::move(targets);
+    function.kernel = kernel(system.graph, joint_gradient(system));
+    function.out = fmt::format("{0}& dHdq, {0}& dHdp", vector_type(scheme.has_lanes()));
+    function.has_time = scheme.depends_on_time;
+    return function;
+}
+
+/// What steps evaluate.
+std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) {
+    std::vector<Function> result = two_gradients(lowered, scheme);
+    if (scheme.has_joint_slopes) { result = {both_gradients(lowered.system, scheme)}; }
+    for (Function& function : result) { function.takes_lanes = scheme.has_lanes(); }
+    // NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times.
+    // Where there is sin, or much, the call does not matter.
+    constexpr std::size_t small = 32;
+    for (Function& function : result) {
+        function.is_inlined = scheme.has_trajectory_lanes && function.kernel.counts.calls == 0 &&
+                              function.kernel.nodes.size() <= small;
+    }
+    if (scheme.takes_newton()) { second_derivatives(result, lowered, scheme); }
+    if (scheme.solver == Solver::newton_taylor) { tangents(result, lowered); }
+    return result;
+}
+
+/// The constants of a quadratic H that are not zero.
+Function quadratic(const LoweredScene& lowered) {
+    const Structure& found = lowered.structure;
+    const std::size_t n = lowered.system.degrees_of_freedom();
+    Function function{"quadratic", {}, {}, false, false, ""};
+    function.out = fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n);
+    Results results;
+    const auto add = [&](std::string target, const Scaled& value) {
+        if (value.is_zero()) { return; }
+        function.targets.push_back(std::move(target));
+        results.push_back(value);
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            add(fmt::format("H.qq[{}][{}]", i, j), found.qq[i][j]);
+            add(fmt::format("H.qp[{}][{}]", i, j), found.qp[i][j]);
+            add(fmt::format("H.pp[{}][{}]", i, j), found.pp[i][j]);
+        }
+        add(fmt::format("H.by_q[{}]", i), found.by_q[i]);
+        add(fmt::format("H.by_p[{}]", i), found.by_p[i]);
+    }
+    function.kernel = kernel(lowered.system.graph, std::move(results));
+    return function;
+}
+
+std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
+                                const Scheme& scheme) {
+    const auto value = [&](std::string_view name, const Scaled& result) {
+        return Function{name, {}, kernel(lowered.system.graph, {result}), true, true, ""};
+    };
+    std::vector<Function> result =
+        scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)} : slopes(lowered, scheme);
+    for (Function& function : result) {
+        const bool has_forces = function.name == "dHdq" || function.name == "gradient";
+        function.is_counted = wishes.evaluations && has_forces;
+    }
+    if (wishes.energy) {
+        result.push_back(value("energy", lowered.system.hamiltonian));
+        result.back().has_time = scheme.depends_on_time;
+    }
+    if (wishes.invariants) {
+        for (std::size_t i = 0; i < lowered.invariants.size(); ++i) {
+            result.push_back(value(lowered.scene.invariants[i].name, lowered.invariants[i]));
+        }
+    }
+    return result;
+}
+
+void mirror(Writer& writer, std::size_t n) {
+    writer.open("for (std::size_t i = 1; i < {}; ++i) {{", n);
+    writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
+}
+
+void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const Function& function,
+           std::string_view library) {
+    const SystemGraph& system = lowered.system;
+    for (const auto& [node, name] : function.names) { names[node] = name; }
+    std::vector<std::string> arguments;
+    const std::string_view vector = vector_type(function.takes_lanes);
+    if (function.has_q) {
+        arguments.push_back(
+            argument(uses_any(function.kernel, system.q), fmt::format("const {}& q", vector)));
+    }
+    if (function.has_p) {
+        arguments.push_back(
+            argument(uses_any(function.kernel, system.p), fmt::format("const {}& p", vector)));
+    }
+    if (function.has_time) {
+        arguments.push_back(
+            argument(uses_any(function.kernel, {*system.time}),
+                     function.takes_lanes ? "const hvi::detail::ScalarOf<Values>& t" : "Scalar t"));
+    }
+    if (!function.out.empty()) {
+        arguments.push_back(argument(!function.targets.empty(), function.out));
+    }
+    const bool is_matrix = function.out.substr(0, 6) == "Matrix";
+    if (is_matrix) { writer.line("template <class Matrix>"); }
+    if (function.takes_lanes) {
+        writer.line("template <class Values, class Value = hvi::detail::ScalarOf<Values>>");
+    }
+    const bool is_value = function.out.empty();
+    const std::string_view attribute = is_value              ? "[[nodiscard]] "
+                                       : function.is_inlined ? "HVI_INLINE_IN_LANES "
+                                                             : "";
+    writer.open("{}constexpr {} {}({}) const {{", attribute, is_value ? "Scalar" : "void",
+                function.name, fmt::join(arguments, ", "));
+    if (function.is_counted) {
+        writer.line("evaluations += {};",
+                    function.takes_lanes ? "hvi::detail::lane_count<Value>" : "1");
+    }
+    const auto results = write_code(writer, system.graph, function.kernel, names,
+                                    function.takes_lanes ? "hvi::math" : library,
+                                    function.takes_lanes ? "Value" : "Scalar");
+    if (is_value) { writer.line("return {};", results.front()); }
+    for (std::size_t k = 0; k < function.targets.size(); ++k) {
+        writer.line("{} = {};", function.targets[k], results[k]);
+    }
+    if (function.is_mirrored) { mirror(writer, system.degrees_of_freedom()); }
+    writer.close();
+}
+
+bool uses_parameters(const LoweredScene& lowered, const Kernel& kernel) {
+    const NodeNames names = parameter_names(lowered);
+    return std::any_of(kernel.given.begin(), kernel.given.end(),
+                       [&](Node node) { return names.count(node) != 0; });
+}
+
+void write_constructor(Writer& writer, const LoweredScene& lowered, const Given& given,
+                       std::string_view library) {
+    const Kernel setup = given.setup();
+    writer.open("constexpr explicit System({}) {{",
+                argument(uses_parameters(lowered, setup), "const Parameters& parameters"));
+    const auto results =
+        write_code(writer, lowered.system.graph, setup, given.of_inputs(), library);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        writer.line("c{}_ = {};", i + 1, results[i]);
+    }
+    writer.close();
+}
+
+void write_begin(Writer& writer, const LoweredScene& lowered, const Given& given,
+                 const Kernel& initial, std::string_view library) {
+    writer.open("static constexpr void begin({}, Vector& q, Vector& p) {{",
+                argument(uses_parameters(lowered, initial), "const Parameters& parameters"));
+    const auto results =
+        write_code(writer, lowered.system.graph, initial, given.of_inputs(), library);
+    const std::size_t n = lowered.system.degrees_of_freedom();
+    for (std::size_t k = 0; k < 2 * n; ++k) {
+        writer.line("{}[{}] = {};", k < n ? "q" : "p", k % n, results[k]);
+    }
+    writer.close();
+}
+
+std::string data_text(const LoweredScene& lowered, const Given& given) {
+    Writer writer(1);
+    for (std::size_t i = 0; i < given.constants().size(); ++i) {
+        const Expression& value = lowered.system.graph.at(given.constants()[i]).constant;
+        writer.line("static constexpr Scalar k{} = {};  // {}", i + 1, initializer(value),
+                    to_text(value));
+    }
+    for (std::size_t i = 0; i < given.members().size(); ++i) {
+        writer.line("Scalar c{}_ = 0;", i + 1);
+    }
+    return writer.str();
+}
+
+/// NOTE: an array of none would do, were it not that compilers warn of it.
+std::size_t size_of_tangent(const std::vector<Function>& functions) {
+    std::size_t size = 1;
+    for (const Function& function : functions) {
+        size = std::max(
+            size, static_cast<std::size_t>(std::count_if(
+                      function.targets.begin(), function.targets.end(),
+                      [](const std::string& target) { return target.substr(0, 2) == "at"; })));
+    }
+    return size;
+}
+
+std::string about(const Hamiltonian& H) {
+    return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(H.expression),
+                       fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
+}
+
+}  // namespace
+
+std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
+                        const Scheme& scheme) {
+    const std::vector<Function> all = functions(lowered, wishes, scheme);
+    const Kernel initial = kernel_of_inputs(lowered.system.graph, lowered.initial);
+    Given given(lowered);
+    for (const Function& function : all) { given.name(function.kernel, function.names); }
+    // NOTE: what computes members and initial data is given parameters, which have names, and
+    // constants, which get theirs here.
+    given.name_constants(given.setup());
+    given.name_constants(initial);
+
+    Writer writer(1);
+    writer.comment(about(lowered.scene.hamiltonian), "/// ");
+    writer.open("struct System {{");
+    writer.line("using Vector = Numbers;");
+    if (scheme.solver == Solver::newton_taylor) {
+        writer.line("using Tangent = std::array<Scalar, {}>;", size_of_tangent(all));
+    }
+    writer.blank();
+    write_constructor(writer, lowered, given, library(wishes));
+    for (const Function& function : all) {
+        writer.blank();
+        write(writer, lowered, given.names(), function, library(wishes));
+    }
+    if (!lowered.initial.empty()) {
+        writer.blank();
+        write_begin(writer, lowered, given, initial, library(wishes));
+    }
+    if (wishes.evaluations) {
+        writer.blank().line("mutable std::int64_t evaluations = 0;  // of dH/dq");
+    }
+    if (const std::string data = data_text(lowered, given); !data.empty()) {
+        writer.blank().insert(data);
+    }
+    return writer.close("};").str();
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,42 @@
+// Exact numbers in a header, in the formats that it computes in.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/emit/text/text.hpp"
+#include "generator/plan/lattice.hpp"
+
+namespace hvi::gen {
+
+/// A coefficient in a header: what it is in each format, and exactly.
+struct Constant {
+    std::string name;  ///< `m_12`, in the comment
+    Rounded value;
+    std::string exact;
+};
+
+/// `static constexpr Scalar NAME[n] = {...};` with the exact value beside or above each entry: one
+/// literal where it is the same in all formats, else a call of rounded(). Throws MathError where
+/// double, or a longer format, has no such number.
+void table(Writer& writer, std::string_view name, const std::vector<Constant>& row);
+void table(Writer& writer, std::string_view name, const std::vector<std::vector<Constant>>& rows);
+
+/// The number as C++ initialises a Scalar with it: a literal, or a call of rounded(). Throws
+/// MathError as table() does.
+[[nodiscard]] std::string initializer(const Constant& constant);
+
+/// The same where rounded() is not declared.
+[[nodiscard]] std::string qualified_initializer(const Constant& constant);
+
+/// The text of tables, after the declaration of rounded() where they call it, or in any case.
+[[nodiscard]] std::string with_rounding(const std::string& tables);
+[[nodiscard]] std::string with_rounding_declared(const std::string& text);
+[[nodiscard]] bool are_rounded(std::string_view tables);
+
+/// A static_assert against float for each of the constants that float cannot hold.
+void refuse_float(Writer& writer, const std::vector<Constant>& constants);
+
+}  // namespace hvi::gen

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/text/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace hvi::gen {
+namespace {
+
+// NOTE: not <cctype>, whose answers depend on the locale.
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_word(char c) { return is_lower(c) || is_upper(c) || is_digit(c); }
+char to_upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Sorted. Of C++17 and C++20.
+constexpr std::array<std::string_view, 92> keywords{
+    "alignas",       "alignof",     "and",
+    "and_eq",        "asm",         "auto",
+    "bitand",        "bitor",       "bool",
+    "break",         "case",        "catch",
+    "char",          "char16_t",    "char32_t",
+    "char8_t",       "class",       "co_await",
+    "co_return",     "co_yield",    "compl",
+    "concept",       "const",       "const_cast",
+    "consteval",     "constexpr",   "constinit",
+    "continue",      "decltype",    "default",
+    "delete",        "do",          "double",
+    "dynamic_cast",  "else",        "enum",
+    "explicit",      "export",      "extern",
+    "false",         "float",       "for",
+    "friend",        "goto",        "if",
+    "inline",        "int",         "long",
+    "mutable",       "namespace",   "new",
+    "noexcept",      "not",         "not_eq",
+    "nullptr",       "operator",    "or",
+    "or_eq",         "private",     "protected",
+    "public",        "register",    "reinterpret_cast",
+    "requires",      "return",      "short",
+    "signed",        "sizeof",      "static",
+    "static_assert", "static_cast", "struct",
+    "switch",        "template",    "this",
+    "thread_local",  "throw",       "true",
+    "try",           "typedef",     "typeid",
+    "typename",      "union",       "unsigned",
+    "using",         "virtual",     "void",
+    "volatile",      "wchar_t",     "while",
+    "xor",           "xor_eq",
+};
+
+/// What means something else where the class is declared: members, template parameters, and names
+/// of hvi and of macros that standard headers may define.
+constexpr std::array<std::string_view, 36> taken{
+    "System",     "Solver",    "Vector", "State",      "Status", "Index",   "Coupled", "Stages",
+    "Sum",        "step",      "reset",  "Trajectory", "Values", "predict", "system_", "s_",
+    "solver_",    "tangents_", "force_", "p_",         "q_",     "slope_",  "known_",  "velocity_",
+    "m",          "mt",        "N",      "b",          "b_q",    "b_p",     "hvi",     "std",
+    "FixedPoint", "Newton",    "Scalar", "rounded",
+};
+
+/// The same where the constructor takes a parameter.
+constexpr std::array<std::string_view, 7> taken_by_coefficients{
+    "Coefficients", "Functions", "coefficients", "coefficients_", "status", "parameter", "at",
+};
+
+/// The same where a scene has functions of its own.
+constexpr std::array<std::string_view, 34> taken_by_scenes{
+    "dHdq",        "dHdp",        "d2Hdq2", "d2Hdqdp",    "d2Hdp2",   "energy",
+    "evaluations", "initial",     "begin",  "Parameters", "position", "curve",
+    "curve_rates", "curve_terms", "c",      "n",          "q",        "p",
+    "t",           "x",           "h",      "clock_",     "stages",   "inverse_mass",
+    "quadratic",   "Map",         "Number", "Numbers",    "N_lanes",  "m_lanes",
+    "mt_lanes",    "cn_lanes",    "sums_",  "gradient",
+};
+
+bool is_identifier(std::string_view name) {
+    return !name.empty() && !is_digit(name.front()) &&
+           std::all_of(name.begin(), name.end(), [](char c) { return is_word(c) || c == '_'; });
+}
+
+bool is_reserved(std::string_view name) {
+    return name.find("__") != std::string_view::npos ||
+           (name.size() > 1 && name[0] == '_' && is_upper(name[1]));
+}
+
+bool is_keyword(std::string_view name) {
+    static_assert(std::is_sorted(keywords.begin(), keywords.end()));
+    return std::binary_search(keywords.begin(), keywords.end(), name);
+}
+
+/// Whether the declaration of a parameter of a scene mentions it.
+bool names_type(std::string_view name) {
+    return name == "Number" || name == "Numbers" || name == "Scalar" || name == "Parameters" ||
+           name == "std" || name == "hvi";
+}
+
+/// Whether it is that word and digits: `Coupled1` and the like are structs of the class.
+bool is_numbered(std::string_view name, std::string_view word) {
+    return name.substr(0, word.size()) == word &&
+           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(word.size()), name.end(),
+                       is_digit);
+}
+
+bool is_taken(std::string_view name) {
+    const auto is_in = [&](const auto& names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    return is_in(taken) || is_in(taken_by_coefficients) || is_in(taken_by_scenes) ||
+           is_numbered(name, "Coupled");
+}
+
+}  // namespace
+
+std::string class_name(std::string_view method) {
+    std::string name;
+    bool at_start = true;
+    for (const char c : method) {
+        if (is_word(c)) {
+            name += at_start ? to_upper(c) : c;
+            at_start = false;
+        } else {
+            at_start = true;
+        }
+    }
+    if (name.empty()) { return "Stepper"; }
+    return is_digit(name.front()) ? "Stepper" + name : name;
+}
+
+std::string file_name(std::string_view method) {
+    std::string name;
+    for (const char c : method) { name += is_word(c) ? c : '_'; }
+    return (name.empty() ? "stepper" : name) + ".hpp";
+}
+
+void check_class_name(std::string_view name, const std::optional<Place>& place) {
+    constexpr auto help = "an identifier like Gauss2, of letters, digits and single underscores";
+    if (!is_identifier(name)) {
+        throw InputError(fmt::format("'{}' cannot be the name of a class", name), place, help);
+    }
+    if (is_keyword(name)) {
+        throw InputError(fmt::format("'{}' is a word of C++ itself", name), place, help);
+    }
+    if (is_reserved(name)) {
+        throw InputError(fmt::format("'{}' is a name that C++ reserves", name), place, help);
+    }
+    if (is_taken(name)) {
+        throw InputError(fmt::format("'{}' means something else in the header", name), place, help);
+    }
+}
+
+void check_function_name(std::string_view name, const std::optional<Place>& place) {
+    const std::string help = fmt::format("take another name, such as {}_value", name);
+    if (is_keyword(name)) {
+        throw InputError(fmt::format("'{}' is a word of C++ itself", name), place, help);
+    }
+    if (is_taken(name) || is_numbered(name, "k")) {
+        throw InputError(fmt::format("'{}' means something else in the header", name), place, help);
+    }
+}
+
+std::string member_name(std::string_view name) {
+    return std::string(name) + (is_keyword(name) || names_type(name) ? "_" : "");
+}
+
+}  // namespace hvi::gen
