@@ -131,8 +131,10 @@ struct Scheme {
     bool keeps_velocity = false;        ///< the same of dH/dp
     /// An explicit step sums its increments apart, and keeps what rounding cuts off from the state.
     bool keeps_remainder = false;
-    /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j.
+    /// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j; where
+    /// there is `extrapolation_before`, that times those of the step before this one is added.
     std::optional<NumberMatrix> extrapolation;
+    std::optional<NumberMatrix> extrapolation_before;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free
     std::vector<Decision> decisions;
 

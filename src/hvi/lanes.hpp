@@ -432,5 +432,26 @@ product(const LaneMatrix<Number, count>& matrix, const LaneRow<Number, count>& x
     return start;
 }
 
+/// rows = now rows + before (the rows before), and the rows before become these.
+template <class Number, std::size_t count, std::size_t dimension>
+void extrapolate(LaneRows<Number, count, dimension>& rows, const LaneMatrix<Number, count>& now,
+                 const LaneMatrix<Number, count>& before,
+                 LaneRows<Number, count, dimension>& rows_before) {
+    for (std::size_t k = 0; k < dimension; ++k) {
+        const LaneRow<Number, count> row = rows[k];
+        const Lanes<Number, count> far =
+            product(before, rows_before[k], Lanes<Number, count>(Number(0)));
+        product(now, row, far).store(rows[k]);
+        rows_before[k] = row;
+    }
+}
+
+template <class Number, std::size_t count, std::size_t dimension>
+void extrapolate(LaneRows<Number, count, dimension>& rows, const LaneMatrix<Number, count>& now) {
+    for (LaneRow<Number, count>& row : rows) {
+        product(now, row, Lanes<Number, count>(Number(0))).store(row);
+    }
+}
+
 }  // namespace detail
 }  // namespace hvi

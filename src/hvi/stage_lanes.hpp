@@ -39,9 +39,15 @@ struct StageLanes : StepMemory<Vector> {
     void predict_q(const Vector& gradient) { fill(Lq, gradient, Lane(hb)); }
     void predict_p(const Vector& gradient) { fill(Lp, gradient, -Lane(hb)); }
 
-    /// Starting values of those of the last step.
-    void extrapolate_q(const Matrix& N) { extrapolate(Lq, N); }
-    void extrapolate_p(const Matrix& N) { extrapolate(Lp, N); }
+    /// Starting values of those of the last step, or of two.
+    template <class... Before>
+    void extrapolate_q(const Matrix& N, Before&&... before) {
+        extrapolate(Lq, N, before...);
+    }
+    template <class... Before>
+    void extrapolate_p(const Matrix& N, Before&&... before) {
+        extrapolate(Lp, N, before...);
+    }
 
     /// Q_i = q + (e_q + sum_j m_ij Lq_j).
     [[gnu::always_inline]] void positions(const Matrix& m) {
@@ -110,10 +116,6 @@ private:
         for (std::size_t k = 0; k < dimension; ++k) {
             (factor * detail::at(gradient, k)).store(rows[k]);
         }
-    }
-
-    static void extrapolate(Rows& rows, const Matrix& N) {
-        for (Row& row : rows) { product(N, row, Lane(Scalar(0))).store(row); }
     }
 
     [[gnu::always_inline]] static void stage_values(const Matrix& m, const Rows& slopes,

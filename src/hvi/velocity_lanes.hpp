@@ -67,9 +67,10 @@ struct VelocityLanes : StepMemory<Vector> {
         drifts(system);
     }
 
-    /// Starting values of those of the last step.
-    void extrapolate(const LaneMatrix<Scalar, stages>& N) {
-        for (Row& row : W) { product(N, row, Lane(Scalar(0))).store(row); }
+    /// Starting values of those of the last step, or of two.
+    template <class... Before>
+    void extrapolate(const LaneMatrix<Scalar, stages>& N, Before&&... before) {
+        detail::extrapolate(W, N, before...);
     }
 
     /// Q_i = q + (e_q + h c_i v + sum_j n_ij W_j).

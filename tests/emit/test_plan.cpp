@@ -177,6 +177,41 @@ TEST_CASE("extrapolation is exact for polynomials through the nodes") {
     }
 }
 
+TEST_CASE("of few stages the slopes of two steps are extrapolated") {
+    const auto planned = [](const char* method, Solver solver, Lanes lanes = Lanes::none) {
+        return plan(named(method), {.separable = true, .solver = solver, .lanes = lanes});
+    };
+    CHECK(planned("midpoint", Solver::fixed_point).extrapolation_before);
+    CHECK(planned("gauss:3", Solver::automatic, Lanes::stages).extrapolation_before);
+    CHECK_FALSE(planned("gauss:4", Solver::automatic).extrapolation_before);
+    CHECK_FALSE(planned("gauss:2", Solver::of_user).extrapolation_before);
+    CHECK_FALSE(planned("gauss:2", Solver::newton).extrapolation_before);
+    CHECK_FALSE(planned("gauss:2", Solver::fixed_point, Lanes::ensemble).extrapolation_before);
+    // The end of one step is the start of the next: no polynomial has two values there.
+    const Scheme lobatto = planned("lobatto:3", Solver::fixed_point);
+    CHECK_FALSE(lobatto.extrapolation_before);
+
+    // Exact for polynomials of degree 2 s - 1: slopes at c - 1 and at c - 2 go to those at c.
+    const Tableau tableau = named("gauss:2");
+    const Scheme scheme = plan(tableau, {.separable = true, .solver = Solver::automatic});
+    for (int k = 0; k < 4; ++k) {
+        const auto power = [&](const Number& x) {
+            Number value = 1;
+            for (int i = 0; i < k; ++i) { value = value * x; }
+            return value;
+        };
+        for (std::size_t i = 0; i < 2; ++i) {
+            Number sum = 0;
+            for (std::size_t j = 0; j < 2; ++j) {
+                const Number& c = tableau.c[j];
+                sum = sum + (*scheme.extrapolation)[i][j] * tableau.b[j] * power(c - Number(1)) +
+                      (*scheme.extrapolation_before)[i][j] * tableau.b[j] * power(c - Number(2));
+            }
+            CHECK((sum - tableau.b[i] * power(tableau.c[i])).is_zero());
+        }
+    }
+}
+
 TEST_CASE("coefficients that depend on a parameter are quotients, constants are left out") {
     // Row 1 of m is 0 and row 3 is 1, m_2,2 is 1/2.
     const Scheme scheme = plan(derive(method("1, cos(w*tau), sin(w*tau)", "0, 1/2, 1")), {});

@@ -158,10 +158,35 @@ TEST_CASE(
     CHECK(x.p == y.p);
 }
 
+TEMPLATE_TEST_CASE("what two steps left is forgotten with the state, and with the size of the step",
+                   "", Kepler2Lanes, Kepler2Plain, Kepler3Lanes, Kepler3Plain) {
+    TestType stepper;
+    auto x = TestType::initial();
+    for (int i = 0; i < 5; ++i) { REQUIRE(stepper.step(x, 0.05).ok()); }
+    x.q[0] += 0.25;
+    TestType fresh;
+    auto y = x;
+    const auto same = [&](double h) {
+        REQUIRE(stepper.step(x, h).ok());
+        REQUIRE(fresh.step(y, h).ok());
+        CHECK(x.q == y.q);
+        CHECK(x.p == y.p);
+    };
+    for (const double h : {0.05, 0.05, 0.05, 0.05, 0.04, 0.05, 0.05, 0.05}) { same(h); }
+    // A step that fails is none of the two either.
+    auto nowhere = x;
+    nowhere.q = {0.0, 0.0};
+    nowhere.p = {0.0, 0.0};
+    CHECK_FALSE(stepper.step(nowhere, 0.05).ok());
+    fresh.reset();
+    for (int i = 0; i < 4; ++i) { same(0.05); }
+}
+
 TEST_CASE("iterations do not depend on the machine") {
     // Those of a program written by hand for these methods, with the same starting values and
     // the same end of an iteration: 6.43 and 4.91 a step on Kepler's problem, 6.92 on the pendulum;
-    // 12.29 where both slopes come from the same Q and P.
+    // 12.29 where both slopes come from the same Q and P; 4.21 and 6.96 where starting values come
+    // from two steps.
     const auto iterations = [](auto stepper, auto x, double h, int steps) {
         long count = 0;
         for (int i = 0; i < steps; ++i) {
@@ -180,6 +205,12 @@ TEST_CASE("iterations do not depend on the machine") {
           Approx(4.91).margin(0.1));
     CHECK(iterations(PendulumLanes{}, PendulumLanes::State{{{1.5}}, {{0.0}}}, 0.4, 2500) ==
           Approx(6.92).margin(0.1));
+    CHECK(iterations(Kepler2Lanes{}, Kepler2Lanes::initial(), 0.02, 2000) ==
+          Approx(4.21).margin(0.05));
+    CHECK(iterations(Kepler2Plain{}, Kepler2Plain::initial(), 0.02, 2000) ==
+          Approx(4.21).margin(0.05));
+    CHECK(iterations(Kepler3Lanes{}, Kepler3Lanes::initial(), 0.2, 200) ==
+          Approx(6.96).margin(0.05));
     CHECK(iterations(NonseparableLanes{}, NonseparableLanes::initial(), 0.1, 2830) ==
           Approx(12.29).margin(0.1));
     CHECK(iterations(NonseparablePlain{}, NonseparablePlain::initial(), 0.1, 2830) ==

@@ -49,7 +49,9 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
     }
     if (options.wishes.float128) { parts.runtime.push_back("math.hpp"); }
     if (options.scene != nullptr) {
-        parts.format = scheme.has_joint_slopes ? 8 : scheme.has_stage_lanes ? 6 : 5;
+        const bool is_of_8 =
+            scheme.has_joint_slopes || (scheme.has_stage_lanes && scheme.extrapolation_before);
+        parts.format = is_of_8 ? 8 : scheme.has_stage_lanes ? 6 : 5;
     }
     for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},

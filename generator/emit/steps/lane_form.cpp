@@ -36,13 +36,24 @@ void columns(Writer& writer, std::string_view name) {
     writer.line("static constexpr auto {0}_lanes = hvi::detail::lane_columns({0});", name);
 }
 
+void columns_of_extrapolation(Writer& writer, const Scheme& scheme) {
+    if (scheme.extrapolation) { columns(writer, "N"); }
+    if (scheme.extrapolation_before) { columns(writer, "N_before"); }
+}
+
+/// Arguments of what extrapolates a slope.
+std::string extrapolation_of(const Scheme& scheme, std::string_view slope) {
+    return scheme.extrapolation_before ? fmt::format("N_lanes, N_before_lanes, {}_before_", slope)
+                                       : "N_lanes";
+}
+
 std::string predict_text(const Scheme& scheme, const auto& extrapolate, const auto& constant) {
     Writer writer(1);
     open_predict(writer, scheme, "slopes");
     if (scheme.extrapolation) {
-        writer.open("if (s_.h == s_.h_before) {{");
+        open_extrapolation(writer, scheme);
         extrapolate(writer);
-        writer.line("return;").close();
+        close_extrapolation(writer, scheme);
     }
     constant(writer);
     return writer.close().str();
@@ -53,14 +64,17 @@ std::string members_text(const Scheme& scheme, std::string_view stages) {
     writer.line("System system_;");
     if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
     writer.line("hvi::detail::{}<Vector, {}> s_;", stages, scheme.positions.size());
-    return writer.line("typename Solver::template Iteration<Vector> solver_;").str();
+    writer.line("typename Solver::template Iteration<Vector> solver_;");
+    declare_slopes_before(writer, scheme);
+    return writer.str();
 }
 
 // ---- positions alone ----
 
 std::string velocity_predict_text(const Scheme& scheme) {
     return predict_text(
-        scheme, [](Writer& writer) { writer.line("s_.extrapolate(N_lanes);"); },
+        scheme,
+        [&](Writer& writer) { writer.line("s_.extrapolate({});", extrapolation_of(scheme, "W")); },
         [&](Writer& writer) {
             writer.line("auto&& slope = hvi::detail::scratch(s_.slope);");
             writer.line("system_.dHdq(s_.at.q, {}slope);", start_time(scheme));
@@ -73,7 +87,7 @@ ImplicitParts velocity_lane_parts(const Scheme& scheme, const SceneWishes& wishe
     Writer constants(1);
     constants.insert(velocity_constants(scheme, wishes)).blank();
     constants.line("static constexpr hvi::detail::VelocityTable<Scalar, stages> cn_lanes{{c, n}};");
-    if (scheme.extrapolation) { columns(constants, "N"); }
+    columns_of_extrapolation(constants, scheme);
     ImplicitParts parts;
     parts.runtime = {"velocity_lanes.hpp"};
     parts.steps = steps_text(
@@ -104,8 +118,10 @@ std::string pair_predict_text(const Scheme& scheme) {
     return predict_text(
         scheme,
         [&](Writer& writer) {
-            if (!scheme.separable) { writer.line("s_.extrapolate_q(N_lanes);"); }
-            writer.line("s_.extrapolate_p(N_lanes);");
+            if (!scheme.separable) {
+                writer.line("s_.extrapolate_q({});", extrapolation_of(scheme, "Lq"));
+            }
+            writer.line("s_.extrapolate_p({});", extrapolation_of(scheme, "Lp"));
         },
         [&](Writer& writer) {
             const std::string_view at = scheme.separable ? "s_.at.q" : "s_.at.q, s_.at.p";
@@ -151,7 +167,7 @@ ImplicitParts pair_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
     constants.insert(pair_constants(scheme, wishes)).blank();
     columns(constants, "m");
     if (!scheme.one_tableau()) { columns(constants, "mt"); }
-    if (scheme.extrapolation) { columns(constants, "N"); }
+    columns_of_extrapolation(constants, scheme);
     ImplicitParts parts;
     parts.runtime = {"stage_lanes.hpp"};
     parts.steps = steps_text(scheme, {}, "");

@@ -193,25 +193,17 @@ std::vector<Slope> predicted(const Scheme& scheme) {
 }
 
 void extrapolate(Writer& writer, const Scheme& scheme, const std::vector<Slope>& slopes) {
-    const std::size_t s = scheme.positions.size();
-    writer.open("if (s_.h == s_.h_before) {{").open(loop);
-    for (const std::string_view letter : {"Lq", "Lp"}) {
-        bool used = false;
-        for (const Slope& slope : slopes) { used = used || slope.letter == letter; }
-        if (!used) { continue; }
-        for (std::size_t j = 0; j < s; ++j) {
-            writer.line("const Scalar {0}_{1} = s_.{0}[{2}][k];", letter, j + 1, j);
-        }
+    open_extrapolation(writer, scheme);
+    writer.open(loop);
+    for (const std::string_view letter : predicted_slopes(scheme)) {
+        recall_slopes(writer, scheme, letter);
     }
     for (const Slope& slope : slopes) {
-        std::string sum;
-        for (std::size_t j = 0; j < s; ++j) {
-            sum += fmt::format("{}N[{}][{}] * {}_{}", j == 0 ? "" : " + ", slope.index, j,
-                               slope.letter, j + 1);
-        }
-        writer.line("s_.{}[{}][k] = {};", slope.letter, slope.index, sum);
+        writer.line("s_.{}[{}][k] = {};", slope.letter, slope.index,
+                    extrapolated(scheme, slope.index, slope.letter));
     }
-    writer.close().line("return;").close();
+    writer.close();
+    close_extrapolation(writer, scheme);
 }
 
 /// The indices of the slopes of that letter.
@@ -305,6 +297,7 @@ std::string members_text(const Scheme& scheme) {
     if (scheme.keeps_velocity) {
         writer.line("Vector velocity_{{}};  // dH/dp at s_.at.p, where the last step ended");
     }
+    declare_slopes_before(writer, scheme);
     return writer.str();
 }
 

@@ -236,28 +236,22 @@ std::string steps_text(const Scheme& scheme) {
 
 // ---- starting values ----
 
-void extrapolate(Writer& writer, const std::vector<std::size_t>& unknown, std::size_t stages) {
-    writer.open("if (s_.h == s_.h_before) {{");
+void extrapolate(Writer& writer, const Scheme& scheme, const std::vector<std::size_t>& unknown) {
+    open_extrapolation(writer, scheme);
     loop(writer, "s_", [&] {
-        for (std::size_t j = 0; j < stages; ++j) {
-            writer.line("const Scalar W_{} = s_.W[{}][k];", j + 1, j);
-        }
+        recall_slopes(writer, scheme, "W");
         for (const std::size_t i : unknown) {
-            std::string sum;
-            for (std::size_t j = 0; j < stages; ++j) {
-                sum += fmt::format("{}N[{}][{}] * W_{}", j == 0 ? "" : " + ", i, j, j + 1);
-            }
-            writer.line("s_.W[{}][k] = {};", i, sum);
+            writer.line("s_.W[{}][k] = {};", i, extrapolated(scheme, i, "W"));
         }
     });
-    writer.line("return;").close();
+    close_extrapolation(writer, scheme);
 }
 
 std::string predict_text(const Scheme& scheme) {
     const std::vector<std::size_t> unknown = coupled_block(scheme).of(Kind::Lp);
     Writer writer(1);
     open_predict(writer, scheme, "forces");
-    if (scheme.extrapolation) { extrapolate(writer, unknown, scheme.positions.size()); }
+    if (scheme.extrapolation) { extrapolate(writer, scheme, unknown); }
     if (!scheme.keeps_force) {
         writer.line("system_.dHdq(s_.at.q, {}s_.slope);", start_time(scheme));
     }
@@ -281,6 +275,7 @@ std::string members_text(const Scheme& scheme) {
     if (scheme.keeps_force) {
         writer.line("Vector force_{{}};  // dH/dq at s_.at.q, where the last step ended");
     }
+    declare_slopes_before(writer, scheme);
     return writer.str();
 }
 
