@@ -79,7 +79,7 @@ Certificate certify(const Tableau& tableau, int max_order) {
     result.origin = tableau.origin;
     result.parameters = tableau.parameters;
     set_signs(result, {tableau.c, partitioned_method(tableau)});
-    set_oscillator(result, tableau);
+    if (!takes_long(tableau)) { set_oscillator(result, tableau); }
     result.known_as = known_names(tableau);
     result.adjoint = known_adjoints(tableau);
     return result;

@@ -54,8 +54,7 @@ struct Certificate : Properties {
     std::vector<std::size_t> negative_weights;  ///< 1-based; empty with a free parameter
     std::vector<std::size_t> nodes_outside;     ///< of [0, 1]; the same
 
-    /// Empty where only some digits are known, and for coefficients from elsewhere so long that it
-    /// takes_long().
+    /// Empty where only some digits are known, and for coefficients so long that it takes_long().
     std::optional<OscillatorMap> oscillator;
     std::optional<LinearStability> stability;  ///< the same; empty also with a free parameter
 

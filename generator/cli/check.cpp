@@ -5,6 +5,7 @@
 #include "generator/render/certificate.hpp"
 #include "generator/render/stability_svg.hpp"
 #include "generator/support/error.hpp"
+#include "generator/support/progress.hpp"
 
 namespace hvi::gen {
 
@@ -26,6 +27,7 @@ std::string plot(const Certificate& certificate) {
 }
 
 void write(const CheckOptions& options, const Certificate& certificate, const auto& whole) {
+    const Progress::Stage stage("writing the certificate");
     const bool as_json = options.format == CheckOptions::Format::json;
     if (options.plot) { write_result(*options.plot, plot(certificate)); }
     write_result(options.output, as_json ? render_json(whole) : render_text(whole));

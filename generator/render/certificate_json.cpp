@@ -68,6 +68,7 @@ Json stability_json(const Certificate& certificate) {
     json["touching"] = stability ? touching_json(stability->touching) : Json(nullptr);
     json["at_infinity"] = stability ? limit_json(stability->at_infinity) : Json(nullptr);
     json["until"] = stability_limit;
+    if (!map) { json["not_looked_at"] = why_no_oscillator(certificate); }
     return json;
 }
 

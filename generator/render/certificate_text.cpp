@@ -138,20 +138,27 @@ void write_stability(Report& report, const LinearStability& stability) {
                                        limit.is_stable ? "stable" : "not stable"));
 }
 
+std::optional<std::string> half_trace_text(const PolynomialQuotient& half_trace) {
+    const std::string too_long = "trace/2 has coefficients that are too long for a line";
+    for (const NumberVector* part : {&half_trace.numerator, &half_trace.denominator}) {
+        for (const Number& coefficient : *part) {
+            const bool is_long = coefficient.has_parameters() && !is_readable(coefficient);
+            if (is_long) { return too_long + "; --format json has them"; }
+        }
+    }
+    const auto form = closed_form(half_trace);
+    if (!form) { return std::nullopt; }
+    const std::string text = to_text(*form);
+    return is_readable(text) ? "trace/2 = " + text : too_long;
+}
+
 void write_oscillator(Report& report, const Certificate& certificate) {
     const auto& map = certificate.oscillator;
     if (!map) {
-        report.line("oscillator", certificate.within_digits
-                                      ? "not looked at: only some digits are known"
-                                      : "not looked at: the coefficients are too long");
+        report.line("oscillator", "not looked at: " + why_no_oscillator(certificate));
         return;
     }
-    if (const auto half_trace = closed_form(map->half_trace)) {
-        const std::string text = to_text(*half_trace);
-        report.line("oscillator", is_readable(text)
-                                      ? "trace/2 = " + text
-                                      : "trace/2 has coefficients that are too long for a line");
-    }
+    if (const auto text = half_trace_text(map->half_trace)) { report.line("oscillator", *text); }
     if (!map->determinant_one.holds) {
         report.line("determinant",
                     "not 1: stable is where both eigenvalues lie inside the unit circle");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/exact/algebra/polynomial_arithmetic.hpp"
 #include "generator/render/entry.hpp"
 
 namespace hvi::gen {
@@ -27,6 +28,11 @@ bool is_readable(const std::string& text) {
     return true;
 }
 
+bool is_readable(const Number& number) {
+    constexpr std::size_t most_terms = 1000;
+    return term_count(number) <= most_terms;
+}
+
 std::string short_decimal(const Number& number) {
     if (number.has_parameters()) { return make_entry(number, 1).best_text(); }
     std::string text = number.decimal(6);
@@ -38,12 +44,24 @@ std::string short_decimal(const Number& number) {
 }
 
 std::string value_text(const Number& number) {
+    if (number.has_parameters() && !is_readable(number)) {
+        return fmt::format("{} terms, too long for a line; --format json has them",
+                           term_count(number));
+    }
     const Entry entry = make_entry(number, 6);
     if (!entry.exact || !entry.decimal) { return entry.best_text(); }
     const std::string exact = to_text(*entry.exact);
     if (!is_readable(exact)) { return *entry.decimal; }
     const bool is_integer = exact.find_first_not_of("-0123456789") == std::string::npos;
     return is_integer ? exact : fmt::format("{} = {}", exact, *entry.decimal);
+}
+
+std::string why_no_oscillator(const Certificate& certificate) {
+    if (certificate.within_digits) { return "only some digits are known"; }
+    const std::string too_long = "the coefficients are too long";
+    if (certificate.parameters.empty()) { return too_long; }
+    return too_long + "; a value for the parameter " + certificate.parameters.front() +
+           " makes them short: --param " + certificate.parameters.front() + "=1";
 }
 
 std::string stage_name(const StageNode& node) {

@@ -27,11 +27,18 @@ private:
 /// Whether no number in a text is longer than people read, and a line of the terminal takes.
 [[nodiscard]] bool is_readable(const std::string& text);
 
+/// Whether it has so few terms; with a free parameter there can be tens of thousands.
+[[nodiscard]] bool is_readable(const Number& number);
+
 /// To six digits, without zeros at the end; with a free parameter the closed form.
 [[nodiscard]] std::string short_decimal(const Number& number);
 
-/// The closed form and six digits, or these alone where it is not readable.
+/// The closed form and six digits, or these alone where it is not readable; where that has neither,
+/// how many terms it has.
 [[nodiscard]] std::string value_text(const Number& number);
+
+/// Why a certificate has no map of the oscillator, and what would help. Precondition: it has none.
+[[nodiscard]] std::string why_no_oscillator(const Certificate& certificate);
 
 /// `Q_1`, counted from 1.
 [[nodiscard]] std::string stage_name(const StageNode& node);

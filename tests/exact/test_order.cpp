@@ -213,6 +213,30 @@ TEST_CASE("the error constant is the norm of the leading coefficients") {
     CHECK_FALSE(general("1, cos(w*tau), sin(w*tau) | 0, 1/2, 1").error_constant());
 }
 
+TEST_CASE("with a free parameter the factors of the coefficients give the same residuals") {
+    for (const std::string method :
+         {"1, cos(w*tau), sin(w*tau) | 0, 1/2, 1", "1, exp(w*tau) | 1/5, 2/3",
+          "1, cos(w*tau), tau | 0, 1/3, 1"}) {
+        CAPTURE(method);
+        const OrderConditions by_factors = orders(tableau(method), 8).general;
+        const OrderConditions other = orders(partitioned_method(tableau(method)), 8).general;
+        CHECK(by_factors.order == other.order);
+        REQUIRE(by_factors.failures.size() == other.failures.size());
+        for (std::size_t i = 0; i < other.failures.size(); ++i) {
+            CHECK(by_factors.failures[i].tree->text == other.failures[i].tree->text);
+            CHECK(text(by_factors.failures[i].residual) == text(other.failures[i].residual));
+        }
+    }
+}
+
+TEST_CASE("thousands of terms with a free parameter are not squared for an error constant") {
+    const Orders found = orders(tableau("1, tau, cos(w*tau), sin(w*tau) | gauss:4"), 8);
+    CHECK(has_order(found.general, 2));
+    CHECK(found.general.failures.size() == 14);
+    CHECK_FALSE(found.general.error_constant_squared);
+    CHECK_FALSE(found.nystrom.error_constant_squared);
+}
+
 TEST_CASE("beyond the listed sizes there is a tree for each value") {
     const OrderConditions found = general("gauss:5", 12);
     CHECK(has_order(found, 10));

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/methods/even_map.hpp"
 #include "tests/exact/stability.hpp"
 
 using namespace hvi::gen;
@@ -64,6 +66,49 @@ TEST_CASE("the two ways to the map agree") {
         CHECK(texts(by_polynomials.m12) == texts(by_stages.m12));
         CHECK(texts(by_polynomials.m21) == texts(by_stages.m21));
         CHECK(texts(by_polynomials.m22) == texts(by_stages.m22));
+    }
+}
+
+TEST_CASE("with a free parameter the map in the basis is that of the stages") {
+    for (const std::string method :
+         {"1, cos(w*tau), sin(w*tau) | 0, 1/2, 1", "1, exp(w*tau) | 1/5, 2/3",
+          "1, cos(w*tau), sin(w*tau) | gauss:3", "1, cos(w*tau), tau | 0, 1/3, 1"}) {
+        CAPTURE(method);
+        const Tableau given = derive(any_method(method));
+        const OscillatorMap in_basis = oscillator_map(given);
+        const OscillatorMap by_stages = oscillator_map(partitioned_method(given));
+        CHECK(proved_one(in_basis));
+        CHECK(proved_one(by_stages));
+        CHECK(in_basis.proved);
+        CHECK(texts(in_basis.D) == texts(by_stages.D));
+        CHECK(texts(in_basis.m11) == texts(by_stages.m11));
+        CHECK(texts(in_basis.m12) == texts(by_stages.m12));
+        CHECK(texts(in_basis.m21) == texts(by_stages.m21));
+        CHECK(texts(in_basis.m22) == texts(by_stages.m22));
+    }
+}
+
+TEST_CASE("four stages with a free parameter have a map in the basis") {
+    const std::string functions = "1, tau, cos(w*tau), sin(w*tau)";
+    const Tableau symbolic = derive(any_method(functions + " | gauss:4"));
+    REQUIRE_FALSE(takes_long(symbolic));
+    CHECK(term_count_in_basis(symbolic) < 500);
+    CHECK(term_count(symbolic.A_tilde * symbolic.A) > 10000);  // by the stages it takes minutes
+    const OscillatorMap map = oscillator_map(symbolic);
+    CHECK(map.proved);
+    CHECK(proved_one(map));
+    CHECK(texts(map.m11) == texts(map.m22));  // the method is its own adjoint
+    CHECK(map.half_trace.denominator.size() == 9);
+    CHECK(takes_long(derive(any_method("1, tau, tau^2, cos(w*tau), sin(w*tau) | gauss:5"))));
+
+    // With a value the coefficients are enclosed, and the map is that of the stages.
+    const Tableau with_value = derive(any_method("1, tau, cos(2*tau), sin(2*tau) | gauss:4"));
+    const EvenMap exact = even_map_in_basis(with_value);
+    const OscillatorMap enclosed = oscillator_map(with_value);
+    for (std::size_t k = 0; k < exact.D.size(); ++k) {
+        CAPTURE(k);
+        CHECK((exact.D[k] / exact.D[0]).decimal(30) == enclosed.D[2 * k].decimal(30));
+        CHECK((exact.m11[k] / exact.D[0]).decimal(30) == enclosed.m11[2 * k].decimal(30));
     }
 }
 

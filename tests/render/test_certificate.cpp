@@ -76,6 +76,28 @@ TEST_CASE("with a free parameter stability is a formula") {
     CHECK(json["linear_stability"]["half_trace"].is_string());
 }
 
+TEST_CASE("where the map is too long, why and what helps is told") {
+    Certificate found = certify(derive(any_method("1, cos(w*tau), sin(w*tau) | 0, 1/2, 1")), 3);
+    CHECK_FALSE(Read::parse(render_json(found))["linear_stability"].contains("not_looked_at"));
+    found.oscillator.reset();
+    const Read stability = Read::parse(render_json(found))["linear_stability"];
+    CHECK(stability["half_trace"].is_null());
+    const std::string why = stability["not_looked_at"];
+    CHECK(why.find("too long") != std::string::npos);
+    CHECK(why.find("--param w=1") != std::string::npos);
+    CHECK(render_text(found).find("oscillator    not looked at: ") != std::string::npos);
+}
+
+TEST_CASE("a residual of thousands of terms is told by their number") {
+    const Certificate found =
+        certify(derive(any_method("1, tau, cos(w*tau), sin(w*tau) | gauss:4")), 3);
+    const std::string text = render_text(found);
+    CHECK(text.size() < 10000);
+    CHECK(text.find(" terms, too long for a line") != std::string::npos);
+    CHECK(text.find("trace/2 has coefficients that are too long") != std::string::npos);
+    CHECK(text.find("All of it is proved.") != std::string::npos);
+}
+
 TEST_CASE("names, the adjoint, and the stages that couple") {
     const Read left = certificate("radau-left:3");
     CHECK(left["known_as"] == Read({"radau-left:3"}));

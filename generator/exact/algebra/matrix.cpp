@@ -250,6 +250,21 @@ std::optional<ScaledInverse> inverse(const NumberMatrix& matrix) {
     return ScaledInverse{*std::move(result), Number(1)};
 }
 
+Number common_denominator(const NumberMatrix& rows) {
+    Number result(1);
+    for (const NumberVector& row : rows) {
+        for (const Number& entry : row) {
+            const Number rest = entry * result;
+            const Element& element = *rest.value().element();
+            if (element.is_zero()) { continue; }
+            auto denominator = Element::quotient({{{}, element.denominator()}},
+                                                 IntegerMultivariate(1), element.field());
+            result = result * number(std::move(denominator), rest.value().field);
+        }
+    }
+    return result;
+}
+
 std::optional<NumberVector> left_null_vector(const NumberMatrix& matrix) {
     // Row echelon form of [matrix | identity]: a row that vanishes on the left shows on the right
     // which combination of rows it is.

@@ -42,6 +42,10 @@ struct ScaledInverse {
 /// The inverse of a square matrix; empty when it is singular.
 [[nodiscard]] std::optional<ScaledInverse> inverse(const NumberMatrix& matrix);
 
+/// A number, not zero, whose products with the entries have no denominators. Precondition: they are
+/// exact.
+[[nodiscard]] Number common_denominator(const NumberMatrix& rows);
+
 /// A vector v != 0 with v^T matrix = 0, or empty when the rows are independent. The last component
 /// that is not zero is 1.
 [[nodiscard]] std::optional<NumberVector> left_null_vector(const NumberMatrix& matrix);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/exact/functions/entire_quotients.hpp"
+#include "generator/support/progress.hpp"
 
 namespace hvi::gen {
 
@@ -82,6 +83,7 @@ bool operator==(const Quotient& left, const Quotient& right) {
 
 ParametricNumbers parametric(const std::vector<Number>& weights,
                              const std::vector<Number>& others) {
+    const Progress::Stage stage("looking at the coefficients near zeros of their denominators");
     std::vector<Number> all = weights;
     all.insert(all.end(), others.begin(), others.end());
     EntireQuotients quotients(all);

@@ -83,6 +83,43 @@ NumberVector NumberStages::apply(Colour colour, const Function& function, long t
     return (colour == Colour::f ? method_.A : method_.A_tilde) * function * Number(times);
 }
 
+GalerkinStages::GalerkinStages(const Tableau& tableau)
+    : NumberStages(partitioned_method(tableau)),
+      to_basis_(transpose(tableau.M_inverse)),
+      A_psi_(tableau.A_psi),
+      moments_(transpose(tableau.A_psi)),
+      from_basis_(tableau.M_inverse),
+      b_(tableau.b) {
+    for (NumberVector& row : moments_) { row = NumberStages::product(row, b_); }
+    for (std::size_t i = 0; i < b_.size(); ++i) {
+        from_basis_[i] = from_basis_[i] * (Number(1) / b_[i]);
+    }
+}
+
+Number GalerkinStages::integral(const Function& function) const {
+    const auto [entry, is_new] = integrals_.try_emplace(function);
+    if (is_new) { entry->second = (NumberMatrix{b_} * function).front(); }
+    return entry->second;
+}
+
+Number GalerkinStages::defect(Colour /*colour*/, const Function& function, long times) const {
+    return integral(function) * Number(times) - Number(1);
+}
+
+NumberVector GalerkinStages::applied(Colour colour, const Function& function) const {
+    if (colour == Colour::f) { return A_psi_ * (to_basis_ * function); }
+    NumberVector result = from_basis_ * (moments_ * function);
+    for (Number& entry : result) { entry = integral(function) - entry; }
+    return result;
+}
+
+NumberVector GalerkinStages::apply(Colour colour, const Function& function, long times) const {
+    const auto [entry, is_new] =
+        applied_.at(static_cast<std::size_t>(colour)).try_emplace(function);
+    if (is_new) { entry->second = applied(colour, function); }
+    return entry->second * Number(times);
+}
+
 bool NumberStages::Less::operator()(const Function& left, const Function& right) const {
     for (std::size_t i = 0; i < left.size(); ++i) {
         const int order = compare(*left[i].value().element(), *right[i].value().element());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -52,6 +54,32 @@ public:
 
 private:
     PartitionedMethod method_;
+};
+
+/// The same for Algorithm 4.3, with A and A~ applied by what they are made of: A g = A_psi M^-T g,
+/// and A~ g = b.g - (M^-1 A_psi^T (b g))/b. Where the coefficients are long, their products with
+/// the functions of short ones, which are short again, cost far more than this. Results are
+/// remembered: families of trees share functions.
+class GalerkinStages : public NumberStages {
+public:
+    /// Precondition: the coefficients are exact, as those with free parameters are.
+    explicit GalerkinStages(const Tableau& tableau);
+
+    [[nodiscard]] Scalar defect(Colour colour, const Function& function, long times) const;
+    [[nodiscard]] Function apply(Colour colour, const Function& function, long times) const;
+
+private:
+    [[nodiscard]] Number integral(const Function& function) const;  ///< b.function
+    [[nodiscard]] Function applied(Colour colour, const Function& function) const;
+
+    using Applied = std::map<Function, Function, Less>;
+    mutable std::array<Applied, 2> applied_;  ///< by colour
+    mutable std::map<Function, Number, Less> integrals_;
+    NumberMatrix to_basis_;  ///< M^-T
+    NumberMatrix A_psi_;
+    NumberMatrix moments_;     ///< A_psi^T diag(b)
+    NumberMatrix from_basis_;  ///< diag(1/b) M^-1
+    NumberVector b_;
 };
 
 /// Functions on the stages as vectors of enclosures, made with so many bits. No two are known to be

@@ -53,6 +53,8 @@ struct Decided {
     }
 };
 
+Number exact_defect(const Number& defect, const TreePointer& /*tree*/) { return defect; }
+
 /// Whether it can hold, for coefficients of which only some digits are known.
 Verdict can_be_zero(const Ball& defect) {
     return defect.sign() == 0 ? Verdict{true, false} : Verdict{false, true};
@@ -153,7 +155,10 @@ void list_failures(OrderConditions& result, const FailedClasses& failed, Classes
         if (found != failures.end()) { result.failures.push_back(found->second.add(tree)); }
     }
     NumberVector squares;
-    for (const auto& [place, trees] : failures) { squares.push_back(trees.squares()); }
+    for (const auto& [place, trees] : failures) {
+        if (failed.at(place).has_parameters()) { return; }
+        squares.push_back(trees.squares());
+    }
     result.error_constant_squared = sum_of(std::move(squares));
 }
 
@@ -207,7 +212,7 @@ Orders examine(const Stages& stages, Decide decide, ToNumber to_number, int max_
 }  // namespace
 
 std::optional<Number> OrderConditions::error_constant() const {
-    if (!error_constant_squared || error_constant_squared->has_parameters()) { return {}; }
+    if (!error_constant_squared) { return {}; }
     if (const auto rational = rational_text(*error_constant_squared)) {
         const Ground ground(std::make_shared<Field>(Denominators{}));
         return ground.sqrt(ground.rational(*rational, "1"));
@@ -220,7 +225,10 @@ std::optional<Number> OrderConditions::error_constant() const {
 }
 
 Orders orders(const Tableau& tableau, int max_order) {
-    if (!tableau.node_polynomial) { return orders(partitioned_method(tableau), max_order); }
+    if (!tableau.node_polynomial) {
+        if (tableau.parameters.empty()) { return orders(partitioned_method(tableau), max_order); }
+        return examine(GalerkinStages(tableau), Decided(), exact_defect, max_order);
+    }
     const auto to_number = [](const RationalPolynomial& defect, const TreePointer&) {
         return constant_term(defect);
     };
@@ -229,8 +237,7 @@ Orders orders(const Tableau& tableau, int max_order) {
 
 Orders orders(const PartitionedMethod& method, int max_order) {
     if (method.is_exact()) {
-        const auto to_number = [](const Number& defect, const TreePointer&) { return defect; };
-        return examine(NumberStages(method), Decided(), to_number, max_order);
+        return examine(NumberStages(method), Decided(), exact_defect, max_order);
     }
     const EnclosedDefect to_number(method);
     // NOTE: enclosures of zero narrower than 10^-50 take 167 bits and some more for what is lost.

@@ -32,10 +32,11 @@ struct OrderConditions {
     /// The sum over all failures of (residual/sigma)^2: the square of the norm of the coefficients
     /// of the elementary differentials in the local error's first term (Hairer, Norsett & Wanner,
     /// Solving Ordinary Differential Equations I, Section II.3: (1 - gamma Phi) alpha / (order+1)!
-    /// with alpha = (order+1)!/(sigma gamma)). Empty where not all failures are listed.
+    /// with alpha = (order+1)!/(sigma gamma)). Empty where not all failures are listed, and with a
+    /// free parameter: nobody reads a sum of squares of so many terms.
     std::optional<Number> error_constant_squared;
 
-    /// Its root; exact where the square is rational. Empty also with a free parameter.
+    /// Its root; exact where the square is rational.
     [[nodiscard]] std::optional<Number> error_constant() const;
 };
 
@@ -45,10 +46,11 @@ struct Orders {
 
 /// Looks at the conditions of order 1, 2, ..., `max_order` until some fail. In exact arithmetic
 /// where the numbers allow; over Q where the tableau has a `node_polynomial`, at whatever nodes.
-/// Where trees of so many vertices have elementary weights that are not known to be equal, in
-/// hundreds of thousands, it stops below `max_order`.
-/// With free parameters the order is the generic one. Precondition: 1 <= max_order <=
-/// most_vertices. Throws MathError where a residual cannot be told from zero.
+/// With one, and with free parameters, the coefficients are those of Algorithm 4.3. Where trees of
+/// so many vertices have elementary weights that are not known to be equal, in hundreds of
+/// thousands, it stops below `max_order`. With free parameters the order is the generic one.
+/// Precondition: 1 <= max_order <= most_vertices. Throws MathError where a residual cannot be told
+/// from zero.
 [[nodiscard]] Orders orders(const Tableau& tableau, int max_order);
 
 /// By the coefficients alone.

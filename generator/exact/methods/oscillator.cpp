@@ -8,6 +8,7 @@
 #include "generator/exact/algebra/polynomial_in_square.hpp"
 #include "generator/exact/methods/composition.hpp"
 #include "generator/exact/methods/even_map.hpp"
+#include "generator/exact/methods/properties.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/support/progress.hpp"
@@ -117,7 +118,8 @@ EvenMap product(const EvenMap& left, const EvenMap& right) {
             product(left.D, right.D)};
 }
 
-OscillatorMap completed(EvenMap map, PolynomialArithmetic arithmetic) {
+/// Without the verdict on the determinant.
+OscillatorMap normalized(EvenMap& map, PolynomialArithmetic& arithmetic) {
     const bool parameters = has_parameters(map);
     if (!parameters) { divide_by_common(map, arithmetic); }
     make_D_one_at_zero(map);
@@ -132,16 +134,39 @@ OscillatorMap completed(EvenMap map, PolynomialArithmetic arithmetic) {
             in_z(map.m22, 0),
             in_z(map.D, 0),
             {in_z(half_trace.numerator, 0), in_z(half_trace.denominator, 0)},
-            has_determinant_one(map, arithmetic),
+            {},
             proved};
+}
+
+OscillatorMap completed(EvenMap map, PolynomialArithmetic arithmetic) {
+    OscillatorMap result = normalized(map, arithmetic);
+    result.determinant_one = has_determinant_one(map, arithmetic);
+    return result;
+}
+
+/// NOTE: the determinant by the theorem that a symplectic method has a symplectic map: products of
+/// the map's coefficients, rational functions of the parameters, would take minutes.
+OscillatorMap in_basis(const Tableau& tableau) {
+    EvenMap map = even_map_in_basis(tableau);
+    PolynomialArithmetic arithmetic;
+    OscillatorMap result = normalized(map, arithmetic);
+    result.determinant_one = is_symplectic(partitioned_method(tableau));
+    HVI_CHECK(result.determinant_one.holds);
+    return result;
+}
+
+/// Where there are free parameters. The minors of more functions are too many.
+bool is_for_basis(const Tableau& tableau) {
+    constexpr std::size_t most_functions = 8;
+    return !tableau.parameters.empty() && tableau.stages() <= most_functions;
 }
 
 }  // namespace
 
 OscillatorMap oscillator_map(const Tableau& tableau) {
-    if (!tableau.node_polynomial) { return oscillator_map(partitioned_method(tableau)); }
     const Progress::Stage stage("computing the map of the harmonic oscillator");
-    return completed(even_map(*tableau.node_polynomial), {});
+    if (tableau.node_polynomial) { return completed(even_map(*tableau.node_polynomial), {}); }
+    return is_for_basis(tableau) ? in_basis(tableau) : oscillator_map(partitioned_method(tableau));
 }
 
 OscillatorMap oscillator_map(const PartitionedMethod& method) {
@@ -180,6 +205,15 @@ bool takes_long(const PartitionedMethod& method) {
         }
     }
     return characters > most_characters || (!rational && method.stages() > most_enclosed_stages);
+}
+
+bool takes_long(const Tableau& tableau) {
+    constexpr std::size_t most_terms = 1200;  // four stages have 800, and five 2100
+    if (tableau.node_polynomial || tableau.parameters.empty()) { return false; }
+    const std::size_t terms = is_for_basis(tableau)
+                                  ? term_count_in_basis(tableau)
+                                  : term_count(tableau.A) + term_count(tableau.A_tilde);
+    return terms > most_terms;
 }
 
 }  // namespace hvi::gen

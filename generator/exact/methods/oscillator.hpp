@@ -23,6 +23,7 @@ struct OscillatorMap {
     bool proved = false;
 };
 
+/// Precondition: with free parameters, it does not take long.
 [[nodiscard]] OscillatorMap oscillator_map(const Tableau& tableau);
 
 /// The same for any coefficients: with weights b~ of its own, p1 takes these.
@@ -34,5 +35,8 @@ struct OscillatorMap {
 
 /// Whether this map, or linear stability by it, is a matter of minutes.
 [[nodiscard]] bool takes_long(const PartitionedMethod& method);
+
+/// Whether a method has free parameters, and a map of so many terms that it takes minutes.
+[[nodiscard]] bool takes_long(const Tableau& tableau);
 
 }  // namespace hvi::gen

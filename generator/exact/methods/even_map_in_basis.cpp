@@ -1,0 +1,112 @@
+// Algorithm 4.3 with free parameters: in the coordinates of its basis, without a division.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <utility>
+
+#include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/algebra/polynomial_arithmetic.hpp"
+#include "generator/exact/methods/even_map.hpp"
+#include "generator/exact/numbers/minors.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// NumberPolynomials as a ring.
+struct Entry {
+    NumberPolynomial polynomial;
+
+    Entry() = default;
+    explicit Entry(long constant) : polynomial{Number(constant)} {}
+    explicit Entry(NumberPolynomial value) : polynomial(std::move(value)) {}
+
+    friend Entry operator+(const Entry& a, const Entry& b) {
+        return Entry(sum(a.polynomial, b.polynomial));
+    }
+    friend Entry operator-(const Entry& a, const Entry& b) {
+        return Entry(sum(a.polynomial, scaled(b.polynomial, Number(-1))));
+    }
+    friend Entry operator*(const Entry& a, const Entry& b) {
+        return Entry(product(a.polynomial, b.polynomial));
+    }
+};
+
+/// What the rule sum_i b_i f(c_i) makes of products of psi_1 .. psi_s and of their integrals
+/// Psi_1 .. Psi_s from 0 on. By Algorithm 4.3 the functions with coordinates x on the psi have
+///
+///     b.x = B.x,    <x, y> = x^T G y,    A x = sum_j x_j Psi_j at the nodes,
+///     <A~ x, y> = (b.x)(b.y) - <x, A y>,
+///
+/// so that G (1 + t A~ A) = G + t (B m^T - N), where m_j = b.Psi_j and N_ij = <Psi_i, Psi_j>.
+struct Rule {
+    NumberVector B;    ///< b.psi_i
+    NumberVector m;    ///< b.Psi_i
+    NumberMatrix G;    ///< <psi_i, psi_j>
+    NumberMatrix BmN;  ///< B m^T - N
+};
+
+Rule rule_of(const Tableau& tableau) {
+    const NumberMatrix& psi = tableau.M;
+    const NumberMatrix Psi = transpose(tableau.A_psi);
+    const auto weighted = [&](NumberMatrix functions) {
+        for (NumberVector& row : functions) {
+            for (std::size_t k = 0; k < row.size(); ++k) { row[k] = row[k] * tableau.b[k]; }
+        }
+        return transpose(functions);
+    };
+    Rule rule{tableau.B, Psi * tableau.b, psi * weighted(psi), {}};
+    const NumberMatrix N = Psi * weighted(Psi);
+    for (std::size_t i = 0; i < tableau.stages(); ++i) {
+        NumberVector& row = rule.BmN.emplace_back();
+        for (std::size_t j = 0; j < tableau.stages(); ++j) {
+            row.push_back(rule.B[i] * rule.m[j] - N[i][j]);
+        }
+    }
+    return rule;
+}
+
+/// x^T adjugate y
+NumberPolynomial form(const NumberVector& x, const SquareMatrix<Entry>& adjugate,
+                      const NumberVector& y) {
+    NumberPolynomial result;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (std::size_t j = 0; j < y.size(); ++j) {
+            result = sum(result, scaled(adjugate[i][j].polynomial, x[i] * y[j]));
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::size_t term_count_in_basis(const Tableau& tableau) {
+    const Rule rule = rule_of(tableau);
+    return term_count(rule.G) + term_count(rule.BmN);
+}
+
+// As by_stages: P = (1 + t A~ A)^-1 (p 1 - z omega q c~), where G 1 = B and G c~ = B - m.
+EvenMap even_map_in_basis(const Tableau& tableau) {
+    const std::size_t s = tableau.stages();
+    const Rule rule = rule_of(tableau);
+    NumberMatrix all = beside(rule.G, rule.BmN);
+    all.push_back(rule.B);
+    all.push_back(rule.m);
+    const Number scale = common_denominator(all);
+    SquareMatrix<Entry> pencil(s);
+    for (std::size_t i = 0; i < s; ++i) {
+        for (std::size_t j = 0; j < s; ++j) {
+            pencil[i].emplace_back(NumberPolynomial{rule.G[i][j] * scale, rule.BmN[i][j] * scale});
+        }
+    }
+    const auto [adjugate, determinant] = by_minors(pencil);
+    const NumberPolynomial& D = determinant.polynomial;
+    const NumberVector scaled_B = rule.B * scale;
+    NumberVector rest;
+    for (std::size_t i = 0; i < s; ++i) { rest.push_back((rule.B[i] - rule.m[i]) * scale); }
+    const Number minus(-1);
+    return {sum(D, scaled(shifted(form(rule.B, adjugate, rest)), minus)),
+            form(rule.B, adjugate, scaled_B),
+            sum(shifted(form(rule.m, adjugate, rest)), scaled(D, minus)),
+            sum(D, scaled(shifted(form(rule.m, adjugate, scaled_B)), minus)), D};
+}
+
+}  // namespace hvi::gen
