@@ -6,7 +6,6 @@
 #include "generator/emit/header.hpp"
 #include "generator/emit/implicit_parts.hpp"
 #include "generator/emit/system_part.hpp"
-#include "generator/plan/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -20,64 +19,21 @@ struct EnsembleParts {
 
 // ---- explicit ----
 
-void write_move(Writer& writer, const Scheme& scheme, const Move& move, bool is_first,
-                std::size_t dimension) {
-    const std::string_view slope = keeps(scheme, move.kick) ? "kept" : "slope";
-    const std::string evaluate = fmt::format("system_.{}({}, {});", move.kick ? "dHdq" : "dHdp",
-                                             move.kick ? "q" : "p", slope);
-    if (keeps(scheme, move.kick) && is_first) {
-        writer.line("if (!x.carried.is_known) {{ {} }}", evaluate);
-    } else {
-        writer.line("{}", evaluate);
-    }
-    const StageValue& value = (move.kick ? scheme.positions : scheme.momenta)[move.index];
-    const std::string factor =
-        equal(value.weight, 1) ? "h"
-                               : fmt::format("(h * {}[{}])", move.kick ? "b_p" : "b_q", move.index);
-    const auto add = [&](std::string_view k) {
-        writer.line("{0}[{4}] = {0}[{4}] {1} {2} * {3}[{4}];", move.kick ? "p" : "q",
-                    move.kick ? "-" : "+", factor, slope, k);
-    };
-    // NOTE: a few are written out, so that compilers keep them in registers also below -O3.
-    constexpr std::size_t few = 4;
-    if (dimension <= few) {
-        for (std::size_t k = 0; k < dimension; ++k) { add(std::to_string(k)); }
-        return;
-    }
-    writer.open("for (std::size_t k = 0; k < q.size(); ++k) {{");
-    add("k");
-    writer.close();
-}
-
-std::string explicit_step(const Scheme& scheme, std::size_t dimension) {
-    const std::vector<Move> all = moves(scheme);
-    Writer writer(2);
-    writer.line("if (!x.begins(h)) {{ return x.status(); }}");
-    writer.line("Values q = hvi::detail::load(x.q);").line("Values p = hvi::detail::load(x.p);");
-    writer.line("Values slope;");
-    if (keeps(scheme)) { writer.line("Values kept = hvi::detail::load(x.carried.slope);"); }
-    writer.blank();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        write_move(writer, scheme, all[i], i == 0, dimension);
-    }
-    writer.blank();
-    if (keeps(scheme)) {
-        writer.open("x.end(q, p, hvi::detail::where_finite(q, p), [&](auto put) {{");
-        writer.line("put(kept, x.carried.slope);");
-        writer.line("x.carried.is_known = true;").close("});");
-    } else {
-        writer.line("x.end(q, p, hvi::detail::where_finite(q, p));");
-    }
-    return writer.line("return x.status();").str();
-}
-
 EnsembleParts explicit_parts(const Scheme& scheme, std::size_t dimension) {
     EnsembleParts parts;
     parts.runtime = {"trajectories.hpp"};
     parts.carried = keeps(scheme) ? "SlopeCarried" : "NothingCarried";
-    parts.step = explicit_step(scheme, dimension);
+    parts.step = ensemble_moves_text(scheme, dimension);
     parts.constants = weights_text(scheme);
-    parts.members = Writer(1).line("System system_;").str();
+    Writer members(1);
+    members.line("System system_;");
+    if (scheme.keeps_remainder) {
+        parts.runtime.emplace_back("trajectory_sums.hpp");
+        parts.carried = keeps(scheme) ? "RemaindersAndSlopeCarried" : "RemaindersCarried";
+        parts.reset = "sums_.forget();";
+        members.line("hvi::detail::TrajectorySums<State> sums_;");
+    }
+    parts.members = members.str();
     return parts;
 }
 
@@ -197,6 +153,10 @@ EnsembleParts implicit_parts(const Scheme& scheme) {
     return parts;
 }
 
+std::string format(const Scheme& scheme) {
+    return scheme.is_explicit() ? "9" : scheme.has_joint_slopes ? "8" : "7";
+}
+
 }  // namespace
 
 std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
@@ -207,7 +167,7 @@ std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
                               ? explicit_parts(scheme, options.scene->system.degrees_of_freedom())
                               : implicit_parts(scheme);
     return fill("ensemble.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"format", scheme.has_joint_slopes ? "8" : "7"},
+                                    {"format", format(scheme)},
                                     {"name", system.class_name},
                                     {"include", system.include},
                                     {"runtime", runtime_includes(std::move(parts.runtime))},

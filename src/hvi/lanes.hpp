@@ -166,6 +166,9 @@ public:
         return x.map(y, [](const Part& a, const Part& b) -> Part { return a / b; });
     }
 
+    Lanes& operator+=(const Lanes& other) { return *this = *this + other; }
+    Lanes& operator-=(const Lanes& other) { return *this = *this - other; }
+
     [[nodiscard]] friend Lanes abs(const Lanes& x) {
         return x.map([](const Part& a) -> Part {
             using detail::abs;  // xsimd's is found by its argument

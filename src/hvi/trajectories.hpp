@@ -72,6 +72,15 @@ struct RemaindersCarried {
     }
 };
 
+/// Both.
+template <class Vector>
+struct RemaindersAndSlopeCarried : RemaindersCarried<Vector>, SlopeCarried<Vector> {
+    void begin_anew(std::size_t lane) {
+        RemaindersCarried<Vector>::begin_anew(lane);
+        SlopeCarried<Vector>::begin_anew(lane);
+    }
+};
+
 /// Where x is finite in all its components. NOTE: x - x is 0, or no number.
 template <class Lane, std::size_t dimension>
 [[nodiscard]] auto where_finite(const std::array<Lane, dimension>& x,

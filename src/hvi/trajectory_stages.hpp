@@ -5,9 +5,9 @@
 #include <array>
 #include <cstddef>
 
-#include <hvi/compensated.hpp>
 #include <hvi/lane_sweeps.hpp>
 #include <hvi/trajectories.hpp>
+#include <hvi/trajectory_sums.hpp>
 #include <hvi/weights.hpp>
 
 namespace hvi::detail {
@@ -37,8 +37,7 @@ struct TrajectoryMemory {
 
     /// Prepares a step of size h from x. Returns whether there is something to do.
     [[nodiscard]] bool begin(State& x, Scalar step_size, const Scalar (&b)[stages]) {
-        if (!sums_are_exact_) { x.stop(Mask(true), Status::Code::unsafe_arithmetic); }
-        if (!x.begins(step_size)) { return false; }
+        if (!sums_.begin(x, step_size)) { return false; }
         extrapolates =
             ended_ && h == step_size && same_rows(ended_q_, x.q) && same_rows(ended_p_, x.p);
         ended_ = false;
@@ -60,20 +59,22 @@ struct TrajectoryMemory {
             x.stop(outcome.not_finite, Status::Code::not_finite);
             x.stop(!outcome.converged, Status::Code::not_converged);
         }
-        Values new_q, new_p, cut_off_q, cut_off_p;
-        add(q, remainder_q, increment_q, new_q, cut_off_q);
-        add(p, remainder_p, increment_p, new_p, cut_off_p);
-        x.end(new_q, new_p, where_finite(new_q, new_p), [&](auto put) {
-            put(cut_off_q, x.carried.q);
-            put(cut_off_p, x.carried.p);
-        });
+        Values change_of_q, change_of_p;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            change_of_q[k] = Lane(remainder_q[k]) + increment_q[k];
+            change_of_p[k] = Lane(remainder_p[k]) + increment_p[k];
+        }
+        sums_.end(x, change_of_q, change_of_p);
         ended_q_ = x.q;
         ended_p_ = x.p;
         ended_ = true;
         return x.status();
     }
 
-    void forget() { ended_ = false; }
+    void forget() {
+        ended_ = false;
+        sums_.forget();
+    }
 
 protected:
     /// start + sum_j matrix_ij x_j, in two sums, as a processor adds several times faster than it
@@ -114,15 +115,6 @@ protected:
     }
 
 private:
-    static void add(const Rows& values, const Rows& remainders, const Values& increments,
-                    Values& sums, Values& cut_off) {
-        for (std::size_t k = 0; k < dimension; ++k) {
-            const Sum<Lane> sum = two_sum<Lane>(values[k], Lane(remainders[k]) + increments[k]);
-            sums[k] = sum.value;
-            cut_off[k] = sum.remainder;
-        }
-    }
-
     [[nodiscard]] static bool same_rows(const Rows& a, const Rows& b) {
         for (std::size_t k = 0; k < dimension; ++k) {
             if (!same_bits(a[k], b[k])) { return false; }
@@ -132,7 +124,7 @@ private:
 
     Rows ended_q_{}, ended_p_{};
     bool ended_ = false;  ///< a step ended there
-    bool sums_are_exact_ = sums_are_exact<Scalar>();
+    TrajectorySums<State> sums_;
 };
 
 /// The stages of positions alone; see VelocityStages.

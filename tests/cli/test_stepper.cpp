@@ -230,6 +230,10 @@ TEST_CASE("--lanes ensemble writes a stepper of trajectories side by side") {
         same_every_time({"stepper", "--method", "stormer-verlet", "kepler", "--lanes", "ensemble"});
     CHECK(has(kicks, "hvi::detail::SlopeCarried"));
     CHECK_FALSE(has(kicks, "LaneSweeps"));
+    CHECK_FALSE(has(kicks, "TrajectorySums"));
+    CHECK(has(same_every_time({"stepper", "--method", "stormer-verlet", "kepler", "--lanes",
+                               "ensemble", "--compose", "kahan-li:8"}),
+              "hvi::detail::TrajectorySums<State> sums_;"));
     const Outcome explained = hvi_gen(with(words, {"--explain"}));
     CHECK(has(explained.err, "eight trajectories are computed side by side"));
     CHECK_FALSE(has(

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include <ensemble/adjoint_euler_pendulum.hpp>
 #include <ensemble/blanes_moan_henon_heiles.hpp>
 #include <ensemble/euler_pendulum.hpp>
 #include <ensemble/gauss_2_quartic.hpp>
@@ -14,7 +15,10 @@
 #include <ensemble/gauss_3_nonseparable.hpp>
 #include <ensemble/gauss_4_kepler.hpp>
 #include <ensemble/gauss_8_henon_heiles.hpp>
+#include <ensemble/kahan_li_free.hpp>
+#include <ensemble/kahan_li_kepler.hpp>
 #include <ensemble/midpoint_pendulum.hpp>
+#include <ensemble/one/adjoint_euler_pendulum.hpp>
 #include <ensemble/one/blanes_moan_henon_heiles.hpp>
 #include <ensemble/one/euler_pendulum.hpp>
 #include <ensemble/one/gauss_2_quartic.hpp>
@@ -22,11 +26,14 @@
 #include <ensemble/one/gauss_3_nonseparable.hpp>
 #include <ensemble/one/gauss_4_kepler.hpp>
 #include <ensemble/one/gauss_8_henon_heiles.hpp>
+#include <ensemble/one/kahan_li_kepler.hpp>
 #include <ensemble/one/midpoint_pendulum.hpp>
 #include <ensemble/one/verlet_kepler.hpp>
 #include <ensemble/one/verlet_pendulum.hpp>
+#include <ensemble/one/yoshida_6_chain.hpp>
 #include <ensemble/verlet_kepler.hpp>
 #include <ensemble/verlet_pendulum.hpp>
+#include <ensemble/yoshida_6_chain.hpp>
 #include <hvi/ensemble.hpp>
 
 namespace ensemble_test {
@@ -43,6 +50,9 @@ using VerletPendulum = Pair<made::VerletPendulums, made::VerletPendulum>;
 using EulerPendulum = Pair<made::EulerPendulums, made::EulerPendulum>;
 using VerletKepler = Pair<made::VerletKeplers, made::VerletKepler>;
 using BlanesMoanHenonHeiles = Pair<made::BlanesMoanHenonHeileses, made::BlanesMoanHenonHeiles>;
+using AdjointEulerPendulum = Pair<made::AdjointEulerPendulums, made::AdjointEulerPendulum>;
+using KahanLiKepler = Pair<made::KahanLiKeplers, made::KahanLiKepler>;
+using Yoshida6Chain = Pair<made::Yoshida6Chains, made::Yoshida6Chain>;
 using MidpointPendulum = Pair<made::MidpointPendulums, made::MidpointPendulum>;
 using Gauss2Quartic = Pair<made::Gauss2Quartics, made::Gauss2Quartic>;
 using Gauss2DoublePendulum = Pair<made::Gauss2DoublePendulums, made::Gauss2DoublePendulum>;
@@ -52,7 +62,8 @@ using Gauss8HenonHeiles = Pair<made::Gauss8HenonHeileses, made::Gauss8HenonHeile
 
 #define HVI_EXPLICIT_PAIRS                                                                         \
     ensemble_test::VerletPendulum, ensemble_test::EulerPendulum, ensemble_test::VerletKepler,      \
-        ensemble_test::BlanesMoanHenonHeiles
+        ensemble_test::BlanesMoanHenonHeiles, ensemble_test::AdjointEulerPendulum,                 \
+        ensemble_test::KahanLiKepler, ensemble_test::Yoshida6Chain
 #define HVI_IMPLICIT_PAIRS                                                                         \
     ensemble_test::MidpointPendulum, ensemble_test::Gauss2Quartic,                                 \
         ensemble_test::Gauss2DoublePendulum, ensemble_test::Gauss3Nonseparable,                    \
