@@ -405,6 +405,11 @@ void store(const LaneVector<Number, count, dimension>& lanes,
     for (std::size_t k = 0; k < dimension; ++k) { lanes[k].store(rows[k]); }
 }
 
+template <class Number, std::size_t count>
+void store(const Lanes<Number, count>& lanes, LaneRow<Number, count>& row) {
+    lanes.store(row);
+}
+
 /// The vector of one lane.
 template <class Vector, class Number, std::size_t count, std::size_t dimension>
 [[nodiscard]] Vector lane_of(const LaneRows<Number, count, dimension>& rows, std::size_t lane) {
