@@ -15,6 +15,7 @@
 #include <ensemble/gauss_2_quartic.hpp>
 #include <ensemble/gauss_2_quartic_swing.hpp>
 #include <ensemble/gauss_3_growing.hpp>
+#include <ensemble/gauss_3_growing_root.hpp>
 #include <ensemble/gauss_3_nonseparable.hpp>
 #include <ensemble/gauss_3_swing.hpp>
 #include <ensemble/gauss_4_kepler.hpp>
@@ -31,6 +32,7 @@
 #include <ensemble/one/gauss_2_quartic.hpp>
 #include <ensemble/one/gauss_2_quartic_swing.hpp>
 #include <ensemble/one/gauss_3_growing.hpp>
+#include <ensemble/one/gauss_3_growing_root.hpp>
 #include <ensemble/one/gauss_3_nonseparable.hpp>
 #include <ensemble/one/gauss_3_swing.hpp>
 #include <ensemble/one/gauss_4_kepler.hpp>
@@ -78,6 +80,7 @@ using Gauss3Swing = Pair<made::Gauss3Swings, made::Gauss3Swing>;
 using Gauss5Pushed = Pair<made::Gauss5Pusheds, made::Gauss5Pushed>;
 using Gauss2QuarticSwing = Pair<made::Gauss2QuarticSwings, made::Gauss2QuarticSwing>;
 using Gauss3Growing = Pair<made::Gauss3Growings, made::Gauss3Growing>;
+using Gauss3GrowingRoot = Pair<made::Gauss3GrowingRoots, made::Gauss3GrowingRoot>;
 
 #define HVI_EXPLICIT_PAIRS                                                                         \
     ensemble_test::VerletPendulum, ensemble_test::EulerPendulum, ensemble_test::VerletKepler,      \
@@ -89,11 +92,11 @@ using Gauss3Growing = Pair<made::Gauss3Growings, made::Gauss3Growing>;
         ensemble_test::Gauss2DoublePendulum, ensemble_test::Gauss3Nonseparable,                    \
         ensemble_test::Gauss4Kepler, ensemble_test::Gauss8HenonHeiles, ensemble_test::Gauss3Swing, \
         ensemble_test::Gauss5Pushed, ensemble_test::Gauss2QuarticSwing,                            \
-        ensemble_test::Gauss3Growing
+        ensemble_test::Gauss3Growing, ensemble_test::Gauss3GrowingRoot
 #define HVI_TIMED_PAIRS                                                                            \
     ensemble_test::VerletSwing, ensemble_test::KahanLiPushed, ensemble_test::Gauss3Swing,          \
         ensemble_test::Gauss5Pushed, ensemble_test::Gauss2QuarticSwing,                            \
-        ensemble_test::Gauss3Growing
+        ensemble_test::Gauss3Growing, ensemble_test::Gauss3GrowingRoot
 
 template <class Stepper>
 constexpr std::size_t dimension = std::tuple_size<typename Stepper::Vector>::value;
