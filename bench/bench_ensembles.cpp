@@ -19,12 +19,16 @@
 #include "ensemble/gauss_4_pendulum.hpp"
 #include "ensemble/gauss_8_henon_heiles.hpp"
 #include "ensemble/gauss_8_pendulum.hpp"
+#include "ensemble/kahan_li_henon_heiles.hpp"
+#include "ensemble/kahan_li_pendulum.hpp"
 #include "ensemble/one/blanes_moan_henon_heiles.hpp"
 #include "ensemble/one/blanes_moan_pendulum.hpp"
 #include "ensemble/one/gauss_4_henon_heiles.hpp"
 #include "ensemble/one/gauss_4_pendulum.hpp"
 #include "ensemble/one/gauss_8_henon_heiles.hpp"
 #include "ensemble/one/gauss_8_pendulum.hpp"
+#include "ensemble/one/kahan_li_henon_heiles.hpp"
+#include "ensemble/one/kahan_li_pendulum.hpp"
 #include "ensemble/one/verlet_henon_heiles.hpp"
 #include "ensemble/one/verlet_pendulum.hpp"
 #include "ensemble/verlet_henon_heiles.hpp"
@@ -127,6 +131,8 @@ int main(int argc, char** argv) {
     all.add<BlanesMoanPendulum, BlanesMoanPendulums>("blanes_moan_pendulum", 0.1, solves_nothing);
     all.add<BlanesMoanHenonHeiles, BlanesMoanHenonHeileses>("blanes_moan_henon_heiles", 0.1,
                                                             solves_nothing);
+    all.add<KahanLiPendulum, KahanLiPendulums>("kahan_li_pendulum", 0.1, solves_nothing);
+    all.add<KahanLiHenonHeiles, KahanLiHenonHeileses>("kahan_li_henon_heiles", 0.1, solves_nothing);
     all.add<Gauss4Pendulum, Gauss4Pendulums>("gauss_4_pendulum", 0.1, had_lanes);
     all.add<Gauss4HenonHeiles, Gauss4HenonHeileses>("gauss_4_henon_heiles", 0.1, had_lanes);
     all.add<Gauss8Pendulum, Gauss8Pendulums>("gauss_8_pendulum", 0.2, had_lanes);

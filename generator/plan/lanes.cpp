@@ -37,7 +37,6 @@ std::string obstacle_to_stage_lanes(const Scheme& scheme) {
 }
 
 std::string obstacle_to_ensemble(const Scheme& scheme) {
-    if (scheme.depends_on_time) { return "H depends on the time"; }
     if (scheme.from_parameter) { return "the coefficients depend on a parameter"; }
     if (scheme.is_explicit()) { return ""; }
     if (scheme.solver != Solver::fixed_point) { return "they are iterated by fixed points"; }

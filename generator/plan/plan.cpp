@@ -181,9 +181,6 @@ void set_sums(Scheme& scheme, const PlanOptions& options) {
     if (options.has_curve) {
         scheme.decisions.push_back(
             {"the slopes are kept, in compensated sums", "the curve of a step is made of them"});
-    } else if (options.lanes == Lanes::ensemble) {
-        scheme.decisions.push_back(
-            {"no compensated summation", "it is not built for kicks and drifts of ensembles"});
     } else if (options.composition && options.composition->order >= least_order) {
         scheme.keeps_remainder = true;
         scheme.decisions.push_back(

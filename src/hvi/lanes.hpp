@@ -166,6 +166,9 @@ public:
         return x.map(y, [](const Part& a, const Part& b) -> Part { return a / b; });
     }
 
+    Lanes& operator+=(const Lanes& other) { return *this = *this + other; }
+    Lanes& operator-=(const Lanes& other) { return *this = *this - other; }
+
     [[nodiscard]] friend Lanes abs(const Lanes& x) {
         return x.map([](const Part& a) -> Part {
             using detail::abs;  // xsimd's is found by its argument
@@ -400,6 +403,11 @@ template <class Number, std::size_t count, std::size_t dimension>
 void store(const LaneVector<Number, count, dimension>& lanes,
            LaneRows<Number, count, dimension>& rows) {
     for (std::size_t k = 0; k < dimension; ++k) { lanes[k].store(rows[k]); }
+}
+
+template <class Number, std::size_t count>
+void store(const Lanes<Number, count>& lanes, LaneRow<Number, count>& row) {
+    lanes.store(row);
 }
 
 /// The vector of one lane.

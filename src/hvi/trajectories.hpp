@@ -9,13 +9,9 @@
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>
 #include <hvi/system.hpp>
+#include <hvi/trajectory_clock.hpp>
 
 namespace hvi {
-
-/// How many trajectories go side by side, whatever the processor, so that what comes out depends
-/// on it in one way only: whether it fuses products and sums. They fill one register of AVX-512,
-/// two of AVX2, four of SSE2 or NEON.
-inline constexpr std::size_t trajectories_at_once = 8;
 
 /// What became of a step of each of them.
 class [[nodiscard]] LaneStatus {
@@ -72,6 +68,15 @@ struct RemaindersCarried {
     }
 };
 
+/// Both.
+template <class Vector>
+struct RemaindersAndSlopeCarried : RemaindersCarried<Vector>, SlopeCarried<Vector> {
+    void begin_anew(std::size_t lane) {
+        RemaindersCarried<Vector>::begin_anew(lane);
+        SlopeCarried<Vector>::begin_anew(lane);
+    }
+};
+
 /// Where x is finite in all its components. NOTE: x - x is 0, or no number.
 template <class Lane, std::size_t dimension>
 [[nodiscard]] auto where_finite(const std::array<Lane, dimension>& x,
@@ -87,9 +92,10 @@ template <class Lane, std::size_t dimension>
 
 }  // namespace detail
 
-/// Eight trajectories, q and p: a row of lanes for each component. One whose step failed has
-/// stopped: it keeps the state of before that step, and is not advanced any more.
-template <class Vector, template <class> class Carried>
+/// Eight trajectories, q, p and the time if each `One` has one: a row of lanes for each component.
+/// One whose step failed has stopped: it keeps the state of before that step, and is not advanced
+/// any more.
+template <class Vector, template <class> class Carried, class One = State<Vector>>
 class Trajectories {
 public:
     using Scalar = detail::ScalarOf<Vector>;
@@ -99,26 +105,32 @@ public:
     using Values = detail::LaneVector<Scalar, trajectories_at_once, detail::fixed_size<Vector>()>;
 
     Rows q{}, p{};
+    detail::TrajectoryClock<One> clock;
     Carried<Vector> carried;
 
     /// The same eight times.
-    explicit Trajectories(const State<Vector>& x = {}) {
+    explicit Trajectories(const One& x = {}) {
         for (std::size_t lane = 0; lane < trajectories_at_once; ++lane) { set(lane, x); }
     }
 
     /// Puts another trajectory into a lane.
-    void set(std::size_t lane, const State<Vector>& x) {
+    void set(std::size_t lane, const One& x) {
         for (std::size_t k = 0; k < q.size(); ++k) {
             q[k].set(lane, detail::at(x.q, k));
             p[k].set(lane, detail::at(x.p, k));
         }
+        clock.set(lane, x);
         carried.begin_anew(lane);
         going_.set(lane, 1);
         status_.set(lane, Status());
     }
 
-    [[nodiscard]] State<Vector> operator[](std::size_t lane) const {
-        return {detail::lane_of<Vector>(q, lane), detail::lane_of<Vector>(p, lane)};
+    [[nodiscard]] One operator[](std::size_t lane) const {
+        One x;
+        x.q = detail::lane_of<Vector>(q, lane);
+        x.p = detail::lane_of<Vector>(p, lane);
+        clock.get(lane, x);
+        return x;
     }
 
     // ---- for steppers ----
@@ -133,28 +145,33 @@ public:
     [[nodiscard]] bool begins(Scalar h) {
         if (h == 0) { return false; }
         if (!detail::is_finite(h)) { stop(Mask(true), Status::Code::not_finite); }
+        clock.begin(h);
         return status_.ok() || any(going());
     }
 
-    /// Ends a step: moves the lanes of `made` that have not stopped to (new_q, new_p). The others
-    /// stop. What they carry `carry(put)` moves likewise, by calls of put(values, rows).
+    /// Ends a step: moves the lanes of `made` that have not stopped to (new_q, new_p), and their
+    /// time by the size of the step. The others stop. What they carry `carry(put)` moves likewise,
+    /// by calls of put(values, rows).
     ///
     /// NOTE: what is chosen between was computed before, once, in all lanes: where it is computed
     /// in two places, for all lanes and for some, a compiler may fuse products and sums in one of
     /// them alone, and a trajectory would depend on its neighbours.
     template <class Carry>
     void end(const Values& new_q, const Values& new_p, const Mask& made, Carry carry) {
+        const auto time = clock.end();
+        const Mask finite = time.finite(made);
         const auto move = [&](auto put) {
             put(new_q, q);
             put(new_p, p);
+            time.move(clock, put);
             carry(put);
         };
-        if (status_.ok() && all(made)) {
-            move([](const Values& values, Rows& rows) { detail::store(values, rows); });
+        if (status_.ok() && all(finite)) {
+            move([](const auto& values, auto& rows) { detail::store(values, rows); });
             return;
         }
-        const Mask advanced = made & going();
-        move([&](const Values& values, Rows& rows) { keep(advanced, values, rows); });
+        const Mask advanced = finite & going();
+        move([&](const auto& values, auto& rows) { keep(advanced, values, rows); });
         stop(!advanced, Status::Code::not_finite);
     }
 
@@ -186,9 +203,10 @@ public:
 
     /// rows = values in these lanes.
     static void keep(const Mask& lanes, const Values& values, Rows& rows) {
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-            select(lanes, values[k], Lane(rows[k])).store(rows[k]);
-        }
+        for (std::size_t k = 0; k < rows.size(); ++k) { keep(lanes, values[k], rows[k]); }
+    }
+    static void keep(const Mask& lanes, const Lane& values, typename Lane::Row& row) {
+        select(lanes, values, Lane(row)).store(row);
     }
 
 private:

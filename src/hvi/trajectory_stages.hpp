@@ -5,9 +5,9 @@
 #include <array>
 #include <cstddef>
 
-#include <hvi/compensated.hpp>
 #include <hvi/lane_sweeps.hpp>
 #include <hvi/trajectories.hpp>
+#include <hvi/trajectory_sums.hpp>
 #include <hvi/weights.hpp>
 
 namespace hvi::detail {
@@ -17,9 +17,9 @@ namespace hvi::detail {
 /// Slopes, as starting values for those of the next step, are bound to the state in which the step
 /// ended: begin() forgets them unless it is given these very bits. Remainders are carried by the
 /// state.
-template <class Vector, std::size_t stages>
+template <class Vector, std::size_t stages, class One>
 struct TrajectoryMemory {
-    using State = Trajectories<Vector, RemaindersCarried>;
+    using State = Trajectories<Vector, RemaindersCarried, One>;
     using Scalar = ScalarOf<Vector>;
     using Lane = typename State::Lane;
     using Mask = typename State::Mask;
@@ -30,6 +30,7 @@ struct TrajectoryMemory {
 
     Rows q{}, p{};  ///< where the step begins
     Rows remainder_q{}, remainder_p{};
+    TrajectoryClock<One> clock;
     Rows change_q{}, change_p{};      ///< of the stage values in one sweep, over stages
     std::array<Scalar, stages> hb{};  ///< h b_j
     Scalar h = 0;
@@ -37,15 +38,15 @@ struct TrajectoryMemory {
 
     /// Prepares a step of size h from x. Returns whether there is something to do.
     [[nodiscard]] bool begin(State& x, Scalar step_size, const Scalar (&b)[stages]) {
-        if (!sums_are_exact_) { x.stop(Mask(true), Status::Code::unsafe_arithmetic); }
-        if (!x.begins(step_size)) { return false; }
-        extrapolates =
-            ended_ && h == step_size && same_rows(ended_q_, x.q) && same_rows(ended_p_, x.p);
+        if (!sums_.begin(x, step_size)) { return false; }
+        extrapolates = ended_ && h == step_size && same_rows(ended_q_, x.q) &&
+                       same_rows(ended_p_, x.p) && ended_clock_.shows_time_of(x.clock);
         ended_ = false;
         if (h != step_size) { hb = weights_of_step(step_size, b); }
         h = step_size;
         q = x.q;
         p = x.p;
+        clock = x.clock;
         remainder_q = x.carried.q;
         remainder_p = x.carried.p;
         return true;
@@ -60,20 +61,23 @@ struct TrajectoryMemory {
             x.stop(outcome.not_finite, Status::Code::not_finite);
             x.stop(!outcome.converged, Status::Code::not_converged);
         }
-        Values new_q, new_p, cut_off_q, cut_off_p;
-        add(q, remainder_q, increment_q, new_q, cut_off_q);
-        add(p, remainder_p, increment_p, new_p, cut_off_p);
-        x.end(new_q, new_p, where_finite(new_q, new_p), [&](auto put) {
-            put(cut_off_q, x.carried.q);
-            put(cut_off_p, x.carried.p);
-        });
+        Values change_of_q, change_of_p;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            change_of_q[k] = Lane(remainder_q[k]) + increment_q[k];
+            change_of_p[k] = Lane(remainder_p[k]) + increment_p[k];
+        }
+        sums_.end(x, change_of_q, change_of_p);
         ended_q_ = x.q;
         ended_p_ = x.p;
+        ended_clock_ = x.clock;
         ended_ = true;
         return x.status();
     }
 
-    void forget() { ended_ = false; }
+    void forget() {
+        ended_ = false;
+        sums_.forget();
+    }
 
 protected:
     /// start + sum_j matrix_ij x_j, in two sums, as a processor adds several times faster than it
@@ -114,15 +118,6 @@ protected:
     }
 
 private:
-    static void add(const Rows& values, const Rows& remainders, const Values& increments,
-                    Values& sums, Values& cut_off) {
-        for (std::size_t k = 0; k < dimension; ++k) {
-            const Sum<Lane> sum = two_sum<Lane>(values[k], Lane(remainders[k]) + increments[k]);
-            sums[k] = sum.value;
-            cut_off[k] = sum.remainder;
-        }
-    }
-
     [[nodiscard]] static bool same_rows(const Rows& a, const Rows& b) {
         for (std::size_t k = 0; k < dimension; ++k) {
             if (!same_bits(a[k], b[k])) { return false; }
@@ -131,14 +126,15 @@ private:
     }
 
     Rows ended_q_{}, ended_p_{};
+    TrajectoryClock<One> ended_clock_;
     bool ended_ = false;  ///< a step ended there
-    bool sums_are_exact_ = sums_are_exact<Scalar>();
+    TrajectorySums<State> sums_;
 };
 
 /// The stages of positions alone; see VelocityStages.
-template <class Vector, std::size_t stages>
-struct VelocityTrajectories : TrajectoryMemory<Vector, stages> {
-    using Base = TrajectoryMemory<Vector, stages>;
+template <class Vector, std::size_t stages, class One = hvi::State<Vector>>
+struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
+    using Base = TrajectoryMemory<Vector, stages, One>;
     using Base::dimension;
     using typename Base::Lane;
     using typename Base::Mask;
@@ -172,8 +168,14 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages> {
     /// Starting values: forces as at the start of the step.
     template <class System>
     void predict(const System& system) {
+        predict(system, [&](Values& out) { system.dHdq(load(this->q), out); });
+    }
+
+    /// The same, of what `dHdq(out)` puts out.
+    template <class System, class Gradient>
+    void predict(const System& system, Gradient dHdq) {
         Values slope;
-        system.dHdq(load(this->q), slope);
+        dHdq(slope);
         for (std::size_t i = 0; i < stages; ++i) { push(system, i, slope, Mask(true), true); }
     }
 
@@ -197,10 +199,16 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages> {
     /// Lp_i = -h b_i dH/dq, W_i = h K Lp_i, in these lanes.
     template <class System>
     void forces(const System& system, const Mask& lanes) {
+        forces(system, lanes, [&](std::size_t i, Values& out) { system.dHdq(load(Q[i]), out); });
+    }
+
+    /// The same, of what `dHdq(i, out)` puts out.
+    template <class System, class Gradient>
+    void forces(const System& system, const Mask& lanes, Gradient dHdq) {
         const bool are_all = all(lanes);
         for (std::size_t i = 0; i < stages; ++i) {
             Values slope;
-            system.dHdq(load(Q[i]), slope);
+            dHdq(i, slope);
             push(system, i, slope, lanes, are_all);
         }
     }
@@ -246,9 +254,9 @@ private:
 };
 
 /// The stages of positions and momenta; see Stages.
-template <class Vector, std::size_t stages>
-struct PairTrajectories : TrajectoryMemory<Vector, stages> {
-    using Base = TrajectoryMemory<Vector, stages>;
+template <class Vector, std::size_t stages, class One = hvi::State<Vector>>
+struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
+    using Base = TrajectoryMemory<Vector, stages, One>;
     using Base::dimension;
     using typename Base::Lane;
     using typename Base::Mask;

@@ -230,12 +230,31 @@ TEST_CASE("--lanes ensemble writes a stepper of trajectories side by side") {
         same_every_time({"stepper", "--method", "stormer-verlet", "kepler", "--lanes", "ensemble"});
     CHECK(has(kicks, "hvi::detail::SlopeCarried"));
     CHECK_FALSE(has(kicks, "LaneSweeps"));
+    CHECK_FALSE(has(kicks, "TrajectorySums"));
+    CHECK(has(same_every_time({"stepper", "--method", "stormer-verlet", "kepler", "--lanes",
+                               "ensemble", "--compose", "kahan-li:8"}),
+              "hvi::detail::TrajectorySums<State> sums_;"));
     const Outcome explained = hvi_gen(with(words, {"--explain"}));
     CHECK(has(explained.err, "eight trajectories are computed side by side"));
     CHECK_FALSE(has(
         hvi_gen({"stepper", "--method", "gauss:2", "harmonic-oscillator", "--lanes", "ensemble"})
             .out,
         "LinearMap"));
+}
+
+TEST_CASE("ensembles of H that depends on the time have one each") {
+    const auto written = [](const std::string& method, const std::string& hamiltonian) {
+        return same_every_time(
+            {"stepper", "--method", method, "--hamiltonian", hamiltonian, "--lanes", "ensemble"});
+    };
+    for (const std::string& text :
+         {written("stormer-verlet", "p^2/2-q*cos(t)"), written("gauss:2", "p^2/2-q*cos(t)"),
+          written("gauss:2", "(1+t)*q^2*p^2/2")}) {
+        CHECK(text.find("using Trajectory = hvi::TimedState<Vector>;") != std::string::npos);
+        CHECK(text.find("clock.at(c[") != std::string::npos);
+        CHECK(text.find("supports_format(9)") != std::string::npos);
+    }
+    CHECK(written("gauss:2", "p^2/2-cos(q)").find("supports_format(7)") != std::string::npos);
 }
 
 TEST_CASE("what ensembles are not built for is refused, and why") {
@@ -253,8 +272,13 @@ TEST_CASE("what ensembles are not built for is refused, and why") {
               "the stages are not solved for all at once"));
     CHECK(has(refusal({"stepper", "--method", "midpoint", "kepler", "--compose", "yoshida:4"}),
               "the stages are not solved for all at once"));
-    CHECK(has(refusal({"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2-q*cos(t)"}),
-              "H depends on the time"));
+    CHECK(has(refusal({"stepper", "--method", "symplectic-euler", "nonseparable"}),
+              "the stages are not solved for all at once"));
+    CHECK(has(refusal({"stepper", "--basis", "1, cos(w*tau), sin(w*tau)", "--nodes", "0, 1/2, 1",
+                       "--hamiltonian", "p^2/2-q*cos(t)"}),
+              "the coefficients depend on a parameter"));
+    CHECK(has(refusal({"stepper", "--method", "lobatto:3", "--hamiltonian", "p^2/2-q*cos(t)"}),
+              "the stages are not solved for all at once"));
     CHECK(has(refusal({"stepper", "--method", "gauss:2", "kepler", "--solver", "newton"}),
               "they are iterated by fixed points"));
     for (const std::string flag : {"--dense", "--float128", "--evaluations"}) {

@@ -138,10 +138,12 @@ TEST_CASE("the dump of a scheme is stable") {
 }
 
 TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
-    const auto keeps_remainder = [](const Tableau& tableau, const char* name, bool separable) {
+    const auto keeps_remainder = [](const Tableau& tableau, const char* name, bool separable,
+                                    Lanes lanes = Lanes::none) {
         const auto text = std::make_shared<const Source>(Source{"--compose", name});
         const Scheme scheme =
-            plan(tableau, {.separable = separable, .composition = named_composition(text)});
+            plan(tableau,
+                 {.separable = separable, .lanes = lanes, .composition = named_composition(text)});
         const std::string said = "compensated summation: errors of order ";
         CHECK((dump(scheme).find("\n" + said) != std::string::npos) == scheme.keeps_remainder);
         return scheme.keeps_remainder;
@@ -151,6 +153,8 @@ TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
     CHECK_FALSE(keeps_remainder(tableaux::verlet(), "suzuki:4", true));
     CHECK(keeps_remainder(tableaux::verlet(), "yoshida:6", true));
     CHECK(keeps_remainder(tableaux::verlet(), "kahan-li:8", true));
+    CHECK(keeps_remainder(tableaux::verlet(), "yoshida:6", true, Lanes::ensemble));
+    CHECK_FALSE(keeps_remainder(tableaux::verlet(), "yoshida:4", true, Lanes::ensemble));
     // Sums of steps that are solved for are always compensated.
     CHECK_FALSE(keeps_remainder(tableaux::verlet(), "yoshida:6", false));
     CHECK_FALSE(keeps_remainder(tableaux::midpoint(), "yoshida:8", true));

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double h = 1.0 / 64;
 
-/// The largest difference of components, in units of the rounding of the largest.
+/// The largest difference of components, in units of the rounding of the largest; infinite unless
+/// both are of the same time, bit for bit.
 template <class State>
 double distance(const State& x, const State& y) {
     double largest = 0, difference = 0;
@@ -21,6 +22,9 @@ double distance(const State& x, const State& y) {
         largest = std::fmax(largest, std::fmax(std::abs(x.q[k]), std::abs(x.p[k])));
         difference = std::fmax(difference, std::abs(x.q[k] - y.q[k]));
         difference = std::fmax(difference, std::abs(x.p[k] - y.p[k]));
+    }
+    if constexpr (has_time<State>) {
+        if (x.t != y.t) { return HUGE_VAL; }
     }
     return difference / (largest * 0x1p-52);
 }

@@ -6,7 +6,6 @@
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/system_part.hpp"
-#include "generator/plan/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -20,64 +19,21 @@ struct EnsembleParts {
 
 // ---- explicit ----
 
-void write_move(Writer& writer, const Scheme& scheme, const Move& move, bool is_first,
-                std::size_t dimension) {
-    const std::string_view slope = keeps(scheme, move.kick) ? "kept" : "slope";
-    const std::string evaluate = fmt::format("system_.{}({}, {});", move.kick ? "dHdq" : "dHdp",
-                                             move.kick ? "q" : "p", slope);
-    if (keeps(scheme, move.kick) && is_first) {
-        writer.line("if (!x.carried.is_known) {{ {} }}", evaluate);
-    } else {
-        writer.line("{}", evaluate);
-    }
-    const StageValue& value = (move.kick ? scheme.positions : scheme.momenta)[move.index];
-    const std::string factor =
-        equal(value.weight, 1) ? "h"
-                               : fmt::format("(h * {}[{}])", move.kick ? "b_p" : "b_q", move.index);
-    const auto add = [&](std::string_view k) {
-        writer.line("{0}[{4}] = {0}[{4}] {1} {2} * {3}[{4}];", move.kick ? "p" : "q",
-                    move.kick ? "-" : "+", factor, slope, k);
-    };
-    // NOTE: a few are written out, so that compilers keep them in registers also below -O3.
-    constexpr std::size_t few = 4;
-    if (dimension <= few) {
-        for (std::size_t k = 0; k < dimension; ++k) { add(std::to_string(k)); }
-        return;
-    }
-    writer.open("for (std::size_t k = 0; k < q.size(); ++k) {{");
-    add("k");
-    writer.close();
-}
-
-std::string explicit_step(const Scheme& scheme, std::size_t dimension) {
-    const std::vector<Move> all = moves(scheme);
-    Writer writer(2);
-    writer.line("if (!x.begins(h)) {{ return x.status(); }}");
-    writer.line("Values q = hvi::detail::load(x.q);").line("Values p = hvi::detail::load(x.p);");
-    writer.line("Values slope;");
-    if (keeps(scheme)) { writer.line("Values kept = hvi::detail::load(x.carried.slope);"); }
-    writer.blank();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        write_move(writer, scheme, all[i], i == 0, dimension);
-    }
-    writer.blank();
-    if (keeps(scheme)) {
-        writer.open("x.end(q, p, hvi::detail::where_finite(q, p), [&](auto put) {{");
-        writer.line("put(kept, x.carried.slope);");
-        writer.line("x.carried.is_known = true;").close("});");
-    } else {
-        writer.line("x.end(q, p, hvi::detail::where_finite(q, p));");
-    }
-    return writer.line("return x.status();").str();
-}
-
 EnsembleParts explicit_parts(const Scheme& scheme, std::size_t dimension) {
     EnsembleParts parts;
     parts.runtime = {"trajectories.hpp"};
     parts.carried = keeps(scheme) ? "SlopeCarried" : "NothingCarried";
-    parts.step = explicit_step(scheme, dimension);
+    parts.step = ensemble_moves_text(scheme, dimension);
     parts.constants = weights_text(scheme);
-    parts.members = Writer(1).line("System system_;").str();
+    Writer members(1);
+    members.line("System system_;");
+    if (scheme.keeps_remainder) {
+        parts.runtime.emplace_back("trajectory_sums.hpp");
+        parts.carried = keeps(scheme) ? "RemaindersAndSlopeCarried" : "RemaindersCarried";
+        parts.reset = "sums_.forget();";
+        members.line("hvi::detail::TrajectorySums<State> sums_;");
+    }
+    parts.members = members.str();
     return parts;
 }
 
@@ -90,6 +46,21 @@ std::string solve_and_advance(std::string_view arguments) {
         .line("return s_.advance(x, outcome{});", arguments)
         .str();
 }
+
+/// A vector as functions of lanes take it.
+std::string loaded(std::string_view stages, std::string_view vector) {
+    return fmt::format("hvi::detail::load({}.{})", stages, vector);
+}
+
+/// Where a slope is evaluated: `vectors` and, if H depends on it, the time.
+std::string arguments(const Scheme& scheme, std::vector<std::string> vectors,
+                      std::string_view time) {
+    if (scheme.depends_on_time) { vectors.emplace_back(time); }
+    return fmt::format("{}, ", fmt::join(vectors, ", "));
+}
+
+constexpr std::string_view start = "s_.clock.start()";  // the time where a step begins
+constexpr std::string_view inner = "s.clock.at(c[i])";  // the time of stage i
 
 /// The starting values.
 void predict(Writer& writer, const Scheme& scheme, const auto& extrapolated, const auto& constant) {
@@ -110,15 +81,21 @@ std::string velocity_step(const Scheme& scheme) {
     writer.line("s_.begin_drift(system_);").line("s_.drift_freely(c);");
     predict(
         writer, scheme, [](Writer& out) { out.line("s_.extrapolate(N);"); },
-        [](Writer& out) { out.line("s_.predict(system_);"); });
+        [&](Writer& out) {
+            if (!scheme.depends_on_time) {
+                out.line("s_.predict(system_);");
+                return;
+            }
+            out.open("s_.predict(system_, [&](Values& out) {{");
+            out.line("system_.dHdq({}, {}, out);", loaded("s_", "q"), start).close("});");
+        });
     return writer.insert(solve_and_advance(", c")).str();
 }
 
 /// NOTE: for separable H the slopes of p are enough.
 std::string pair_step(const Scheme& scheme) {
-    const std::string_view at = scheme.separable
-                                    ? "hvi::detail::load(s_.q)"
-                                    : "hvi::detail::load(s_.q), hvi::detail::load(s_.p)";
+    const std::string q = loaded("s_", "q"), p = loaded("s_", "p");
+    const std::string at = arguments(scheme, {q, p}, start);
     Writer writer(2);
     writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
     predict(
@@ -129,45 +106,64 @@ std::string pair_step(const Scheme& scheme) {
         },
         [&](Writer& out) {
             if (scheme.has_joint_slopes) {
-                out.line("Values dHdq, dHdp;").line("system_.gradient({}, dHdq, dHdp);", at);
+                out.line("Values dHdq, dHdp;").line("system_.gradient({}dHdq, dHdp);", at);
                 out.line("s_.predict_q(dHdp);").line("s_.predict_p(dHdq);");
                 return;
             }
             out.line("Values slope;");
             if (!scheme.separable) {
-                out.line("system_.dHdp({}, slope);", at).line("s_.predict_q(slope);");
+                out.line("system_.dHdp({}slope);", at).line("s_.predict_q(slope);");
             }
-            out.line("system_.dHdq({}, slope);", at).line("s_.predict_p(slope);");
+            out.line("system_.dHdq({}slope);",
+                     scheme.separable ? arguments(scheme, {q}, start) : at);
+            out.line("s_.predict_p(slope);");
         });
     return writer.insert(solve_and_advance("")).str();
 }
 
-std::string members_text(const Scheme& scheme, std::string_view stages) {
+/// The type of what keeps the stages.
+std::string stages_type(const Scheme& scheme) {
+    return fmt::format("hvi::detail::{}Trajectories<Vector, {}{}>",
+                       scheme.velocity_form ? "Velocity" : "Pair", scheme.positions.size(),
+                       scheme.depends_on_time ? ", Trajectory" : "");
+}
+
+std::string members_text(const Scheme& scheme) {
     return Writer(1)
         .line("System system_;")
-        .line("hvi::detail::{}<Vector, {}> s_;", stages, scheme.positions.size())
+        .line("{} s_;", stages_type(scheme))
         .line("hvi::detail::LaneSweeps<Scalar, hvi::detail::fixed_size<Vector>()> solver_;")
+        .str();
+}
+
+/// The body of the member of the stage equations of positions that evaluates forces.
+std::string forces_of_positions(const Scheme& scheme) {
+    if (!scheme.depends_on_time) { return "s.forces(system, lanes);"; }
+    return Writer(2)
+        .line("s.forces(system, lanes, [&](std::size_t i, Values& out) {{ system.dHdq({}, {}, "
+              "out); }});",
+              loaded("s", "Q[i]"), inner)
         .str();
 }
 
 /// Members of the stage equations that evaluate H.
 std::string slopes_text(const Scheme& scheme) {
-    const std::string Q = "hvi::detail::load(s.Q[i])", P = "hvi::detail::load(s.P[i])";
-    const std::string both = Q + ", " + P;
+    const std::string Q = loaded("s", "Q[i]"), P = loaded("s", "P[i]");
+    const std::string both = arguments(scheme, {Q, P}, inner);
     const std::string_view lanes = "const typename State::Mask& lanes";
     Writer writer(2);
     if (scheme.has_joint_slopes) {
         writer.open("void slopes({}) {{", lanes);
         writer.open("s.slopes(lanes, [&](std::size_t i, Values& dHdq, Values& dHdp) {{");
-        writer.line("system.gradient({}, dHdq, dHdp);", both);
+        writer.line("system.gradient({}dHdq, dHdp);", both);
         return writer.close("});").close().str();
     }
     writer.open("void velocities({}) {{", lanes);
-    writer.line("s.velocities(lanes, [&](std::size_t i, Values& out) {{ system.dHdp({}, out); }});",
-                scheme.separable ? P : both);
+    writer.line("s.velocities(lanes, [&](std::size_t i, Values& out) {{ system.dHdp({}out); }});",
+                scheme.separable ? P + ", " : both);
     writer.close().open("void forces({}) {{", lanes);
-    writer.line("s.forces(lanes, [&](std::size_t i, Values& out) {{ system.dHdq({}, out); }});",
-                scheme.separable ? Q : both);
+    writer.line("s.forces(lanes, [&](std::size_t i, Values& out) {{ system.dHdq({}out); }});",
+                scheme.separable ? arguments(scheme, {Q}, inner) : both);
     return writer.close().str();
 }
 
@@ -181,20 +177,34 @@ EnsembleParts implicit_parts(const Scheme& scheme) {
     if (scheme.velocity_form) {
         parts.step = velocity_step(scheme);
         parts.constants = velocity_constants(scheme, {});
-        parts.coupled = fill_part("velocity_ensemble.hpp.in", {{"unknowns", about}});
-        parts.members = members_text(scheme, "VelocityTrajectories");
+        parts.coupled =
+            fill_part("velocity_ensemble.hpp.in", {{"unknowns", about},
+                                                   {"trajectories", stages_type(scheme)},
+                                                   {"forces", forces_of_positions(scheme)}});
+        parts.members = members_text(scheme);
         return parts;
     }
     parts.step = pair_step(scheme);
     parts.constants = pair_constants(scheme, {});
     parts.coupled =
         fill_part("pair_ensemble.hpp.in", {{"unknowns", about},
-                                           {"stages", std::to_string(scheme.positions.size())},
+                                           {"trajectories", stages_type(scheme)},
                                            {"separable", std::string(truth(scheme.separable))},
                                            {"mt", std::string(table_mt(scheme))},
                                            {"slopes", slopes_text(scheme)}});
-    parts.members = members_text(scheme, "PairTrajectories");
+    parts.members = members_text(scheme);
     return parts;
+}
+
+std::string state_type(const Scheme& scheme, std::string_view carried) {
+    return fmt::format("hvi::Trajectories<Vector, hvi::detail::{}{}>", carried,
+                       scheme.depends_on_time ? ", Trajectory" : "");
+}
+
+std::string format(const Scheme& scheme) {
+    return scheme.is_explicit() || scheme.depends_on_time ? "9"
+           : scheme.has_joint_slopes                      ? "8"
+                                                          : "7";
 }
 
 }  // namespace
@@ -207,7 +217,7 @@ std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
                               ? explicit_parts(scheme, options.scene->system.degrees_of_freedom())
                               : implicit_parts(scheme);
     return fill("ensemble.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"format", scheme.has_joint_slopes ? "8" : "7"},
+                                    {"format", format(scheme)},
                                     {"name", system.class_name},
                                     {"include", system.include},
                                     {"runtime", runtime_includes(std::move(parts.runtime))},
@@ -215,7 +225,8 @@ std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
                                     {"head", system.head},
                                     {"condition", system.condition},
                                     {"types", system.types},
-                                    {"carried", parts.carried},
+                                    {"trajectory", system.state},
+                                    {"state", state_type(scheme, parts.carried)},
                                     {"construct", system.construct},
                                     {"alias", system.alias},
                                     {"step", parts.step},

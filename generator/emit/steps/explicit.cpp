@@ -55,10 +55,10 @@ private:
             is_moved ? within(move.kick) : fmt::format("x.{}", names(move).moved);
         writer_.open("for (Index k = 0; k < n; ++k) {{");
         if (from == target) {
-            writer_.line("{}[k] {}= {};", target, names(move).sign, change(scheme_, move));
+            writer_.line("{}[k] {}= {};", target, names(move).sign, change(scheme_, move, "k"));
         } else {
             writer_.line("{}[k] = {}[k] {} {};", target, from, names(move).sign,
-                         change(scheme_, move));
+                         change(scheme_, move, "k"));
         }
         writer_.close();
     }

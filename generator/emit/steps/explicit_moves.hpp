@@ -36,13 +36,16 @@ struct MoveNames {
 
 /// The vector of the slope, h b times its component k, and the call that evaluates it at `at`.
 [[nodiscard]] std::string slope(const Scheme& scheme, const Move& move);
-[[nodiscard]] std::string change(const Scheme& scheme, const Move& move);
+[[nodiscard]] std::string change(const Scheme& scheme, const Move& move, std::string_view k);
 [[nodiscard]] std::string evaluation(const Scheme& scheme, const Move& move, std::string_view at);
 
 /// The moves where increments are summed apart, see src/hvi/step_sums.hpp, and the vectors that
 /// they compute in and leave nothing in.
 [[nodiscard]] std::string compensated_moves_text(const Scheme& scheme);
 [[nodiscard]] std::vector<std::string> compensated_scratch(const Scheme& scheme);
+
+/// The step of trajectories side by side, whatever sums it makes.
+[[nodiscard]] std::string ensemble_moves_text(const Scheme& scheme, std::size_t dimension);
 
 /// The references to vectors that a step computes in.
 [[nodiscard]] std::string scratch_text(const std::vector<std::string>& names);

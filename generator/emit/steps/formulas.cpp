@@ -88,6 +88,7 @@ std::string momentum_sum(const Scheme& scheme, std::size_t j, std::string_view s
 
 std::string stage_time(const Scheme& scheme, std::size_t i, std::string_view s) {
     if (!scheme.depends_on_time) { return {}; }
+    if (scheme.has_trajectory_lanes) { return fmt::format("x.clock.at(c[{}]), ", i); }
     return fmt::format("{}.t[{}], ", s == "s_" ? "clock_" : "clock", i);
 }
 
