@@ -42,6 +42,10 @@ public:
         return continues;
     }
 
+    /// Whether the step ends at a finite time. NOTE: asked before the step, since its state has
+    /// moved when end() is called.
+    [[nodiscard]] bool ends() const { return is_finite(start + (remainder_ + h_)); }
+
     /// Moves the time on where the step went well.
     [[nodiscard]] Status end(Scalar& now, Status status) {
         if (!status.ok()) { return status; }

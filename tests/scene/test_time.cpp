@@ -5,6 +5,10 @@
 #include <scene/driven_gauss.hpp>
 #include <scene/driven_lobatto.hpp>
 #include <scene/driven_verlet.hpp>
+#include <scene/fading_gauss.hpp>
+#include <scene/fading_lanes.hpp>
+#include <scene/fading_verlet.hpp>
+#include <scene/fading_yoshida.hpp>
 #include <scene/fitted_explicit.hpp>
 #include <scene/fitted_explicit_constant.hpp>
 #include <scene/fitted_shaken.hpp>
@@ -169,4 +173,26 @@ TEST_CASE("the energy at a time") {
     x.t = 3.0;
     CHECK(DrivenGauss().energy(x) ==
           Approx(0.5 - std::cos(2.0) - 0.5 * 2.0 * std::cos(2.0)).epsilon(1e-15));
+}
+
+TEMPLATE_TEST_CASE("a step to a time that is no number leaves the state", "", FadingGauss,
+                   FadingLanes, FadingVerlet, FadingYoshida) {
+    // There is no force so late, and q would go to 1e8: the time alone overflows.
+    TestType stepper;
+    typename TestType::State x;
+    x.q = {1.0};
+    x.p = {1e-300};
+    x.t = 1.7e308;
+    const auto before = x;
+    const hvi::Status status = stepper.step(x, 1e308);
+    CHECK(status.code() == hvi::Status::Code::not_finite);
+    CHECK(x.q == before.q);
+    CHECK(x.p == before.p);
+    CHECK(x.t == before.t);
+    x.t = 1.0;
+    TestType fresh;
+    auto y = x;
+    REQUIRE(stepper.step(x, 0.1).ok());
+    REQUIRE(fresh.step(y, 0.1).ok());
+    CHECK(x.q == y.q);
 }

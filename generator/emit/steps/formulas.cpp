@@ -102,7 +102,9 @@ std::string clock_type(const Scheme& scheme) {
 
 std::string clock_begins(const Scheme& scheme) {
     if (!scheme.depends_on_time) { return {}; }
-    return fmt::format("if (!clock_.begin(x.t, h, {}c)) {{ reset(); }}", owner(scheme, "s_"));
+    return fmt::format("if (!clock_.begin(x.t, h, {}c)) {{ reset(); }}\n"
+                       "if (!clock_.ends()) {{ return Status(Status::Code::not_finite); }}",
+                       owner(scheme, "s_"));
 }
 
 std::string times_text(const Scheme& scheme) {

@@ -51,7 +51,7 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
     if (options.scene != nullptr) {
         const bool is_of_8 =
             scheme.has_joint_slopes || (scheme.has_stage_lanes && scheme.extrapolation_before);
-        parts.format = is_of_8 ? 8 : scheme.has_stage_lanes ? 6 : 5;
+        parts.format = scheme.depends_on_time ? 9 : is_of_8 ? 8 : scheme.has_stage_lanes ? 6 : 5;
     }
     for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
     return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
