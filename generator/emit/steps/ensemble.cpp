@@ -216,24 +216,18 @@ std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
     EnsembleParts parts = scheme.is_explicit()
                               ? explicit_parts(scheme, options.scene->system.degrees_of_freedom())
                               : implicit_parts(scheme);
-    return fill("ensemble.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"format", format(scheme)},
-                                    {"name", system.class_name},
-                                    {"include", system.include},
-                                    {"runtime", runtime_includes(std::move(parts.runtime))},
-                                    {"purpose", system.purpose},
-                                    {"head", system.head},
-                                    {"condition", system.condition},
-                                    {"types", system.types},
-                                    {"trajectory", system.state},
-                                    {"state", state_type(scheme, parts.carried)},
-                                    {"construct", system.construct},
-                                    {"alias", system.alias},
-                                    {"step", parts.step},
-                                    {"reset", parts.reset},
-                                    {"constants", parts.constants},
-                                    {"coupled", parts.coupled},
-                                    {"members", parts.members}});
+    Holes holes = holes_of(system);
+    holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
+                      {"format", format(scheme)},
+                      {"runtime", runtime_includes(std::move(parts.runtime))},
+                      {"trajectory", system.state},
+                      {"state", state_type(scheme, parts.carried)},
+                      {"step", parts.step},
+                      {"reset", parts.reset},
+                      {"constants", parts.constants},
+                      {"coupled", parts.coupled},
+                      {"members", parts.members}});
+    return fill("ensemble.hpp.in", holes);
 }
 
 }  // namespace hvi::gen

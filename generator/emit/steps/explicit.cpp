@@ -207,27 +207,20 @@ std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
     const std::string weights = weights_text(scheme);
     const SystemPart system = system_part(tableau, scheme, options);
     const bool rounds = are_rounded(weights) || are_rounded(system.types);
-    return fill("explicit.hpp.in",
-                {{"banner", banner(tableau, scheme, options)},
-                 {"include", system.include},
-                 {"support", support(scheme, options.wishes, rounds)},
-                 {"purpose", system.purpose},
-                 {"head", system.head},
-                 {"name", system.class_name},
-                 {"condition", system.condition},
-                 {"types", system.types},
-                 {"parameter", parameter_text(scheme)},
-                 {"construct", system.construct},
-                 {"alias", system.alias},
-                 {"begins", begins(scheme)},
-                 {"weights", weights},
-                 {"fits", fits_text(scheme)},
-                 {"moves", moves_text(scheme)},
-                 {"state", system.state},
-                 {"clock", clock_begins(scheme)},
-                 {"status", scheme.depends_on_time ? "clock_.end(x.t, Status{})" : "{}"},
-                 {"forget", std::string(forget(scheme))},
-                 {"members", members_text(scheme)}});
+    Holes holes = holes_of(system);
+    holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
+                      {"support", support(scheme, options.wishes, rounds)},
+                      {"parameter", parameter_text(scheme)},
+                      {"begins", begins(scheme)},
+                      {"weights", weights},
+                      {"fits", fits_text(scheme)},
+                      {"moves", moves_text(scheme)},
+                      {"state", system.state},
+                      {"clock", clock_begins(scheme)},
+                      {"status", scheme.depends_on_time ? "clock_.end(x.t, Status{})" : "{}"},
+                      {"forget", std::string(forget(scheme))},
+                      {"members", members_text(scheme)}});
+    return fill("explicit.hpp.in", holes);
 }
 
 }  // namespace hvi::gen

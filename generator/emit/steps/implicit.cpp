@@ -54,27 +54,21 @@ std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
         parts.format = scheme.depends_on_time ? 9 : is_of_8 ? 8 : scheme.has_stage_lanes ? 6 : 5;
     }
     for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
-    return fill("implicit.hpp.in", {{"banner", banner(tableau, scheme, options)},
-                                    {"format", std::to_string(parts.format)},
-                                    {"name", system.class_name},
-                                    {"include", system.include},
-                                    {"runtime", runtime_includes(std::move(parts.runtime))},
-                                    {"purpose", system.purpose},
-                                    {"head", system.head},
-                                    {"condition", system.condition},
-                                    {"types", system.types},
-                                    {"parameter", parameter_text(scheme)},
-                                    {"construct", system.construct},
-                                    {"state", system.state},
-                                    {"curve", parts.curve},
-                                    {"begins", begins(scheme)},
-                                    {"clock", clock_begins(scheme)},
-                                    {"steps", parts.steps},
-                                    {"constants", parts.constants},
-                                    {"predict", parts.predict},
-                                    {"coupled", parts.coupled},
-                                    {"members", parts.members},
-                                    {"alias", system.alias}});
+    Holes holes = holes_of(system);
+    holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
+                      {"format", std::to_string(parts.format)},
+                      {"runtime", runtime_includes(std::move(parts.runtime))},
+                      {"parameter", parameter_text(scheme)},
+                      {"state", system.state},
+                      {"curve", parts.curve},
+                      {"begins", begins(scheme)},
+                      {"clock", clock_begins(scheme)},
+                      {"steps", parts.steps},
+                      {"constants", parts.constants},
+                      {"predict", parts.predict},
+                      {"coupled", parts.coupled},
+                      {"members", parts.members}});
+    return fill("implicit.hpp.in", holes);
 }
 
 }  // namespace hvi::gen

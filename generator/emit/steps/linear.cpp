@@ -24,21 +24,14 @@ Holes words_for_numbers(const SceneWishes& wishes) {
 std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     const SystemPart system = system_part(tableau, scheme, options);
     const LoweredScene& scene = *options.scene;
-    Holes holes{{"banner", banner(tableau, scheme, options)},
-                {"format", "5"},
-                {"include", system.include},
-                {"purpose", system.purpose},
-                {"head", system.head},
-                {"name", system.class_name},
-                {"condition", system.condition},
-                {"types", system.types},
-                {"construct", system.construct},
-                {"math", options.wishes.float128 ? "#include <hvi/math.hpp>" : ""},
-                {"constants", with_rounding(coefficients_text(scheme))},
-                {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme), weights_q(scheme),
-                                       weights_p(scheme))},
-                {"n", std::to_string(scene.system.degrees_of_freedom())},
-                {"alias", system.alias}};
+    Holes holes = holes_of(system);
+    holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
+                      {"format", "5"},
+                      {"math", options.wishes.float128 ? "#include <hvi/math.hpp>" : ""},
+                      {"constants", with_rounding(coefficients_text(scheme))},
+                      {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme), weights_q(scheme),
+                                             weights_p(scheme))},
+                      {"n", std::to_string(scene.system.degrees_of_freedom())}});
     if (!scheme.is_sheared) { return fill("increments.hpp.in", holes); }
     holes["shifted"] = has_linear_part(scene.structure) ? "true" : "false";
     holes.merge(words_for_numbers(options.wishes));

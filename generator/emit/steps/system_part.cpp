@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "generator/emit/steps/header.hpp"
-#include "generator/emit/text/text.hpp"
 
 namespace hvi::gen {
 
@@ -180,6 +179,12 @@ SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOpt
 SystemPart system_part(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     return options.scene == nullptr ? for_users(scheme, options)
                                     : for_scene(tableau, scheme, options);
+}
+
+Holes holes_of(const SystemPart& part) {
+    return {{"include", part.include},     {"purpose", part.purpose},     {"head", part.head},
+            {"name", part.class_name},     {"condition", part.condition}, {"types", part.types},
+            {"construct", part.construct}, {"alias", part.alias}};
 }
 
 }  // namespace hvi::gen

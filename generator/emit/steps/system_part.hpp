@@ -5,6 +5,7 @@
 #include <string>
 
 #include "generator/emit/steps/emit.hpp"
+#include "generator/emit/text/text.hpp"
 
 namespace hvi::gen {
 
@@ -24,5 +25,9 @@ struct SystemPart {
 
 [[nodiscard]] SystemPart system_part(const Tableau& tableau, const Scheme& scheme,
                                      const EmitOptions& options);
+
+/// The holes of the templates of headers that are called as these pieces are, but for `state`; the
+/// one for `class_name` is `name`.
+[[nodiscard]] Holes holes_of(const SystemPart& part);
 
 }  // namespace hvi::gen
