@@ -13,8 +13,8 @@
 namespace hvi::detail {
 
 /// Where the last step ended, and the remainder (e_q, e_p) that rounding cut off from it. The
-/// increments of a step are summed apart, its stages are Q_i = q + (e_q + dq_i) and
-/// P_j = p + (e_p + dp_j), and the state takes one exact sum a step.
+/// increments of a step are summed apart, beginning with it, and the state takes one exact sum a
+/// step. Its stages, where slopes are evaluated, are plain sums beside them.
 ///
 /// NOTE: all this changes in end() alone, so that a step that failed can be tried again.
 template <class Vector>

@@ -52,13 +52,14 @@ template <class Scalar, std::size_t n>
 /// remainders of the sums, mend the time, but then what a step adds is not what its stages were
 /// computed with, and the energy drifts. The method is symplectic with any weights.
 template <class Scalar, std::size_t n>
-[[nodiscard]] std::array<Scalar, n> weights_of_step(Scalar h, const Scalar (&b)[n]) {
+[[nodiscard]] constexpr std::array<Scalar, n> weights_of_step(Scalar h, const Scalar (&b)[n]) {
     std::array<Scalar, n> weights{};
-    const Scalar size = abs(h);
+    const auto magnitude = [](Scalar x) { return x < 0 ? -x : x; };
+    const Scalar size = magnitude(h);
     Scalar sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
         // NOTE: the sum of this and `size` is a multiple of ulp(h), and so is what is left.
-        const Scalar part = (abs(size * b[i]) + size) - size;
+        const Scalar part = (magnitude(size * b[i]) + size) - size;
         weights[i] = (b[i] < 0) == (h < 0) ? part : -part;
         sum += weights[i];
     }
@@ -75,6 +76,25 @@ template <class Scalar, std::size_t n>
     }
     return weights;
 }
+
+/// The weights of a step of kicks and drifts, kept while its size stays.
+///
+/// NOTE: those of a palindrome repeat. Were they products in the step, g++ would keep each in a
+/// register until it comes again, and on few degrees of freedom the state would have to give way.
+template <class Scalar, std::size_t kicks, std::size_t drifts>
+struct MoveWeights {
+    std::array<Scalar, kicks> p{};
+    std::array<Scalar, drifts> q{};
+
+    constexpr void weigh(Scalar h, const Scalar (&b_p)[kicks], const Scalar (&b_q)[drifts]) {
+        if (h == weighed) { return; }
+        p = weights_of_step(h, b_p);
+        q = weights_of_step(h, b_q);
+        weighed = h;
+    }
+
+    Scalar weighed = 0;  ///< the step size of the weights
+};
 
 }  // namespace hvi::detail
 

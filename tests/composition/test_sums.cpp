@@ -88,6 +88,18 @@ double rounding(double h, int count) {
     return static_cast<double>(std::sqrt(sum / size));
 }
 
+/// The root of the mean square of that over steps a little shorter, which rounding meets anew.
+template <template <class, class> class Stepper>
+double usual_rounding(double h, int count) {
+    constexpr int runs = 16;
+    double sum = 0;
+    for (int i = 0; i < runs; ++i) {
+        const double one = rounding<Stepper>(h * (1 - i * 0.007), count);
+        sum += one * one;
+    }
+    return std::sqrt(sum / runs);
+}
+
 /// An edit of one number, and what a new stepper makes of it.
 template <class Stepper, class Edit>
 void check_edit(const Edit& edit) {
@@ -145,10 +157,10 @@ TEMPLATE_TEST_CASE("a free particle goes as far as its time", "", HVI_SCALARS) {
 }
 
 TEST_CASE("rounding stays far below that of 17 sums a step") {
-    // 9e-12, 3e-12 and 5e-12 with plain sums.
-    CHECK(rounding<BasicKeplerKahanLi8>(0.05, 4000) < 5e-13);
-    CHECK(rounding<BasicKeplerYoshida8>(0.02, 10000) < 1e-12);
-    CHECK(rounding<BasicKeplerBlanesMoan6>(0.02, 10000) < 5e-13);
+    // 5e-12, 6e-12 and 8e-12 with plain sums.
+    CHECK(usual_rounding<BasicKeplerKahanLi8>(0.05, 4000) < 8e-13);
+    CHECK(usual_rounding<BasicKeplerYoshida8>(0.02, 10000) < 1e-12);
+    CHECK(usual_rounding<BasicKeplerBlanesMoan6>(0.02, 10000) < 5e-13);
 }
 
 TEST_CASE("remainders belong to a state, and reset() forgets them") {

@@ -28,10 +28,11 @@ EnsembleParts explicit_parts(const Scheme& scheme, std::size_t dimension) {
     Writer members(1);
     members.line("System system_;");
     if (scheme.keeps_remainder) {
-        parts.runtime.emplace_back("trajectory_sums.hpp");
+        parts.runtime.insert(parts.runtime.end(), {"trajectory_sums.hpp", "weights.hpp"});
         parts.carried = keeps(scheme) ? "RemaindersAndSlopeCarried" : "RemaindersCarried";
         parts.reset = "sums_.forget();";
-        members.line("hvi::detail::TrajectorySums<State> sums_;");
+        members.line("hvi::detail::TrajectorySums<State> sums_;")
+            .line("{}", weights_member(scheme));
     }
     parts.members = members.str();
     return parts;
@@ -202,9 +203,10 @@ std::string state_type(const Scheme& scheme, std::string_view carried) {
 }
 
 std::string format(const Scheme& scheme) {
-    return scheme.is_explicit() || scheme.depends_on_time ? "9"
-           : scheme.has_joint_slopes                      ? "8"
-                                                          : "7";
+    return scheme.keeps_remainder                           ? "10"
+           : scheme.is_explicit() || scheme.depends_on_time ? "9"
+           : scheme.has_joint_slopes                        ? "8"
+                                                            : "7";
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ std::string support(const Scheme& scheme, const SceneWishes& wishes, bool with_r
         names.insert(names.end(), {"pair.hpp", "series.hpp", "parameter.hpp"});
     }
     if (scheme.depends_on_time) { names.push_back("clock.hpp"); }
-    if (scheme.keeps_remainder) { names.push_back("step_sums.hpp"); }
+    if (scheme.keeps_remainder) { names.insert(names.end(), {"step_sums.hpp", "weights.hpp"}); }
     std::string text;
     for (const std::string_view name : names) {
         text += (text.empty() ? "" : "\n") + copy_of(name);
@@ -165,7 +165,9 @@ std::string members_text(const Scheme& scheme) {
     writer.line("System system_;");
     if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
     if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
-    if (scheme.keeps_remainder) { writer.line("hvi::detail::StepSums<Vector> sums_;"); }
+    if (scheme.keeps_remainder) {
+        writer.line("hvi::detail::StepSums<Vector> sums_;").line("{}", weights_member(scheme));
+    }
     // NOTE: in this order. In others g++ finds it harder to keep the state in registers.
     std::vector<std::string> vectors = scratch(scheme);
     if (!scheme.keeps_remainder) {

@@ -23,14 +23,20 @@ public:
     void write(const Move& move, bool is_last) {
         evaluate(move);
         const MoveNames& its = names(move);
+        bool& is_moved = move.kick ? kicked_ : drifted_;
+        const bool is_loaded = is_moved || scheme_.has_trajectory_lanes;
         for_components([&](std::string_view k) {
-            writer_.line("{}{}[{}] {}= {};", scheme_.keeps_remainder ? "d" : "", its.moved, k,
-                         its.sign, change(scheme_, move, k));
-            if (scheme_.keeps_remainder && !is_last) {
-                writer_.line("{0}[{1}] = x.{0}[{1}] + d{0}[{1}];", its.moved, k);
+            const std::string by = change(scheme_, move, k);
+            // NOTE: not of the increment so far, or each evaluation would wait for two sums.
+            if (!scheme_.keeps_remainder || !is_last) {
+                writer_.line("{0}[{1}] = {2}{0}[{1}] {3} {4};", its.moved, k, is_loaded ? "" : "x.",
+                             its.sign, by);
+            }
+            if (scheme_.keeps_remainder) {
+                writer_.line("d{}[{}] {}= {};", its.moved, k, its.sign, by);
             }
         });
-        (move.kick ? kicked_ : drifted_) = true;
+        is_moved = true;
     }
 
 private:
@@ -75,6 +81,8 @@ private:
     bool kicked_ = false, drifted_ = false;  // whether p, and q, have been moved
 };
 
+constexpr std::string_view weigh = "weights_.weigh(h, b_p, b_q);";
+
 void write_moves(Writer& writer, const Scheme& scheme, std::size_t dimension) {
     MovesWriter code(writer, scheme, dimension);
     const std::vector<Move> all = moves(scheme);
@@ -109,6 +117,10 @@ std::string slope(const Scheme& scheme, const Move& move) {
 }
 
 std::string change(const Scheme& scheme, const Move& move, std::string_view k) {
+    if (scheme.keeps_remainder) {
+        return fmt::format("weights_.{}[{}] * {}[{}]", names(move).moved, move.index,
+                           slope(scheme, move), k);
+    }
     const StageValue& value = (move.kick ? scheme.positions : scheme.momenta)[move.index];
     return equal(value.weight, 1)
                ? fmt::format("h * {}[{}]", slope(scheme, move), k)
@@ -134,6 +146,7 @@ std::string compensated_moves_text(const Scheme& scheme) {
     writer.insert(scratch_text(compensated_scratch(scheme)));
     writer.line(
         "if (!sums_.begin(x, dq, dp)) {{ return Status(Status::Code::unsafe_arithmetic); }}");
+    writer.line("{}", weigh);
     write_moves(writer, scheme, 0);
     writer.line("if (!sums_.end(x, dq, dp, q, p)) {{ return Status(Status::Code::not_finite); }}");
     if (keeps(scheme)) { writer.line("known_ = true;"); }
@@ -152,6 +165,7 @@ std::string ensemble_moves_text(const Scheme& scheme, std::size_t dimension) {
     if (scheme.keeps_remainder) {
         load("dq", "carried.q");
         load("dp", "carried.p");
+        writer.line("{}", weigh);
     }
     writer.line("Values slope;");
     if (keeps(scheme)) { load("kept", "carried.slope"); }
@@ -167,6 +181,11 @@ std::string ensemble_moves_text(const Scheme& scheme, std::size_t dimension) {
         writer.line("{});", end);
     }
     return writer.line("return x.status();").str();
+}
+
+std::string weights_member(const Scheme& scheme) {
+    return fmt::format("hvi::detail::MoveWeights<Scalar, {}, {}> weights_;",
+                       scheme.positions.size(), scheme.momenta.size());
 }
 
 std::vector<std::string> compensated_scratch(const Scheme& scheme) {

@@ -44,6 +44,9 @@ struct MoveNames {
 [[nodiscard]] std::string compensated_moves_text(const Scheme& scheme);
 [[nodiscard]] std::vector<std::string> compensated_scratch(const Scheme& scheme);
 
+/// Where increments are summed apart, the member that has h times b_p and b_q.
+[[nodiscard]] std::string weights_member(const Scheme& scheme);
+
 /// The step of trajectories side by side, whatever sums it makes.
 [[nodiscard]] std::string ensemble_moves_text(const Scheme& scheme, std::size_t dimension);
 

@@ -67,7 +67,7 @@ constexpr std::array<std::string_view, 7> taken_by_coefficients{
 };
 
 /// The same where a scene has functions of its own.
-constexpr std::array<std::string_view, 40> taken_by_scenes{
+constexpr std::array<std::string_view, 41> taken_by_scenes{
     "dHdq",        "dHdp",        "d2Hdq2",      "d2Hdqdp",
     "d2Hdp2",      "energy",      "evaluations", "initial",
     "begin",       "Parameters",  "position",    "curve",
@@ -78,6 +78,7 @@ constexpr std::array<std::string_view, 40> taken_by_scenes{
     "N_lanes",     "m_lanes",     "mt_lanes",    "cn_lanes",
     "sums_",       "gradient",    "N_before",    "N_before_lanes",
     "W_before_",   "Lq_before_",  "Lp_before_",  "has_slopes_before_",
+    "weights_",
 };
 
 bool is_identifier(std::string_view name) {
