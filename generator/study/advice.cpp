@@ -93,7 +93,7 @@ public:
             for (std::size_t i = 0; i < curves_.size(); ++i)
                 for (const WorkPoint& point : std::vector<WorkPoint>(curves_[i].points))
                     if (point.ok() && point.error <= accuracy_ && point.seconds < most)
-                        run(i, point.steps, seconds_of_timing / rounds);
+                        run(i, point.steps, seconds_of_timing / 2);
     }
 
     [[nodiscard]] const std::vector<WorkCurve>& curves() const { return curves_; }

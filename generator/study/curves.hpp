@@ -15,7 +15,7 @@ struct WorkPoint {
     std::int64_t steps = 0;
     double error = 0;  ///< distance of (q, p) from the reference, relative where that is not 0
     double energy_error = 0;  ///< the largest on the way; NaN where the energy is not conserved
-    double seconds = 0;       ///< the median of repetitions; 0 where none was timed
+    double seconds = 0;       ///< the median of repetitions in the fastest round; 0: none was timed
     double spread = 0;        ///< the middle half of these, as a part of the median
     std::int64_t evaluations = 0;  ///< of dH/dq
     double iterations = 0;         ///< of the solver, a step

@@ -37,15 +37,17 @@ std::vector<WorkPoint> by_tolerance(const fs::path& program, const Peer& peer,
 
 }  // namespace
 
-std::vector<WorkCurve> peer_curves(const fs::path& program, const PeerLibrary& library,
+std::vector<PeerCurve> peer_curves(const fs::path& program, const PeerLibrary& library,
                                    const SceneStepper& stepper, const Course& course) {
-    std::vector<WorkCurve> curves;
+    std::vector<PeerCurve> curves;
     for (const Peer& peer : library.peers) {
         if (!applies(peer, stepper.lowered)) continue;
-        WorkCurve& curve = curves.emplace_back();
-        curve.name = library.name + ":" + peer.name;
-        curve.order = peer.order;
-        curve.is_peer = true;
+        const auto run_of = [equal = peer.takes_equal_steps, until = course.until,
+                             first = course.first_count](const WorkPoint& point) {
+            return equal ? PeerRun{until, point.steps, tolerance_of_equations}
+                         : PeerRun{until, first, point.tolerance};
+        };
+        WorkCurve curve{library.name + ":" + peer.name, peer.order, true, {}, {}};
         curve.points =
             !peer.takes_equal_steps
                 ? by_tolerance(program, peer, course)
@@ -54,11 +56,12 @@ std::vector<WorkCurve> peer_curves(const fs::path& program, const PeerLibrary& l
                                           {course.until, count, tolerance_of_equations}, seconds);
                   });
         curve.departures = departures(course, curve.points, [&](const WorkPoint& point) {
-            const PeerRun run = peer.takes_equal_steps
-                                    ? PeerRun{course.until, point.steps, tolerance_of_equations}
-                                    : PeerRun{course.until, course.first_count, point.tolerance};
-            return sample_departures_of_peer(program, peer, run, departure_parts);
+            return sample_departures_of_peer(program, peer, run_of(point), departure_parts);
         });
+        curves.push_back(
+            {std::move(curve), [program, peer, run_of](const WorkPoint& point, double seconds) {
+                 return measure_peer(program, peer, run_of(point), seconds);
+             }});
     }
     return curves;
 }

@@ -10,9 +10,15 @@
 
 namespace hvi::gen {
 
+/// A curve of one of them, and how its runs are made again.
+struct PeerCurve {
+    WorkCurve curve;
+    MeasureAgain again;
+};
+
 /// Of all that apply to the scene, by a program that is made of `stepper`, which is made for peers,
 /// and the library's driver. Throws what ask() does.
-[[nodiscard]] std::vector<WorkCurve> peer_curves(const std::filesystem::path& program,
+[[nodiscard]] std::vector<PeerCurve> peer_curves(const std::filesystem::path& program,
                                                  const PeerLibrary& library,
                                                  const SceneStepper& stepper, const Course& course);
 

@@ -12,6 +12,8 @@ namespace hvi::gen {
 
 namespace {
 
+constexpr int more_rounds = 2;  // of timing, after all has been run
+
 /// Integrators of a library.
 struct Team {
     const PeerLibrary& library;
@@ -59,7 +61,8 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
     report = {scene.name, scene.description, until, {}, {}};
     Bar bar;
-    const auto parts = static_cast<double>(wishes.methods.size() + wishes.libraries.size() + 2);
+    const auto parts =
+        static_cast<double>(wishes.methods.size() + wishes.libraries.size() + 2 + more_rounds);
     double done = 0;
     const auto begin = [&](const std::string& what) {
         bar.show(done++ / parts, scene.name + ": " + what);
@@ -79,15 +82,27 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
     }
     const Course course{report.reference, until, first_count, wishes.steps,
                         !lowered(scene).system.time.has_value()};
+    std::vector<MeasureAgain> again;  // of each curve
     for (const Contender& contender : all.contenders) {
         const auto part = begin("running " + contender.stepper.method_name);
         report.curves.push_back(curve(contender, course));
+        again.push_back(
+            [measure = measured(contender, until)](const WorkPoint& point, double seconds) {
+                return measure(point.steps, seconds);
+            });
     }
     for (const Team& team : all.teams) {
         const auto part = begin("running " + team.library.name);
-        for (WorkCurve& curve :
-             peer_curves(built(team.build), team.library, *all.for_peers, course))
-            report.curves.push_back(std::move(curve));
+        for (PeerCurve& peer :
+             peer_curves(built(team.build), team.library, *all.for_peers, course)) {
+            report.curves.push_back(std::move(peer.curve));
+            again.push_back(std::move(peer.again));
+        }
+    }
+    for (int round = 0; round < more_rounds; ++round) {
+        const auto part = begin("running all once more");
+        for (std::size_t i = 0; i < again.size(); ++i)
+            time_again(report.curves[i].points, again[i]);
     }
 }
 

@@ -143,4 +143,14 @@ std::vector<WorkPoint> work_points(const Course& course, const MeasureSteps& mea
     return points;
 }
 
+void time_again(std::vector<WorkPoint>& points, const MeasureAgain& measure) {
+    for (WorkPoint& point : points) {
+        if (!point.ok() || point.seconds == 0 || point.seconds > seconds_of_timing) continue;
+        const Measurement run = measure(point, seconds_of_timing);
+        if (run.seconds == 0 || run.seconds >= point.seconds) continue;
+        point.seconds = run.seconds;
+        point.spread = run.spread;
+    }
+}
+
 }  // namespace hvi::gen
