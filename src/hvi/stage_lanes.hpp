@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include <hvi/lane_math.hpp>
+#include <hvi/lane_tables.hpp>
 #include <hvi/lanes.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include <hvi/lane_math.hpp>
+#include <hvi/lane_tables.hpp>
 #include <hvi/lanes.hpp>
 #include <hvi/scalar.hpp>
 #include <hvi/state.hpp>

@@ -6,6 +6,7 @@
 #include <random>
 
 #include <catch2/catch.hpp>
+#include <hvi/lane_math.hpp>
 #include <hvi/lanes.hpp>
 
 namespace {

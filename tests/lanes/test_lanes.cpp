@@ -7,6 +7,8 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <hvi/lane_math.hpp>
+#include <hvi/lane_tables.hpp>
 #include <hvi/lanes.hpp>
 
 namespace {

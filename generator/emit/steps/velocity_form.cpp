@@ -1,6 +1,7 @@
 // Stage equations of positions alone.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/starting_values.hpp"
 #include "generator/plan/equal.hpp"
 #include "generator/plan/lattice.hpp"
 #include "generator/support/error.hpp"
