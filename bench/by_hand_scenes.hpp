@@ -114,8 +114,8 @@ private:
 ///
 ///     Q_i = q + (e_q + (h c_i v + sum_j n_ij W_j)),
 ///
-/// iterated down to round-off (see hvi::detail::RoundOff) from the W of the last step,
-/// extrapolated; e are the remainders of compensated sums.
+/// iterated down to round-off (see hvi::detail::RoundOff) from the W of the last step, of up to 3
+/// stages of the last two, extrapolated; e are the remainders of compensated sums.
 template <std::size_t S, class Problem>
 class GaussByHand : private Nystroem<S> {
 public:
@@ -129,11 +129,13 @@ public:
     }
 
     int step(double h) {
-        if (h == h_) {
+        if (h != h_) { steps_behind_ = 0; }
+        if (steps_behind_ >= (has_two_steps ? 2 : 1)) {
             extrapolate();
         } else {
             begin(h);
         }
+        ++steps_behind_;
         const int iterations = iterate();
         if (iterations == failed) { return failed; }
         bool finite = true;
@@ -158,11 +160,13 @@ public:
 private:
     using Nystroem<S>::b, Nystroem<S>::c, Nystroem<S>::n, Nystroem<S>::N;
     static constexpr int most_iterations = 200;
+    static constexpr bool has_two_steps = S <= 3;
 
     /// Weights that add up to h, and accelerations as at the start.
     void begin(double h) {
         h_ = h;
         hb_ = hvi::detail::weights_of_step(h, b);
+        for (std::size_t j = 0; j < S; ++j) { std::copy_n(W_[j], D, W_before_[j]); }
         for (std::size_t j = 0; j < S; ++j) {
             for (std::size_t k = 0; k < D; ++k) { Q_[j][k] = q_[k]; }
         }
@@ -174,9 +178,17 @@ private:
             double next[S];
             for (std::size_t i = 0; i < S; ++i) {
                 next[i] = 0.0;
-                for (std::size_t j = 0; j < S; ++j) { next[i] += N[i][j] * W_[j][k]; }
+                for (std::size_t j = 0; j < S; ++j) {
+                    next[i] += N[i][j] * W_[j][k];
+                    if constexpr (has_two_steps) {
+                        next[i] += Nystroem<S>::N_before[i][j] * W_before_[j][k];
+                    }
+                }
             }
-            for (std::size_t i = 0; i < S; ++i) { W_[i][k] = next[i]; }
+            for (std::size_t i = 0; i < S; ++i) {
+                W_before_[i][k] = W_[i][k];
+                W_[i][k] = next[i];
+            }
         }
     }
 
@@ -252,8 +264,10 @@ private:
 
     double q_[D], v_[D], e_q_[D] = {}, e_v_[D] = {};
     double Q_[S][D] = {}, F_[S][D] = {}, W_[S][D] = {};
+    double W_before_[S][D] = {};  // of the step before the last
     std::array<double, S> hb_{};
     double h_ = 0.0;
+    int steps_behind_ = 0;  // of this size
 };
 
 /// Gauss with 4 stages for H = (p^2 + q^2)/2: a rotation by the angle of P(ih)/P(-ih), where P is
