@@ -166,7 +166,9 @@ private:
     void begin(double h) {
         h_ = h;
         hb_ = hvi::detail::weights_of_step(h, b);
-        for (std::size_t j = 0; j < S; ++j) { std::copy_n(W_[j], D, W_before_[j]); }
+        if constexpr (has_two_steps) {
+            for (std::size_t j = 0; j < S; ++j) { std::copy_n(W_[j], D, W_before_[j]); }
+        }
         for (std::size_t j = 0; j < S; ++j) {
             for (std::size_t k = 0; k < D; ++k) { Q_[j][k] = q_[k]; }
         }
@@ -186,7 +188,7 @@ private:
                 }
             }
             for (std::size_t i = 0; i < S; ++i) {
-                W_before_[i][k] = W_[i][k];
+                if constexpr (has_two_steps) { W_before_[i][k] = W_[i][k]; }
                 W_[i][k] = next[i];
             }
         }

@@ -170,10 +170,10 @@ void set_blocks(Scheme& scheme) {
 
 /// How an explicit step sums.
 ///
-/// NOTE: measured in double, against the same steps in __float128. Over 200 000 steps of Kepler's
+/// NOTE: measured in double, against the same steps in more bits. Over 200 000 steps of Kepler's
 /// problem, stormer-verlet is off by 2e-3 and rounding adds 1e-11 to that; compensated sums would
 /// bring it to 4e-14 and cost a fifth, on six bodies three fifths. For a step of yoshida:6,
-/// blanes-moan:6 and kahan-li:8 they cost 6 % or less, and rounding falls from 7e-12 to 3e-13 where
+/// blanes-moan:6 and kahan-li:8 they cost 6 % or less, and rounding falls from 1e-11 to 4e-13 where
 /// kahan-li:8 is off by 5e-11.
 void set_sums(Scheme& scheme, const PlanOptions& options) {
     constexpr int least_order = 6;

@@ -88,12 +88,13 @@ public:
     void time_the_best() {
         constexpr double near = 2;
         constexpr int rounds = 4;
+        constexpr double seconds = seconds_of_timing / 2;  // of each
         const double most = near * seconds_of_best();
         for (int round = 0; round < rounds; ++round)
             for (std::size_t i = 0; i < curves_.size(); ++i)
                 for (const WorkPoint& point : std::vector<WorkPoint>(curves_[i].points))
                     if (point.ok() && point.error <= accuracy_ && point.seconds < most)
-                        run(i, point.steps, seconds_of_timing / 2);
+                        run(i, point.steps, seconds);
     }
 
     [[nodiscard]] const std::vector<WorkCurve>& curves() const { return curves_; }

@@ -27,8 +27,8 @@ struct Automatic {
                 return solve_stiff(coupled);
             }
             const Status status = fixed_point_.solve(coupled, most_iterations);
-            stiff_steps_ = 0;
             if (status.ok() && status.iterations <= slow) {
+                stiff_steps_ = 0;
                 pause_ = 1;
                 return status;
             }

@@ -12,6 +12,13 @@
 
 namespace hvi::detail {
 
+/// NOTE: not abs(), which calls the standard library: steps of kicks and drifts may be constant
+/// expressions.
+template <class Scalar>
+[[nodiscard]] constexpr Scalar magnitude(Scalar x) {
+    return x < 0 ? -x : x;
+}
+
 /// Whether b_i = b_{n+1-i}.
 template <class Scalar, std::size_t n>
 [[nodiscard]] constexpr bool is_symmetric(const Scalar (&b)[n]) {
@@ -28,7 +35,7 @@ template <class Scalar, std::size_t n>
     Scalar size = 1;
     for (const Scalar weight : b) {
         excess += weight;
-        size += weight < 0 ? -weight : weight;
+        size += magnitude(weight);
     }
     const Scalar most = static_cast<Scalar>(n) * size * epsilon<Scalar>;
     return -most <= excess && excess <= most;
@@ -54,7 +61,6 @@ template <class Scalar, std::size_t n>
 template <class Scalar, std::size_t n>
 [[nodiscard]] constexpr std::array<Scalar, n> weights_of_step(Scalar h, const Scalar (&b)[n]) {
     std::array<Scalar, n> weights{};
-    const auto magnitude = [](Scalar x) { return x < 0 ? -x : x; };
     const Scalar size = magnitude(h);
     Scalar sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
