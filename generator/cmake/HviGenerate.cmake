@@ -57,9 +57,12 @@ function(hvi_generate)
     cmake_path(GET header PARENT_PATH parent)
     file(MAKE_DIRECTORY "${parent}")
     # NOTE: run where the caller stands, so that the header quotes METHOD_FILE as the caller wrote it.
+    # A header that comes out as it was keeps its time, so that nothing is compiled again for it.
     add_custom_command(
-        OUTPUT "${header}"
-        COMMAND ${hvi_gen} stepper ${options} ${arg_OPTIONS} ${arg_SCENE} -o "${header}"
+        OUTPUT "${header}.written"
+        BYPRODUCTS "${header}"
+        COMMAND ${hvi_gen} stepper ${options} ${arg_OPTIONS} ${arg_SCENE} -o "${header}.written"
+        COMMAND "${CMAKE_COMMAND}" -E copy_if_different "${header}.written" "${header}"
         DEPENDS ${hvi_gen} ${inputs}
         WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
         COMMENT "Generating ${arg_HEADER}"
@@ -73,6 +76,6 @@ function(hvi_generate)
         INTERFACE FILE_SET HEADERS BASE_DIRS "${directory}" FILES "${header}")
     # What links the target is compiled after the header is written, also in other directories.
     string(MAKE_C_IDENTIFIER "${arg_TARGET}_${arg_HEADER}" step)
-    add_custom_target(${step} DEPENDS "${header}")
+    add_custom_target(${step} DEPENDS "${header}.written")
     add_dependencies(${arg_TARGET} ${step})
 endfunction()

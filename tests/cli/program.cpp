@@ -12,6 +12,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/checkout.hpp"
+
 namespace hvi::test {
 
 namespace fs = std::filesystem;
@@ -55,14 +57,14 @@ Outcome run(std::vector<std::string> words, const fs::path& directory) {
 }  // namespace
 
 Outcome hvi_gen(const std::vector<std::string>& words, const fs::path& directory) {
-    std::vector<std::string> all = {HVI_GEN};
+    std::vector<std::string> all = {hvi_gen_program()};
     all.insert(all.end(), words.begin(), words.end());
     return run(std::move(all), directory);
 }
 
 Outcome shell(const std::string& line, const fs::path& directory) {
     const std::string function = "hvi_gen=$1; hvi-gen() { \"$hvi_gen\" \"$@\"; }; ";
-    return run({"/bin/bash", "-c", function + line, "bash", HVI_GEN}, directory);
+    return run({"/bin/bash", "-c", function + line, "bash", hvi_gen_program()}, directory);
 }
 
 Directory::Directory() {

@@ -75,7 +75,7 @@ TEST_CASE("scheme in the words of CONTRACT.md") {
 
 TEST_CASE("scheme takes a scene by name, and by file") {
     const Directory directory;
-    const std::string toml = contents(fs::path(HVI_SCENES) / "harmonic-oscillator.toml");
+    const std::string toml = contents(in_checkout("examples/scenes/harmonic-oscillator.toml"));
     write(directory / "mine.toml", toml);
     write(directory / "harmonic-oscillator", "this is no scene");  // the name wins
     const auto printed = [&](const std::vector<std::string>& words) {

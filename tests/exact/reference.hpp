@@ -7,18 +7,20 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/checkout.hpp"
 #include "tests/exact/exact.hpp"
 
 namespace hvi::gen {
 
 using Json = nlohmann::json;
 
-inline Json reference(const char* path) {
-    std::ifstream file(path);
+/// A file of tests/.
+inline Json reference(const std::string& name) {
+    std::ifstream file(hvi::test::in_checkout("tests/" + name));
     return Json::parse(file).at("methods");
 }
 
-inline Json reference_methods() { return reference(HVI_REFERENCE); }
+inline Json reference_methods() { return reference("exact/reference.json"); }
 
 inline Method method_of(const Json& entry) {
     if (entry.contains("method")) return method(entry["method"].get<std::string>());

@@ -80,7 +80,7 @@ bool agrees(const OrderConditions& found, const Json& expected, TreeFamily famil
 }  // namespace
 
 TEST_CASE("orders and violated conditions agree with the reference") {
-    const Json expected = reference(HVI_REFERENCE_ORDER);
+    const Json expected = reference("exact/reference_order.json");
     int methods = 0;
     for (const Json& entry : reference_methods()) {
         const auto name = entry["name"].get<std::string>();

@@ -54,7 +54,7 @@ bool same_marks(const LinearStability& stability, const Json& expected) {
 }  // namespace
 
 TEST_CASE("maps, intervals, poles and touching points agree with the reference") {
-    const Json known = reference(HVI_REFERENCE_STABILITY);
+    const Json known = reference("exact/reference_stability.json");
     int maps = 0;
     int analyses = 0;
     for (const Json& entry : reference_methods()) {

@@ -8,17 +8,18 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/checkout.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace {
 
 namespace fuzz = hvi::gen::fuzz;
 
-/// HVI_FUZZ_CORPUS is the directory that has one directory for each target.
+/// The corpus has one directory for each target.
 void replay(const char* target, void (*run)(std::string_view)) {
     std::size_t files = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(HVI_FUZZ_CORPUS) / target)) {
+    const std::string corpus = hvi::test::in_checkout("tests/fuzz/corpus/");
+    for (const auto& entry : std::filesystem::directory_iterator(corpus + target)) {
         std::ifstream file(entry.path(), std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(file), {}};
         INFO(entry.path().filename().string());

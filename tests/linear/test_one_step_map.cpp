@@ -73,7 +73,7 @@ TEST_CASE("symplectic Euler and Stoermer-Verlet as everybody knows them") {
 // ---- the reference ----
 
 TEST_CASE("maps of the oscillator agree with the reference") {
-    const Json known = reference(HVI_REFERENCE_STABILITY);
+    const Json known = reference("exact/reference_stability.json");
     int count = 0;
     for (const Json& entry : reference_methods()) {
         const auto expected = known.find(entry["name"].get<std::string>());
@@ -99,7 +99,7 @@ TEST_CASE("maps of the oscillator agree with the reference") {
 }
 
 TEST_CASE("maps of H = q p agree with the reference") {
-    const Json known = reference(HVI_REFERENCE_QP);
+    const Json known = reference("linear/reference_qp.json");
     int count = 0;
     for (const Json& entry : reference_methods()) {
         const auto expected = known.find(entry["name"].get<std::string>());
