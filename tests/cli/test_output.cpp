@@ -147,6 +147,15 @@ TEST_CASE("a file keeps its permissions, and a new one gets the usual ones") {
     CHECK(outcome.out == "640\n640\n");
 }
 
+TEST_CASE("a file that was to be run as its owner is so no more") {
+    const Directory directory;
+    write(directory / "old", "");
+    ::chmod((directory / "old").c_str(), 07755);
+    const Outcome outcome =
+        shell("hvi-gen tableau --method midpoint -o old; stat -c %a old", directory.path());
+    CHECK(outcome.out == "755\n");
+}
+
 TEST_CASE("what cannot be written: status 3") {
     const Directory directory;
     const std::string line = "hvi-gen tableau --method midpoint ";
