@@ -209,6 +209,23 @@ TEST_CASE("an interrupted run leaves nothing half written") {
     CHECK(std::filesystem::is_empty(directory / "out"));
 }
 
+TEST_CASE("whatever ends a run ends the compiler too, and leaves nothing") {
+    for (const std::string signal : {"INT", "QUIT", "TERM", "HUP"}) {
+        const PretendedCompiler compiler(right_answers, "sleep 100 & echo $! > \"$CHILD\"; wait");
+        const Outcome outcome = compiler.run("export CHILD=\"$PWD/child\"; $run -o out & "
+                                             "while ! [ -s child ]; do sleep 0.1; done; kill -" +
+                                             signal + " $!; wait $!");
+        INFO(signal << "\n" << outcome.err);
+        CHECK(outcome.status == 130);
+        CHECK(outcome.out.empty());
+        CHECK(compiler.run("sleep 0.2; grep -E '^State:.[^ZX]' /proc/$(cat child)/status")
+                  .out.empty());
+        CHECK(std::filesystem::is_empty(compiler.directory / "cache/hvi-gen"));
+        CHECK(std::filesystem::is_empty(compiler.directory / "temporary"));
+        CHECK(!std::filesystem::exists(compiler.directory / "out"));
+    }
+}
+
 TEST_CASE("a link where a table is to grow leads nowhere") {
     // The table is the fifth word of the program.
     const PretendedCompiler compiler("echo t,q,p > \"$5\"; " + right_answers);
