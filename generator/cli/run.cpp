@@ -1,7 +1,6 @@
 // `hvi-gen run`: a scene, integrated from its initial data.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -40,8 +39,7 @@ fs::path default_directory(const SceneStepper& stepper) {
 /// A file that a program of ours fills. Removed at the end of its life unless renamed.
 class Unfinished {
 public:
-    explicit Unfinished(const fs::path& directory)
-        : path_(directory / fmt::format(".hvi-gen-{}.tmp", ::getpid())) {}
+    explicit Unfinished(const fs::path& directory) : path_(new_file(directory)) {}
     ~Unfinished() {
         std::error_code ignored;
         fs::remove(path_, ignored);

@@ -36,7 +36,7 @@ EnergyShifts energy_shifts(const EdgeProgram& program, const std::string& comman
         if (!heard.failure.empty()) return {{}, heard.failure};
         if (heard.answers.text("status") != "ok") return {{}, heard.answers.text("status")};
         const auto windows = heard.answers.numbers("window"),
-                   shift = heard.answers.numbers("shift");
+                   shift = heard.answers.numbers("shift", windows.size());
         result.of_windows.resize(windows.size());
         for (std::size_t k = 0; k < windows.size(); ++k) {
             result.of_windows[k].first = windows[k];

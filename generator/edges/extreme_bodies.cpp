@@ -144,7 +144,8 @@ void add_pair(const ExtremeMethod& method, EdgeChapter& chapter) {
 void add_three(const ExtremeMethod& method, EdgeChapter& chapter) {
     const Scene scene = scene_of(three_bodies);
     const EdgeProgram& program = method.three_bodies;
-    const std::vector<double> start = program.ask({"start"}).answers.numbers("start");
+    const std::vector<double> start =
+        program.ask({"start"}).answers.numbers("start", scene.initial.size());
     for (const long parts : {16, 256, 4096}) {
         const Heard heard =
             program.ask("advance", 1 / static_cast<double>(parts), 10 * parts, start);

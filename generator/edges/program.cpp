@@ -91,8 +91,9 @@ EdgeProgram EdgeProgram::naive(Builds& builds, const Scene& scene) {
 }
 
 Heard EdgeProgram::ask(std::vector<std::string> words) const {
-    words.insert(words.begin(), built(build_).string());
-    Heard heard;
+    const std::filesystem::path program = built(build_);
+    words.insert(words.begin(), program.string());
+    Heard heard{Answers(program)};
     const ChildResult ended =
         run_child(words, ".", [&](std::string_view line) { heard.answers.hear(line); });
     heard.failure = failure_of(ended.status);
@@ -104,7 +105,11 @@ Heard EdgeProgram::ask(const std::string& command, double h, long steps,
     std::vector<std::string> words{command, fmt::format("{}", h), std::to_string(steps)};
     for (const double value : state) words.push_back(fmt::format("{}", value));
     for (const double value : values) words.push_back(fmt::format("{}", value));
-    return ask(words);
+    Heard heard = ask(words);
+    if (heard.failure.empty() && (command == "advance" || command == "return"))
+        for (const char* key : {"largest", "end"})
+            static_cast<void>(heard.answers.numbers(key, state.size()));
+    return heard;
 }
 
 }  // namespace hvi::gen

@@ -21,7 +21,7 @@ namespace hvi::gen {
 /// What a program has said.
 struct Heard {
     Answers answers;
-    std::string failure;  ///< why it did not end well, that is to say, a bug; else empty
+    std::string failure = {};  ///< why it did not end well, that is to say, a bug; else empty
 };
 
 /// What became of the steps of the command `advance`.
@@ -54,10 +54,12 @@ public:
     /// a tableau.
     [[nodiscard]] static EdgeProgram naive(Builds& builds, const Scene& scene);
 
-    /// Throws what the Build does, and Interruption.
+    /// Throws what the Build does, EnvironmentError where what it says is no answer, and
+    /// Interruption.
     [[nodiscard]] Heard ask(std::vector<std::string> words) const;
 
-    /// With numbers after the command, the steps and their size.
+    /// With numbers after the command, the steps and their size. The state at the end has as many
+    /// as that at the start.
     [[nodiscard]] Heard ask(const std::string& command, double h, long steps,
                             const std::vector<double>& state,
                             const std::vector<double>& values = {}) const;

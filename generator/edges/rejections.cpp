@@ -124,7 +124,8 @@ struct Candidate {
 std::vector<EdgeCheck> checks(const Candidate& candidate) {
     const EdgeProgram& program = candidate.program;
     const Scene& scene = candidate.scene;
-    const std::vector<double> start = program.ask({"start"}).answers.numbers("start");
+    const std::vector<double> start =
+        program.ask({"start"}).answers.numbers("start", scene.initial.size());
     std::vector<EdgeCheck> result;
     for (const Case& edge :
          cases(origin_of(scene), usual_step(scene), start, candidate.is_symmetric)) {

@@ -32,7 +32,7 @@ Builds::~Builds() {
 Build Builds::order(const ProgramText& text) {
     for (const auto& [other, build] : known_)
         if (other == text) return build;
-    Task task([this, text] { return built_program(compiler_, text); });
+    Task task([this, text] { return built_program(cache_, compiler_, text); });
     Build build = task.get_future().share();
     known_.emplace_back(text, build);
     if (workers_.empty()) {

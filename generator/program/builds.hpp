@@ -25,9 +25,11 @@ using Build = std::shared_future<std::filesystem::path>;
 
 /// Compiles what is ordered, while other things are done: as many programs at a time as the machine
 /// has processors, or one after the other where there are no threads to be had. At the end of its
-/// life those that are not begun are forgotten, and those that are begun come to their end.
+/// life those that are not begun are forgotten, and those that are begun come to their end; where
+/// its CacheDirectory is one for this time, the programs are gone then.
 class Builds {
 public:
+    /// Throws as CacheDirectory does.
     explicit Builds(Compiler compiler);
     ~Builds();
     Builds(const Builds&) = delete;
@@ -44,6 +46,7 @@ private:
     void work();
 
     Compiler compiler_;
+    CacheDirectory cache_;
     std::vector<std::pair<ProgramText, Build>> known_;
     std::mutex mutex_;  ///< of the two below
     std::deque<Task> waiting_;

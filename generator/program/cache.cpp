@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/program/cache.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdint>
-#include <cstdlib>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -15,25 +17,13 @@
 #include "generator/program/machine.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/output_file.hpp"
+#include "generator/support/warning.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path cache_directory() {
-    const auto variable = [](const char* name) {
-        const char* value = std::getenv(name);
-        return fs::path(value == nullptr ? "" : value);
-    };
-    // NOTE: as the specification of these directories wants it, relative paths are left out.
-    if (const fs::path cache = variable("XDG_CACHE_HOME"); cache.is_absolute())
-        return cache / "hvi-gen";
-    if (const fs::path home = variable("HOME"); home.is_absolute())
-        return home / ".cache" / "hvi-gen";
-    return fs::temp_directory_path() / fmt::format("hvi-gen-{}", ::getuid());
-}
 
 using Files = std::map<std::string, std::string_view>;  // by their paths in the directory
 
@@ -47,10 +37,11 @@ Files files_of(const ProgramText& text) {
     return files;
 }
 
-/// All that the program depends on.
+/// All that the program depends on. NOTE: the first line tells apart how entries are laid out.
 std::string key_of(const Compiler& compiler, const ProgramText& text, const Files& files) {
     const Machine machine = this_machine();
-    std::string key = compiler.version + "\n" + machine.processor + "\n" + machine.extensions;
+    std::string key = "program and key\n" + compiler.version + "\n" + machine.processor + "\n" +
+                      machine.extensions;
     for (const std::string& word : compiler.command) key += "\n" + word;
     for (const std::string& word : compiler_options()) key += "\n" + word;
     for (const std::string& library : text.libraries) key += "\n-l" + library;
@@ -59,70 +50,93 @@ std::string key_of(const Compiler& compiler, const ProgramText& text, const File
     return key;
 }
 
-/// FNV-1a. NOTE: it only names a directory; the key that lies in it is compared.
+/// FNV-1a. NOTE: it names a directory, whose key is compared, and tells a program from a damaged
+/// one; others cannot write to either.
 std::string hash(std::string_view text) {
     std::uint64_t value = 0xcbf29ce484222325U;
     for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     return fmt::format("{:016x}", value);
 }
 
-bool holds(const fs::path& file, std::string_view text) {
-    std::ostringstream content;
-    content << std::ifstream(file, std::ios::binary).rdbuf();
-    return content.str() == text;
+std::string content(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
 }
 
-void make_directories(const fs::path& path) {
-    std::error_code error;
-    fs::create_directories(path, error);
-    if (error)
-        throw EnvironmentError("cannot make the directory " + path.string() + ": " +
-                                   error.message(),
-                               "compiled programs are kept below XDG_CACHE_HOME");
+/// Whether the user's own file or directory is there, and may be used.
+bool is_own(const fs::path& path, mode_t type) {
+    struct stat found {};
+    return ::lstat(path.c_str(), &found) == 0 && (found.st_mode & S_IFMT) == type &&
+           found.st_uid == ::geteuid() && (found.st_mode & S_IXUSR) != 0;
 }
 
-/// A directory that is removed at the end of its life unless renamed.
-class Workshop {
+/// A directory with a program, and what it was made of.
+class Entry {
 public:
-    explicit Workshop(fs::path path) : path_(std::move(path)) { make_directories(path_); }
-    ~Workshop() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Workshop(const Workshop&) = delete;
-    Workshop& operator=(const Workshop&) = delete;
+    Entry(fs::path directory, std::string key)
+        : directory_(std::move(directory)), key_(std::move(key)) {}
 
-    [[nodiscard]] const fs::path& path() const { return path_; }
+    [[nodiscard]] fs::path program() const { return directory_ / "program"; }
+    [[nodiscard]] bool is_there() const {
+        std::error_code ignored;
+        return fs::exists(fs::symlink_status(directory_, ignored));
+    }
+
+    /// Whether it is as it was made.
+    [[nodiscard]] bool is_sound() const {
+        std::error_code ignored;
+        return is_own(directory_, S_IFDIR) && is_own(program(), S_IFREG) &&
+               fs::is_regular_file(directory_ / "key", ignored) &&
+               content(directory_ / "key") == sealed(program());
+    }
+
+    /// Makes it of a directory with a program. The directory is gone then, or has in it what was
+    /// here before.
+    void take(const fs::path& made) const {
+        write_file(made / "key", sealed(made / "program"));
+        std::error_code error;
+        fs::rename(made, directory_, error);
+        // NOTE: another hvi-gen may have been faster. Else what is here is damaged, and at no time
+        // may there be nothing: another hvi-gen may be about to start what a third one has mended.
+        if (!error || is_sound() ||
+            ::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0)
+            return;
+        fs::remove_all(directory_, error);  // where the file system cannot exchange them
+        fs::rename(made, directory_, error);
+        if (error)
+            throw EnvironmentError("cannot make " + directory_.string() + ": " + error.message());
+    }
 
 private:
-    fs::path path_;
+    /// The key, with the digest of a program.
+    [[nodiscard]] std::string sealed(const fs::path& program) const {
+        const std::string text = content(program);
+        return fmt::format("{}\nprogram of {} bytes: {}\n", key_, text.size(), hash(text));
+    }
+
+    fs::path directory_;
+    std::string key_;
 };
 
 }  // namespace
 
-fs::path built_program(const Compiler& compiler, const ProgramText& text) {
+fs::path built_program(const CacheDirectory& cache, const Compiler& compiler,
+                       const ProgramText& text) {
     const Files files = files_of(text);
     const std::string key = key_of(compiler, text, files);
-    const fs::path directory = cache_directory() / hash(key);
-    const fs::path program = directory / "program";
-    if (holds(directory / "key", key) && fs::exists(program)) return program;
+    const Entry entry(cache.path() / hash(key), key);
+    if (entry.is_sound()) return entry.program();
+    if (entry.is_there()) warn(entry.program().string() + " is damaged, and compiled again");
 
-    const Workshop workshop(cache_directory() / fmt::format("new-{}-{}", ::getpid(), hash(key)));
+    const FreshDirectory workshop(cache.path(), "new");
     for (const auto& [name, content] : files) {
-        make_directories((workshop.path() / name).parent_path());
+        make_private_directories((workshop.path() / name).parent_path());
         write_file(workshop.path() / name, content);
     }
     compile(compiler, workshop.path(), text.libraries);
-    write_file(workshop.path() / "key", key);
-    std::error_code error;
-    fs::rename(workshop.path(), directory, error);
-    if (!error) return program;
-    // NOTE: another hvi-gen may have been faster; else something else has this name.
-    if (holds(directory / "key", key) && fs::exists(program)) return program;
-    fs::remove_all(directory, error);
-    fs::rename(workshop.path(), directory, error);
-    if (error) throw EnvironmentError("cannot make " + directory.string() + ": " + error.message());
-    return program;
+    entry.take(workshop.path());
+    return entry.program();
 }
 
 }  // namespace hvi::gen

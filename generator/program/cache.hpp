@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/program/cache_directory.hpp"
 #include "generator/program/compiler.hpp"
 
 namespace hvi::gen {
@@ -21,12 +22,12 @@ struct ProgramText {
     friend bool operator==(const ProgramText&, const ProgramText&) = default;
 };
 
-/// Where the compiled program is: in hvi-gen/ of XDG_CACHE_HOME, else of .cache in HOME, else of
-/// the directory for temporary files. It is compiled where it is not there already, made of the
-/// same text by the same compiler for the same machine. A program appears there whole. Throws
+/// Where the compiled program is, in the directory. It is compiled where it is not there already,
+/// made of the same text by the same compiler for the same machine; also, with a warning, where it
+/// is no longer what was compiled, by its digest. A program appears there whole. Throws
 /// EnvironmentError, also where the compiler fails, and Interruption. Several threads may call it,
-/// with different texts.
-[[nodiscard]] std::filesystem::path built_program(const Compiler& compiler,
-                                                  const ProgramText& text);
+/// with different texts, and several processes.
+[[nodiscard]] std::filesystem::path
+built_program(const CacheDirectory& cache, const Compiler& compiler, const ProgramText& text);
 
 }  // namespace hvi::gen

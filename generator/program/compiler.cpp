@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/program/compiler.hpp"
 
+#include <sys/stat.h>
+
 #include <cstdlib>
 #include <sstream>
 
@@ -67,6 +69,11 @@ void compile(const Compiler& compiler, const std::filesystem::path& directory,
     if (!result.ok())
         throw EnvironmentError("the compiler failed: " +
                                    first_error(result.errors + "\n" + result.output),
+                               "it was called as " + joined(words));
+    struct stat made {};
+    if (::lstat((directory / "program").c_str(), &made) != 0 || !S_ISREG(made.st_mode) ||
+        (made.st_mode & S_IXUSR) == 0)
+        throw EnvironmentError("the compiler has made no program",
                                "it was called as " + joined(words));
 }
 

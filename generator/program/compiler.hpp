@@ -21,7 +21,7 @@ struct Compiler {
 
 /// Makes of `main.cpp` in the directory, which may include what lies there, the program `program`
 /// beside it, linked with the libraries. Throws EnvironmentError with the first error of the
-/// compiler.
+/// compiler, and where there is no program then.
 void compile(const Compiler& compiler, const std::filesystem::path& directory,
              const std::vector<std::string>& libraries = {});
 

@@ -15,39 +15,54 @@ namespace {
 
 constexpr int cannot_write = 3;  // a driver's exit status
 
-template <class Number>
-Number read(std::string_view text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    HVI_CHECK(error == std::errc{} && end == text.data() + text.size());
-    return value;
-}
-
 }  // namespace
 
 void Answers::hear(std::string_view line) {
     const std::size_t blank = line.find(' ');
-    HVI_CHECK(blank != std::string_view::npos);
+    if (blank == std::string_view::npos) throw unexpected(fmt::format("it says `{}`", line));
     values_[std::string(line.substr(0, blank))].emplace_back(line.substr(blank + 1));
+}
+
+template <class Number>
+Number Answers::read(const std::string& key, std::string_view text) const {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+        throw unexpected(fmt::format("it says `{} {}`", key, text));
+    return value;
 }
 
 const std::string& Answers::text(const std::string& key) const {
     const auto found = values_.find(key);
-    HVI_CHECK(found != values_.end());
+    if (found == values_.end()) throw unexpected(fmt::format("it says nothing of `{}`", key));
     return found->second.back();
 }
 
 std::int64_t Answers::integer(const std::string& key) const {
-    return read<std::int64_t>(text(key));
+    return read<std::int64_t>(key, text(key));
 }
 
-double Answers::number(const std::string& key) const { return read<double>(text(key)); }
+double Answers::number(const std::string& key) const { return read<double>(key, text(key)); }
 
 std::vector<double> Answers::numbers(const std::string& key) const {
     std::vector<double> result;
     if (const auto found = values_.find(key); found != values_.end())
-        for (const std::string& value : found->second) result.push_back(read<double>(value));
+        for (const std::string& value : found->second) result.push_back(read<double>(key, value));
     return result;
+}
+
+std::vector<double> Answers::numbers(const std::string& key, std::size_t count) const {
+    std::vector<double> result = numbers(key);
+    if (result.size() != count)
+        throw unexpected(fmt::format("it says `{}` {} times, not {}", key, result.size(), count));
+    return result;
+}
+
+EnvironmentError Answers::unexpected(const std::string& what) const {
+    return EnvironmentError("a compiled program does not answer as it should: " + what,
+                            fmt::format("it is compiled anew by another compiler, which CXX names, "
+                                        "or where {} is removed",
+                                        program_.parent_path().string()));
 }
 
 Answers ask(const std::filesystem::path& program, std::vector<std::string> words,
@@ -56,16 +71,21 @@ Answers ask(const std::filesystem::path& program, std::vector<std::string> words
     const Progress::Stage stage("running");
     words.insert(words.begin(), program.string());
     if (!file.empty()) words.push_back(file.string());
-    Answers answers;
+    Answers answers(program);
     const ChildResult ended = run_child(words, ".", [&](std::string_view line) {
         if (!line.starts_with(progress)) return answers.hear(line);
-        if (on_progress) on_progress(read<double>(line.substr(progress.size())));
+        Answers of_progress(program);
+        of_progress.hear(line);
+        const double part = of_progress.number("progress");
+        if (!(part >= 0 && part <= 1)) throw answers.unexpected(fmt::format("it says `{}`", line));
+        if (on_progress) on_progress(part);
     });
-    if (ended.status == cannot_write) throw EnvironmentError("cannot write " + file.string());
+    if (ended.status == cannot_write && !file.empty())
+        throw EnvironmentError("cannot write " + file.string());
     if (ended.status > 128)
         throw EnvironmentError(
-            fmt::format("the compiled program was ended by signal {}", ended.status - 128));
-    HVI_CHECK(ended.ok());
+            fmt::format("a compiled program was ended by signal {}", ended.status - 128));
+    if (!ended.ok()) throw answers.unexpected(fmt::format("it ends with status {}", ended.status));
     return answers;
 }
 

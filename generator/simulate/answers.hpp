@@ -8,14 +8,22 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
-/// Keys with their values in the order in which they were said. What is asked for and was not said,
-/// or is no number, is a broken invariant.
+/// Keys with their values in the order in which they were said. NOTE: what a program says comes
+/// from outside, though it was compiled here: who knows what the compiler was, and what became of
+/// its output. So all of these throw EnvironmentError where a line has no value, where what is
+/// asked for was not said, or is no number, and where there are not as many.
 class Answers {
 public:
+    /// Of a program, which errors speak of.
+    explicit Answers(std::filesystem::path program) : program_(std::move(program)) {}
+
     void hear(std::string_view line);
 
     [[nodiscard]] bool has(const std::string& key) const { return values_.count(key) != 0; }
@@ -23,14 +31,22 @@ public:
     [[nodiscard]] std::int64_t integer(const std::string& key) const;
     [[nodiscard]] double number(const std::string& key) const;
     [[nodiscard]] std::vector<double> numbers(const std::string& key) const;  ///< none is fine
+    [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t count) const;
+
+    /// To be thrown: the program did not say what it should, but this.
+    [[nodiscard]] EnvironmentError unexpected(const std::string& what) const;
 
 private:
+    template <class Number>
+    [[nodiscard]] Number read(const std::string& key, std::string_view text) const;
+
+    std::filesystem::path program_;
     std::map<std::string, std::vector<std::string>> values_;
 };
 
 /// Calls a compiled driver with these words and hears it out; `on_progress` gets the part that is
-/// done as often as the driver says. Throws EnvironmentError where it was ended by a signal, or
-/// could not write `file`, and Interruption.
+/// done as often as the driver says. Throws EnvironmentError where it did not end well, could not
+/// write `file`, or said what is no answer, and Interruption.
 [[nodiscard]] Answers ask(const std::filesystem::path& program, std::vector<std::string> words,
                           const std::filesystem::path& file = {},
                           const std::function<void(double)>& on_progress = nullptr);

@@ -65,7 +65,8 @@ std::optional<std::string> installed_version(Builds& builds, const PeerLibrary& 
     try {
         const auto program = built(builds.order({library.probe, {}, library.driver.libraries}));
         const ChildResult answer = run_child({program.string()}, ".");
-        if (answer.ok()) return answer.output.substr(0, answer.output.find('\n'));
+        std::string version = answer.output.substr(0, answer.output.find('\n'));
+        if (answer.ok() && version.find_first_of("0123456789") == 0) return version;
     } catch (const EnvironmentError&) {}
     return {};
 }

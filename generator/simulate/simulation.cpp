@@ -109,11 +109,11 @@ Simulation run_simulation(const std::filesystem::path& program, const SceneStepp
                    answers.number("seconds_of_step"),
                    {}};
     const std::vector<std::string> names = conserved_names(stepper.lowered);
-    const auto start = answers.numbers("start"), largest = answers.numbers("largest"),
-               last = answers.numbers("last");
-    HVI_CHECK(start.size() == names.size());
+    const auto start = answers.numbers("start", names.size()),
+               largest = answers.numbers("largest", names.size()),
+               last = answers.numbers("last", names.size());
     for (std::size_t i = 0; i < names.size(); ++i)
-        run.conserved.push_back({names[i], start[i], largest.at(i), last.at(i)});
+        run.conserved.push_back({names[i], start[i], largest[i], last[i]});
     return run;
 }
 
@@ -130,7 +130,7 @@ Measurement measurement(const Answers& answers) {
     result.evaluations = answers.integer("evaluations");
     result.departures = answers.numbers("largest");
     result.end = answers.numbers("end");
-    result.velocity = answers.numbers("velocity");
+    result.velocity = answers.numbers("velocity", answers.has("velocity") ? result.end.size() : 0);
     if (answers.has("seconds")) {
         result.seconds = answers.number("seconds");
         result.spread = answers.number("spread");
@@ -149,6 +149,8 @@ DepartureSamples departure_samples(const Answers& answers) {
     const std::vector<double> all = answers.numbers("departure");
     if (result.times.empty()) return result;
     const std::size_t kinds = all.size() / result.times.size();
+    if (all.size() % result.times.size() != 0)
+        throw answers.unexpected("some parts of a run have more departures than others");
     for (std::size_t i = 0; i < result.times.size(); ++i) {
         const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i * kinds);
         result.departures.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(kinds));

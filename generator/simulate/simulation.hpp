@@ -99,7 +99,7 @@ struct Measurement {
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
 
-/// As a driver has said it.
+/// As a driver has said it. Throws EnvironmentError where that is no answer.
 [[nodiscard]] Measurement measurement(const Answers& answers);
 
 /// Runs the compiled program once, and again for timing over so many seconds, at least three times;
@@ -113,7 +113,7 @@ struct DepartureSamples {
     std::vector<std::vector<double>> departures;  ///< in each part, of all that is conserved
 };
 
-/// As a driver has said them.
+/// As a driver has said them. Throws EnvironmentError where that is no answer.
 [[nodiscard]] DepartureSamples departure_samples(const Answers& answers);
 
 /// Ends where the run does. Throws as ask() does.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/support/error.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -29,6 +31,9 @@ Departures departures(const Course& course, const std::vector<WorkPoint>& points
     Departures result{nearest->h, found.times, {}, {}};
     const std::size_t first = course.keeps_energy ? 1 : 0;
     for (const std::vector<double>& each : found.departures) {
+        if (each.size() < first)
+            throw EnvironmentError("a compiled program does not answer as it should: it says no "
+                                   "departure of the energy");
         if (course.keeps_energy) result.energy.push_back(each.front());
         if (each.size() == first) continue;
         double sum = 0;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "generator/support/error.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -109,6 +111,10 @@ std::vector<std::int64_t> counts_of(const std::vector<double>& steps, double unt
 }  // namespace
 
 WorkPoint work_point(const Course& course, const Measurement& run) {
+    if ((run.ok() && run.end.size() != course.reference.state.size()) ||
+        (course.keeps_energy && run.departures.empty()))
+        throw EnvironmentError("a compiled program does not answer as it should: it says too few "
+                               "numbers, or too many");
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     const auto steps = static_cast<double>(run.steps);
     WorkPoint point;

@@ -10,6 +10,8 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -19,6 +21,8 @@
 namespace hvi::gen {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t most_errors = 64 * 1024;
 
@@ -60,6 +64,22 @@ private:
     std::array<int, 2> ends_{-1, -1};
 };
 
+/// Where a program is. NOTE: posix_spawnp() would take relative names in PATH, and empty ones, from
+/// the directory that the program is to get, where anybody may have put something.
+fs::path in_path(const std::string& name) {
+    if (name.find('/') != std::string::npos) return name;
+    const char* path = std::getenv("PATH");
+    std::istringstream directories(path == nullptr ? "/usr/local/bin:/bin:/usr/bin" : path);
+    for (std::string directory; std::getline(directories, directory, ':');) {
+        const fs::path file = fs::path(directory) / name;
+        std::error_code ignored;
+        if (file.is_absolute() && fs::is_regular_file(file, ignored) &&
+            ::access(file.c_str(), X_OK) == 0)
+            return file;
+    }
+    cannot("start " + name, ENOENT);
+}
+
 /// What posix_spawn() is told of the new process.
 class Setup {
 public:
@@ -70,11 +90,14 @@ public:
         posix_spawn_file_actions_adddup2(&actions_, output.writing(), STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&actions_, errors.writing(), STDERR_FILENO);
         posix_spawnattr_init(&attributes_);
-        // A group of its own, so that what it starts can be ended with it; signals as usual.
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+        // A group of its own, so that what it starts can be ended with it; signals as usual, which
+        // threads of this program hold back.
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF |
+                                                   POSIX_SPAWN_SETSIGMASK);
         sigset_t usual;
         sigemptyset(&usual);
-        for (const int signal : {SIGPIPE, SIGINT, SIGTERM}) sigaddset(&usual, signal);
+        posix_spawnattr_setsigmask(&attributes_, &usual);
+        for (const int signal : {SIGPIPE, SIGINT, SIGQUIT, SIGTERM}) sigaddset(&usual, signal);
         posix_spawnattr_setsigdefault(&attributes_, &usual);
     }
     ~Setup() {
@@ -85,12 +108,13 @@ public:
     Setup& operator=(const Setup&) = delete;
 
     [[nodiscard]] pid_t start(const std::vector<std::string>& words) const {
+        const fs::path program = in_path(words.front());
         std::vector<char*> arguments;
         for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.data()));
         arguments.push_back(nullptr);
         pid_t child = 0;
-        const int error = ::posix_spawnp(&child, arguments.front(), &actions_, &attributes_,
-                                         arguments.data(), environ);
+        const int error = ::posix_spawn(&child, program.c_str(), &actions_, &attributes_,
+                                        arguments.data(), environ);
         if (error != 0) cannot("start " + words.front(), error);
         return child;
     }

@@ -19,9 +19,10 @@ struct ChildResult {
     [[nodiscard]] bool ok() const { return status == 0; }
 };
 
-/// Runs a program and waits for its end. `words` is its name, which is looked for in PATH unless it
-/// has a slash, and its arguments. It reads nothing, and gets `directory` as its own. Complete
-/// lines of its output are handed to `on_line` as they come, where there is one.
+/// Runs a program and waits for its end. `words` is its name, which is looked for in the absolute
+/// directories of PATH unless it has a slash, and its arguments. It reads nothing, gets `directory`
+/// as its own, and signals end it as usual. Complete lines of its output are handed to `on_line` as
+/// they come, where there is one.
 ///
 /// Throws EnvironmentError where the program cannot be started, and Interruption, after it has
 /// ended the program and those that it has started, where interruptions are held.

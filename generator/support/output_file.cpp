@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "generator/support/error.hpp"
@@ -55,13 +56,25 @@ bool write_all(int descriptor, std::string_view text) {
     return true;
 }
 
+/// A new file beside a target of this name. NOTE: not mkstemp, whose files are private: this one
+/// gets the permissions that any new file of the user gets.
+std::pair<fs::path, int> open_new_file(const fs::path& directory, const std::string& target) {
+    for (int attempt = 0;; ++attempt) {
+        const fs::path path = directory / (".hvi-gen-" + std::to_string(::getpid()) + "-" +
+                                           std::to_string(attempt) + ".tmp");
+        const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (opened >= 0) return {path, opened};
+        if (errno != EEXIST) cannot_write(target, errno);
+    }
+}
+
 /// Holds interruptions back while a temporary file exists, so that none is left behind.
 class SignalsHeld {
 public:
     SignalsHeld() {
         sigset_t held;
         sigemptyset(&held);
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
+        for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
         pthread_sigmask(SIG_BLOCK, &held, &before_);
     }
     ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
@@ -75,15 +88,8 @@ private:
 /// A new file in the directory, removed at the end of its life unless renamed.
 class TemporaryFile {
 public:
-    /// NOTE: not mkstemp, whose files are private: this one gets the permissions that any new file
-    /// of the user gets.
     TemporaryFile(const fs::path& directory, const std::string& target) {
-        for (int attempt = 0; descriptor_ < 0; ++attempt) {
-            path_ = directory / (".hvi-gen-" + std::to_string(::getpid()) + "-" +
-                                 std::to_string(attempt) + ".tmp");
-            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (descriptor_ < 0 && errno != EEXIST) cannot_write(target, errno);
-        }
+        std::tie(path_, descriptor_) = open_new_file(directory, target);
     }
     ~TemporaryFile() {
         if (!path_.empty()) ::unlink(path_.c_str());
@@ -133,7 +139,14 @@ void write_file(const fs::path& path, std::string_view text) {
     if (S_ISDIR(old.st_mode)) cannot_write(path.string(), EISDIR, "-o takes the name of a file");
     if (!S_ISREG(old.st_mode)) return write_into(target, text);
     if (::access(target.c_str(), W_OK) != 0) cannot_write(path.string(), errno);
-    replace_file(target, old.st_mode & 07777U, text);
+    // NOTE: without the bits that have a program run as its owner, who may have become another.
+    replace_file(target, old.st_mode & 0777U, text);
+}
+
+fs::path new_file(const fs::path& directory) {
+    const auto [path, opened] = open_new_file(directory, (directory / "").string());
+    ::close(opened);
+    return path;
 }
 
 void write_standard_output(std::string_view text) {

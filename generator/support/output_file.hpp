@@ -12,6 +12,10 @@ namespace hvi::gen {
 /// Throws EnvironmentError.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// An empty file in the directory, of a name that nothing had before, not even a link that leads
+/// elsewhere: for a program that writes into it. Throws EnvironmentError.
+[[nodiscard]] std::filesystem::path new_file(const std::filesystem::path& directory);
+
 /// Throws EnvironmentError when it is closed or full.
 void write_standard_output(std::string_view text);
 

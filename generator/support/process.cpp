@@ -38,7 +38,9 @@ void set_up_process() {
     // What these would end the program for is an error of the call that brings it about; so it is
     // in programs that this one starts, which are told only to die of SIGPIPE again.
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
+    for (const int signal : {SIGINT, SIGQUIT, SIGTERM}) std::signal(signal, interrupt);
+    // NOTE: it stays ignored where it is, as nohup has it.
+    if (std::signal(SIGHUP, interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 InterruptionsHeld::InterruptionsHeld() {

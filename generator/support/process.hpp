@@ -4,9 +4,9 @@
 
 namespace hvi::gen {
 
-/// An interruption ends the program with status 130, writing to a closed pipe or to a file that may
-/// not grow is an error like any other, and the numbers of closed standard streams are not given to
-/// files that are opened later.
+/// An interruption - SIGINT, SIGQUIT, SIGTERM, or the terminal's end, SIGHUP - ends the program
+/// with status 130, writing to a closed pipe or to a file that may not grow is an error like any
+/// other, and the numbers of closed standard streams are not given to files that are opened later.
 void set_up_process();
 
 /// While it lives, an interruption does not end the program at once: interruption_descriptor()

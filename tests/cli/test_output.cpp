@@ -147,6 +147,15 @@ TEST_CASE("a file keeps its permissions, and a new one gets the usual ones") {
     CHECK(outcome.out == "640\n640\n");
 }
 
+TEST_CASE("a file that was to be run as its owner is so no more") {
+    const Directory directory;
+    write(directory / "old", "");
+    ::chmod((directory / "old").c_str(), 07755);
+    const Outcome outcome =
+        shell("hvi-gen tableau --method midpoint -o old; stat -c %a old", directory.path());
+    CHECK(outcome.out == "755\n");
+}
+
 TEST_CASE("what cannot be written: status 3") {
     const Directory directory;
     const std::string line = "hvi-gen tableau --method midpoint ";
@@ -184,7 +193,7 @@ TEST_CASE("a device is written to, not replaced") {
 
 TEST_CASE("an interruption ends with status 130, and leaves nothing") {
     const Directory directory;
-    for (const std::string signal : {"INT", "TERM"}) {
+    for (const std::string signal : {"INT", "QUIT", "TERM", "HUP"}) {
         // The program waits for its input: a pipe that nobody writes to.
         const Outcome outcome = shell(
             "mkfifo pipe; \"$hvi_gen\" tableau --method-file pipe -o new & sleep 0.3; kill -" +
@@ -194,4 +203,16 @@ TEST_CASE("an interruption ends with status 130, and leaves nothing") {
         CHECK(outcome.status == 130);
         CHECK(directory.names().empty());
     }
+}
+
+TEST_CASE("the end of the terminal is none for what nohup starts") {
+    const Directory directory;
+    write(directory / "method.toml", "basis = \"1\"\nnodes = \"1/2\"\n");
+    const Outcome outcome =
+        shell("mkfifo pipe; (trap '' HUP; exec \"$hvi_gen\" tableau --method-file pipe) & "
+              "sleep 0.3; kill -HUP $!; timeout 10 dd if=method.toml of=pipe status=none; wait $!",
+              directory.path());
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(!outcome.out.empty());
 }

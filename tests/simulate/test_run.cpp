@@ -10,6 +10,7 @@
 
 #include "tests/cli/program.hpp"
 #include "tests/simulate/cache.hpp"
+#include "tests/simulate/pretended.hpp"
 
 using namespace hvi::test;
 
@@ -206,6 +207,36 @@ TEST_CASE("an interrupted run leaves nothing half written") {
     CHECK(interrupted.status == 130);
     CHECK(interrupted.out.empty());
     CHECK(std::filesystem::is_empty(directory / "out"));
+}
+
+TEST_CASE("whatever ends a run ends the compiler too, and leaves nothing") {
+    for (const std::string signal : {"INT", "QUIT", "TERM", "HUP"}) {
+        const PretendedCompiler compiler(right_answers, "sleep 100 & echo $! > \"$CHILD\"; wait");
+        const Outcome outcome = compiler.run("export CHILD=\"$PWD/child\"; $run -o out & "
+                                             "while ! [ -s child ]; do sleep 0.1; done; kill -" +
+                                             signal + " $!; wait $!");
+        INFO(signal << "\n" << outcome.err);
+        CHECK(outcome.status == 130);
+        CHECK(outcome.out.empty());
+        CHECK(compiler.run("sleep 0.2; grep -E '^State:.[^ZX]' /proc/$(cat child)/status")
+                  .out.empty());
+        CHECK(std::filesystem::is_empty(compiler.directory / "cache/hvi-gen"));
+        CHECK(std::filesystem::is_empty(compiler.directory / "temporary"));
+        CHECK(!std::filesystem::exists(compiler.directory / "out"));
+    }
+}
+
+TEST_CASE("a link where a table is to grow leads nowhere") {
+    // The table is the fifth word of the program.
+    const PretendedCompiler compiler("echo t,q,p > \"$5\"; " + right_answers);
+    const Outcome outcome =
+        compiler.run("echo precious > victim; mkdir out; for end in '' -0 -1; do "
+                     "ln -s ../victim out/.hvi-gen-$$$end.tmp; done; "
+                     "exec \"$hvi_gen\" run scene.toml --only table -o out");
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(contents(compiler.directory / "victim") == "precious\n");
+    CHECK(contents(compiler.directory / "out/trajectory.csv") == "t,q,p\n");
 }
 
 TEST_CASE("directories of any name") {

@@ -4,6 +4,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -12,6 +17,9 @@
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/process.hpp"
+#include "generator/support/thread.hpp"
+
+namespace fs = std::filesystem;
 
 using namespace hvi::gen;
 
@@ -49,13 +57,54 @@ TEST_CASE("a program that is not there") {
     CHECK_THROWS_AS(run_child({"true"}, "/hvi-no-such-directory"), EnvironmentError);
 }
 
+TEST_CASE("a program is not looked for in the directory that it gets") {
+    std::string directory = (fs::temp_directory_path() / "hvi-test-XXXXXX").string();
+    REQUIRE(::mkdtemp(directory.data()) != nullptr);
+    const fs::path planted = fs::path(directory) / "hvi-planted";
+    std::ofstream(planted) << "#!/bin/sh\necho planted\n";
+    fs::permissions(planted, fs::perms::owner_all);
+    const std::string before = std::getenv("PATH");
+    for (const std::string& path :
+         {":" + before, before + ":", ".:" + before, before + "::/none"}) {
+        INFO(path);
+        ::setenv("PATH", path.c_str(), 1);
+        CHECK_THROWS_AS(run_child({"hvi-planted"}, directory), EnvironmentError);
+        CHECK(run_child({"pwd"}, "/").output == "/\n");
+    }
+    ::setenv("PATH", (before + ":" + directory).c_str(), 1);
+    CHECK(run_child({"hvi-planted"}, ".").output == "planted\n");
+    ::setenv("PATH", before.c_str(), 1);
+    fs::remove_all(directory);
+}
+
+TEST_CASE("signals end a program as usual, from whatever thread it is started") {
+    set_up_process();
+    ChildResult result;
+    start_thread([&] {
+        result = run_child({"grep", "-E", "^Sig(Blk|Ign):", "/proc/self/status"}, ".");
+    }).join();
+    std::istringstream lines(result.output);
+    std::string name;
+    unsigned long blocked = 1, ignored = ~0UL;
+    lines >> name >> std::hex >> blocked >> name >> ignored;
+    REQUIRE(name == "SigIgn:");
+    CHECK(blocked == 0);
+    for (const int signal : {SIGPIPE, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGCHLD}) {
+        INFO(signal);
+        CHECK((ignored >> static_cast<unsigned>(signal - 1) & 1U) == 0);
+    }
+}
+
 TEST_CASE("an interruption ends the program and what it has started") {
+    const int signal = GENERATE(SIGINT, SIGQUIT, SIGTERM, SIGHUP);
+    INFO(signal);
+    std::signal(SIGHUP, SIG_DFL);  // it may be ignored, by whom the test is started
     set_up_process();
     {
         const InterruptionsHeld held;
-        std::thread sender([] {
+        std::thread sender([signal] {
             std::this_thread::sleep_for(std::chrono::milliseconds(200));
-            std::raise(SIGINT);
+            std::raise(signal);
         });
         // NOTE: the inner one would hold the output open for longer than a test may take.
         CHECK_THROWS_AS(run_child({"sh", "-c", "sleep 1000 & sleep 1000"}, "."), Interruption);

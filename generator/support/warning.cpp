@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/support/warning.hpp"
+
+#include <unistd.h>
+
+#include <string_view>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+void warn(const std::string& what, const std::string& help) {
+    std::string text = message(EnvironmentError(what, help));
+    text.replace(0, std::string_view("error").size(), "warning");
+    // One write, so that it is not mixed with others; if nobody can read it, so be it.
+    (void)!::write(STDERR_FILENO, text.data(), text.size());
+}
+
+}  // namespace hvi::gen
