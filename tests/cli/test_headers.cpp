@@ -74,3 +74,43 @@ TEST_CASE("a description ends with its line") {
                                {"--method", "stormer-verlet"});
     }
 }
+
+TEST_CASE("parameters that are macros are members with another name") {
+    std::string sum, parameters, use;
+    for (const std::string name :
+         {"M_PI", "NAN", "INFINITY", "EOF", "errno", "assert", "NULL", "linux", "unix", "HUGE_VAL",
+          "RAND_MAX", "INT_MAX", "EPERM", "stdin", "DBL_MAX", "isnan", "class"}) {
+        sum += "+" + name;
+        parameters += name + " = 2\n";
+        if (name != "isnan") use += "    parameters." + name + "_ = 3.0;\n";
+    }
+    check_stepper_compiles("coordinates = \"SEEK_SET[1..2]\"\nmomenta = [\"M_E\", \"EOF1\"]\n"
+                           "hamiltonian = \"(M_E^2 + EOF1^2)/2 + (" +
+                               sum.substr(1) +
+                               ")*(SEEK_SET[1]^2 + SEEK_SET[2]^4)/2\"\n[parameters]\n" +
+                               parameters + "[initial]\nSEEK_SET = [1, 1]\nM_E = 0\nEOF1 = 0\n",
+                           {"--method", "stormer-verlet"},
+                           "    hvi::generated::Stepper1::Parameters parameters;\n" + use +
+                               "    parameters.isnan = 3.0;\n");
+}
+
+TEST_CASE("the frequency that a basis is fitted to is a member under its own name") {
+    check_stepper_compiles("coordinates = \"q\"\nmomenta = \"p\"\n"
+                           "hamiltonian = \"p^2/2 + NAN*q^2/2 + q^4\"\n[parameters]\nNAN = 2\n"
+                           "[initial]\nq = 1\np = 0\n",
+                           {"--basis", "1, cos(NAN*tau), sin(NAN*tau)", "--nodes", "0, 1/2, 1"});
+}
+
+TEST_CASE("a method whose name means something in C++ gives a class of another name") {
+    for (const std::string name : {"system", "status", "vector", "NAN", "EOF"}) {
+        const Directory directory;
+        write(directory / "method.toml",
+              "name = \"" + name + "\"\nbasis = \"1, tau\"\nnodes = \"0, 1\"\n");
+        const Outcome outcome =
+            hvi_gen({"stepper", "--method-file", "method.toml", "--separable", "-o", "stepper.hpp"},
+                    directory.path());
+        INFO(name << outcome.err);
+        CHECK(outcome.status == 0);
+        check_compiles(directory, "stepper.hpp");
+    }
+}
