@@ -114,3 +114,28 @@ TEST_CASE("a method whose name means something in C++ gives a class of another n
         check_compiles(directory, "stepper.hpp");
     }
 }
+
+TEST_CASE("a function of what simplifies to a constant is a constant") {
+    for (const std::string function : {"sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp"})
+        for (const std::string argument : {"q/q", "k^0", "sin(q)^2+cos(q)^2", "sqrt(q^2/q^2)"}) {
+            INFO(function << "(" << argument << ")");
+            const std::vector<std::string> words = {"stepper",
+                                                    "--method",
+                                                    "gauss:1",
+                                                    "--hamiltonian",
+                                                    "k*q^2/2+p^2/2*" + function + "(" + argument +
+                                                        ")",
+                                                    "--param",
+                                                    "k=1"};
+            const Outcome outcome = hvi_gen(words);
+            CHECK(outcome.status == 0);
+            CHECK(outcome.out.find("// " + function + "(1)\n") != std::string::npos);
+        }
+    const Directory directory;
+    const Outcome outcome = hvi_gen(
+        {"stepper", "--method", "gauss:1", "--hamiltonian",
+         "p^2/2*cosh(q/q)+(q/q)^q*q^2+q^4*(q/q)^(1/3)+log(3*q/q)^(1/7)*q^6", "-o", "stepper.hpp"},
+        directory.path());
+    CHECK(outcome.status == 0);
+    check_compiles(directory, "stepper.hpp");
+}

@@ -390,6 +390,21 @@ TEST_CASE("a stepper takes one free parameter, in its place: status 2") {
     check_refused({2, "", {}}, {"stepper", "--basis", "1, cos(w*tau + v)", "--nodes", "0, 1"});
 }
 
+TEST_CASE("a constant that H simplifies to, and that has no value, is refused") {
+    const auto check = [](int status, const std::string& place, const std::string& H) {
+        check_refused({status, place, {}},
+                      {"stepper", "--method", "gauss:1", "--hamiltonian", H + "+p^2/2"});
+    };
+    check(1, "log(0)", "q^4*log(q-q)");
+    check(1, "sqrt(-1)", "q^4*sqrt(-q/q)");
+    check(1, "asin(2)", "q^4*asin(2*q/q)");
+    check(2, "log(1)", "q^4/log(q/q)");
+    check(2, "sin(pi)", "q^4/sin(pi*q/q)");
+    check(2, "(q-q)", "q^4/(q-q)");
+    check(1, "", "q^4*exp(exp(exp(10*q/q)))");
+    check(1, "", "q^4*exp(-exp(exp(10)))");
+}
+
 TEST_CASE("names that a header cannot have: status 2") {
     for (const std::string name : {"NULL", "M_PI", "EOF", "linux", "assert"})
         check_refused({2, name, {}}, {"stepper", "--method", "gauss:2", "--name", name});
