@@ -17,6 +17,30 @@ Expression as_expression(const SmallFraction& fraction) {
     return fraction.above < 0 ? Expression::negation(std::move(result)) : result;
 }
 
+Expression multiple(const SmallFraction& factor, const Expression& constant) {
+    return factor.is_one() ? constant : Expression::product({as_expression(factor), constant});
+}
+
+/// What the operation makes of expressions without symbols.
+Expression of_operation(const Computation& computation, std::vector<Expression> values) {
+    const auto first = [&] { return std::move(values.front()); };
+    const auto root = [&] { return Expression::call("sqrt", {first()}); };
+    switch (computation.operation) {
+    case Operation::sum: return Expression::sum(std::move(values));
+    case Operation::product: return Expression::product(std::move(values));
+    case Operation::inverse: return Expression::reciprocal(first());
+    case Operation::square_root: return root();
+    case Operation::inverse_square_root: return Expression::reciprocal(root());
+    case Operation::power:
+        return Expression::power(std::move(values.front()), std::move(values.back()));
+    case Operation::call: return Expression::call(computation.name, {first()});
+    case Operation::constant:
+    case Operation::input: break;
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
 /// Of a sum: that of its first term if all are equal in size, else 1; with the sign of the first.
 SmallFraction common_factor(const std::vector<Scaled>& terms) {
     const SmallFraction first = terms.front().factor;
@@ -58,10 +82,28 @@ Graph::Graph() {
 Node Graph::insert(Computation computation) {
     for (const Scaled& term : computation.terms) { computation.roles |= at(term.node).roles; }
     for (const Node argument : computation.arguments) { computation.roles |= at(argument).roles; }
+    if (const auto value = folded(computation)) { return constant(*value).node; }
     Key key{computation.operation, computation.terms, computation.arguments, computation.name};
     const auto [found, is_new] = numbers_.emplace(std::move(key), static_cast<Node>(size()));
     if (is_new) { computations_.push_back(std::move(computation)); }
     return found->second;
+}
+
+std::optional<Expression> Graph::folded(const Computation& computation) const {
+    std::vector<Expression> values;
+    const auto add = [&](const SmallFraction& factor, Node node) {
+        if (at(node).operation == Operation::constant) {
+            values.push_back(multiple(factor, at(node).constant));
+        }
+    };
+    for (const Scaled& term : computation.terms) { add(term.factor, term.node); }
+    for (const Node argument : computation.arguments) { add({1, 1}, argument); }
+    const std::size_t operands = computation.terms.size() + computation.arguments.size();
+    if (operands == 0 || values.size() < operands) { return {}; }
+    Expression value = of_operation(computation, std::move(values));
+    // NOTE: what a graph shares a text repeats, so that powers of constants would have no end.
+    constexpr std::size_t longest = 1000;
+    return to_text(value).size() <= longest ? std::optional(std::move(value)) : std::nullopt;
 }
 
 Scaled Graph::constant(const Expression& expression) {
@@ -150,7 +192,7 @@ Scaled Graph::root(const Scaled& a, Operation operation) {
 }
 
 Scaled Graph::half_power(const Scaled& a, long twice_exponent) {
-    if (twice_exponent == 0) { return number(1); }
+    if (twice_exponent == 0 || a == number(1)) { return number(1); }
     if (a.is_zero() && twice_exponent > 0) { return number(0); }
     const bool is_whole = twice_exponent % 2 == 0;
     if (twice_exponent < 0) {
@@ -196,6 +238,7 @@ Scaled Graph::whole_power(const Scaled& base, long exponent) {
 }
 
 Scaled Graph::power(const Scaled& base, const Scaled& exponent) {
+    if (base == number(1)) { return base; }
     Computation computation;
     computation.operation = Operation::power;
     computation.arguments = {whole(base), whole(exponent)};

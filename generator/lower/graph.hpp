@@ -75,9 +75,9 @@ struct HalfPower {
     long twice_exponent;
 };
 
-/// Nodes made by algebra: equal computations are one node, numbers are folded, 0, 1 and like terms
-/// vanish, x - y and y - x are one node but for their sign, and powers are products of shared
-/// squares. The same calls make the same graph.
+/// Nodes made by algebra: equal computations are one node, numbers are folded, what is computed
+/// from constants is a constant, 0, 1 and like terms vanish, x - y and y - x are one node but for
+/// their sign, and powers are products of shared squares. The same calls make the same graph.
 class Graph {
 public:
     Graph();
@@ -110,6 +110,8 @@ private:
     static constexpr Node one = 0;
 
     [[nodiscard]] Node insert(Computation computation);
+    /// The constant that it is, if it is computed from constants alone and not too long.
+    [[nodiscard]] std::optional<Expression> folded(const Computation& computation) const;
     /// The node of a scaled one, its factor multiplied in.
     [[nodiscard]] Node whole(const Scaled& a);
     [[nodiscard]] Scaled root(const Scaled& a, Operation operation);

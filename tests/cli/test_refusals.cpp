@@ -390,6 +390,34 @@ TEST_CASE("a stepper takes one free parameter, in its place: status 2") {
     check_refused({2, "", {}}, {"stepper", "--basis", "1, cos(w*tau + v)", "--nodes", "0, 1"});
 }
 
+TEST_CASE("a constant that H simplifies to, and that has no value, is refused") {
+    const auto check = [](int status, const std::string& place, const std::string& H) {
+        check_refused({status, place, {}},
+                      {"stepper", "--method", "gauss:1", "--hamiltonian", H + "+p^2/2"});
+    };
+    check(1, "log(0)", "q^4*log(q-q)");
+    check(1, "sqrt(-1)", "q^4*sqrt(-q/q)");
+    check(1, "asin(2)", "q^4*asin(2*q/q)");
+    check(2, "log(1)", "q^4/log(q/q)");
+    check(2, "sin(pi)", "q^4/sin(pi*q/q)");
+    check(2, "(q-q)", "q^4/(q-q)");
+    check(1, "", "q^4*exp(exp(exp(10*q/q)))");
+    check(1, "", "q^4*exp(-exp(exp(10)))");
+}
+
+TEST_CASE("names that a header cannot have: status 2") {
+    for (const std::string name : {"NULL", "M_PI", "EOF", "linux", "assert"})
+        check_refused({2, name, {}}, {"stepper", "--method", "gauss:2", "--name", name});
+    const Directory directory;
+    const std::string scene = (directory / "scene.toml").string();
+    const std::string H = "coordinates = \"q\"\nmomenta = \"p\"\nhamiltonian = \"p^2/2+q^4\"\n"
+                          "[initial]\nq = 1\np = 0\n";
+    write(scene, H + "[invariants]\nerrno = \"p^2+q^4\"\n");
+    check_refused({2, "p^2+q^4", {}}, {"stepper", "--method", "gauss:2", scene, "--invariants"});
+    write(scene, H + "[parameters]\nNAN = 1\nNAN_ = 2\n");
+    check_refused({2, "NAN_", {}}, {"stepper", "--method", "gauss:2", scene});
+}
+
 TEST_CASE("help points to what was meant") {
     CHECK(hvi_gen({"tableau", "--method", "gaus:3"}).err.find("gauss") != std::string::npos);
     CHECK(hvi_gen({"tableu"}).err.find("`tableau`") != std::string::npos);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
+#include "tests/checkout.hpp"
 #include "tests/cli/results.hpp"
 
 using namespace hvi::test;

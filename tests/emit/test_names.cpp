@@ -16,6 +16,8 @@ TEST_CASE("classes and files are named after methods") {
     CHECK(class_name("") == "Stepper");
     CHECK(file_name("") == "stepper.hpp");
     CHECK(class_name("3 nodes") == "Stepper3Nodes");
+    CHECK(class_name("system") == "SystemStepper");
+    CHECK(class_name("EOF") == "EOFStepper");
 }
 
 TEST_CASE("names that C++ allows and the header does not use are taken") {
@@ -28,7 +30,7 @@ TEST_CASE("a parameter of a scene is a member of that name, if it can be") {
     CHECK(member_name("mu") == "mu");
     CHECK(member_name("m") == "m");
     for (const std::string name :
-         {"double", "Number", "Numbers", "Scalar", "Parameters", "std", "hvi"}) {
+         {"double", "Number", "Numbers", "Scalar", "Parameters", "std", "hvi", "M_PI", "errno"}) {
         CHECK(member_name(name) == name + "_");
     }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/emit/steps/header.hpp"
+#include "generator/emit/text/names.hpp"
 
 namespace hvi::gen {
 
@@ -136,12 +137,12 @@ std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& opti
                     [&](const Parameter& parameter) { return parameter.name == name; });
     writer.comment(fmt::format("`{}`: for w = omega h of a basis that is fitted to the frequency "
                                "omega and steps of size h. See status().",
-                               is_of_scene ? "parameters." + name : "parameter"),
+                               is_of_scene ? "parameters." + member_name(name) : "parameter"),
                    "/// ");
     writer.line("{}(const Parameters& parameters{})", class_name,
                 is_of_scene ? "" : ", Scalar parameter");
     writer.line("    : system_(parameters), coefficients_({}) {{}}",
-                is_of_scene ? "parameters." + name : "parameter");
+                is_of_scene ? "parameters." + member_name(name) : "parameter");
     return writer.blank().insert(scene_members_text(*options.scene, options.wishes, scheme)).str();
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "generator/emit/text/constants.hpp"
 #include "generator/emit/text/names.hpp"
@@ -134,6 +135,16 @@ std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& w
 }
 
 void check_members(const Scene& scene, const SceneWishes& wishes) {
+    std::map<std::string, std::string> bases;
+    for (const Parameter& parameter : scene.parameters) {
+        const std::string base = base_of(parameter.name);
+        const auto [found, is_new] = bases.emplace(member_name(base), base);
+        if (is_new || found->second == base) { continue; }
+        throw InputError(fmt::format("the parameters `{}` and `{}` would both be the member {} "
+                                     "of the header",
+                                     found->second, base, found->first),
+                         parameter.place, "take another name for one of them");
+    }
     if (!wishes.invariants) { return; }
     for (const NamedExpression& invariant : scene.invariants) {
         check_function_name(invariant.name, invariant.place);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/emit/text/macros.hpp"
+
 namespace hvi::gen {
 namespace {
 
@@ -117,9 +119,8 @@ bool is_taken(std::string_view name) {
            is_numbered(name, "Coupled");
 }
 
-}  // namespace
-
-std::string class_name(std::string_view method) {
+/// `gauss:2` -> `Gauss2`: letters and digits alone, with a capital behind what is left out.
+std::string joined_words(std::string_view method) {
     std::string name;
     bool at_start = true;
     for (const char c : method) {
@@ -130,8 +131,26 @@ std::string class_name(std::string_view method) {
             at_start = true;
         }
     }
-    if (name.empty()) { return "Stepper"; }
-    return is_digit(name.front()) ? "Stepper" + name : name;
+    return name;
+}
+
+/// What neither a class nor a function is called.
+void check_meaning(std::string_view name, bool is_used, const std::optional<Place>& place,
+                   const std::string& help) {
+    const auto refuse = [&](std::string_view meaning) {
+        throw InputError(fmt::format("'{}' {}", name, meaning), place, help);
+    };
+    if (is_keyword(name)) { refuse("is a word of C++ itself"); }
+    if (is_macro(name)) { refuse("may be a macro of a standard header"); }
+    if (is_used) { refuse("means something else in the header"); }
+}
+
+}  // namespace
+
+std::string class_name(std::string_view method) {
+    const std::string name = joined_words(method);
+    if (name.empty() || is_digit(name.front())) { return "Stepper" + name; }
+    return is_taken(name) || is_macro(name) ? name + "Stepper" : name;
 }
 
 std::string file_name(std::string_view method) {
@@ -145,29 +164,20 @@ void check_class_name(std::string_view name, const std::optional<Place>& place) 
     if (!is_identifier(name)) {
         throw InputError(fmt::format("'{}' cannot be the name of a class", name), place, help);
     }
-    if (is_keyword(name)) {
-        throw InputError(fmt::format("'{}' is a word of C++ itself", name), place, help);
-    }
     if (is_reserved(name)) {
         throw InputError(fmt::format("'{}' is a name that C++ reserves", name), place, help);
     }
-    if (is_taken(name)) {
-        throw InputError(fmt::format("'{}' means something else in the header", name), place, help);
-    }
+    check_meaning(name, is_taken(name), place, help);
 }
 
 void check_function_name(std::string_view name, const std::optional<Place>& place) {
-    const std::string help = fmt::format("take another name, such as {}_value", name);
-    if (is_keyword(name)) {
-        throw InputError(fmt::format("'{}' is a word of C++ itself", name), place, help);
-    }
-    if (is_taken(name) || is_numbered(name, "k")) {
-        throw InputError(fmt::format("'{}' means something else in the header", name), place, help);
-    }
+    check_meaning(name, is_taken(name) || is_numbered(name, "k"), place,
+                  fmt::format("take another name, such as {}_value", name));
 }
 
 std::string member_name(std::string_view name) {
-    return std::string(name) + (is_keyword(name) || names_type(name) ? "_" : "");
+    const bool is_free = !is_keyword(name) && !is_macro(name) && !names_type(name);
+    return std::string(name) + (is_free ? "" : "_");
 }
 
 }  // namespace hvi::gen

@@ -11,19 +11,22 @@
 namespace hvi::gen {
 
 /// `gauss:2` -> `Gauss2`, `stormer-verlet` -> `StormerVerlet`; `Stepper` for a method without name.
+/// What check_class_name() refuses ends in `Stepper`: `system` -> `SystemStepper`.
 [[nodiscard]] std::string class_name(std::string_view method);
 
 /// `gauss:2` -> `gauss_2.hpp`, `stormer-verlet` -> `stormer_verlet.hpp`, `stepper.hpp`.
 [[nodiscard]] std::string file_name(std::string_view method);
 
 /// Throws InputError, pointing at `place`, unless `name` may be the name of a class in C++: an
-/// identifier, no keyword, not reserved, and none of the names that the header itself uses.
+/// identifier, no keyword, not reserved, no macro, and none of the names that the header itself
+/// uses.
 void check_class_name(std::string_view name, const std::optional<Place>& place);
 
 /// The same for a function that a stepper is to have besides its own.
 void check_function_name(std::string_view name, const std::optional<Place>& place);
 
-/// `mu` -> `mu`, `class` -> `class_`: a name of the user as that of a member of a struct.
+/// `mu` -> `mu`, `class` -> `class_`, `M_PI` -> `M_PI_`: a name of the user as that of a member of
+/// a struct.
 [[nodiscard]] std::string member_name(std::string_view name);
 
 }  // namespace hvi::gen

@@ -35,6 +35,36 @@ std::string_view without_leading_blanks(std::string_view text) {
     return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }
 
+std::string_view without_trailing_blanks(std::string_view text) {
+    return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+/// A line of a comment without what joins the next line to it: a backslash, or its trigraph.
+std::string_view without_splice(std::string_view line) {
+    for (const std::string_view splice : {"\\", "?\?/"}) {
+        const std::string_view text = without_trailing_blanks(line);
+        const std::size_t begin = text.size() - std::min(text.size(), splice.size());
+        if (text.substr(begin) == splice) {
+            return without_splice(without_trailing_blanks(text.substr(0, begin)));
+        }
+    }
+    return line;
+}
+
+/// A statement in lines, all but the first of which have four columns less.
+std::vector<std::string_view> broken(std::string_view statement, std::size_t room) {
+    std::vector<std::string_view> lines;
+    while (statement.size() > room) {
+        const std::size_t end = break_at(statement, room);
+        if (end == std::string_view::npos) { break; }
+        if (lines.empty()) { room -= 4; }
+        lines.push_back(statement.substr(0, end));
+        statement.remove_prefix(end + 1);
+    }
+    lines.push_back(statement);
+    return lines;
+}
+
 struct Template {
     std::set<std::string_view> declared;
     std::string_view body;
@@ -122,15 +152,19 @@ Writer& Writer::blank() {
 }
 
 void Writer::write(std::string_view statement) {
+    std::vector<std::string_view> lines = broken(statement, room());
+    const std::size_t code = std::min(statement.find("//"), statement.size());
+    const std::string_view beside = statement.substr(code);
+    // NOTE: the second line of a comment would be code.
+    if (lines.size() > 1 && lines.back().size() <= beside.size()) {
+        comment(without_leading_blanks(beside.substr(2)));
+        lines = broken(without_trailing_blanks(statement.substr(0, code)), room());
+    }
     std::size_t extra = 0;
-    while (statement.size() > room() - extra) {
-        const std::size_t end = break_at(statement, room() - extra);
-        if (end == std::string_view::npos) { break; }
-        text_.append(indentation() + extra, ' ').append(statement.substr(0, end)) += '\n';
-        statement.remove_prefix(end + 1);
+    for (const std::string_view line : lines) {
+        text_.append(indentation() + extra, ' ').append(line) += '\n';
         extra = 4;
     }
-    text_.append(indentation() + extra, ' ').append(statement) += '\n';
 }
 
 Writer& Writer::insert(std::string_view lines) {
@@ -146,7 +180,7 @@ Writer& Writer::comment(std::string_view text, std::string_view mark, std::size_
         const bool fits = text.size() <= width;
         const std::size_t end = fits ? text.size() : break_comment_at(text, width);
         text_.append(indentation(), ' ').append(mark).append(extra, ' ');
-        text_.append(text.substr(0, end)) += '\n';
+        text_.append(without_splice(text.substr(0, end))) += '\n';
         if (fits) { return *this; }
         text = without_leading_blanks(text.substr(end));
         extra = hang;

@@ -23,7 +23,8 @@ public:
     explicit Writer(std::size_t depth) : base_(depth) {}
 
     /// One statement. Where it is too long for the page it is broken before binary + and -, else at
-    /// blanks, and goes on four columns further in.
+    /// blanks, and goes on four columns further in. A comment behind it that does not fit there
+    /// stands above it.
     template <class... Arguments>
     Writer& line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
         write(fmt::format(format, std::forward<Arguments>(arguments)...));
@@ -44,7 +45,8 @@ public:
     /// Lines of another writer, which was told how deep they will stand; or nothing.
     Writer& insert(std::string_view lines);
 
-    /// A comment, broken to the page; lines but the first go on `hang` columns further in.
+    /// A comment, broken to the page; lines but the first go on `hang` columns further in. What
+    /// would join the next line to one of it, a backslash at its end, is left out.
     Writer& comment(std::string_view text, std::string_view mark = "// ", std::size_t hang = 0);
 
     /// Without a newline at the end.

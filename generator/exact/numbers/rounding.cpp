@@ -154,7 +154,8 @@ Dyadic Number::nearest_of(int bits) const {
         if (arf_is_normal(lower) && arf_equal(lower, upper)) {
             Integer mantissa, exponent;
             arf_get_fmpz_2exp(mantissa.get(), exponent.get(), lower);
-            HVI_CHECK(fmpz_bits(exponent.get()) < 30);
+            if (fmpz_bits(exponent.get()) >= 30)
+                throw MathError("a number is beyond the range of every binary format");
             result = Dyadic(wide(mantissa), static_cast<int>(fmpz_get_si(exponent.get())));
         }
         arf_clear(lower);
