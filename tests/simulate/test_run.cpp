@@ -102,6 +102,28 @@ TEST_CASE("long runs are thinned out, and counted whole") {
     CHECK(result.out.find("steps        25001 of 0.1") != std::string::npos);
 }
 
+TEST_CASE("a gnuplot that writes nothing, or half a picture") {
+    use_cache();
+    const Directory directory;
+    const auto run_with = [&](const std::string& gnuplot) {
+        write(directory / "gnuplot", "#!/bin/sh\n" + gnuplot + "\n");
+        std::filesystem::permissions(directory / "gnuplot", std::filesystem::perms::owner_all);
+        return shell("PATH=\"$PWD:$PATH\" hvi-gen run pendulum --until 1 -o out", directory.path());
+    };
+    for (const char* gnuplot :
+         {"exit 0", "echo '<svg>'", "echo 'no fonts here' >&2; exit 0", "exit 1"}) {
+        const Outcome outcome = run_with(gnuplot);
+        INFO(gnuplot << "\n" << outcome.err);
+        CHECK(outcome.status == 3);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.err.find("error: gnuplot ") == 0);
+        CHECK_FALSE(std::filesystem::exists(directory / "out/picture.svg"));
+        CHECK(lines_of(contents(directory / "out/trajectory.csv")).size() > 2);
+    }
+    CHECK(run_with("echo 'no fonts here' >&2; exit 0").err.find("no fonts here") !=
+          std::string::npos);
+}
+
 TEST_CASE("nothing is made that was not asked for") {
     use_cache();
     const Directory directory;
