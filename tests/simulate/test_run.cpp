@@ -102,6 +102,20 @@ TEST_CASE("long runs are thinned out, and counted whole") {
     CHECK(result.out.find("steps        25001 of 0.1") != std::string::npos);
 }
 
+TEST_CASE("the axis of time has ticks at round numbers") {
+    use_cache();
+    const Directory directory;
+    const std::vector<std::string> words{
+        "run", "harmonic-oscillator", "--until", "17.1", "-o", "out", "--only", "picture"};
+    REQUIRE(hvi_gen(words, directory.path()).status == 0);
+    const std::string svg = contents(directory / "out/picture.svg");
+    for (const char* tick : {"5", "10", "15"})
+        CHECK(svg.find("> " + std::string(tick) + "<") != std::string::npos);
+    // A fifth of the time, and multiples of it.
+    for (const char* tick : {"3.42", "6.84", "10.26", "13.68"})
+        CHECK(svg.find("> " + std::string(tick) + "<") == std::string::npos);
+}
+
 TEST_CASE("a gnuplot that writes nothing, or half a picture") {
     use_cache();
     const Directory directory;
