@@ -101,6 +101,7 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
                                    .depends_on_time = lowered.system.time.has_value(),
                                    .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic,
                                    .is_quadratic = lowered.structure.is_quadratic,
+                                   .is_degenerate = is_degenerate(lowered.structure),
                                    .joint_gradient_pays = joint_gradient_pays(lowered.system),
                                    .degrees_of_freedom = lowered.system.degrees_of_freedom(),
                                    .has_curve = wishes.dense,
