@@ -102,6 +102,35 @@ TEST_CASE("long runs are thinned out, and counted whole") {
     CHECK(result.out.find("steps        25001 of 0.1") != std::string::npos);
 }
 
+TEST_CASE("what is left out at the end of a run is said") {
+    use_cache();
+    const Directory directory;
+    const auto run = [&](const std::string& step, const std::string& until) {
+        return hvi_gen(
+            {"run", "harmonic-oscillator", "--step", step, "--until", until, "--only", "summary"},
+            directory.path());
+    };
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const Outcome part = run("3/10", "2");
+    CHECK(part.status == 0);
+    CHECK(part.err == "note: left out is t = 1.8 to 2, which is less than a step of 0.3\n");
+    CHECK(has(part.out, "\nsteps        6 of 0.3, until t = 1.8\n"));
+    CHECK(has(part.out, "\nleft out     t = 1.8 to 2, which is less than a step\n"));
+    const Outcome none = run("3", "2");
+    CHECK(none.status == 0);
+    CHECK(none.err ==
+          "note: no step is made; left out is t = 0 to 2, which is less than a step of 3\n");
+    CHECK(has(none.out, "\nleft out     t = 0 to 2, which is less than a step\n"));
+    const Outcome back = run("-3/10", "-2");
+    CHECK(back.err == "note: left out is t = -1.8 to -2, which is less than a step of -0.3\n");
+    const Outcome whole = run("1/10", "2");
+    CHECK(whole.err.empty());
+    CHECK_FALSE(has(whole.out, "left out"));
+    CHECK(run("1/10", "0").err.empty());
+}
+
 TEST_CASE("the axis of time has ticks at round numbers") {
     use_cache();
     const Directory directory;

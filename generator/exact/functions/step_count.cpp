@@ -41,7 +41,9 @@ Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExp
                         "step and until have the same sign");
     if (quotient.nearest_double() > most_steps)
         throw MathError("these are more than 10^15 steps", step.place);
-    return {h.nearest_double(), floor(quotient)};
+    const std::int64_t count = floor(quotient);
+    const Number left = end - Number(static_cast<long>(count)) * h;
+    return {h.nearest_double(), count, left.sign() == 0 ? 0 : left.nearest_double()};
 }
 
 }  // namespace
