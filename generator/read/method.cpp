@@ -158,9 +158,14 @@ Parameter parse_parameter(std::shared_ptr<const Source> source) {
     const Range value{sign + 1, text.size()};
     if (trimmed(text, value).begin == value.end)
         throw InputError("a value is missing after `=`", Place{source, {sign, sign + 1}});
-    parameter.value = parse_expression(source, value);
-    check_parameter_value(parameter.value, {source, value});
+    read_value(parameter, source, value);
     return parameter;
+}
+
+void read_value(Parameter& parameter, std::shared_ptr<const Source> source, Range part) {
+    parameter.value = parse_expression(source, part);
+    check_parameter_value(parameter.value, {source, part});
+    parameter.source = std::move(source);
 }
 
 std::vector<std::string> parameter_names(const Method& method) {

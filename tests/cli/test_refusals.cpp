@@ -390,6 +390,62 @@ TEST_CASE("a stepper takes one free parameter, in its place: status 2") {
     check_refused({2, "", {}}, {"stepper", "--basis", "1, cos(w*tau + v)", "--nodes", "0, 1"});
 }
 
+TEST_CASE("a parameter without a value among the real numbers: status 1, and where") {
+    const Directory directory;
+    const std::vector<std::pair<std::string, std::string>> values = {
+        {"1/0", "0"},          {"1/(1 - 1)", "(1 - 1)"},   {"sqrt(-1)", "sqrt(-1)"},
+        {"log(0)", "log(0)"},  {"tan(pi/2)", "tan(pi/2)"}, {"1/(sqrt(2)^2 - 2)", "(sqrt(2)^2 - 2)"},
+        {"acos(2)", "acos(2)"}};
+    const std::string scene = "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+                              "hamiltonian = \"p^2/2 + w*q^2/2\"\n[initial]\nq = 1\np = 0\n"
+                              "[run]\nmethod = \"gauss:2\"\nstep = \"1/10\"\nuntil = 1\n"
+                              "[parameters]\nw = \"";
+    const std::vector<std::vector<std::string>> commands = {{"run"},
+                                                            {"run", "--accuracy", "1e-6"},
+                                                            {"report", "-o", "new"},
+                                                            {"stepper"},
+                                                            {"stepper", "--accuracy", "1e-6"}};
+    const auto check = [&](const std::vector<std::string>& words, const std::string& place,
+                           const std::string& name) {
+        const Outcome outcome = hvi_gen(words, directory.path());
+        INFO(words.front() << " " << words.back() << "\n" << outcome.err);
+        CHECK(outcome.status == 1);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        CHECK(outcome.err.find("in the value of `") != std::string::npos);
+        CHECK(outcome.err.find("  " + name + ": ") != std::string::npos);
+        CHECK(pointed_at(outcome.err) == place);
+        CHECK(directory.names() == std::vector<std::string>{"scene.toml"});
+    };
+    for (const auto& [value, place] : values) {
+        write(directory / "scene.toml", scene + value + "\"\n");
+        for (std::vector<std::string> words : commands) {
+            words.emplace_back("scene.toml");
+            check(words, place, "scene.toml:12");
+            if (words.front() == "report") continue;  // which takes no parameters
+            words.back() = "kepler";
+            words.insert(words.end(), {"--param", "ecc=" + value});
+            check(words, place, "--param");
+        }
+        check({"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+w*q", "--param",
+               "w=" + value},
+              place, "--param");
+        check({"scheme", "--method", "gauss:2", "kepler", "--param", "mu=" + value}, place,
+              "--param");
+    }
+}
+
+TEST_CASE("what a method file gives to a parameter is pointed at in its own text") {
+    const Directory directory;
+    write(directory / "method.toml",
+          "basis = \"1, cos(w*tau)\"\nnodes = \"0, 1\"\n[parameters]\nw = \"2 + 1/0\"\n");
+    const Outcome outcome = hvi_gen({"tableau", "--method-file", "method.toml"}, directory.path());
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err == "error: division by zero\n"
+                         "  method.toml:4: 2 + 1/0\n"
+                         "                       ^\n");
+}
+
 TEST_CASE("help points to what was meant") {
     CHECK(hvi_gen({"tableau", "--method", "gaus:3"}).err.find("gauss") != std::string::npos);
     CHECK(hvi_gen({"tableu"}).err.find("`tableau`") != std::string::npos);

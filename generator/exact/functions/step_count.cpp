@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/functions/start.hpp"
 
 namespace hvi::gen {
 
@@ -23,7 +24,7 @@ std::int64_t floor(const Number& number) {
 /// The ground with the values of the scene's parameters.
 Ground with_parameters(Ground ground, const Scene& scene) {
     for (const Parameter& parameter : scene.parameters)
-        ground.set_parameter(parameter.name, evaluate_number(parameter.value, nullptr, ground));
+        ground.set_parameter(parameter.name, exact_value(parameter, ground));
     return ground;
 }
 
