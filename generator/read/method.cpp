@@ -163,6 +163,11 @@ Parameter parse_parameter(std::shared_ptr<const Source> source) {
 }
 
 void read_value(Parameter& parameter, std::shared_ptr<const Source> source, Range part) {
+    const std::string_view text = std::string_view(source->text).substr(0, part.end);
+    if (text.find(':', part.begin) != std::string_view::npos)
+        throw InputError("a parameter has one value, and no range of them",
+                         Place{source, trimmed(source->text, part)},
+                         "call hvi-gen once for each value, as in --param w=1/10");
     parameter.value = parse_expression(source, part);
     check_parameter_value(parameter.value, {source, part});
     parameter.source = std::move(source);
