@@ -14,6 +14,7 @@
 #include "generator/plan/stage_graph.hpp"
 #include "generator/plan/starting_values.hpp"
 #include "generator/plan/velocity_form.hpp"
+#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -347,7 +348,12 @@ void set_from_parameter(Scheme& scheme, const Tableau& tableau) {
         auto& place = from.c.emplace_back();
         if (c.has_parameters()) { place = other(c); }
     }
-    from.numbers = parametric(tableau.b, others);
+    try {
+        from.numbers = parametric(tableau.b, others);
+    } catch (const InputError& error) {
+        if (error.place()) { throw; }
+        throw InputError(error.what(), option_place("METHOD", tableau.origin), error.help());
+    }
     scheme.from_parameter = std::move(from);
     note_zeros(scheme);
 }
