@@ -5,22 +5,24 @@
 #include "generator/render/certificate.hpp"
 #include "generator/render/stability_svg.hpp"
 #include "generator/support/error.hpp"
+#include "generator/support/option_place.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-std::string plot(const Certificate& certificate) {
+std::string plot(const Certificate& certificate, const std::filesystem::path& file) {
+    const Place place = option_place("--plot", file.string());
     if (!certificate.oscillator) {
         throw MathError("there is no picture of coefficients that are too long, or known to some "
                         "digits only",
-                        {}, "give exact ones, or those of a known method to the last digit");
+                        place, "give exact ones, or those of a known method to the last digit");
     }
     if (!certificate.stability) {
         throw InputError("a picture needs a value for the parameter " +
                              certificate.parameters.front(),
-                         {}, "for example --param " + certificate.parameters.front() + "=1");
+                         place, "for example --param " + certificate.parameters.front() + "=1");
     }
     const std::string& name = certificate.name.empty() ? certificate.origin : certificate.name;
     return stability_svg(name, *certificate.oscillator, *certificate.stability);
@@ -29,7 +31,7 @@ std::string plot(const Certificate& certificate) {
 void write(const CheckOptions& options, const Certificate& certificate, const auto& whole) {
     const Progress::Stage stage("writing the certificate");
     const bool as_json = options.format == CheckOptions::Format::json;
-    if (options.plot) { write_result(*options.plot, plot(certificate)); }
+    if (options.plot) { write_result(*options.plot, plot(certificate, *options.plot)); }
     write_result(options.output, as_json ? render_json(whole) : render_text(whole));
 }
 

@@ -10,6 +10,7 @@
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 
@@ -105,7 +106,8 @@ Method method_for(const MethodOptions& options, const Scene& scene) {
     const bool is_given = options.name || options.basis || options.file;
     if (is_given) return read_method(options);
     if (scene.run.method == nullptr)
-        throw InputError("no method is given, and the scene names none", {},
+        throw InputError("no method is given, and the scene names none",
+                         option_place("SCENE", scene.hamiltonian.origin),
                          "for example --method gauss:4");
     return named_method(scene.run.method);
 }

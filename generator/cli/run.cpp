@@ -64,6 +64,21 @@ double per_step(std::int64_t count, std::int64_t steps) {
     return static_cast<double>(count) / static_cast<double>(steps);
 }
 
+/// The part of the time at the end in which there is no whole step.
+std::string left_out(const Steps& asked) {
+    const double last = static_cast<double>(asked.count) * asked.size;
+    return fmt::format("t = {:.10g} to {:.10g}, which is less than a step", last,
+                       last + asked.left);
+}
+
+void note_left_out(const Steps& asked) {
+    if (asked.left == 0) return;
+    std::fputs(fmt::format("note: {}left out is {} of {:.10g}\n",
+                           asked.count == 0 ? "no step is made; " : "", left_out(asked), asked.size)
+                   .c_str(),
+               stderr);
+}
+
 std::string summary(const SceneStepper& stepper, const Steps& asked, const Simulation& run) {
     const Scene& scene = stepper.lowered.scene;
     std::size_t width = std::string_view("evaluations").size();
@@ -76,6 +91,7 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
     line("method", stepper.method_name.empty() ? stepper.tableau.origin : stepper.method_name);
     line("steps", fmt::format("{} of {}, until t = {:.10g}", run.steps, asked.size,
                               static_cast<double>(run.steps) * asked.size));
+    if (asked.left != 0) line("left out", left_out(asked));
     if (!run.ok())
         line("incomplete", fmt::format("{} steps were wanted: {}", asked.count, run.status));
     if (run.steps > 0) {
@@ -190,6 +206,7 @@ void run(const RunOptions& options) {
     const InterruptionsHeld held;
     const auto [stepper, steps] = options.accuracy ? advised_run(options) : wished_run(options);
     check_simulation(stepper);
+    note_left_out(steps);
 
     Builds builds(find_compiler());
     const fs::path program = built(builds.order(simulation_program(stepper)));

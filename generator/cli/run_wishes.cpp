@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "generator/support/error.hpp"
+#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 
@@ -18,7 +19,8 @@ NamedExpression wish(const Scene& scene, const std::optional<std::string>& given
                                         std::make_shared<const Source>(Source{option, *given}));
     if (of_scene) return *of_scene;
     throw InputError(
-        fmt::format("the scene does not say `{}`", name), {},
+        fmt::format("the scene does not say `{}`", name),
+        option_place("SCENE", scene.hamiltonian.origin),
         fmt::format("give {} 1/10, or a section [run] with {} = \"1/10\"", option, name));
 }
 

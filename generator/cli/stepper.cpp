@@ -8,20 +8,18 @@
 #include "generator/cli/method.hpp"
 #include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/emit.hpp"
-#include "generator/emit/text/names.hpp"
 #include "generator/emit/steps/scene_stepper.hpp"
+#include "generator/emit/text/names.hpp"
 #include "generator/plan/facts.hpp"
 #include "generator/plan/plan.hpp"
+#include "generator/support/option_place.hpp"
 #include "generator/support/process.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-void check_name(const std::string& name) {
-    check_class_name(
-        name, Place{std::make_shared<const Source>(Source{"--name", name}), {0, name.size()}});
-}
+void check_name(const std::string& name) { check_class_name(name, option_place("--name", name)); }
 
 // ---- for any Hamiltonian ----
 
@@ -37,7 +35,8 @@ std::string command(const Tableau& tableau, const StepperOptions& options) {
 void write_method(const StepperOptions& options) {
     const Tableau tableau = tableau_of(options.method);
     const std::optional<Composition>& composition = options.wishes.composition;
-    if (composition) check_composition(*composition, tableau);
+    if (composition)
+        check_composition(*composition, tableau, option_place("--compose", composition->name));
     const Scheme scheme =
         plan(tableau, {.separable = options.separable, .composition = composition});
     const std::string name = composed_name(tableau.name, composition);

@@ -8,17 +8,9 @@
 #include <utility>
 
 #include "generator/read/nearest.hpp"
+#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
-
-namespace {
-
-/// A place that is the whole of an option's value.
-Place value_place(const std::string& option, const std::string& value) {
-    return {std::make_shared<const Source>(Source{option, value}), {0, value.size()}};
-}
-
-}  // namespace
 
 void Words::check_values() const {
     for (const CLI::Option* option : command_.get_options()) {
@@ -76,7 +68,7 @@ std::optional<int> Words::number(const std::string& option, int least, int most)
     if (!whole || number < least || number > most)
         throw InputError(option + " takes a whole number from " + std::to_string(least) + " to " +
                              std::to_string(most),
-                         value_place(option, *given));
+                         option_place(option, *given));
     return number;
 }
 
@@ -87,7 +79,7 @@ std::optional<double> Words::fraction(const std::string& option) const {
     const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), number);
     const bool whole = error == std::errc{} && end == given->data() + given->size();
     if (!whole || !(number > 0 && number < 1))
-        throw InputError(option + " takes a positive number below 1", value_place(option, *given),
+        throw InputError(option + " takes a positive number below 1", option_place(option, *given),
                          "for example 1e-8");
     return number;
 }
@@ -102,7 +94,7 @@ std::size_t Words::choice(const std::string& option,
     std::string all;
     for (const std::string_view each : choices) all.append(all.empty() ? "" : ", ").append(each);
     throw InputError("no such value of " + option + ": `" + *given + "`",
-                     value_place(option, *given), did_you_mean(*given, choices, "one of " + all));
+                     option_place(option, *given), did_you_mean(*given, choices, "one of " + all));
 }
 
 std::set<std::string> Words::chosen(const std::string& option,
@@ -131,7 +123,7 @@ std::vector<std::shared_ptr<const Source>> list_items(const std::string& option,
         item.erase(item.find_last_not_of(' ') + 1);
         if (item.empty())
             throw InputError("an item is missing in this list",
-                             Place{value_place(option, list).source, {begin, end}});
+                             Place{option_place(option, list).source, {begin, end}});
         items.push_back(std::make_shared<const Source>(Source{option, std::move(item)}));
         begin = end + 1;
     }

@@ -38,6 +38,10 @@ std::string gnuplot_svg(const std::string& script, int width, int height,
         throw EnvironmentError(error.what(), help_on_gnuplot);
     }
     if (!drawn.ok()) throw EnvironmentError("gnuplot failed: " + drawn.errors, help_on_gnuplot);
+    if (drawn.output.find("</svg>") == std::string::npos)
+        throw EnvironmentError("gnuplot wrote no whole picture" +
+                                   (drawn.errors.empty() ? "" : ": " + drawn.errors),
+                               help_on_gnuplot);
     return std::move(drawn.output);
 }
 

@@ -9,7 +9,8 @@ namespace hvi::gen {
 
 /// The SVG that gnuplot makes of a script, a command on each line, which sets neither terminal nor
 /// output and may read files in the directory. Width and height are in pixels. Throws
-/// EnvironmentError where gnuplot is missing or refuses the script, and Interruption.
+/// EnvironmentError where gnuplot is missing, refuses the script or writes no whole picture, and
+/// Interruption.
 [[nodiscard]] std::string gnuplot_svg(const std::string& script, int width, int height,
                                       const std::filesystem::path& directory);
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "generator/draw/gnuplot.hpp"
+#include "generator/support/ticks.hpp"
 
 namespace hvi::gen {
 
@@ -78,10 +79,17 @@ std::string title_of(const std::vector<Line>& lines) {
                              : "invariants, less those at the start";
 }
 
+/// NOTE: gnuplot's own numbers would overlap where they are large.
+std::string ticks_until(double end) {
+    constexpr double most = 6, shortest = 1e-300;
+    const double length = std::abs(end);
+    return length < shortest ? "autofreq" : fmt::format("{:.1g}", distance_of_ticks(length, most));
+}
+
 std::string over_time(const TrajectoryPicture& picture, double width) {
-    // NOTE: gnuplot's own numbers would overlap where they are large.
-    std::string script = fmt::format("set xlabel 't' offset 0,0.6\nset xtics {:.3g}\n",
-                                     std::max(std::abs(picture.until) / 5, 1e-300));
+    std::string script = fmt::format("set autoscale xfix\nset xlabel 't' offset 0,0.6\n"
+                                     "set xtics {}\n",
+                                     ticks_until(picture.until));
     if (picture.kept.empty()) {
         std::vector<Line> lines;
         for (const std::string& column : picture.columns) lines.push_back({"t", column, 0, column});
@@ -102,7 +110,8 @@ std::string in_space(const TrajectoryPicture& picture, double begin) {
     for (const auto& [x, y] : picture.curves) lines.push_back({x, y, 0, y + " over " + x});
     const auto& [x, y] = picture.curves.front();
     return fmt::format(
-               "set format y '%g'\nset xtics autofreq\nset xlabel {} offset 0,0.6\nset ylabel {}\n",
+               "set autoscale x\nset format y '%g'\nset xtics autofreq\nset xlabel {} offset "
+               "0,0.6\nset ylabel {}\n",
                gnuplot_label(x), gnuplot_label(y)) +
            panel({begin, 0, 1 - begin, top}, y + " over " + x) + plot(picture, lines);
 }

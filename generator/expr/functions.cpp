@@ -30,6 +30,8 @@ constexpr std::array<Function, 14> table{{
 
 std::span<const Function> functions() { return table; }
 
+bool is_of_lists(std::string_view name) { return name == "roots" || name == "bspline"; }
+
 const Function* find_function(std::string_view name) {
     const auto* found = std::find_if(table.begin(), table.end(),
                                      [&](const Function& entry) { return entry.name == name; });

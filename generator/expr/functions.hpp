@@ -18,6 +18,9 @@ struct Function {
 /// All functions, the common ones first: the order in which messages list them.
 [[nodiscard]] std::span<const Function> functions();
 
+/// Whether a function, `roots` or `bspline`, is for the lists of a method alone.
+[[nodiscard]] bool is_of_lists(std::string_view name);
+
 /// The function of that name, or null.
 [[nodiscard]] const Function* find_function(std::string_view name);
 

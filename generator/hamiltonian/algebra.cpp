@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/functions/start.hpp"
 #include "generator/read/names.hpp"
 
 namespace hvi::gen {
@@ -228,8 +229,8 @@ Algebra::Algebra(const Hamiltonian& hamiltonian)
     std::map<std::string, ex> symbols;
     check_numbers(hamiltonian.expression, hamiltonian.source);
     for (const Parameter& parameter : hamiltonian.parameters) {
-        check_numbers(parameter.value, parameter.place.source);
-        symbols[parameter.name] = Reader(parameter.place.source, symbols).read(parameter.value);
+        on_new_ground([&](const Ground& ground) { return exact_value(parameter, ground); });
+        symbols[parameter.name] = Reader(parameter.source, symbols).read(parameter.value);
     }
     const auto add = [&](const std::string& name, char kind, std::vector<GiNaC::symbol>& list) {
         if (symbols.count(name) != 0) return;

@@ -34,6 +34,9 @@ struct Structure {
 /// Whether a quadratic H has terms that are linear in q or p.
 [[nodiscard]] bool has_linear_part(const Structure& quadratic);
 
+/// Whether H does not depend on some momentum, or not more than linearly: a row of pp is zero.
+[[nodiscard]] bool is_degenerate(const Structure& structure);
+
 /// Adds the second derivatives to the graph.
 [[nodiscard]] Structure structure(SystemGraph& system);
 

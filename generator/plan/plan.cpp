@@ -14,6 +14,7 @@
 #include "generator/plan/stage_graph.hpp"
 #include "generator/plan/starting_values.hpp"
 #include "generator/plan/velocity_form.hpp"
+#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -238,11 +239,13 @@ void tabulate(Scheme& scheme, const PlanOptions& options) {
         return;
     }
     scheme.is_tabulated = true;
-    scheme.is_sheared = options.degrees_of_freedom == 1 || scheme.separable;
+    const bool are_symmetric = options.degrees_of_freedom == 1 || scheme.separable;
+    scheme.is_sheared = are_symmetric && !options.is_degenerate;
     if (scheme.is_sheared) {
         scheme.decisions = {
             {"no solver",
-             "H is quadratic: a step is a product of three shears, computed when h changes"},
+             "H is quadratic: a step is a product of three shears where these exist for h, else "
+             "with a matrix, computed when h changes"},
             {"no compensated summation",
              "the shears are symplectic however they round; --solver fixed-point iterates with "
              "it"}};
@@ -251,8 +254,9 @@ void tabulate(Scheme& scheme, const PlanOptions& options) {
             {"no solver",
              "H is quadratic: a step is a product with a matrix, computed when h changes"},
             {"the matrix is kept in twice the digits, and sums are compensated",
-             "products of q and p leave no symmetric shears, and a rounded matrix is not "
-             "symplectic"}};
+             fmt::format("{}, and a rounded matrix is not symplectic",
+                         are_symmetric ? "a singular matrix d2H/dp2 leaves no shears"
+                                       : "products of q and p leave no symmetric shears")}};
     }
 }
 
@@ -344,7 +348,12 @@ void set_from_parameter(Scheme& scheme, const Tableau& tableau) {
         auto& place = from.c.emplace_back();
         if (c.has_parameters()) { place = other(c); }
     }
-    from.numbers = parametric(tableau.b, others);
+    try {
+        from.numbers = parametric(tableau.b, others);
+    } catch (const InputError& error) {
+        if (error.place()) { throw; }
+        throw InputError(error.what(), option_place("METHOD", tableau.origin), error.help());
+    }
     scheme.from_parameter = std::move(from);
     note_zeros(scheme);
 }

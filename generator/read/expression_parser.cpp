@@ -159,7 +159,8 @@ void ExpressionParser::fail_unknown_function(const Token& name) const {
     const std::string called = text(name.range);
     const std::string product = fmt::format("a product is written `{}*(...)`", called);
     std::vector<std::string_view> names;
-    for (const Function& function : functions()) names.push_back(function.name);
+    for (const Function& function : functions())
+        if (is_list() || !is_of_lists(function.name)) names.push_back(function.name);
     fail(name.range, fmt::format("there is no function `{}`", called),
          is_reserved(called) ? product
                              : did_you_mean(called, names,

@@ -22,6 +22,9 @@ protected:
     /// What begins with this name, which is taken.
     [[nodiscard]] virtual Expression name(const Token& name);
 
+    /// Whether a message may offer a function that can stand in lists only.
+    [[nodiscard]] virtual bool is_list() const { return false; }
+
 private:
     [[nodiscard]] Expression product();
     [[nodiscard]] Expression signed_operand();

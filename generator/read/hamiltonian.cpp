@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/expr/functions.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/token.hpp"
@@ -145,7 +146,7 @@ Vocabulary declared_variables(const NameList& coordinates, const NameList& momen
 void check_functions(const Expression& expression, const std::shared_ptr<const Source>& source,
                      std::string_view subject) {
     walk(expression, [&](const Expression& part) {
-        if (part.kind == Expression::Kind::call && (part.name == "roots" || part.name == "bspline"))
+        if (part.kind == Expression::Kind::call && is_of_lists(part.name))
             throw InputError(fmt::format("`{}` cannot stand in {}", part.name, subject),
                              Place{source, part.range});
         return true;

@@ -54,8 +54,9 @@ Expression IndexedParser::name(const Token& name) {
 }
 
 /// The value of what is written at this place.
-long IndexedParser::whole_number() {
-    const Expression expression = sum();
+long IndexedParser::whole_number() { return whole_number(sum()); }
+
+long IndexedParser::whole_number(const Expression& expression) const {
     const std::optional<long> value = whole_value(expression);
     if (!value)
         fail(expression.range, "a whole number is wanted here",
@@ -63,10 +64,20 @@ long IndexedParser::whole_number() {
     return *value;
 }
 
+/// The end of an index, behind which there is no other.
+void IndexedParser::take_close_index() {
+    constexpr const char* one_for_two =
+        "names with several are to come: put two into one, as in `K[3*(i-1)+j]`";
+    if (next_is(Kind::comma)) fail(next().range, "a name has one index", one_for_two);
+    take(Kind::close_index, "`]` is wanted here");
+    if (next_is(Kind::open_index)) fail(next().range, "a name has one index", one_for_two);
+}
+
 Expression IndexedParser::indexed_name(const Token& name) {
     take();
-    const long index = whole_number();
-    take(Kind::close_index, "`]` is wanted here");
+    const Expression written = sum();
+    take_close_index();
+    const long index = whole_number(written);
     return located(Expression::symbol(fmt::format("{}[{}]", text(name.range), index)),
                    name.range.begin);
 }
@@ -131,7 +142,7 @@ void IndexedParser::append_names(std::vector<Name>& names) {
         take(Kind::to, "`..` is wanted here, as in `x[1..3]`");
         last = whole_number();
     }
-    take(Kind::close_index, "`]` is wanted here");
+    take_close_index();
     const Range range{token.range.begin, previous().range.end};
     if (first > last) fail(range, "there is no such index");
     if (static_cast<std::size_t>(last - first) >= most_names - names.size())

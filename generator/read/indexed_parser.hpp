@@ -25,6 +25,8 @@ private:
     [[nodiscard]] Expression sum_over_index(const Token& name);
     [[nodiscard]] std::string index_of_sum();
     [[nodiscard]] long whole_number();
+    [[nodiscard]] long whole_number(const Expression& expression) const;
+    void take_close_index();
     void append_names(std::vector<Name>& names);
 
     std::map<std::string, long> indices_of_sums_;

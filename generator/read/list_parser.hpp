@@ -18,6 +18,7 @@ public:
     [[nodiscard]] std::vector<Item> items();
 
 private:
+    [[nodiscard]] bool is_list() const override { return true; }
     [[nodiscard]] Item item();
     [[nodiscard]] std::optional<Family> family();
     /// The digits of a size.

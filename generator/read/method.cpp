@@ -158,9 +158,19 @@ Parameter parse_parameter(std::shared_ptr<const Source> source) {
     const Range value{sign + 1, text.size()};
     if (trimmed(text, value).begin == value.end)
         throw InputError("a value is missing after `=`", Place{source, {sign, sign + 1}});
-    parameter.value = parse_expression(source, value);
-    check_parameter_value(parameter.value, {source, value});
+    read_value(parameter, source, value);
     return parameter;
+}
+
+void read_value(Parameter& parameter, std::shared_ptr<const Source> source, Range part) {
+    const std::string_view text = std::string_view(source->text).substr(0, part.end);
+    if (text.find(':', part.begin) != std::string_view::npos)
+        throw InputError("a parameter has one value, and no range of them",
+                         Place{source, trimmed(source->text, part)},
+                         "call hvi-gen once for each value, as in --param w=1/10");
+    parameter.value = parse_expression(source, part);
+    check_parameter_value(parameter.value, {source, part});
+    parameter.source = std::move(source);
 }
 
 std::vector<std::string> parameter_names(const Method& method) {

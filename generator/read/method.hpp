@@ -19,8 +19,9 @@ constexpr std::size_t most_parameters = 64;
 /// A value given to a free symbol of a method.
 struct Parameter {
     std::string name;
-    Expression value;  ///< without symbols other than `pi` and `e`
-    Place place;
+    Expression value;                                ///< without symbols other than `pi` and `e`
+    Place place;                                     ///< of the name
+    std::shared_ptr<const Source> source = nullptr;  ///< in which the ranges of the value are
 };
 
 /// A method as it was given, checked as far as words go: families exist, have a size that they can
@@ -60,6 +61,9 @@ struct Method {
 
 /// What `--param` says: `w=2`. Throws InputError.
 [[nodiscard]] Parameter parse_parameter(std::shared_ptr<const Source> source);
+
+/// Reads the value of a parameter that stands in a part of a text. Throws InputError.
+void read_value(Parameter& parameter, std::shared_ptr<const Source> source, Range part);
 
 /// The symbols of a method that are parameters, with a value or without, sorted.
 [[nodiscard]] std::vector<std::string> parameter_names(const Method& method);

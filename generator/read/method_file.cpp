@@ -60,8 +60,7 @@ void set_parameters(const TomlFile& file, Method& method) {
         Parameter parameter{std::string(key.str()), {}, file.place(key.source())};
         check_parameter_name(parameter.name, parameter.place);
         const auto source = file.source(value, file.text(value));
-        parameter.value = parse_expression(source);
-        check_parameter_value(parameter.value, {source, {0, source->text.size()}});
+        read_value(parameter, source, {0, source->text.size()});
         set_parameter(method, std::move(parameter));
     }
 }

@@ -201,8 +201,8 @@ void SceneReader::add_parameter(std::vector<Parameter>& list, DeclaredName name,
         throw InputError(fmt::format("there are more than {} parameters", most_parameters),
                          name.place);
     const auto source = file_.source(value, file_.text(value));
-    Parameter parameter{std::move(name.name), parse_expression(source), std::move(name.place)};
-    check_parameter_value(parameter.value, {source, {0, source->text.size()}});
+    Parameter parameter{std::move(name.name), {}, std::move(name.place)};
+    read_value(parameter, source, {0, source->text.size()});
     list.push_back(std::move(parameter));
 }
 

@@ -155,9 +155,13 @@ void Lexer::refuse_character() const {
     const auto* known =
         std::find_if(lookalikes.begin(), lookalikes.end(),
                      [&](const Lookalike& entry) { return entry.character == character; });
+    std::string help = known == lookalikes.end() ? "" : std::string(known->help);
+    const bool behind_name = position_ > 0 && is_name_char(text_[position_ - 1]);
+    if (character == "[" && behind_name) help = "names have an index in scenes and in H only";
+    if (character == ":" && indices_ == Indices::allowed)
+        help = "a range of indices is written `1..3`; all else is one number";
     throw InputError(fmt::format("the character {} cannot stand here", shown(character)),
-                     Place{source_, {position_, position_ + character.size()}},
-                     known == lookalikes.end() ? "" : std::string(known->help));
+                     Place{source_, {position_, position_ + character.size()}}, std::move(help));
 }
 
 }  // namespace hvi::gen

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "generator/support/ticks.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -34,13 +36,9 @@ public:
         return (top + bottom) / 2 - (bottom - top) / 2 * half_trace / most;
     }
 
-    /// 1, 2 or 5 times a power of ten, so that there are about ten ticks.
     [[nodiscard]] double tick() const {
-        const double power = std::pow(10.0, std::floor(std::log10(until_ / 10)));
-        for (const double step : {1.0, 2.0, 5.0}) {
-            if (until_ / (step * power) <= 10.5) { return step * power; }
-        }
-        return 10 * power;
+        constexpr double most_ticks = 10.5;
+        return distance_of_ticks(until_, most_ticks);
     }
 
 private:

@@ -5,6 +5,7 @@
 
 #include "generator/emit/text/text.hpp"
 #include "generator/support/error.hpp"
+#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 
@@ -46,7 +47,8 @@ void check_simulation(const SceneStepper& stepper) {
     const std::string& name = stepper.scheme.from_parameter->numbers.parameter;
     for (const Parameter& parameter : stepper.lowered.scene.parameters)
         if (parameter.name == name) return;
-    throw InputError(fmt::format("the parameter `{}` of the method has no value", name), {},
+    throw InputError(fmt::format("the parameter `{}` of the method has no value", name),
+                     option_place("METHOD", stepper.tableau.origin),
                      fmt::format("give it one: --param {}=1", name));
 }
 

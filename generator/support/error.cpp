@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t text_columns = 64;      ///< of the user's text around a caret
 constexpr std::size_t name_columns = 60;      ///< of the name of that text
 constexpr std::size_t wording_columns = 500;  ///< of `error:` and `help:`, which may quote the user
+constexpr std::size_t quoted_columns = 80;    ///< of a word in them, or of what is in backticks
 constexpr std::string_view cut_mark = "...";
 
 /// Bytes of the UTF-8 character that `text` starts with, or 0 when it starts with none.
@@ -77,8 +78,34 @@ private:
     std::vector<std::size_t> begins_;  ///< the byte at which each column starts, and the text's end
 };
 
+/// A long name without its middle: its end tells files of one directory apart.
+std::string shown_quotation(std::string_view text) {
+    constexpr std::size_t tail = quoted_columns / 4;
+    const Columns columns(text);
+    const std::size_t size = columns.size();
+    if (size <= quoted_columns) return columns.text(0, size);
+    return columns.text(0, quoted_columns - tail).append(cut_mark) +
+           columns.text(size - tail, size);
+}
+
+/// A text in which each word, and what stands in backticks, is of bounded length.
+std::string with_short_quotations(std::string_view text) {
+    std::string result;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t close =
+            text[begin] == '`' ? text.find('`', begin + 1) : std::string_view::npos;
+        const std::size_t word = std::min(text.find_first_of(" \n`", begin), text.size());
+        const std::size_t end =
+            close != std::string_view::npos ? close + 1 : std::max(word, begin + 1);
+        result += shown_quotation(text.substr(begin, end - begin));
+        begin = end;
+    }
+    return result;
+}
+
 /// Wording on one line of bounded length.
-std::string wording(std::string_view text) {
+std::string wording(std::string_view whole) {
+    const std::string text = with_short_quotations(whole);
     const Columns columns(text);
     if (columns.size() <= wording_columns) return columns.text(0, columns.size());
     return columns.text(0, wording_columns).append(cut_mark);

@@ -19,6 +19,11 @@ std::string pointed_at(const std::string& message) {
     return begin > lines[1].size() ? "" : lines[1].substr(begin, lines[2].size() - begin);
 }
 
+bool has_place(const std::string& message) {
+    const auto lines = lines_of(message);
+    return lines.size() > 2 && lines[2].find('^') != std::string::npos;
+}
+
 /// error: WHAT, then perhaps a place of two lines, then perhaps help: WHAT WOULD HELP.
 void check_form(const std::string& message) {
     const auto lines = lines_of(message);
@@ -52,6 +57,7 @@ void check_refused(const Refusal& refusal, const std::vector<std::string>& words
     CHECK(outcome.status == refusal.status);
     CHECK(outcome.out.empty());
     check_form(outcome.err);
+    if (refusal.status == 2) CHECK(has_place(outcome.err));
     if (!refusal.place.empty()) CHECK(pointed_at(outcome.err) == refusal.place);
     CHECK(directory.names() == std::vector<std::string>{"old.hpp"});
     CHECK(contents(directory / "old.hpp") == "old");
@@ -188,6 +194,7 @@ TEST_CASE("a method file that cannot be read: status 2") {
         CHECK(outcome.status == 2);
         CHECK(outcome.out.empty());
         check_form(outcome.err);
+        CHECK(has_place(outcome.err));
         CHECK(outcome.err.find("method.toml") != std::string::npos);
         CHECK(directory.names() == std::vector<std::string>{"method.toml"});
     }
@@ -248,7 +255,7 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "21", {"check", "--method", "gauss:2", "--max-order", "21"}},
         {2, "0", {"check", "--method", "gauss:2", "--max-order", "0"}},
         {2, "latex", {"check", "--method", "gauss:2", "--format", "latex"}},
-        {2, "", {"check", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--plot", "x.svg"}},
+        {2, "x.svg", {"check", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--plot", "x.svg"}},
         {2, "scene.toml", {"stepper", "--method", "gauss:2", "scene.toml"}},
         {2, "w", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+w*q"}},
         {2, "(q-q)", {"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+1/(q-q)"}},
@@ -270,6 +277,24 @@ TEST_CASE("a command line that cannot be read: status 2") {
          {"stepper", "--method", "gauss:2", "--name", "position", "--dense", "kepler"}},
         {2, "--lanes", {"stepper", "--method", "gauss:2", "--lanes", "ensemble"}},
         {2, "ensemble", {"run", "pendulum", "--lanes", "ensemble"}},
+        {2, "ensemble", {"stepper", "--method", "lobatto:3", "--lanes", "ensemble", "kepler"}},
+        {2,
+         "ensemble",
+         {"stepper", "--method", "gauss:2", "--lanes", "ensemble", "--dense", "kepler"}},
+        {2, "kahan-li:8", {"stepper", "--method", "gauss:9", "--compose", "kahan-li:8", "kepler"}},
+        {2, "kahan-li:8", {"stepper", "--method", "gauss:9", "--compose", "kahan-li:8"}},
+        {2,
+         "yoshida:4",
+         {"stepper", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "--compose", "yoshida:4"}},
+        {2,
+         "yoshida:4",
+         {"stepper", "--method", "gauss:2", "--compose", "yoshida:4", "--dense", "kepler"}},
+        {1,
+         "yoshida:4",
+         {"stepper", "--method", "symplectic-euler", "--compose", "yoshida:4", "kepler"}},
+        {2,
+         "--basis \"1, cos(w*tau)\" --nodes \"0, 1\"",
+         {"run", "--basis", "1, cos(w*tau)", "--nodes", "0, 1", "kepler"}},
         {2, "--solver", {"stepper", "--method", "gauss:2", "--solver", "newton"}},
         {2, "fast", {"stepper", "--method", "gauss:2", "--solver", "fast", "kepler"}},
         {2, "--separable", {"stepper", "--method", "gauss:2", "--separable", "kepler"}},
@@ -416,6 +441,112 @@ TEST_CASE("names that a header cannot have: status 2") {
     check_refused({2, "p^2+q^4", {}}, {"stepper", "--method", "gauss:2", scene, "--invariants"});
     write(scene, H + "[parameters]\nNAN = 1\nNAN_ = 2\n");
     check_refused({2, "NAN_", {}}, {"stepper", "--method", "gauss:2", scene});
+}
+
+TEST_CASE("a parameter without a value among the real numbers: status 1, and where") {
+    const Directory directory;
+    const std::vector<std::pair<std::string, std::string>> values = {
+        {"1/0", "0"},          {"1/(1 - 1)", "(1 - 1)"},   {"sqrt(-1)", "sqrt(-1)"},
+        {"log(0)", "log(0)"},  {"tan(pi/2)", "tan(pi/2)"}, {"1/(sqrt(2)^2 - 2)", "(sqrt(2)^2 - 2)"},
+        {"acos(2)", "acos(2)"}};
+    const std::string scene = "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+                              "hamiltonian = \"p^2/2 + w*q^2/2\"\n[initial]\nq = 1\np = 0\n"
+                              "[run]\nmethod = \"gauss:2\"\nstep = \"1/10\"\nuntil = 1\n"
+                              "[parameters]\nw = \"";
+    const std::vector<std::vector<std::string>> commands = {{"run"},
+                                                            {"run", "--accuracy", "1e-6"},
+                                                            {"report", "-o", "new"},
+                                                            {"stepper"},
+                                                            {"stepper", "--accuracy", "1e-6"}};
+    const auto check = [&](const std::vector<std::string>& words, const std::string& place,
+                           const std::string& name) {
+        const Outcome outcome = hvi_gen(words, directory.path());
+        INFO(words.front() << " " << words.back() << "\n" << outcome.err);
+        CHECK(outcome.status == 1);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        CHECK(outcome.err.find("in the value of `") != std::string::npos);
+        CHECK(outcome.err.find("  " + name + ": ") != std::string::npos);
+        CHECK(pointed_at(outcome.err) == place);
+        CHECK(directory.names() == std::vector<std::string>{"scene.toml"});
+    };
+    for (const auto& [value, place] : values) {
+        write(directory / "scene.toml", scene + value + "\"\n");
+        for (std::vector<std::string> words : commands) {
+            words.emplace_back("scene.toml");
+            check(words, place, "scene.toml:12");
+            if (words.front() == "report") continue;  // which takes no parameters
+            words.back() = "kepler";
+            words.insert(words.end(), {"--param", "ecc=" + value});
+            check(words, place, "--param");
+        }
+        check({"stepper", "--method", "gauss:2", "--hamiltonian", "p^2/2+w*q", "--param",
+               "w=" + value},
+              place, "--param");
+        check({"scheme", "--method", "gauss:2", "kepler", "--param", "mu=" + value}, place,
+              "--param");
+    }
+}
+
+TEST_CASE("what a method file gives to a parameter is pointed at in its own text") {
+    const Directory directory;
+    write(directory / "method.toml",
+          "basis = \"1, cos(w*tau)\"\nnodes = \"0, 1\"\n[parameters]\nw = \"2 + 1/0\"\n");
+    const Outcome outcome = hvi_gen({"tableau", "--method-file", "method.toml"}, directory.path());
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err == "error: division by zero\n"
+                         "  method.toml:4: 2 + 1/0\n"
+                         "                       ^\n");
+}
+
+TEST_CASE("a scene that lacks something is pointed at") {
+    const Directory directory;
+    write(directory / "scene.toml", "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+                                    "hamiltonian = \"p^2/2\"\n[initial]\nq = 1\np = 0\n");
+    const std::vector<std::vector<std::string>> commands = {
+        {"run", "scene.toml"},
+        {"run", "scene.toml", "--method", "gauss:2"},
+        {"run", "scene.toml", "--method", "gauss:2", "--step", "1"},
+        {"stepper", "scene.toml"},
+        {"report", "scene.toml"}};
+    for (const std::vector<std::string>& words : commands) {
+        const Outcome outcome = hvi_gen(words, directory.path());
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        CHECK(pointed_at(outcome.err) == "scene.toml");
+    }
+}
+
+TEST_CASE("words of any length make short messages") {
+    const std::string word(100000, 'x');
+    const std::vector<std::vector<std::string>> commands = {
+        {word},
+        {"tableau", "--" + word},
+        {"tableau", word},
+        {"tableau", "--method", word},
+        {"tableau", "--method", "gauss:2", "--format", word},
+        {"tableau", "--method", "gauss:2", "--param", word + "=1"},
+        {"tableau", "--basis", "1", "--nodes", word + "(2)"},
+        {"run", "kepler", "--only", word},
+        {"run", "kepler", "--compose", word},
+        {"stepper", "--method", "gauss:2", "--name", word + "!"},
+        {"check", "--tableau", word},
+        {"report", "kepler", "--methods", "gauss:2-" + word}};
+    for (const std::vector<std::string>& words : commands) {
+        const Outcome outcome = hvi_gen(words);
+        INFO(words.front().substr(0, 20) << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        CHECK(has_place(outcome.err));
+        for (const std::string& line : lines_of(outcome.err)) CHECK(line.size() < 250);
+    }
+    const Outcome path = hvi_gen({"tableau", "--method", "gauss:2", "-o", "/tmp/" + word});
+    CHECK(path.status == 3);
+    CHECK(path.err.size() < 200);
+    CHECK(path.err.find("File name too long") != std::string::npos);
 }
 
 TEST_CASE("help points to what was meant") {

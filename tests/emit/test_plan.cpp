@@ -383,6 +383,20 @@ TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product"
     CHECK_FALSE(sheared(false, 2));
 }
 
+TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were there") {
+    const Scheme scheme = plan(named("chebyshev:3"), {.separable = false,
+                                                      .is_quadratic = true,
+                                                      .is_degenerate = true,
+                                                      .degrees_of_freedom = 1,
+                                                      .solver = Solver::automatic});
+    CHECK(scheme.is_tabulated);
+    CHECK_FALSE(scheme.is_sheared);
+    for (const Decision& decision : scheme.decisions) {
+        INFO(decision.what << ": " << decision.why);
+        CHECK(decision.why.find("product of three shears") == std::string::npos);
+    }
+}
+
 TEST_CASE("why the step of a quadratic H is iterated is among the choices") {
     const auto reason = [](const PlanOptions& options) -> std::string {
         for (const Decision& decision : plan(named("gauss:2"), options).decisions) {

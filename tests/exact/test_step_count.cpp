@@ -58,3 +58,14 @@ TEST_CASE("a step that is no part of the run, none, and steps back") {
     CHECK_THROWS_AS(count("m", "1"), InputError);
     CHECK_THROWS_AS(count("1/0", "1"), InputError);
 }
+
+TEST_CASE("what is left of the time behind the last step is exactly nothing, or less than a step") {
+    CHECK(count("0.1", "0.3").left == 0);
+    CHECK(count("sqrt(2)", "sqrt(2)*7").left == 0);
+    CHECK(count("1/20", "200").left == 0);
+    CHECK(count("1", "0").left == 0);
+    CHECK(count("3/10", "2").left == 0.2);
+    CHECK(count("3", "2").left == 2);
+    CHECK(count("-3/10", "-2").left == -0.2);
+    CHECK(count("m[2]", "m[2]*7 + w/10^40").left == Approx(1e-40 / 3));
+}

@@ -65,12 +65,38 @@ TEST_CASE("what is wrong with indices is said where it is") {
     CHECK(refused("x[1]2") == "x[1][2]: an operator is missing before this");
 }
 
+TEST_CASE("a name has one index, and what helps is said where there are two") {
+    const auto refused = [](const std::string& text) {
+        return refusal([&] { return parse_indexed_expression(source(text)); });
+    };
+    const auto names_refused = [](const std::string& text) {
+        return refusal([&] { return parse_names(source(text)); });
+    };
+    for (const Refusal& error : {refused("K[i][j]"), refused("K[1][2]"),
+                                 refused("sum(i=1..2, K[i][i])"), names_refused("K[1..3][1..3]")}) {
+        INFO(error.marked);
+        CHECK(error.what == "a name has one index");
+        CHECK(error.marked.find("][[]") != std::string::npos);
+        CHECK(error.helps("`K[3*(i-1)+j]`"));
+    }
+    for (const Refusal& error :
+         {refused("K[i,j]"), refused("K[1,2]"), names_refused("K[1..3,1]")}) {
+        INFO(error.marked);
+        CHECK(error.what == "a name has one index");
+        CHECK(error.marked.find("[,]") != std::string::npos);
+        CHECK(error.helps("`K[3*(i-1)+j]`"));
+    }
+    CHECK(refused("sum(i=1:3, x[i])").helps("`1..3`"));
+}
+
 TEST_CASE("without indices none are read") {
     const auto refused = [](const std::string& text) {
         const Refusal error = refusal([&] { return parse_expression(source(text)); });
         return error.marked + ": " + error.what;
     };
     CHECK(refused("x[1]") == "x[[]1]: the character `[` cannot stand here");
+    const Refusal index = refusal([] { return parse_expression(source("x[1]")); });
+    CHECK_FALSE(index.helps("parentheses"));
     CHECK(refused("1..2") == "1.[.2]: a number follows a number");
     CHECK(refused("sum(i, 2)") == "[sum](i, 2): there is no function `sum`");
 }

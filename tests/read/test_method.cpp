@@ -195,4 +195,8 @@ TEST_CASE("errors of --param") {
     CHECK(refused_parameter("w=roots(1)").status == 2);
     CHECK(refused_parameter("w=1,2").marked == "w=1[,]2");
     CHECK(refused_parameter("").status == 2);
+    CHECK(refused_parameter("w=0:0.1:2").marked == "w=[0:0.1:2]");
+    CHECK(refused_parameter("w= 1:2 ").marked == "w= [1:2] ");
+    CHECK(refused_parameter("w=0:0.1:2").says("no range"));
+    CHECK_FALSE(refused_parameter("w=0:0.1:2").helps("gauss"));
 }

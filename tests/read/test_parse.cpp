@@ -90,6 +90,12 @@ TEST_CASE("errors of functions") {
     CHECK(refused("sine(x)").helps("`sin`"));
     CHECK(refused("foo(x)").helps("sqrt, exp, log"));
     CHECK(refused("tau(2)").helps("tau*(...)"));
+    // Where a function would be refused it is not offered.
+    CHECK_FALSE(refused("foo(x)").helps("roots"));
+    CHECK_FALSE(refused("foo(x)").helps("bspline"));
+    CHECK_FALSE(refused("rots(x)").helps("did you mean"));
+    CHECK_FALSE(refusal([] { return parse_indexed_expression(source("foo(x)")); }).helps("roots"));
+    CHECK(refusal([] { return parse_list(source("rots(x)")); }).helps("`roots`"));
     CHECK(refused("sin").marked == "[sin]");
     CHECK(refused("sin()").marked == "[sin()]");
     CHECK(refused("1+sin(1,2)").marked == "1+[sin(1,2)]");

@@ -103,6 +103,71 @@ TEST_CASE("long runs are thinned out, and counted whole") {
     CHECK(result.out.find("steps        25001 of 0.1") != std::string::npos);
 }
 
+TEST_CASE("what is left out at the end of a run is said") {
+    use_cache();
+    const Directory directory;
+    const auto run = [&](const std::string& step, const std::string& until) {
+        return hvi_gen(
+            {"run", "harmonic-oscillator", "--step", step, "--until", until, "--only", "summary"},
+            directory.path());
+    };
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const Outcome part = run("3/10", "2");
+    CHECK(part.status == 0);
+    CHECK(part.err == "note: left out is t = 1.8 to 2, which is less than a step of 0.3\n");
+    CHECK(has(part.out, "\nsteps        6 of 0.3, until t = 1.8\n"));
+    CHECK(has(part.out, "\nleft out     t = 1.8 to 2, which is less than a step\n"));
+    const Outcome none = run("3", "2");
+    CHECK(none.status == 0);
+    CHECK(none.err ==
+          "note: no step is made; left out is t = 0 to 2, which is less than a step of 3\n");
+    CHECK(has(none.out, "\nleft out     t = 0 to 2, which is less than a step\n"));
+    const Outcome back = run("-3/10", "-2");
+    CHECK(back.err == "note: left out is t = -1.8 to -2, which is less than a step of -0.3\n");
+    const Outcome whole = run("1/10", "2");
+    CHECK(whole.err.empty());
+    CHECK_FALSE(has(whole.out, "left out"));
+    CHECK(run("1/10", "0").err.empty());
+}
+
+TEST_CASE("the axis of time has ticks at round numbers") {
+    use_cache();
+    const Directory directory;
+    const std::vector<std::string> words{
+        "run", "harmonic-oscillator", "--until", "17.1", "-o", "out", "--only", "picture"};
+    REQUIRE(hvi_gen(words, directory.path()).status == 0);
+    const std::string svg = contents(directory / "out/picture.svg");
+    for (const char* tick : {"5", "10", "15"})
+        CHECK(svg.find("> " + std::string(tick) + "<") != std::string::npos);
+    // A fifth of the time, and multiples of it.
+    for (const char* tick : {"3.42", "6.84", "10.26", "13.68"})
+        CHECK(svg.find("> " + std::string(tick) + "<") == std::string::npos);
+}
+
+TEST_CASE("a gnuplot that writes nothing, or half a picture") {
+    use_cache();
+    const Directory directory;
+    const auto run_with = [&](const std::string& gnuplot) {
+        write(directory / "gnuplot", "#!/bin/sh\n" + gnuplot + "\n");
+        std::filesystem::permissions(directory / "gnuplot", std::filesystem::perms::owner_all);
+        return shell("PATH=\"$PWD:$PATH\" hvi-gen run pendulum --until 1 -o out", directory.path());
+    };
+    for (const char* gnuplot :
+         {"exit 0", "echo '<svg>'", "echo 'no fonts here' >&2; exit 0", "exit 1"}) {
+        const Outcome outcome = run_with(gnuplot);
+        INFO(gnuplot << "\n" << outcome.err);
+        CHECK(outcome.status == 3);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.err.find("error: gnuplot ") == 0);
+        CHECK_FALSE(std::filesystem::exists(directory / "out/picture.svg"));
+        CHECK(lines_of(contents(directory / "out/trajectory.csv")).size() > 2);
+    }
+    CHECK(run_with("echo 'no fonts here' >&2; exit 0").err.find("no fonts here") !=
+          std::string::npos);
+}
+
 TEST_CASE("nothing is made that was not asked for") {
     use_cache();
     const Directory directory;
@@ -264,6 +329,7 @@ TEST_CASE("runs that cannot be") {
         hvi_gen({"run", "kepler", "--basis", "1, cos(w*tau), sin(w*tau)", "--nodes", "gauss:3"});
     CHECK(fitted.status == 2);
     CHECK(fitted.err.find("--param w=") != std::string::npos);
+    CHECK(fitted.err.find("\n  METHOD: ") != std::string::npos);
     CHECK(
         hvi_gen({"run", "--until", "1", "--step", "1/10", "--only", "summary", "kepler"}).status ==
         0);

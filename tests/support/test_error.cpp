@@ -75,6 +75,25 @@ TEST_CASE("long names and long words are cut") {
     CHECK(text.find("/file.toml: x\n") != std::string::npos);
 }
 
+TEST_CASE("of a long word, and of a long quotation, the ends are shown") {
+    const std::string name = std::string(5000, 'a') + std::string(5000, 'b');
+    const std::string shown = std::string(60, 'a') + "..." + std::string(20, 'b');
+    CHECK(message(InputError("cannot write " + name + " now")) ==
+          "error: cannot write " + shown + " now\n");
+    const std::string words = [] {
+        std::string text;
+        for (int i = 0; i < 1000; ++i) { text += "ab "; }
+        return text;
+    }();
+    const std::string quoted = message(InputError("unknown `" + words + "`", {}, "`" + name + "`"));
+    CHECK(quoted.size() < 250);
+    CHECK(quoted.rfind("error: unknown `ab ab ", 0) == 0);
+    CHECK(quoted.find(" ab `\n") != std::string::npos);
+    CHECK(quoted.find("b`\n") != std::string::npos);
+    const std::string fits(80, 'c');
+    CHECK(message(InputError(fits)) == "error: " + fits + "\n");
+}
+
 TEST_CASE("a broken invariant is a bug, and says so") {
     const auto broken = [] { HVI_CHECK(1 + 1 == 3); };
     CHECK_THROWS_AS(broken(), InternalError);

@@ -8,6 +8,7 @@
 #include "generator/lower/joint_gradient.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
+#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 
@@ -46,19 +47,18 @@ void check_lanes(const Scheme& scheme, Lanes wished) {
     if (wished != Lanes::stages) return;
     const std::string obstacle = obstacle_to_stage_lanes(scheme);
     if (obstacle.empty()) return;
-    const std::string word = "stages";
-    throw InputError(
-        "no lanes for the stages of this method on this H: " + obstacle,
-        Place{std::make_shared<const Source>(Source{"--lanes", word}), {0, word.size()}},
-        "without --lanes they are used where they can be");
+    throw InputError("no lanes for the stages of this method on this H: " + obstacle,
+                     option_place("--lanes", "stages"),
+                     "without --lanes they are used where they can be");
 }
 
 /// An ensemble, and what is not built for it.
 void check_ensemble(const Scheme& scheme, const StepperWishes& wishes) {
     if (wishes.lanes != Lanes::ensemble) return;
-    const auto refuse = [](bool is_wished, const char* flag, const char* reason) {
+    const Place place = option_place("--lanes", "ensemble");
+    const auto refuse = [&](bool is_wished, const char* flag, const char* reason) {
         if (is_wished)
-            throw InputError(std::string(flag) + " is not built for ensembles: " + reason, {},
+            throw InputError(std::string(flag) + " is not built for ensembles: " + reason, place,
                              "without --lanes ensemble there is a stepper of one trajectory");
     };
     refuse(wishes.dense, "--dense", "trajectories take all their steps at once");
@@ -66,7 +66,7 @@ void check_ensemble(const Scheme& scheme, const StepperWishes& wishes) {
     refuse(wishes.evaluations, "--evaluations", "one evaluation serves several trajectories");
     const std::string obstacle = obstacle_to_ensemble(scheme);
     if (!obstacle.empty())
-        throw InputError("no ensembles of this method on this H: " + obstacle, {},
+        throw InputError("no ensembles of this method on this H: " + obstacle, place,
                          "they are built for explicit methods, as stormer-verlet and its "
                          "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
 }
@@ -93,14 +93,19 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
     check_start(scene);
 
     auto [tableau, curve] = derive(method, wishes.dense);
-    if (wishes.composition) check_composition(*wishes.composition, tableau);
-    if (wishes.composition && wishes.dense)
-        throw InputError("--dense is not built for compositions, whose steps have no one curve");
+    if (wishes.composition) {
+        const Place place = option_place("--compose", wishes.composition->name);
+        check_composition(*wishes.composition, tableau, place);
+        if (wishes.dense)
+            throw InputError("--dense is not built for compositions, whose steps have no one curve",
+                             place);
+    }
     LoweredScene lowered = hvi::gen::lowered(scene);
     Scheme scheme = plan(tableau, {.separable = lowered.structure.is_separable,
                                    .depends_on_time = lowered.system.time.has_value(),
                                    .kinetic_is_quadratic = lowered.structure.kinetic_is_quadratic,
                                    .is_quadratic = lowered.structure.is_quadratic,
+                                   .is_degenerate = is_degenerate(lowered.structure),
                                    .joint_gradient_pays = joint_gradient_pays(lowered.system),
                                    .degrees_of_freedom = lowered.system.degrees_of_freedom(),
                                    .has_curve = wishes.dense,

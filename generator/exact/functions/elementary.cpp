@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "generator/exact/functions/division_by_zero.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
 
@@ -68,7 +69,7 @@ Number tangent(bool circular, const Number& x, const Ground& ground) {
     const Number grows = circular ? Number(0) : ground.exp(Number(2) * x);
     const Number above = circular ? ground.sin(x) : grows - Number(1);
     const Number below = circular ? ground.cos(x) : grows + Number(1);
-    if (below.is_zero()) throw InputError("division by zero");
+    if (below.is_zero()) throw DivisionByZero();
     return above / below;
 }
 

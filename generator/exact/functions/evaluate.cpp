@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "generator/exact/functions/compose.hpp"
+#include "generator/exact/functions/division_by_zero.hpp"
 #include "generator/exact/functions/spline.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
@@ -75,6 +76,9 @@ private:
         } catch (const MathError& error) {
             if (error.place()) throw;
             throw MathError(error.what(), place(expression), error.help());
+        } catch (const DivisionByZero& error) {
+            if (error.place()) throw;
+            throw DivisionByZero(place(expression));
         } catch (const InputError& error) {
             if (error.place()) throw;
             throw InputError(error.what(), place(expression), error.help());
@@ -144,7 +148,7 @@ private:
     ExactFunction reciprocal(const Expression& argument) const {
         const ExactFunction divisor = evaluate(argument);
         if (const auto number = divisor.constant()) {
-            if (number->is_zero()) throw InputError("division by zero", place(argument));
+            if (number->is_zero()) throw DivisionByZero(place(argument));
             return ExactFunction(Number(1) / *number);
         }
         return placed(argument, [&] { return composition_.reciprocal(divisor); });

@@ -17,10 +17,9 @@ struct Setting {
     std::map<long, long> splines;  ///< the number of B-splines of a degree, see spline.hpp
 };
 
-/// The expression as a function of tau. Throws InputError with its place for a division by zero,
-/// for numbers and powers of a size that no method needs, and for what is to come; MathError with
-/// its place where a value is not real, and for a singularity, which it names, that is not
-/// integrable.
+/// The expression as a function of tau. Throws, with the place: DivisionByZero; InputError for
+/// numbers and powers of a size that no method needs, and for what is to come; MathError where a
+/// value is not real, and for a singularity, which it names, that is not integrable.
 [[nodiscard]] ExactFunction evaluate_function(const Expression& expression,
                                               const std::shared_ptr<const Source>& source,
                                               const Ground& ground, const Setting& setting = {});

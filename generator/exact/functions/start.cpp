@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/functions/start.hpp"
 
+#include "generator/exact/functions/division_by_zero.hpp"
+#include "generator/exact/functions/evaluate.hpp"
+
 namespace hvi::gen {
 
 namespace {
 
-/// NOTE: the place of a parameter is that of all it says, and its value has no text of its own.
+MathError no_value(const Parameter& parameter, const std::string& fault,
+                   const std::optional<Place>& place) {
+    return MathError("in the value of `" + parameter.name + "` there is " + fault, place);
+}
+
 Ball value_of(const Parameter& parameter) {
     try {
-        return value_at(parameter.value, {}, nullptr);
-    } catch (const MathError& error) {
-        throw MathError("in the value of `" + parameter.name + "` there is " + error.what(),
-                        parameter.place);
-    }
+        return value_at(parameter.value, {}, parameter.source);
+    } catch (const MathError& error) { throw no_value(parameter, error.what(), error.place()); }
 }
 
 }  // namespace
+
+Number exact_value(const Parameter& parameter, const Ground& ground) {
+    static_cast<void>(value_of(parameter));
+    try {
+        return evaluate_number(parameter.value, parameter.source, ground);
+    } catch (const DivisionByZero& error) {
+        throw no_value(parameter, "a division by zero", error.place());
+    }
+}
 
 SymbolValues parameter_values(const Scene& scene) {
     SymbolValues values;
@@ -26,8 +39,11 @@ SymbolValues parameter_values(const Scene& scene) {
 }
 
 void check_start(const Scene& scene) {
-    if (scene.initial.empty()) { return; }
     const SymbolValues values = parameter_values(scene);
+    for (const Parameter& parameter : scene.parameters) {
+        on_new_ground([&](const Ground& ground) { return exact_value(parameter, ground); });
+    }
+    if (scene.initial.empty()) { return; }
     const auto look = [](const NamedExpression& what, const SymbolValues& at) {
         return value_at(what.expression, at, what.place.source);
     };

@@ -5,16 +5,22 @@
 #include <vector>
 
 #include "generator/exact/functions/value_at.hpp"
+#include "generator/exact/numbers/ground.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
+/// The value of a parameter of a scene. Throws MathError, with its place, where it has none, and
+/// InputError as evaluate_number() does for numbers of a size that nothing needs.
+[[nodiscard]] Number exact_value(const Parameter& parameter, const Ground& ground);
+
 /// Throws MathError, with its place, where one has no value.
 [[nodiscard]] SymbolValues parameter_values(const Scene& scene);
 
-/// Throws MathError, with its place, where an initial value, or H or an invariant at the start, is
-/// provably no real number: the root of a negative number, a division by a mass of zero, two bodies
-/// at one place. Does nothing where the scene has no initial data.
+/// Throws as exact_value() does, and MathError, with its place, where an initial value, or H or an
+/// invariant at the start, is provably no real number: the root of a negative number, a division by
+/// a mass of zero, two bodies at one place. Looks at parameters alone where the scene has no
+/// initial data.
 void check_start(const Scene& scene);
 
 /// Coordinates, then momenta, of the scene's [exact] at a time, good to the last bit or two. Throws

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/functions/start.hpp"
 
 namespace hvi::gen {
 
@@ -23,7 +24,7 @@ std::int64_t floor(const Number& number) {
 /// The ground with the values of the scene's parameters.
 Ground with_parameters(Ground ground, const Scene& scene) {
     for (const Parameter& parameter : scene.parameters)
-        ground.set_parameter(parameter.name, evaluate_number(parameter.value, nullptr, ground));
+        ground.set_parameter(parameter.name, exact_value(parameter, ground));
     return ground;
 }
 
@@ -41,7 +42,9 @@ Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExp
                         "step and until have the same sign");
     if (quotient.nearest_double() > most_steps)
         throw MathError("these are more than 10^15 steps", step.place);
-    return {h.nearest_double(), floor(quotient)};
+    const std::int64_t count = floor(quotient);
+    const Number left = end - Number(static_cast<long>(count)) * h;
+    return {h.nearest_double(), count, left.sign() == 0 ? 0 : left.nearest_double()};
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace hvi::gen {
 struct Steps {
     double size;         ///< the double nearest to it; negative is back in time
     std::int64_t count;  ///< the most that do not go beyond the end
+    double left = 0;     ///< of the time behind them, less than a step
 };
 
 /// Decided exactly: 200 is 4000 steps of 1/20, although 200/0.05 in doubles is another number.

@@ -139,8 +139,7 @@ std::string composed_name(const std::string& method,
     return method.empty() ? composition->name : method + "-" + composition->name;
 }
 
-void check_composition(const Composition& composition, const Tableau& tableau,
-                       const std::optional<Place>& place) {
+void check_composition(const Composition& composition, const Tableau& tableau, const Place& place) {
     if (!tableau.parameters.empty()) {
         throw InputError("compositions of methods with a free parameter are not built", place,
                          "give it a value: --param " + tableau.parameters.front() + "=1");

@@ -33,8 +33,7 @@ struct Composition {
 /// Throws MathError where the method would have to be its own adjoint, and InputError where it has
 /// a free parameter, or too many stages to plan so many steps as one; with `place`, where it is
 /// asked for.
-void check_composition(const Composition& composition, const Tableau& tableau,
-                       const std::optional<Place>& place = {});
+void check_composition(const Composition& composition, const Tableau& tableau, const Place& place);
 
 /// Throws InputError, with what may have been meant.
 [[nodiscard]] Composition named_composition(const std::shared_ptr<const Source>& name);

@@ -27,7 +27,7 @@ struct Ingredients {
 Ingredients ingredients(const Method& method, Ground ground) {
     for (const Parameter& parameter : method.parameters) {
         ground.set_parameter(parameter.name,
-                             evaluate_number(parameter.value, parameter.place.source, ground));
+                             evaluate_number(parameter.value, parameter.source, ground));
     }
     Nodes nodes = quadrature_nodes(method.nodes, ground);
     auto psi = basis_functions(method.basis, nodes.c, ground);

@@ -72,7 +72,7 @@ GivenTableau given_tableau(const Coefficients& coefficients, Ground ground) {
     const Progress::Stage stage("reading the coefficients exactly");
     for (const Parameter& parameter : coefficients.parameters) {
         ground.set_parameter(parameter.name,
-                             evaluate_number(parameter.value, parameter.place.source, ground));
+                             evaluate_number(parameter.value, parameter.source, ground));
     }
     GivenTableau result;
     result.written = numbers(coefficients, [&](const Coefficient& entry) {
