@@ -11,8 +11,10 @@
 
 namespace hvi::gen {
 
-/// An immutable real number, or a function of free parameters. Arithmetic is exact. Numbers that
-/// meet in one operation come from one Field (rationals fit everywhere).
+/// An immutable real number, or a function of free parameters. Arithmetic is exact, as far as the
+/// field's Budget goes: a result beyond it is known by its enclosures, and with free parameters in
+/// the field TooLarge is thrown. Numbers that meet in one operation come from one Field (rationals
+/// fit everywhere).
 class Number {
 public:
     Number() : Number(0) {}
