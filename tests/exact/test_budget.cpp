@@ -48,3 +48,28 @@ TEST_CASE("with free parameters too long numbers are refused") {
         CHECK(refused.helps("--param"));
     }
 }
+
+TEST_CASE("a number that nothing tells from zero is zero to so many places") {
+    // (3^(1/3))^3 = 3, which the enclosures of exp cannot prove
+    const Ground ground(std::make_shared<Field>(Denominators{}));
+    const Number root = ground.exp(ground.log(Number(3)) / Number(3));
+    const Number zero = root * root * root - Number(3);
+    CHECK(text(zero) == "none");
+    CHECK(zero.decimal(20) == "0e-20");
+    CHECK(zero.decimal(50) == "0e-50");
+    CHECK(zero.nearest_double() == 0.0);
+    CHECK_FALSE(std::signbit(zero.nearest_double()));
+    CHECK(zero.known_zero() == std::nullopt);
+    // what is tiny and is told from zero has its digits
+    CHECK((root * ground.exp(Number(-1000))).decimal(5) == "7.3208e-435");
+}
+
+TEST_CASE("zeros of an inverse are exact where exact entries give them") {
+    // M = [[1, 1, 1], [0, 3^(-2/3), 1], [1, 0, 0]]
+    const Tableau tableau = derive(method("1, tau^(2/3), cos((3/2)*pi*tau)", "0, 1/3, 1"));
+    CHECK(texts(tableau.M_inverse[0]) == std::vector<std::string>{"0", "0", "1"});
+    const auto refused =
+        refusal([] { return derive(method("1, tau^(1/3), (3*tau-1)*(tau-1)", "0, 1/3, 1")); });
+    CHECK(refused.status == 1);
+    CHECK(refused.says("the weight of node 1, c = 0, is zero"));
+}
