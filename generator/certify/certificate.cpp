@@ -5,6 +5,7 @@
 
 #include "generator/certify/known.hpp"
 #include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/numbers/budget.hpp"
 #include "generator/plan/stage_graph.hpp"
 
 namespace hvi::gen {
@@ -38,9 +39,12 @@ Properties properties_of(const Method& method, int max_order) {
             has_common_weights(method), orders(method, max_order)};
 }
 
+/// Nothing where the map is too long.
 template <class Method>
 void set_oscillator(Certificate& certificate, const Method& method) {
-    certificate.oscillator = oscillator_map(method);
+    try {
+        certificate.oscillator = oscillator_map(method);
+    } catch (const TooLarge&) { return; }
     if (certificate.parameters.empty()) {
         certificate.stability = linear_stability(*certificate.oscillator, stability_limit);
     }
@@ -86,11 +90,16 @@ Certificate certify(const Tableau& tableau, int max_order) {
 }
 
 Certificate certify(const Method& method, int max_order) {
-    Certificate result = certify(derive(method), max_order);
-    if (!result.parameters.empty()) {
-        result.exceptions = exceptions(method, result.orders.general, max_order);
+    try {
+        Certificate result = certify(derive(method), max_order);
+        if (!result.parameters.empty()) {
+            result.exceptions = exceptions(method, result.orders.general, max_order);
+        }
+        return result;
+    } catch (const TooLarge& error) {
+        const auto& basis = method.basis;
+        throw MathError(error.what(), basis.place({0, basis.source->text.size()}), error.help());
     }
-    return result;
 }
 
 Certificate certify(const NodesAndMethod& given, const std::vector<std::string>& parameters,

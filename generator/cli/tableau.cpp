@@ -3,12 +3,14 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/render/render.hpp"
+#include "generator/support/progress.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
 std::string rendered(const Tableau& tableau, const TableauOptions& options) {
+    const Progress::Stage stage("writing the tableau");
     using Format = TableauOptions::Format;
     switch (options.format) {
     case Format::text: return render_text(tableau, options.digits);

@@ -7,6 +7,7 @@
 #include "generator/exact/algebra/rational_matrix.hpp"
 #include "generator/exact/numbers/minors.hpp"
 #include "generator/exact/numbers/number_value.hpp"
+#include "generator/exact/numbers/rational.hpp"
 
 namespace hvi::gen {
 
@@ -214,6 +215,19 @@ bool has_generators(const NumberMatrix& matrix) {
     return found;
 }
 
+/// The row from k on whose entry in column k is to be divided by; empty where all of them are zero.
+/// NOTE: exact ones come first: what they eliminate vanishes exactly, and a zero of the inverse is
+/// none of which enclosures would leave it open.
+std::optional<std::size_t> pivot_row(const NumberMatrix& rows, std::size_t k) {
+    for (std::size_t i = k; i < rows.size(); ++i) {
+        if (is_exact(rows[i][k]) && !rows[i][k].is_zero()) { return i; }
+    }
+    for (std::size_t i = k; i < rows.size(); ++i) {
+        if (!rows[i][k].is_zero()) { return i; }
+    }
+    return std::nullopt;
+}
+
 /// Gauss-Jordan elimination.
 std::optional<NumberMatrix> by_elimination(const NumberMatrix& matrix) {
     const std::size_t s = matrix.size();
@@ -222,10 +236,9 @@ std::optional<NumberMatrix> by_elimination(const NumberMatrix& matrix) {
         for (std::size_t j = 0; j < s; ++j) rows[i].push_back(Number(i == j ? 1 : 0));
     }
     for (std::size_t k = 0; k < s; ++k) {
-        std::size_t pivot = k;
-        while (pivot < s && rows[pivot][k].is_zero()) ++pivot;
-        if (pivot == s) return std::nullopt;
-        std::swap(rows[pivot], rows[k]);
+        const auto pivot = pivot_row(rows, k);
+        if (!pivot) return std::nullopt;
+        std::swap(rows[*pivot], rows[k]);
         const Number scale = Number(1) / rows[k][k];
         for (Number& entry : rows[k]) entry = entry * scale;
         for (std::size_t i = 0; i < s; ++i) {

@@ -162,12 +162,7 @@ Ball enclosure(const NumberPolynomial& polynomial, const Ball& argument, Precisi
 
 std::size_t term_count(const Number& number) {
     const Element* const element = number.value().element();
-    if (element == nullptr) { return 0; }
-    std::size_t count = element->denominator().term_count();
-    for (const auto& [monomial, coefficient] : element->numerator()) {
-        count += coefficient.term_count();
-    }
-    return count;
+    return element == nullptr ? 0 : element->term_count();
 }
 
 std::size_t term_count(const NumberMatrix& rows) {

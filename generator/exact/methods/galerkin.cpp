@@ -10,6 +10,7 @@
 #include "generator/exact/functions/independence.hpp"
 #include "generator/exact/methods/interpolation.hpp"
 #include "generator/exact/methods/nodes.hpp"
+#include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/support/progress.hpp"
 
@@ -366,7 +367,11 @@ Derivation derive_on(const Ground& ground, const Method& method) {
     const Progress::Stage stage("reading nodes and basis exactly");
     const Ingredients given = ingredients(method, ground);
     check_counts(method, given);
-    return {derive(method, given), given.ground};
+    try {
+        return {derive(method, given), given.ground};
+    } catch (const TooLarge& error) {
+        throw MathError(error.what(), whole(method.basis), error.help());
+    }
 }
 
 Tableau derive(const Method& method) {

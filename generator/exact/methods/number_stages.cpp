@@ -2,6 +2,7 @@
 #include "generator/exact/methods/number_stages.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/numbers/number_value.hpp"
@@ -38,6 +39,14 @@ int compare(const Element& left, const Element& right) {
     return fmpz_mpoly_cmp(left.denominator().get(), right.denominator().get(), context);
 }
 
+/// Throws TooLarge where arithmetic had to leave numbers to their enclosures.
+NumberVector exact(NumberVector numbers) {
+    for (const Number& number : numbers) {
+        if (!is_exact(number)) { throw TooLarge(); }
+    }
+    return numbers;
+}
+
 std::vector<Ball> enclosures(const NumberVector& numbers, Precision bits) {
     std::vector<Ball> result;
     for (const Number& number : numbers) { result.push_back(enclosure(number, bits)); }
@@ -64,6 +73,10 @@ bool PartitionedMethod::is_exact() const {
     return !any_coefficient(*this, [](const Number& entry) { return !hvi::gen::is_exact(entry); });
 }
 
+bool PartitionedMethod::has_parameters() const {
+    return any_coefficient(*this, [](const Number& entry) { return entry.has_parameters(); });
+}
+
 PartitionedMethod partitioned_method(const Tableau& tableau) {
     return {tableau.b, tableau.b, tableau.A, tableau.A_tilde};
 }
@@ -71,16 +84,16 @@ PartitionedMethod partitioned_method(const Tableau& tableau) {
 NumberVector NumberStages::product(const Function& left, const Function& right) const {
     NumberVector result;
     for (std::size_t i = 0; i < left.size(); ++i) { result.push_back(left[i] * right[i]); }
-    return result;
+    return exact(std::move(result));
 }
 
 Number NumberStages::defect(Colour colour, const Function& function, long times) const {
     const NumberMatrix row{colour == Colour::f ? method_.b : method_.b_tilde};
-    return (row * function).front() * Number(times) - Number(1);
+    return exact({(row * function).front() * Number(times) - Number(1)}).front();
 }
 
 NumberVector NumberStages::apply(Colour colour, const Function& function, long times) const {
-    return (colour == Colour::f ? method_.A : method_.A_tilde) * function * Number(times);
+    return exact((colour == Colour::f ? method_.A : method_.A_tilde) * function * Number(times));
 }
 
 GalerkinStages::GalerkinStages(const Tableau& tableau)

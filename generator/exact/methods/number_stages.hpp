@@ -20,6 +20,7 @@ struct PartitionedMethod {
 
     [[nodiscard]] std::size_t stages() const { return b.size(); }
     [[nodiscard]] bool is_exact() const;  ///< all numbers have a place in the field
+    [[nodiscard]] bool has_parameters() const;
 };
 
 [[nodiscard]] PartitionedMethod partitioned_method(const Tableau& tableau);
@@ -31,7 +32,8 @@ struct RoundedMethod {
     Precision bits;              ///< what their digits take
 };
 
-/// Functions on the stages as vectors of exact numbers. Precondition: the method is exact.
+/// Functions on the stages as vectors of exact numbers; TooLarge is thrown where they do not stay
+/// exact. Precondition: the method is exact.
 class NumberStages {
 public:
     using Function = NumberVector;

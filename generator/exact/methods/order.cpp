@@ -237,7 +237,11 @@ Orders orders(const Tableau& tableau, int max_order) {
 
 Orders orders(const PartitionedMethod& method, int max_order) {
     if (method.is_exact()) {
-        return examine(NumberStages(method), Decided(), exact_defect, max_order);
+        try {
+            return examine(NumberStages(method), Decided(), exact_defect, max_order);
+        } catch (const TooLarge&) {
+            if (method.has_parameters()) { throw; }
+        }
     }
     const EnclosedDefect to_number(method);
     // NOTE: enclosures of zero narrower than 10^-50 take 167 bits and some more for what is lost.

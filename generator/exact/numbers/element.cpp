@@ -42,17 +42,50 @@ void add(Terms& terms, const Monomial& monomial, const IntegerMultivariate& coef
     if (sum.is_zero()) { terms.erase(monomial); }
 }
 
-void multiply(Terms& terms, const IntegerMultivariate& factor) {
+/// Arithmetic of polynomials within what a field may spend on it. Without a field there are
+/// rationals alone, which are free.
+class Frugal {
+public:
+    explicit Frugal(Field* field) : budget_(field != nullptr ? &field->budget() : nullptr) {}
+
+    [[nodiscard]] IntegerMultivariate product(const IntegerMultivariate& a,
+                                              const IntegerMultivariate& b) const {
+        if (a.is_one()) { return b; }
+        if (b.is_one()) { return a; }
+        if (budget_ != nullptr) { budget_->spend_on_product(a, b); }
+        IntegerMultivariate result = a * b;
+        Budget::check_length(result);
+        return result;
+    }
+    void divide(IntegerMultivariate& dividend, const IntegerMultivariate& divisor) const {
+        if (divisor.is_one()) { return; }
+        dividend /= divisor;
+        if (budget_ != nullptr) { budget_->spend_on_product(dividend, divisor); }
+    }
+    [[nodiscard]] IntegerMultivariate gcd(const IntegerMultivariate& a,
+                                          const IntegerMultivariate& b) const {
+        const bool is_known = a.is_one() || b.is_one();
+        if (!is_known && budget_ != nullptr) { budget_->spend_on_divisor(a, b); }
+        return hvi::gen::gcd(a, b);
+    }
+
+private:
+    Budget* budget_;
+};
+
+void multiply(Terms& terms, const IntegerMultivariate& factor, const Frugal& frugal) {
     if (factor.is_one()) { return; }
-    for (auto& [monomial, coefficient] : terms) { coefficient = coefficient * factor; }
+    for (auto& [monomial, coefficient] : terms) {
+        coefficient = frugal.product(coefficient, factor);
+    }
 }
 
-Terms product(const Terms& left, const Terms& right) {
+Terms product(const Terms& left, const Terms& right, const Frugal& frugal) {
     Terms result;
     for (const auto& [left_monomial, left_coefficient] : left) {
         for (const auto& [right_monomial, right_coefficient] : right) {
             add(result, product(left_monomial, right_monomial),
-                left_coefficient * right_coefficient);
+                frugal.product(left_coefficient, right_coefficient));
         }
     }
     return result;
@@ -60,7 +93,8 @@ Terms product(const Terms& left, const Terms& right) {
 
 /// The greatest common divisor of all coefficients and `other`. The shortest come first: it is
 /// often 1 after the first of them, and what is left is not looked at.
-IntegerMultivariate common_divisor(const Terms& terms, const IntegerMultivariate& other) {
+IntegerMultivariate common_divisor(const Terms& terms, const IntegerMultivariate& other,
+                                   const Frugal& frugal) {
     std::vector<const IntegerMultivariate*> coefficients;
     for (const auto& [monomial, coefficient] : terms) { coefficients.push_back(&coefficient); }
     std::sort(coefficients.begin(), coefficients.end(), [](const auto* left, const auto* right) {
@@ -69,16 +103,16 @@ IntegerMultivariate common_divisor(const Terms& terms, const IntegerMultivariate
     IntegerMultivariate divisor = other;
     for (const IntegerMultivariate* const coefficient : coefficients) {
         if (divisor.is_one()) { break; }
-        divisor = gcd(divisor, *coefficient);
+        divisor = frugal.gcd(divisor, *coefficient);
     }
     return divisor;
 }
 
 /// Divides all by what they have in common.
-void cancel(Terms& numerator, IntegerMultivariate& denominator) {
-    const IntegerMultivariate divisor = common_divisor(numerator, denominator);
-    for (auto& [monomial, coefficient] : numerator) { coefficient /= divisor; }
-    denominator /= divisor;
+void cancel(Terms& numerator, IntegerMultivariate& denominator, const Frugal& frugal) {
+    const IntegerMultivariate divisor = common_divisor(numerator, denominator, frugal);
+    for (auto& [monomial, coefficient] : numerator) { frugal.divide(coefficient, divisor); }
+    frugal.divide(denominator, divisor);
 }
 
 /// Takes the terms with the highest power of generator `index` out that its relation applies to.
@@ -103,7 +137,8 @@ std::optional<Terms> take_reducible(Terms& terms, std::size_t index, unsigned de
 
 /// Applies the relations until none is left that applies; the result is to be divided by what is
 /// returned, which is empty where nothing was to be done.
-std::optional<IntegerMultivariate> reduce(Terms& terms, const Field* field) {
+std::optional<IntegerMultivariate> reduce(Terms& terms, Field* field) {
+    const Frugal frugal(field);
     std::size_t level = 0;
     for (const auto& [monomial, coefficient] : terms) { level = std::max(level, monomial.size()); }
     std::optional<IntegerMultivariate> denominator;
@@ -111,10 +146,10 @@ std::optional<IntegerMultivariate> reduce(Terms& terms, const Field* field) {
         const Algebraic& generator = field->algebraic(i);
         while (const auto high = take_reducible(terms, i, generator.degree)) {
             const IntegerMultivariate& divisor = generator.reduced.denominator();
-            multiply(terms, divisor);
-            denominator = denominator ? *denominator * divisor : divisor;
+            multiply(terms, divisor, frugal);
+            denominator = denominator ? frugal.product(*denominator, divisor) : divisor;
             for (const auto& [monomial, coefficient] :
-                 product(*high, generator.reduced.numerator())) {
+                 product(*high, generator.reduced.numerator(), frugal)) {
                 add(terms, monomial, coefficient);
             }
         }
@@ -182,7 +217,7 @@ Element Element::quotient(Terms numerator, IntegerMultivariate denominator, Fiel
     Element result;
     result.field_ = field;
     if (numerator.empty()) { return result; }
-    cancel(numerator, denominator);
+    cancel(numerator, denominator, Frugal(field));
     if (denominator.leading_sign() < 0) {
         for (auto& [monomial, coefficient] : numerator) { coefficient.negate(); }
         denominator.negate();
@@ -224,21 +259,22 @@ void Element::copy_to(fmpq* rational) const {
 Element operator+(const Element& left, const Element& right) {
     if (left.is_rational() && right.is_rational()) { return of_rationals(left, right, fmpq_add); }
     // a/(g r) + b/(g s) = (a s + b r)/(g r s), and only g has divisors in common with the sum.
-    IntegerMultivariate g = gcd(left.denominator_, right.denominator_);
-    IntegerMultivariate r = left.denominator_;
-    IntegerMultivariate s = right.denominator_;
-    r /= g;
-    s /= g;
     Element result;
     result.field_ = common_field(left, right);
+    const Frugal frugal(result.field_);
+    IntegerMultivariate g = frugal.gcd(left.denominator_, right.denominator_);
+    IntegerMultivariate r = left.denominator_;
+    IntegerMultivariate s = right.denominator_;
+    frugal.divide(r, g);
+    frugal.divide(s, g);
     result.numerator_ = left.numerator_;
-    multiply(result.numerator_, s);
+    multiply(result.numerator_, s, frugal);
     for (const auto& [monomial, coefficient] : right.numerator_) {
-        add(result.numerator_, monomial, coefficient * r);
+        add(result.numerator_, monomial, frugal.product(coefficient, r));
     }
     if (result.is_zero()) { return result; }
-    cancel(result.numerator_, g);
-    result.denominator_ = g * r * s;
+    cancel(result.numerator_, g, frugal);
+    result.denominator_ = frugal.product(frugal.product(g, r), s);
     return result;
 }
 
@@ -255,21 +291,22 @@ Element operator*(const Element& left, const Element& right) {
     Element result;
     result.field_ = common_field(left, right);
     if (left.is_zero() || right.is_zero()) { return result; }
+    const Frugal frugal(result.field_);
     Element a = left;
     Element b = right;
-    cancel(a.numerator_, b.denominator_);
-    cancel(b.numerator_, a.denominator_);
-    result.numerator_ = product(a.numerator_, b.numerator_);
+    cancel(a.numerator_, b.denominator_, frugal);
+    cancel(b.numerator_, a.denominator_, frugal);
+    result.numerator_ = product(a.numerator_, b.numerator_, frugal);
     // NOTE: by Gauss's lemma there is nothing more to cancel, unless a relation was applied.
     auto divisor = reduce(result.numerator_, result.field_);
     if (result.is_zero()) { return result; }
     if (divisor) {
         for (auto* const denominator : {&a.denominator_, &b.denominator_, &*divisor}) {
-            cancel(result.numerator_, *denominator);
+            cancel(result.numerator_, *denominator, frugal);
         }
-        a.denominator_ = a.denominator_ * *divisor;
+        a.denominator_ = frugal.product(a.denominator_, *divisor);
     }
-    result.denominator_ = a.denominator_ * b.denominator_;
+    result.denominator_ = frugal.product(a.denominator_, b.denominator_);
     return result;
 }
 
@@ -281,6 +318,12 @@ Element power(const Element& base, unsigned exponent) {
         if (exponent > 1) square = square * square;
     }
     return result;
+}
+
+std::size_t Element::term_count() const {
+    std::size_t count = denominator_.term_count();
+    for (const auto& [monomial, coefficient] : numerator_) { count += coefficient.term_count(); }
+    return count;
 }
 
 std::size_t Element::level() const {
@@ -316,9 +359,10 @@ struct Primitive {
 
 Primitive primitive(const Element& argument) {
     Terms terms = argument.numerator();
-    IntegerMultivariate divisor = common_divisor(terms, {});
-    for (auto& [monomial, coefficient] : terms) { coefficient /= divisor; }
     Field* const field = argument.field();
+    const Frugal frugal(field);
+    IntegerMultivariate divisor = common_divisor(terms, {}, frugal);
+    for (auto& [monomial, coefficient] : terms) { frugal.divide(coefficient, divisor); }
     return {Element::quotient(std::move(terms), IntegerMultivariate(1), field),
             Element::quotient({{{}, argument.denominator()}}, std::move(divisor), field)};
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "generator/exact/numbers/ball.hpp"
+#include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/multivariate.hpp"
 #include "generator/expr/expression.hpp"
 
@@ -25,7 +26,8 @@ using Monomial = std::vector<unsigned>;
 /// An element of a Field in normal form: a polynomial in the algebraic generators, each of degree
 /// less than that of its relation, over one denominator. Its coefficients and the denominator are
 /// polynomials over Z in the transcendental generators, without a divisor that they all share, and
-/// the denominator has leading sign 1. Zero has no terms, and nothing else is zero.
+/// the denominator has leading sign 1. Zero has no terms, and nothing else is zero. Arithmetic
+/// throws TooLarge where it would take more than the field's budget.
 class Element {
 public:
     using Terms = std::map<Monomial, IntegerMultivariate>;  ///< none is zero
@@ -57,6 +59,9 @@ public:
     friend Element operator-(const Element& left, const Element& right);
     friend Element operator*(const Element& left, const Element& right);
     friend Element operator-(const Element& argument);
+
+    /// Of numerator and denominator.
+    [[nodiscard]] std::size_t term_count() const;
 
     /// Number of algebraic generators below and including the last one that occurs.
     [[nodiscard]] std::size_t level() const;
@@ -128,6 +133,7 @@ public:
         return algebraics_.at(index);
     }
     [[nodiscard]] std::size_t algebraic_count() const { return algebraics_.size(); }
+    [[nodiscard]] Budget& budget() { return budget_; }
 
     [[nodiscard]] Element pi();
     [[nodiscard]] Element parameter(const std::string& name);
@@ -176,6 +182,7 @@ private:
     [[nodiscard]] Element adjoin(Algebraic generator);
     [[nodiscard]] std::optional<Element> adjoin_root(const Element& argument);
 
+    Budget budget_;
     Denominators denominators_;
     std::vector<Transcendental> transcendentals_;
     std::vector<Algebraic> algebraics_;

@@ -23,6 +23,14 @@ Number by_enclosure(const Number& argument, const char* name, ArbFunction functi
     }));
 }
 
+/// What `work` finds in the field; nothing where that is too large.
+template <class Work>
+auto within_budget(Work work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const TooLarge&) { return std::nullopt; }
+}
+
 }  // namespace
 
 Number Ground::exact(Element element) const { return number(std::move(element), field_); }
@@ -46,7 +54,8 @@ void Ground::set_parameter(const std::string& name, Number value) {
 
 Number Ground::sqrt(const Number& argument) const {
     if (const Element* element = argument.value().element()) {
-        if (const auto root = field_->sqrt(*element)) return exact(*root);
+        const auto root = within_budget([&] { return field_->sqrt(*element); });
+        if (root) return exact(*root);
     } else if (argument.sign() < 0) {
         throw MathError("the square root of a negative number is not real");
     }
@@ -58,14 +67,17 @@ std::optional<Number> Ground::either_root(const Number& square) const {
     if (element == nullptr) { return std::nullopt; }
     const bool has_sign = !square.has_parameters();
     if (has_sign && square.sign() < 0) { return std::nullopt; }
-    const auto root =
-        has_sign ? field_->sqrt(*element) : root_in_field(*element, field_->algebraic_count());
+    const auto root = within_budget([&] {
+        return has_sign ? field_->sqrt(*element)
+                        : root_in_field(*element, field_->algebraic_count());
+    });
     return root ? std::optional(exact(*root)) : std::nullopt;
 }
 
 Number Ground::exp(const Number& argument) const {
     if (const Element* element = argument.value().element()) {
-        if (const auto value = field_->exp(*element)) return exact(*value);
+        const auto value = within_budget([&] { return field_->exp(*element); });
+        if (value) return exact(*value);
     }
     return by_enclosure(argument, "exp", arb_exp);
 }
@@ -82,14 +94,16 @@ Number Ground::log(const Number& argument) const {
 
 Number Ground::cos(const Number& argument) const {
     if (const Element* element = argument.value().element()) {
-        if (const auto value = field_->cos_sin(*element)) return exact(value->cos);
+        const auto value = within_budget([&] { return field_->cos_sin(*element); });
+        if (value) return exact(value->cos);
     }
     return by_enclosure(argument, "cos", arb_cos);
 }
 
 Number Ground::sin(const Number& argument) const {
     if (const Element* element = argument.value().element()) {
-        if (const auto value = field_->cos_sin(*element)) return exact(value->sin);
+        const auto value = within_budget([&] { return field_->cos_sin(*element); });
+        if (value) return exact(value->sin);
     }
     return by_enclosure(argument, "sin", arb_sin);
 }

@@ -23,6 +23,25 @@ Number combine(const Number& left, const Number& right, BallOperation operation)
     }));
 }
 
+/// What `exact` returns; where that is too large, the same by enclosures, which numbers with free
+/// parameters do not have: throws TooLarge.
+template <class Exact>
+Number within_budget(const Number& left, const Number& right, Exact exact,
+                     BallOperation operation) {
+    constexpr std::size_t most_terms = 4000;  // nobody reads longer ones
+    std::shared_ptr<Field> field = common_field(left, right);
+    const auto has_parameters = [&] { return !field->parameters().empty(); };
+    try {
+        Element result = exact();
+        if (field == nullptr || result.term_count() <= most_terms || has_parameters()) {
+            return number(std::move(result), std::move(field));
+        }
+    } catch (const TooLarge&) {
+        if (has_parameters()) { throw; }
+    }
+    return combine(left, right, operation);
+}
+
 }  // namespace
 
 bool is_exactly(const Number& number, long integer) {
@@ -45,7 +64,10 @@ Ball enclosure(const Number& number, Precision bits) { return number.value().enc
 Number operator+(const Number& left, const Number& right) {
     const Element* const a = left.value().element();
     const Element* const b = right.value().element();
-    if (a != nullptr && b != nullptr) return number(*a + *b, common_field(left, right));
+    if (a != nullptr && b != nullptr) {
+        return within_budget(
+            left, right, [&] { return *a + *b; }, arb_add);
+    }
     if (is_exactly(left, 0)) return right;
     if (is_exactly(right, 0)) return left;
     return combine(left, right, arb_add);
@@ -70,7 +92,10 @@ Number operator-(const Number& left, const Number& right) {
 Number operator*(const Number& left, const Number& right) {
     const Element* const a = left.value().element();
     const Element* const b = right.value().element();
-    if (a != nullptr && b != nullptr) return number(*a * *b, common_field(left, right));
+    if (a != nullptr && b != nullptr) {
+        return within_budget(
+            left, right, [&] { return *a * *b; }, arb_mul);
+    }
     if (is_exactly(left, 0) || is_exactly(right, 0)) return Number(0);
     if (is_exactly(left, 1)) return right;
     if (is_exactly(right, 1)) return left;
@@ -82,8 +107,10 @@ Number operator/(const Number& left, const Number& right) {
     if (&left.value() == &right.value()) return Number(1);
     const Element* const a = left.value().element();
     const Element* const b = right.value().element();
-    if (a != nullptr && b != nullptr)
-        return number(*a * right.value().inverse(), common_field(left, right));
+    if (a != nullptr && b != nullptr) {
+        return within_budget(
+            left, right, [&] { return *a * right.value().inverse(); }, arb_div);
+    }
     if (is_exactly(left, 0)) return Number(0);
     if (is_exactly(right, 1)) return left;
     return combine(left, right, arb_div);

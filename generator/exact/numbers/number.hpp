@@ -11,8 +11,10 @@
 
 namespace hvi::gen {
 
-/// An immutable real number, or a function of free parameters. Arithmetic is exact. Numbers that
-/// meet in one operation come from one Field (rationals fit everywhere).
+/// An immutable real number, or a function of free parameters. Arithmetic is exact, as far as the
+/// field's Budget goes: a result beyond it is known by its enclosures, and with free parameters in
+/// the field TooLarge is thrown. Numbers that meet in one operation come from one Field (rationals
+/// fit everywhere).
 class Number {
 public:
     Number() : Number(0) {}
@@ -50,7 +52,9 @@ public:
     [[nodiscard]] std::optional<Expression> expanded_form(const std::string& parameter) const;
 
     /// The value correctly rounded (half to even) to so many significant digits, as `0.0193...`
-    /// or `1.93...e-20`. Zero is `0`. Precondition: no free parameter.
+    /// or `1.93...e-20`. Zero is `0`; a number that no enclosure tells from zero has no significant
+    /// digits, and is `0e-50` to 50 of them: zero to so many decimal places, which is certain.
+    /// Precondition: no free parameter.
     [[nodiscard]] std::string decimal(int digits) const;
 
     /// The correctly rounded double. Precondition: no free parameter.

@@ -34,9 +34,15 @@ struct Number::Value {
 
     [[nodiscard]] const Element* element() const { return std::get_if<Element>(&what); }
 
-    /// Computed once: a divisor often divides many numbers. Precondition: an element, not zero.
+    /// Computed once: a divisor often divides many numbers. Throws TooLarge as arithmetic of
+    /// elements does. Precondition: an element, not zero.
     [[nodiscard]] const Element& inverse() const {
-        if (!inverse_) { inverse_ = hvi::gen::inverse(*element()); }
+        if (inverse_is_too_large_) { throw TooLarge(); }
+        if (!inverse_) {
+            inverse_is_too_large_ = true;
+            inverse_ = hvi::gen::inverse(*element());
+            inverse_is_too_large_ = false;
+        }
         return *inverse_;
     }
 
@@ -51,6 +57,7 @@ struct Number::Value {
 
 private:
     mutable std::optional<Element> inverse_;
+    mutable bool inverse_is_too_large_ = false;
     mutable TightestBall ball_;
 };
 

@@ -63,22 +63,43 @@ WideInteger wide(const Integer& value) {
     return fmpz_sgn(value.get()) < 0 ? -result : result;
 }
 
-/// A number not greater than log10 |value|, and not more than two less.
-long decimal_exponent(const Number& value) {
-    return refine(value, "whether a number is zero", [](const Ball& ball) -> std::optional<long> {
-        if (ball.sign() == 0) return std::nullopt;
-        fmpz_t exponent;
-        fmpz_init(exponent);
-        arf_t magnitude;
-        arf_init(magnitude);
-        arf_set_round(magnitude, arb_midref(ball.get()), 30, ARF_RND_DOWN);
-        arf_abs(magnitude, magnitude);
-        arf_abs_bound_lt_2exp_fmpz(exponent, magnitude);
-        const double bits = fmpz_get_d(exponent) - 2;  // the midpoint may be a power of 2 above
-        arf_clear(magnitude);
-        fmpz_clear(exponent);
-        return static_cast<long>(std::floor(bits * std::log10(2.0)));
-    });
+/// A number not greater than log10 of the ball's middle, and not more than two less.
+long decimal_exponent(const Ball& ball) {
+    fmpz_t exponent;
+    fmpz_init(exponent);
+    arf_t magnitude;
+    arf_init(magnitude);
+    arf_set_round(magnitude, arb_midref(ball.get()), 30, ARF_RND_DOWN);
+    arf_abs(magnitude, magnitude);
+    arf_abs_bound_lt_2exp_fmpz(exponent, magnitude);
+    const double bits = fmpz_get_d(exponent) - 2;  // the midpoint may be a power of 2 above
+    arf_clear(magnitude);
+    fmpz_clear(exponent);
+    return static_cast<long>(std::floor(bits * std::log10(2.0)));
+}
+
+/// The first enclosure that excludes zero, or the last there is: those of an integral end early.
+Ball apart_from_zero(const Number& value) {
+    Ball ball = enclosure(value, first_precision);
+    for (Precision bits = 2 * first_precision; ball.sign() == 0 && bits <= last_precision;
+         bits *= 2) {
+        try {
+            ball = enclosure(value, bits);
+        } catch (const MathError&) { break; }
+    }
+    return ball;
+}
+
+/// Whether all of the ball is 0 to so many decimal places.
+bool is_zero_to(const Ball& ball, int places) {
+    Ball scale, twice;
+    arb_set_ui(scale.get(), 10);
+    arb_pow_ui(scale.get(), scale.get(), static_cast<ulong>(places), first_precision);
+    arb_mul(twice.get(), ball.get(), scale.get(), first_precision);
+    arb_mul_2exp_si(twice.get(), twice.get(), 1);
+    arb_sub_ui(scale.get(), twice.get(), 1, first_precision);
+    arb_add_ui(twice.get(), twice.get(), 1, first_precision);
+    return scale.sign() < 0 && twice.sign() > 0;
 }
 
 /// d.ddd from digits and the exponent of the first one.
@@ -101,8 +122,11 @@ std::string place_point(const std::string& digits, long exponent) {
 
 std::string Number::decimal(int digits) const {
     HVI_CHECK(digits >= 1 && !has_parameters());
-    if (is_zero()) return "0";
-    const long first_exponent = decimal_exponent(*this);
+    if (is_exactly(*this, 0)) return "0";
+    const Ball apart = apart_from_zero(*this);
+    if (apart.sign() == 0 && is_zero_to(apart, digits)) return "0e-" + std::to_string(digits);
+    if (apart.sign() == 0) throw MathError("cannot decide whether a number is zero");
+    const long first_exponent = decimal_exponent(apart);
     if (std::abs(first_exponent) > most_decimal_exponent) {
         throw MathError("a number of about 10^" + std::to_string(first_exponent) +
                         " is beyond what can be written out");
@@ -132,10 +156,10 @@ double Number::nearest_double() const {
         const double high = arf_get_d(upper, ARF_RND_NEAR);
         arf_clear(lower);
         arf_clear(upper);
-        // NOTE: zero is the answer for a number that underflows, not for a ball around zero: that
-        // a number is zero is not decided by underflow.
-        const bool decided = low == high && (low != 0.0 || ball.sign() != 0);
-        return decided ? std::optional(low) : std::nullopt;
+        if (low != high) { return std::nullopt; }
+        // NOTE: 0 is nearest to all of a narrow ball around zero, whether the number is zero or
+        // not, and then it has no sign.
+        return ball.sign() == 0 ? 0.0 : low;
     });
 }
 
