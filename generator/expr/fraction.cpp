@@ -9,8 +9,8 @@ namespace hvi::gen {
 namespace {
 
 void collect(const Expression& expression, bool inverted, Fraction& fraction) {
-    std::vector<Factor>& here = inverted ? fraction.below : fraction.above;
-    std::vector<Factor>& there = inverted ? fraction.above : fraction.below;
+    std::vector<WrittenFactor>& here = inverted ? fraction.below : fraction.above;
+    std::vector<WrittenFactor>& there = inverted ? fraction.above : fraction.below;
     switch (expression.kind) {
     case Expression::Kind::number:
         if (!expression.name.empty()) {
@@ -44,7 +44,7 @@ Fraction as_fraction(const Expression& expression) {
     return fraction;
 }
 
-const Expression* get_if_kind(const Factor& factor, Expression::Kind kind) {
+const Expression* get_if_kind(const WrittenFactor& factor, Expression::Kind kind) {
     const auto* expression = std::get_if<const Expression*>(&factor);
     return expression != nullptr && (*expression)->kind == kind ? *expression : nullptr;
 }

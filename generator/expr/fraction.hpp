@@ -11,13 +11,13 @@
 namespace hvi::gen {
 
 /// An integer or a decimal by its digits, or a sum, symbol, power or call.
-using Factor = std::variant<std::string_view, const Expression*>;
+using WrittenFactor = std::variant<std::string_view, const Expression*>;
 
 /// Sign and factors of an expression; factors of 1 are left out, so that no factor means 1.
 struct Fraction {
     bool negative = false;
-    std::vector<Factor> above;
-    std::vector<Factor> below;
+    std::vector<WrittenFactor> above;
+    std::vector<WrittenFactor> below;
 
     /// Whether it is a single factor, or 1: something that needs no parentheses as an exponent.
     [[nodiscard]] bool is_simple() const { return below.empty() && above.size() <= 1; }
@@ -28,6 +28,6 @@ struct Fraction {
 [[nodiscard]] Fraction as_fraction(const Expression& expression);
 
 /// The expression when the factor is one of the given kind, else null.
-[[nodiscard]] const Expression* get_if_kind(const Factor& factor, Expression::Kind kind);
+[[nodiscard]] const Expression* get_if_kind(const WrittenFactor& factor, Expression::Kind kind);
 
 }  // namespace hvi::gen

@@ -103,7 +103,7 @@ std::string power_latex(const Expression& base, const Expression& exponent) {
     return (word ? text : parenthesised(text)) + "^{" + raised + "}";
 }
 
-std::string factor_latex(const Factor& factor) {
+std::string factor_latex(const WrittenFactor& factor) {
     if (const auto* digits = std::get_if<std::string_view>(&factor)) return std::string(*digits);
     const Expression& expression = *std::get<const Expression*>(factor);
     switch (expression.kind) {
@@ -127,11 +127,11 @@ bool ends_in_command(const std::string& text) {
 }
 
 /// Factors side by side, with a dot where two numbers would meet.
-std::string factors_latex(const std::vector<Factor>& factors) {
+std::string factors_latex(const std::vector<WrittenFactor>& factors) {
     if (factors.empty()) return "1";
     std::string text;
     std::string last;
-    for (const Factor& factor : factors) {
+    for (const WrittenFactor& factor : factors) {
         const std::string next = factor_latex(factor);
         if (!last.empty() && is_digit(next.front()))
             text += " \\cdot ";
@@ -144,7 +144,7 @@ std::string factors_latex(const std::vector<Factor>& factors) {
 }
 
 /// Above or below a bar, where a lone sum needs no parentheses.
-std::string between_braces(const std::vector<Factor>& factors) {
+std::string between_braces(const std::vector<WrittenFactor>& factors) {
     const Expression* lone_sum =
         factors.size() == 1 ? get_if_kind(factors[0], Expression::Kind::sum) : nullptr;
     return "{" + (lone_sum != nullptr ? latex(*lone_sum, Bar::stacked) : factors_latex(factors)) +

@@ -15,7 +15,7 @@ std::string parenthesised(const std::string& text) { return "(" + text + ")"; }
 bool is_word(const Fraction& fraction) {
     if (fraction.negative || !fraction.is_simple()) return false;
     if (fraction.above.empty()) return true;
-    const Factor& factor = fraction.above.front();
+    const WrittenFactor& factor = fraction.above.front();
     return std::holds_alternative<std::string_view>(factor) ||
            get_if_kind(factor, Expression::Kind::symbol) != nullptr ||
            get_if_kind(factor, Expression::Kind::call) != nullptr;
@@ -46,7 +46,7 @@ std::string call_text(const Expression& call) {
     return text + ")";
 }
 
-std::string factor_text(const Factor& factor) {
+std::string factor_text(const WrittenFactor& factor) {
     if (const auto* digits = std::get_if<std::string_view>(&factor)) return std::string(*digits);
     const Expression& expression = *std::get<const Expression*>(factor);
     switch (expression.kind) {
@@ -58,10 +58,11 @@ std::string factor_text(const Factor& factor) {
     }
 }
 
-std::string factors_text(const std::vector<Factor>& factors) {
+std::string factors_text(const std::vector<WrittenFactor>& factors) {
     if (factors.empty()) return "1";
     std::string text;
-    for (const Factor& factor : factors) text += (text.empty() ? "" : "*") + factor_text(factor);
+    for (const WrittenFactor& factor : factors)
+        text += (text.empty() ? "" : "*") + factor_text(factor);
     return text;
 }
 

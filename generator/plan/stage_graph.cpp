@@ -8,7 +8,11 @@
 
 namespace hvi::gen {
 
-using Node = StageNode::Kind;
+namespace {
+
+using StageKind = StageNode::Kind;
+
+}  // namespace
 
 StageGraph::StageGraph(const StagePattern& pattern)
     : positions_(pattern.q.size()),
@@ -16,40 +20,44 @@ StageGraph::StageGraph(const StagePattern& pattern)
       needs_(2 * (positions_ + momenta_)) {
     for (std::size_t i = 0; i < positions_; ++i) {
         for (std::size_t j = 0; j < momenta_; ++j) {
-            if (pattern.q[i][j]) { needs_[number(Node::Q, i)].push_back(number(Node::Lq, j)); }
-            if (pattern.p[j][i]) { needs_[number(Node::P, j)].push_back(number(Node::Lp, i)); }
+            if (pattern.q[i][j]) {
+                needs_[number(StageKind::Q, i)].push_back(number(StageKind::Lq, j));
+            }
+            if (pattern.p[j][i]) {
+                needs_[number(StageKind::P, j)].push_back(number(StageKind::Lp, i));
+            }
         }
     }
     for (std::size_t j = 0; j < momenta_; ++j) {
-        auto& slope = needs_[number(Node::Lq, j)];
-        slope.push_back(number(Node::P, j));
-        if (!pattern.separable) { slope.push_back(number(Node::Q, j)); }
+        auto& slope = needs_[number(StageKind::Lq, j)];
+        slope.push_back(number(StageKind::P, j));
+        if (!pattern.separable) { slope.push_back(number(StageKind::Q, j)); }
     }
     for (std::size_t i = 0; i < positions_; ++i) {
-        auto& slope = needs_[number(Node::Lp, i)];
-        slope.push_back(number(Node::Q, i));
-        if (!pattern.separable) { slope.push_back(number(Node::P, i)); }
+        auto& slope = needs_[number(StageKind::Lp, i)];
+        slope.push_back(number(StageKind::Q, i));
+        if (!pattern.separable) { slope.push_back(number(StageKind::P, i)); }
     }
 }
 
-std::size_t StageGraph::number(Node kind, std::size_t index) const {
+std::size_t StageGraph::number(StageKind kind, std::size_t index) const {
     switch (kind) {
-    case Node::Q: return index;
-    case Node::P: return positions_ + index;
-    case Node::Lq: return positions_ + momenta_ + index;
-    case Node::Lp: return positions_ + 2 * momenta_ + index;
+    case StageKind::Q: return index;
+    case StageKind::P: return positions_ + index;
+    case StageKind::Lq: return positions_ + momenta_ + index;
+    case StageKind::Lp: return positions_ + 2 * momenta_ + index;
     }
     HVI_CHECK(false);
     return 0;
 }
 
 StageNode StageGraph::node(std::size_t number) const {
-    if (number < positions_) { return {Node::Q, number}; }
+    if (number < positions_) { return {StageKind::Q, number}; }
     number -= positions_;
-    if (number < momenta_) { return {Node::P, number}; }
+    if (number < momenta_) { return {StageKind::P, number}; }
     number -= momenta_;
-    if (number < momenta_) { return {Node::Lq, number}; }
-    return {Node::Lp, number - momenta_};
+    if (number < momenta_) { return {StageKind::Lq, number}; }
+    return {StageKind::Lp, number - momenta_};
 }
 
 namespace {
@@ -75,8 +83,8 @@ std::vector<bool> used(const StageGraph& graph, const PartitionedMethod& method)
         result[v] = true;
     };
     for (std::size_t i = 0; i < method.stages(); ++i) {
-        if (!equal(method.b[i], 0)) { use(graph.number(Node::Lq, i)); }
-        if (!equal(method.b_tilde[i], 0)) { use(graph.number(Node::Lp, i)); }
+        if (!equal(method.b[i], 0)) { use(graph.number(StageKind::Lq, i)); }
+        if (!equal(method.b_tilde[i], 0)) { use(graph.number(StageKind::Lp, i)); }
     }
     while (!open.empty()) {
         const std::size_t v = open.back();
@@ -98,7 +106,7 @@ std::vector<std::vector<StageNode>> coupled_stages(const PartitionedMethod& meth
         std::vector<StageNode>& group = groups.emplace_back();
         for (const std::size_t number : component) {
             const StageNode node = graph.node(number);
-            if (node.kind == Node::Q || node.kind == Node::P) { group.push_back(node); }
+            if (node.kind == StageKind::Q || node.kind == StageKind::P) { group.push_back(node); }
         }
     }
     return groups;

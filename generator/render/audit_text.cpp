@@ -7,7 +7,7 @@
 #include "generator/read/decimal.hpp"
 #include "generator/render/certificate.hpp"
 #include "generator/render/entry.hpp"
-#include "generator/render/report.hpp"
+#include "generator/render/named_lines.hpp"
 
 namespace hvi::gen {
 
@@ -44,40 +44,40 @@ std::string right_text(const WrongEntry& entry) {
                : fmt::format("{} = {}", *exact, *right.decimal);
 }
 
-void write_wrong(Report& report, const std::vector<WrongEntry>& wrong) {
+void write_wrong(NamedLines& lines, const std::vector<WrongEntry>& wrong) {
     constexpr std::size_t most_shown = 16;
     for (std::size_t i = 0; i < std::min(most_shown, wrong.size()); ++i) {
         const std::string& place = wrong[i].place;
-        report.line(i == 0 ? "wrong" : "",
-                    place + ": " + cut(wrong[i].given, Report::columns - place.size() - 2));
-        report.line("", "right is " + right_text(wrong[i]));
+        lines.line(i == 0 ? "wrong" : "",
+                   place + ": " + cut(wrong[i].given, NamedLines::columns - place.size() - 2));
+        lines.line("", "right is " + right_text(wrong[i]));
     }
     if (wrong.size() > most_shown) {
-        report.line("", fmt::format("and {} more", wrong.size() - most_shown));
+        lines.line("", fmt::format("and {} more", wrong.size() - most_shown));
     }
 }
 
-void write_rebuilt(Report& report, const Audit& audit) {
+void write_rebuilt(NamedLines& lines, const Audit& audit) {
     const auto& rebuilt = audit.rebuilt;
     if (!audit.certificate.parameters.empty()) {
-        report.line("is", "not compared with other methods: it has a free parameter");
+        lines.line("is", "not compared with other methods: it has a free parameter");
         return;
     }
     if (!rebuilt) {
-        report.line("is", "no method that has a name, and no collocation");
+        lines.line("is", "no method that has a name, and no collocation");
         return;
     }
     const std::string method = method_text(*rebuilt);
     if (rebuilt->is_right()) {
-        report.line("is", method + (rebuilt->proved ? "" : ", within the digits given"));
+        lines.line("is", method + (rebuilt->proved ? "" : ", within the digits given"));
     } else {
-        report.line("meant", fmt::format("{}, but for {} of {} entries", method,
-                                         rebuilt->wrong.size(), rebuilt->compared));
-        write_wrong(report, rebuilt->wrong);
+        lines.line("meant", fmt::format("{}, but for {} of {} entries", method,
+                                        rebuilt->wrong.size(), rebuilt->compared));
+        write_wrong(lines, rebuilt->wrong);
     }
     if (rebuilt->places) {
-        report.line("right to", fmt::format("{} decimal place{}", std::max(*rebuilt->places, 0L),
-                                            *rebuilt->places == 1 ? "" : "s"));
+        lines.line("right to", fmt::format("{} decimal place{}", std::max(*rebuilt->places, 0L),
+                                           *rebuilt->places == 1 ? "" : "s"));
     }
 }
 
@@ -112,25 +112,25 @@ std::string closing(const Audit& audit) {
 
 std::string render_text(const Audit& audit) {
     const Certificate& certificate = audit.certificate;
-    Report report;
-    report.title(certificate.name.empty() ? certificate.origin : certificate.name);
-    report.blank();
+    NamedLines lines;
+    lines.title(certificate.name.empty() ? certificate.origin : certificate.name);
+    lines.blank();
     if (audit.rounded > 0) {
-        report.line("given", fmt::format("{} of {} numbers look rounded, to {} digits",
-                                         audit.rounded, audit.coefficients, audit.digits));
+        lines.line("given", fmt::format("{} of {} numbers look rounded, to {} digits",
+                                        audit.rounded, audit.coefficients, audit.digits));
     }
-    write_rebuilt(report, audit);
-    report.line("row sums", row_sums_text(audit));
-    if (audit.defect) { report.line("defect", defect_text(*audit.defect)); }
+    write_rebuilt(lines, audit);
+    lines.line("row sums", row_sums_text(audit));
+    if (audit.defect) { lines.line("defect", defect_text(*audit.defect)); }
     if (const auto& written = audit.as_written) {
-        report.line("as written",
-                    fmt::format("order {}, {}symplectic", written->orders.general.order,
-                                written->symplectic.holds ? "" : "not "));
+        lines.line("as written",
+                   fmt::format("order {}, {}symplectic", written->orders.general.order,
+                               written->symplectic.holds ? "" : "not "));
     }
-    report.blank();
-    write_certificate(report, certificate);
-    report.title(closing(audit));
-    return report.text();
+    lines.blank();
+    write_certificate(lines, certificate);
+    lines.title(closing(audit));
+    return lines.text();
 }
 
 }  // namespace hvi::gen

@@ -3,7 +3,7 @@
 #include "generator/render/certificate_json.hpp"
 
 #include "generator/render/certificate.hpp"
-#include "generator/render/report.hpp"
+#include "generator/render/named_lines.hpp"
 
 namespace hvi::gen {
 

@@ -6,7 +6,7 @@
 
 #include "generator/render/certificate.hpp"
 #include "generator/render/entry.hpp"
-#include "generator/render/report.hpp"
+#include "generator/render/named_lines.hpp"
 
 namespace hvi::gen {
 
@@ -37,20 +37,20 @@ std::string order_text(const OrderConditions& conditions, const Certificate& cer
                        conditions.order, satisfied, rest, evidence(conditions.proved, certificate));
 }
 
-void write_failures(Report& report, const OrderConditions& conditions) {
+void write_failures(NamedLines& lines, const OrderConditions& conditions) {
     constexpr std::size_t most_shown = 8;
     if (conditions.is_at_least) { return; }
     for (std::size_t i = 0; i < std::min(most_shown, conditions.failures.size()); ++i) {
         const FailedCondition& failure = conditions.failures[i];
-        report.line(i == 0 ? "fails" : "",
-                    fmt::format("{}: {}", failure.tree->text, value_text(failure.residual)));
+        lines.line(i == 0 ? "fails" : "",
+                   fmt::format("{}: {}", failure.tree->text, value_text(failure.residual)));
     }
     if (conditions.failures.size() > most_shown) {
-        report.line("", fmt::format("and {} more", conditions.failures.size() - most_shown));
+        lines.line("", fmt::format("and {} more", conditions.failures.size() - most_shown));
     }
     if (const auto constant = conditions.error_constant()) {
-        report.line("error", short_decimal(*constant) +
-                                 ", the norm of the first coefficients of the local error");
+        lines.line("error", short_decimal(*constant) +
+                                ", the norm of the first coefficients of the local error");
     }
 }
 
@@ -85,10 +85,10 @@ std::string group_text(const std::vector<StageNode>& group) {
     return text;
 }
 
-void write_coupled(Report& report, std::string_view what,
+void write_coupled(NamedLines& lines, std::string_view what,
                    const std::vector<std::vector<StageNode>>& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        report.line(i == 0 ? what : "", group_text(groups[i]) + " are solved for at once");
+        lines.line(i == 0 ? what : "", group_text(groups[i]) + " are solved for at once");
     }
 }
 
@@ -96,10 +96,10 @@ std::string joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void write_exceptions(Report& report, const std::vector<ExceptionalValue>& exceptions) {
+void write_exceptions(NamedLines& lines, const std::vector<ExceptionalValue>& exceptions) {
     for (const ExceptionalValue& value : exceptions) {
-        report.line("", fmt::format("{}{} at {} = {}", value.is_at_least ? "at least " : "",
-                                    value.order, value.parameter, value_text(value.value)));
+        lines.line("", fmt::format("{}{} at {} = {}", value.is_at_least ? "at least " : "",
+                                   value.order, value.parameter, value_text(value.value)));
     }
 }
 
@@ -111,31 +111,31 @@ std::string indices(const std::vector<std::size_t>& numbers, std::string_view le
     return text;
 }
 
-void write_stability(Report& report, const LinearStability& stability) {
+void write_stability(NamedLines& lines, const LinearStability& stability) {
     std::string intervals;
     for (const StabilityInterval& interval : stability.stable) {
         intervals += fmt::format("{}{}{}, {}{}", intervals.empty() ? "" : ", ",
                                  interval.low_included ? "[" : "(", short_decimal(interval.low),
                                  short_decimal(interval.high), interval.high_included ? "]" : ")");
     }
-    report.line("stable", intervals.empty() ? "nowhere" : "z = h omega in " + intervals);
+    lines.line("stable", intervals.empty() ? "nowhere" : "z = h omega in " + intervals);
     std::string poles;
     for (const Number& pole : stability.poles) {
         poles += (poles.empty() ? "" : ", ") + short_decimal(pole);
     }
-    if (!poles.empty()) { report.line("no step", "at z = " + poles); }
+    if (!poles.empty()) { lines.line("no step", "at z = " + poles); }
     for (const TouchingPoint& point : stability.touching) {
-        report.line("resonance",
-                    fmt::format("z = {}: trace/2 = {}{}", short_decimal(point.z), point.half_trace,
-                                point.is_identity ? ", the map is that multiple of 1"
-                                                  : ", powers of the map grow"));
+        lines.line("resonance",
+                   fmt::format("z = {}: trace/2 = {}{}", short_decimal(point.z), point.half_trace,
+                               point.is_identity ? ", the map is that multiple of 1"
+                                                 : ", powers of the map grow"));
     }
     const LimitOfHalfTrace& limit = stability.at_infinity;
-    report.line("large z", fmt::format("trace/2 tends to {}: {}",
-                                       limit.value      ? short_decimal(*limit.value)
-                                       : limit.sign < 0 ? "-infinity"
-                                                        : "infinity",
-                                       limit.is_stable ? "stable" : "not stable"));
+    lines.line("large z", fmt::format("trace/2 tends to {}: {}",
+                                      limit.value      ? short_decimal(*limit.value)
+                                      : limit.sign < 0 ? "-infinity"
+                                                       : "infinity",
+                                      limit.is_stable ? "stable" : "not stable"));
 }
 
 std::optional<std::string> half_trace_text(const PolynomialQuotient& half_trace) {
@@ -152,64 +152,64 @@ std::optional<std::string> half_trace_text(const PolynomialQuotient& half_trace)
     return is_readable(text) ? "trace/2 = " + text : too_long;
 }
 
-void write_oscillator(Report& report, const Certificate& certificate) {
+void write_oscillator(NamedLines& lines, const Certificate& certificate) {
     const auto& map = certificate.oscillator;
     if (!map) {
-        report.line("oscillator", "not looked at: " + why_no_oscillator(certificate));
+        lines.line("oscillator", "not looked at: " + why_no_oscillator(certificate));
         return;
     }
-    if (const auto text = half_trace_text(map->half_trace)) { report.line("oscillator", *text); }
+    if (const auto text = half_trace_text(map->half_trace)) { lines.line("oscillator", *text); }
     if (!map->determinant_one.holds) {
-        report.line("determinant",
-                    "not 1: stable is where both eigenvalues lie inside the unit circle");
+        lines.line("determinant",
+                   "not 1: stable is where both eigenvalues lie inside the unit circle");
     } else if (map->determinant_one.proved) {
-        report.line("determinant", "1, by exact arithmetic");
+        lines.line("determinant", "1, by exact arithmetic");
     }
-    if (certificate.stability) { write_stability(report, *certificate.stability); }
+    if (certificate.stability) { write_stability(lines, *certificate.stability); }
 }
 
 }  // namespace
 
-void write_certificate(Report& report, const Certificate& certificate) {
+void write_certificate(NamedLines& lines, const Certificate& certificate) {
     const Orders& orders = certificate.orders;
-    report.line("order", order_text(orders.general, certificate));
-    write_exceptions(report, certificate.exceptions);
-    report.line("  separable", order_text(orders.separable, certificate));
-    report.line("  Nystrom", order_text(orders.nystrom, certificate));
-    write_failures(report, orders.general);
-    report.blank();
-    report.line("symplectic", yes_or_no(certificate.symplectic, certificate));
-    report.line("self-adjoint", yes_or_no(certificate.symmetric, certificate));
+    lines.line("order", order_text(orders.general, certificate));
+    write_exceptions(lines, certificate.exceptions);
+    lines.line("  separable", order_text(orders.separable, certificate));
+    lines.line("  Nystrom", order_text(orders.nystrom, certificate));
+    write_failures(lines, orders.general);
+    lines.blank();
+    lines.line("symplectic", yes_or_no(certificate.symplectic, certificate));
+    lines.line("self-adjoint", yes_or_no(certificate.symmetric, certificate));
     if (!certificate.symmetric.holds && !certificate.adjoint.empty()) {
-        report.line("adjoint", joined(certificate.adjoint));
+        lines.line("adjoint", joined(certificate.adjoint));
     }
-    report.line("A == A~", yes_or_no(certificate.runge_kutta, certificate));
-    report.line("conserves", conserved(certificate));
-    report.line("explicit", explicit_text(certificate));
-    write_coupled(report, "  separable", certificate.coupled_separable);
-    write_coupled(report, "  any H", certificate.coupled_general);
+    lines.line("A == A~", yes_or_no(certificate.runge_kutta, certificate));
+    lines.line("conserves", conserved(certificate));
+    lines.line("explicit", explicit_text(certificate));
+    write_coupled(lines, "  separable", certificate.coupled_separable);
+    write_coupled(lines, "  any H", certificate.coupled_general);
     if (!certificate.negative_weights.empty()) {
-        report.line("negative", indices(certificate.negative_weights, "b"));
+        lines.line("negative", indices(certificate.negative_weights, "b"));
     }
     if (!certificate.nodes_outside.empty()) {
-        report.line("outside [0,1]", indices(certificate.nodes_outside, "c"));
+        lines.line("outside [0,1]", indices(certificate.nodes_outside, "c"));
     }
-    report.blank();
-    write_oscillator(report, certificate);
-    report.blank();
+    lines.blank();
+    write_oscillator(lines, certificate);
+    lines.blank();
 }
 
 std::string render_text(const Certificate& certificate) {
-    Report report;
-    report.title(certificate.name.empty() ? certificate.origin : certificate.name);
+    NamedLines lines;
+    lines.title(certificate.name.empty() ? certificate.origin : certificate.name);
     if (certificate.name.empty() && !certificate.known_as.empty()) {
-        report.line("known as", joined(certificate.known_as));
+        lines.line("known as", joined(certificate.known_as));
     }
-    report.blank();
-    write_certificate(report, certificate);
-    report.title(certificate.is_proved() ? "All of it is proved."
-                                         : "Some of it rests on enclosures of 50 digits.");
-    return report.text();
+    lines.blank();
+    write_certificate(lines, certificate);
+    lines.title(certificate.is_proved() ? "All of it is proved."
+                                        : "Some of it rests on enclosures of 50 digits.");
+    return lines.text();
 }
 
 }  // namespace hvi::gen

@@ -19,4 +19,18 @@ void coefficients(std::string_view bytes);
 void scene(std::string_view bytes);
 void hamiltonian(std::string_view bytes);  ///< H, coordinates and momenta, each on a line
 
+// Of the whole program. The words of a command line, each on a line of its own, and `""` for an
+// empty one; behind an empty line there may be the text of a file, which the word FILE names.
+
+void command_line(std::string_view bytes);  ///< is only read
+void command(std::string_view bytes);       ///< is carried out, but for what needs a compiler
+
+// Bytes choose a text of a grammar: see grammars.hpp. With the environment's HVI_FUZZ_SHOW it is
+// printed.
+
+void derived_command_line(std::string_view bytes);
+void derived_method(std::string_view bytes);
+void derived_scene(std::string_view bytes);
+void derived_tableau_file(std::string_view bytes);
+
 }  // namespace hvi::gen::fuzz

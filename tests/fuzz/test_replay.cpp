@@ -1,19 +1,46 @@
-// Every file of the corpus through its target: findings of the fuzzer stay fixed.
+// Every file of the corpus through its target: findings of the fuzzer stay fixed. And some texts of
+// each grammar.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <signal.h>
+#include <time.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 
 #include <catch2/catch.hpp>
 
 #include "tests/checkout.hpp"
+#include "tests/fuzz/grammars.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace {
 
 namespace fuzz = hvi::gen::fuzz;
+
+/// What takes longer ends the test, which then says where it was.
+class Watch {
+public:
+    Watch() {
+        sigevent event{};
+        event.sigev_notify = SIGEV_SIGNAL;
+        event.sigev_signo = SIGTERM;  // which Catch reports
+        REQUIRE(::timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer_) == 0);
+        const itimerspec end{{}, {most_seconds, 0}};
+        REQUIRE(::timer_settime(timer_, 0, &end, nullptr) == 0);
+    }
+    ~Watch() { ::timer_delete(timer_); }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+private:
+    static constexpr time_t most_seconds = 60;
+
+    timer_t timer_{};
+};
 
 /// The corpus has one directory for each target.
 void replay(const char* target, void (*run)(std::string_view)) {
@@ -23,10 +50,24 @@ void replay(const char* target, void (*run)(std::string_view)) {
         std::ifstream file(entry.path(), std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(file), {}};
         INFO(entry.path().filename().string());
+        const Watch watch;
         CHECK_NOTHROW(run(bytes));
         ++files;
     }
     CHECK(files > 0);
+}
+
+/// The texts of so many seeds, which replay the same wherever the test runs.
+void derive(const fuzz::Grammar& grammar, void (*run)(std::string_view), unsigned count) {
+    for (unsigned seed = 0; seed < count; ++seed) {
+        std::mt19937 random(seed);
+        std::string bytes;
+        while (bytes.size() < 400) bytes += static_cast<char>(random() & 0xff);
+        const std::string text = grammar.derive(bytes);
+        INFO("seed " << seed << ":\n" << text);
+        const Watch watch;
+        CHECK_NOTHROW(run(text));
+    }
 }
 
 }  // namespace
@@ -39,6 +80,13 @@ TEST_CASE("method files") { replay("method_file", fuzz::method_file); }
 TEST_CASE("scenes") { replay("scene", fuzz::scene); }
 TEST_CASE("coefficients") { replay("coefficients", fuzz::coefficients); }
 TEST_CASE("Hamiltonians") { replay("hamiltonian", fuzz::hamiltonian); }
+TEST_CASE("command lines") { replay("command_line", fuzz::command_line); }
+TEST_CASE("commands") { replay("command", fuzz::command); }
+
+TEST_CASE("derived command lines") { derive(fuzz::command_lines(), fuzz::command_line, 500); }
+TEST_CASE("derived methods") { derive(fuzz::methods(), fuzz::command, 60); }
+TEST_CASE("derived scenes") { derive(fuzz::scenes(), fuzz::command, 200); }
+TEST_CASE("derived tableau files") { derive(fuzz::tableau_files(), fuzz::command, 30); }
 
 TEST_CASE("inputs too large for the corpus") {
     for (const std::string piece :

@@ -63,7 +63,7 @@ std::string singular(const Domain& domain) {
 
 }  // namespace
 
-void Composition::check_ready(const ExactFunction& function) const {
+void FunctionComposition::check_ready(const ExactFunction& function) const {
     if (function.has_steps()) {
         throw InputError("a piecewise function inside another function is not built yet", {},
                          "sums of B-splines and their products with other functions are");
@@ -78,7 +78,7 @@ void Composition::check_ready(const ExactFunction& function) const {
     }
 }
 
-void Composition::check_no_zero(const ExactFunction& function, const char* what) const {
+void FunctionComposition::check_no_zero(const ExactFunction& function, const char* what) const {
     const Signs found = signs(function, *domain_, ground_);
     if (const auto place = found.zero(*domain_)) {
         throw MathError(singular(*domain_) + what + " is 0 " + *place, {},
@@ -88,8 +88,8 @@ void Composition::check_no_zero(const ExactFunction& function, const char* what)
 }
 
 /// Refuses an argument that is negative somewhere or zero between the ends.
-Signs Composition::positive(const ExactFunction& function, const std::string& what,
-                            bool infinite_at_zero) const {
+Signs FunctionComposition::positive(const ExactFunction& function, const std::string& what,
+                                    bool infinite_at_zero) const {
     const std::string not_real =
         "the function is not real on all of " + domain_->text() + ": " + what;
     if (const auto place = negative_place(function, *domain_)) {
@@ -111,14 +111,14 @@ Signs Composition::positive(const ExactFunction& function, const std::string& wh
     return found;
 }
 
-std::optional<std::string> Composition::zero_of(const LinearPower& factor) const {
+std::optional<std::string> FunctionComposition::zero_of(const LinearPower& factor) const {
     for (const Number& end : {domain_->low, domain_->high}) {
         if (value_at(factor.line(), end).is_zero()) return at_tau(end);
     }
     return std::nullopt;
 }
 
-std::optional<ExactFunction> Composition::simple_reciprocal(const ExactFunction& f) const {
+std::optional<ExactFunction> FunctionComposition::simple_reciprocal(const ExactFunction& f) const {
     const ExactTerm* const term = only_term(f);
     if (term == nullptr) return std::nullopt;
     const ExactFunction rest =
@@ -143,7 +143,8 @@ std::optional<ExactFunction> Composition::simple_reciprocal(const ExactFunction&
 
 /// A sum of partial fractions is N/D with D the product of their denominators, and so 1/f is D/N:
 /// again a sum of partial fractions, over the factors of N.
-std::optional<ExactFunction> Composition::rational_reciprocal(const ExactFunction& f) const {
+std::optional<ExactFunction>
+FunctionComposition::rational_reciprocal(const ExactFunction& f) const {
     NumberPolynomial numerator;
     NumberPolynomial denominator{Number(1)};
     for (const ExactTerm& term : f.terms()) {
@@ -172,7 +173,7 @@ std::optional<ExactFunction> Composition::rational_reciprocal(const ExactFunctio
     return result;
 }
 
-ExactFunction Composition::reciprocal(const ExactFunction& divisor) const {
+ExactFunction FunctionComposition::reciprocal(const ExactFunction& divisor) const {
     const ExactTerm* const term = only_term(divisor);
     if (term == nullptr || term->factor != nullptr) check_ready(divisor);
     if (const auto simple = simple_reciprocal(divisor)) return *simple;
@@ -182,15 +183,16 @@ ExactFunction Composition::reciprocal(const ExactFunction& divisor) const {
 }
 
 /// (a tau + b)^exponent
-ExactFunction Composition::root_of_line(const NumberPolynomial& line, const Ratio& exponent) const {
+ExactFunction FunctionComposition::root_of_line(const NumberPolynomial& line,
+                                                const Ratio& exponent) const {
     LinearPower factor = line_through(scaled(line, Number(1) / line[1]), domain_->middle());
     factor.exponent = exponent;
     const Number size = factor.sign < 0 ? -line[1] : line[1];
     return times(power(size, exponent, ground_), ExactFunction(make_factor(factor)));
 }
 
-std::optional<ExactFunction> Composition::simple_root(const ExactFunction& base,
-                                                      const Ratio& exponent) const {
+std::optional<ExactFunction> FunctionComposition::simple_root(const ExactFunction& base,
+                                                              const Ratio& exponent) const {
     const ExactTerm* const term = only_term(base);
     if (term == nullptr || term->coefficient.sign() < 0) return std::nullopt;
     ExactFunction factor{Number(1)};
@@ -211,7 +213,7 @@ std::optional<ExactFunction> Composition::simple_root(const ExactFunction& base,
                  ExactFunction::exponential(term->rate * to_number(exponent)) * factor);
 }
 
-ExactFunction Composition::root(const ExactFunction& base, const Ratio& exponent) const {
+ExactFunction FunctionComposition::root(const ExactFunction& base, const Ratio& exponent) const {
     if (const auto constant = base.constant()) {
         if (exponent.below != 2 && constant->has_parameters()) {
             throw InputError("a root of a free parameter is not built yet", {}, give_a_value);
@@ -245,7 +247,7 @@ ExactFunction Composition::root(const ExactFunction& base, const Ratio& exponent
     return ExactFunction(make_factor(Power{base, exponent}));
 }
 
-ExactFunction Composition::exponential(const ExactFunction& argument) const {
+ExactFunction FunctionComposition::exponential(const ExactFunction& argument) const {
     const Affine parts = affine(argument);
     ExactFunction known = times(ground_.exp(parts.offset), ExactFunction::exponential(parts.slope));
     if (parts.rest.terms().empty()) return known;
@@ -261,7 +263,7 @@ ExactFunction Composition::exponential(const ExactFunction& argument) const {
     return known * call_of("exp", rest);
 }
 
-ExactFunction Composition::wave(bool cosine, const ExactFunction& argument) const {
+ExactFunction FunctionComposition::wave(bool cosine, const ExactFunction& argument) const {
     const Affine line = affine(argument);
     if (!line.rest.terms().empty()) {
         check_ready(argument);
@@ -278,7 +280,7 @@ ExactFunction Composition::wave(bool cosine, const ExactFunction& argument) cons
 }
 
 /// log of a product is the sum of logarithms, for factors that are positive.
-ExactFunction Composition::logarithm(const ExactFunction& argument) const {
+ExactFunction FunctionComposition::logarithm(const ExactFunction& argument) const {
     check_ready(argument);
     const ExactTerm* const term = only_term(argument);
     if (term != nullptr && term->coefficient.sign() > 0) {
@@ -321,13 +323,14 @@ ExactFunction Composition::logarithm(const ExactFunction& argument) const {
     return call_of("log", argument);
 }
 
-ExactFunction Composition::tangent(const ExactFunction& argument) const {
+ExactFunction FunctionComposition::tangent(const ExactFunction& argument) const {
     check_ready(argument);
     check_no_zero(wave(true, argument), "the cosine below this tangent");
     return call_of("tan", argument);
 }
 
-ExactFunction Composition::arc(const std::string& name, const ExactFunction& argument) const {
+ExactFunction FunctionComposition::arc(const std::string& name,
+                                       const ExactFunction& argument) const {
     check_ready(argument);
     if (name != "atan") {
         const ExactFunction rest =
@@ -337,7 +340,8 @@ ExactFunction Composition::arc(const std::string& name, const ExactFunction& arg
     return call_of(name, argument);
 }
 
-ExactFunction Composition::call(const std::string& name, const ExactFunction& argument) const {
+ExactFunction FunctionComposition::call(const std::string& name,
+                                        const ExactFunction& argument) const {
     if (const auto constant = argument.constant()) {
         return ExactFunction(elementary(name, *constant, ground_));
     }
@@ -358,12 +362,13 @@ ExactFunction Composition::call(const std::string& name, const ExactFunction& ar
 }
 
 /// Where a factor is infinite, and whether its integral is infinite too.
-struct Composition::Singularity {
+struct FunctionComposition::Singularity {
     std::string place;
     bool integrable;
 };
 
-std::optional<Composition::Singularity> Composition::singularity(const Factor& factor) const {
+std::optional<FunctionComposition::Singularity>
+FunctionComposition::singularity(const Factor& factor) const {
     if (const auto* linear = std::get_if<LinearPower>(&factor.what)) {
         if (linear->exponent.above >= 0 && linear->logs == 0) return std::nullopt;
         const auto zero = zero_of(*linear);
@@ -379,7 +384,7 @@ std::optional<Composition::Singularity> Composition::singularity(const Factor& f
     return std::nullopt;
 }
 
-void Composition::check_integrable(const ExactFunction& function) const {
+void FunctionComposition::check_integrable(const ExactFunction& function) const {
     for (const ExactTerm& term : function.terms()) {
         if (term.factor == nullptr) continue;
         const auto* product = std::get_if<Product>(&term.factor->what);

@@ -14,9 +14,9 @@ namespace hvi::gen {
 /// finite: else MathError with the place of the singularity. Whatever needs to know the domain is
 /// refused with InputError when that is not known, and when a free parameter is left. Errors have
 /// no place in the text.
-class Composition {
+class FunctionComposition {
 public:
-    Composition(const std::optional<Domain>& domain, const Ground& ground)
+    FunctionComposition(const std::optional<Domain>& domain, const Ground& ground)
         : domain_(domain), ground_(ground) {}
 
     /// Precondition: not zero.

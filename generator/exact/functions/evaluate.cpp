@@ -233,7 +233,7 @@ private:
     const std::shared_ptr<const Source>& source_;
     const Ground& ground_;
     const Setting& setting_;
-    Composition composition_;
+    FunctionComposition composition_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-class Report {
+class NamedLines {
 public:
     static constexpr std::size_t name_columns = 14;
     static constexpr std::size_t columns = terminal_columns - name_columns;  ///< of the text
@@ -44,6 +44,6 @@ private:
 [[nodiscard]] std::string stage_name(const StageNode& node);
 
 /// All that a certificate says but for its title and its last line.
-void write_certificate(Report& report, const Certificate& certificate);
+void write_certificate(NamedLines& lines, const Certificate& certificate);
 
 }  // namespace hvi::gen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/render/report.hpp"
+#include "generator/render/named_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -8,13 +8,13 @@
 
 namespace hvi::gen {
 
-void Report::line(std::string_view name, const std::string& text) {
+void NamedLines::line(std::string_view name, const std::string& text) {
     for (const std::string& line : wrapped(fmt::format("{:<{}}", name, name_columns), text)) {
         text_ += line + "\n";
     }
 }
 
-void Report::title(const std::string& text) {
+void NamedLines::title(const std::string& text) {
     for (const std::string& line : wrapped("", text)) { text_ += line + "\n"; }
 }
 

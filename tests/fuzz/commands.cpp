@@ -1,0 +1,175 @@
+// The targets of the whole program.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/commands.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <variant>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/method.hpp"
+#include "generator/cli/run_wishes.hpp"
+#include "generator/exact/functions/step_count.hpp"
+#include "generator/render/render.hpp"
+#include "generator/simulate/simulation.hpp"
+#include "generator/support/output_file.hpp"
+#include "tests/fuzz/attempt.hpp"
+#include "tests/fuzz/grammars.hpp"
+#include "tests/fuzz/header_text.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace hvi::gen::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory of this process, gone with it.
+class Directory {
+public:
+    Directory() {
+        std::string name = fs::temp_directory_path() / "hvi-fuzz-XXXXXX";
+        require(::mkdtemp(name.data()) != nullptr, "no directory for files");
+        path_ = name;
+    }
+    ~Directory() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Directory(const Directory&) = delete;
+    Directory& operator=(const Directory&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+fs::path path_of(const char* file) {
+    static const Directory directory;
+    return directory.path() / file;
+}
+
+std::string contents(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The words of a command line; the file that FILE names is written.
+std::vector<std::string> words_of(std::string_view bytes) {
+    std::vector<std::string> words;
+    while (!bytes.empty() && bytes.front() != '\n') {
+        const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+        std::string word(bytes.substr(0, end));
+        std::replace(word.begin(), word.end(), '\0', ' ');  // which ends an argument
+        if (word == "\"\"") word.clear();
+        if (word == "FILE") word = path_of("FILE");
+        words.push_back(std::move(word));
+        bytes.remove_prefix(std::min(end + 1, bytes.size()));
+    }
+    fs::remove(path_of("FILE"));  // of another input
+    if (!bytes.empty()) write_file(path_of("FILE"), bytes.substr(1));
+    return words;
+}
+
+Request read(const std::vector<std::string>& words) {
+    std::vector<const char*> arguments{"hvi-gen"};
+    for (const std::string& word : words) arguments.push_back(word.c_str());
+    return parse(CommandLine(static_cast<int>(arguments.size()), arguments.data()));
+}
+
+/// Carries out a command whose result goes to a file, and gives what is in it.
+template <class Options>
+std::string result(Options options) {
+    options.output = path_of("OUTPUT");
+    run(options);
+    std::string text = contents(*options.output);
+    require(text.ends_with('\n'), "a result that does not end in a newline");
+    return text;
+}
+
+void check_json(const std::string& text) {
+    require(nlohmann::json::accept(text), "JSON that is none");
+}
+
+/// A tableau that one format can show, all of them can.
+void carry_out(const TableauOptions& options) {
+    const Tableau tableau = tableau_of(options.method);
+    require(!render_text(tableau, options.digits).empty(), "no text");
+    try {
+        check_json(render_json(tableau, options.digits));
+        for (const auto render : {render_latex, render_markdown, render_csv})
+            require(!render(tableau, options.digits).empty(), "no text");
+    } catch (const MathError& error) {
+        throw std::logic_error(std::string("text can say what others cannot: ") + error.what());
+    }
+}
+
+void carry_out(CheckOptions options) {
+    if (options.plot) options.plot = path_of("PLOT");
+    const std::string text = result(options);
+    if (options.format == CheckOptions::Format::json) check_json(text);
+}
+
+void carry_out(const SchemeOptions& options) {
+    const std::string text = result(options);
+    if (options.format == SchemeOptions::Format::json) check_json(text);
+}
+
+void carry_out(StepperOptions options) {
+    if (options.accuracy) return;
+    options.explain = false;
+    check_header(result(options));
+}
+
+/// Up to where the compiler starts.
+void carry_out(const RunOptions& options) {
+    if (options.accuracy) return;
+    const auto [method, scene] = read_scene(options.method, options.system);
+    static_cast<void>(steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
+                                  wish(scene, options.until, scene.run.until, "until")));
+    const StepperWishes wishes = simulation_wishes(options.solver, options.composition);
+    const SceneStepper stepper = scene_stepper(method, scene, wishes);
+    check_simulation(stepper);
+    check_header(stepper.header);
+}
+
+void carry_out(const ReportOptions&) {}
+void carry_out(const ListOptions&) {}
+void carry_out(const Information& information) { require(!information.text.empty(), "no help"); }
+
+std::string derived(const Grammar& grammar, std::string_view bytes) {
+    std::string text = grammar.derive(bytes);
+    if (std::getenv("HVI_FUZZ_SHOW") != nullptr) std::fputs(text.c_str(), stderr);
+    return text;
+}
+
+}  // namespace
+
+void command_line(std::string_view bytes) {
+    const std::vector<std::string> words = words_of(bytes);
+    attempt([&] { static_cast<void>(read(words)); });
+}
+
+void command(std::string_view bytes) {
+    const std::vector<std::string> words = words_of(bytes);
+    attempt([&] { std::visit([](const auto& options) { carry_out(options); }, read(words)); });
+}
+
+void derived_command_line(std::string_view bytes) { command_line(derived(command_lines(), bytes)); }
+void derived_method(std::string_view bytes) { command(derived(methods(), bytes)); }
+void derived_scene(std::string_view bytes) { command(derived(scenes(), bytes)); }
+void derived_tableau_file(std::string_view bytes) { command(derived(tableau_files(), bytes)); }
+
+}  // namespace hvi::gen::fuzz

@@ -1,0 +1,166 @@
+// The rules. NOTE: sizes are small, so that one text takes less than a second.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tests/fuzz/grammars.hpp"
+
+#include <string>
+
+namespace hvi::gen::fuzz {
+
+namespace {
+
+const std::string common = R"(
+number: 1 | 1/2 | 2 | 0 | -1 | 3/4 | 0.1 | <digit>/<digit> | <digit><digit> | <constant> | <long>
+constant: pi | e | sqrt(2) | sqrt(<digit>) | pi/<digit> | <function>(<number>)
+    | (<number>)^(<exponent>) | <number>+<number> | <number>*<number> | (<number>)/(<number>)
+long: 1.0015851063790825241 | 0.33333333333333333333333333333333333333 | 1e-30 | 1e300
+    | 12345678901234567890123 | 1/10000000000000000000000001
+exponent: 2 | 3 | 1/2 | 1/3 | -1 | <digit> | -<digit>/<digit>
+function: sin | cos | exp | log | sqrt | tan | sinh | cosh | tanh | asin | acos | atan
+digit: 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9
+$name: <name>
+name: w | mu | a_1 | alpha | <awkward>
+awkward: M_PI | NAN | INFINITY | HUGE_VAL | EOF | errno | assert | NULL | linux | unix | class | int
+    | std | hvi | b | N | k1 | step | energy | State | S_ | stdout | offsetof | e | t | h | tau
+named: midpoint | stormer-verlet | symplectic-euler | adjoint-symplectic-euler | trig3
+    | <family>:1 | <family>:2 | <family>:3
+family: gauss | lobatto | radau-left | radau-right | newton-cotes | newton-cotes-open | chebyshev
+    | clenshaw-curtis | fejer
+composition: yoshida:4 | suzuki:4 | blanes-moan:6 | yoshida:6 | kahan-li:8
+)";
+
+}  // namespace
+
+const Grammar& command_lines() {
+    static const Grammar grammar(R"(
+line: <command><options>
+command: tableau | check | stepper | scheme | run | report | list | --help | --version | <word>
+options: _ | ~<option><options> | ~<option>~<option><options>
+option: --method~<named> | --method=<named> | <key>~<value> | <key>=<value> | <flag>
+    | <scene> | <word>
+key: --method | --basis | --nodes | --weights | --method-file | --param | --format | --digits
+    | -o | --output | --tableau | --max-order | --plot | --hamiltonian | --coordinates | --momenta
+    | --solver | --lanes | --compose | --accuracy | --until | --name | --step | --only | --methods
+    | --steps
+flag: --separable | --energy | --invariants | --evaluations | --dense | --float128 | --explain
+    | --generating | --peers | --edges | --help | --version | -h | -- | - | -o | --method
+scene: kepler | pendulum | keplr | qp | SCENE
+value: <number> | <word> | <named> | json | text | latex | markdown | csv | auto | newton | stages
+    | ensemble | none | <composition> | 1e-6 | 0.5 | work,stiff | html, json | gauss:2, trig3 | q, p
+    | <$name>=<number> | 1, cos(pi*tau) | 0, 1 | p^2/2 + q^2/2 | 99999999999999999999 | -1
+word: "" | x | -x | --x | --x=1 | = | --method= | é | %s | \ | ' | a b | tablaeu
+    | <number> | <name>
+)" + common);
+    return grammar;
+}
+
+const Grammar& methods() {
+    static const Grammar grammar(R"(
+text: tableau~<method>~--format~<format><digits> | check~<method>~--max-order~<order><of_check>
+    | stepper~<method><separable><compose><class>
+digits: _ | ~--digits~<digit>
+of_check: _ | ~--format~json | ~--plot~PLOT
+separable: _ | ~--separable
+compose: _ | _ | ~--compose~<composition>
+class: _ | ~--name~<name>
+parameter: _ | ~--param~<$name>=<number>
+format: json | csv | latex | markdown | text
+order: 2 | 3 | 4
+method: --basis~<one>~--nodes~<node> | --basis~<two>~--nodes~<two_nodes>
+    | --basis~<three>~--nodes~<three_nodes> | --method~<named>
+    | --basis~<with_parameter>~--nodes~<three_nodes><parameter>
+    | --basis~<two>~--nodes~0, <$name><parameter>
+with_parameter: 1, cos(<$name>*tau), sin(<$name>*tau) | 1, tau, <function>(<$name>*tau)
+    | 1, exp(<$name>*tau), <function_of_tau> | 1, tau^<$name>, tau
+one: 1 | <function_of_tau>
+two: 1, <function_of_tau> | <function_of_tau>, <function_of_tau> | monomials:2 | trig:2
+    | exp(<inner>), exp(-<inner>)
+three: 1, <function_of_tau>, <function_of_tau> | 1, tau, <function_of_tau> | monomials:3 | trig:3
+    | 1, cos(<inner>), sin(<inner>) | 1, <power>, <power>
+    | bspline(<degree>,0), bspline(<degree>,1), bspline(<degree>,2)
+degree: 2 | 1 | 0 | 3
+node: 1/2 | 0 | 1 | 1/3 | <digit>/<digit> | <number> | gauss:1
+two_nodes: 0, 1 | 0, <node> | <node>, 1 | <family>:2 | roots(<polynomial>) | <node>, <node>
+three_nodes: 0, 1/2, 1 | 0, <node>, 1 | <family>:3 | <node>, <node>, <node> | 0, roots(<polynomial>)
+polynomial: 6*tau^2-6*tau+1 | <factor>*<factor> | tau^3-<factor>
+factor: (<digit>*tau-<digit>) | (tau-<number>) | (tau^2-<digit>/<digit>)
+function_of_tau: tau | <power> | <function>(<inner>) | <number>*<function_of_tau>
+    | tau*<function>(<inner>) | <factor>*<factor> | <function_of_tau>+<function_of_tau>
+    | <function_of_tau>*<function_of_tau> | 1/<factor> | 1/(<digit>+tau^2) | <number>
+power: tau^2 | tau^(<exponent>) | (1-tau)^(<exponent>) | sqrt(tau)
+inner: tau | <digit>*tau | pi*tau | -tau/2 | (3/2)*pi*tau | <number>*tau | <number> | <factor>
+)" + common);
+    return grammar;
+}
+
+const Grammar& scenes() {
+    static const Grammar grammar(R"(
+text: stepper~FILE<options><class>~~<scene> | run~FILE<method><solver>~~<scene>
+    | scheme~FILE~--method~<named>~~<scene> | stepper~<hamiltonian>~--method~<named><options><class>
+options: <energy><invariants><dense><evaluations><float128><solver><lanes><compose>
+energy: _ | ~--energy
+invariants: _ | ~--invariants
+dense: _ | _ | ~--dense
+evaluations: _ | ~--evaluations
+float128: _ | _ | ~--float128
+method: _ | ~--method~<named>
+solver: _ | _ | ~--solver~newton | ~--solver~fixed-point | ~--solver~newton-taylor
+lanes: _ | _ | ~--lanes~stages | ~--lanes~ensemble | ~--lanes~none
+compose: _ | _ | _ | ~--compose~<composition>
+class: _ | _ | ~--name~<name>
+hamiltonian: --hamiltonian~<h>+<$name>*q~--param~<$name>=<number>
+scene: <head><one> | <head><two>
+head: _ | description = "<words>"~ | name = "<name>"~
+words: a pendulum | ends in a \\ | // | */ and /* | %s {} | @name@ | \"quoted\" | \\u000a \\n
+one: coordinates = "q"~momenta = "p"~hamiltonian = "<h>"~<parameters><invariant><start>
+invariant: [invariants]~<$kept> = "<u>"~
+start: [initial]~q = <value>~p = <value>~<run>
+two: coordinates = ["x", "y"]~momenta = ["px", "py"]~hamiltonian = "<h_of_two>"~<parameters><starts>
+starts: [initial]~x = <value>~y = <value>~px = <value>~py = <value>~<run>
+parameters: [parameters]~<$name> = <constant_value>~
+constant_value: 1 | "1/2" | 0.25 | "<number>"
+run: [run]~method = "<named>"~step = <value>~until = <value>~
+$kept: kept | <awkward>
+value: 1 | "1/2" | 0.25 | "<number>" | "<$name>" | "<$name>*<number>"
+h: p^2/2 + <u> | p^2/(2*<$name>) + <u> | <kinetic> + <u> | q*p | p^2/2 + q^2/2 | <u>*p | (p-<u>)^2/2
+    | p^2/2 + t*<u>
+kinetic: sqrt(1+p^2) | p^4/4 | <function>(p) | p^2*<number>
+u: q^2 | -cos(q) | <$name>*q | q^<exponent> | <function>(<argument>) | <number>*<u> | <u>+<u>
+    | <u>*<u> | <number>
+argument: q | <$name>*q | q/q | q-q | q^2 | <u> | <number> | q*p
+h_of_two: (px^2 + py^2)/2 + <u_of_two> | px*py + <u_of_two> | x*py - y*px | (px^2 + <number>*py^2)/2
+u_of_two: x^2 + y^2 | -<$name>/sqrt(x^2 + y^2) | x^2*y - y^3/3 | <function>(x - y)
+    | <u_of_two>*<number>
+)" + common);
+    return grammar;
+}
+
+const Grammar& tableau_files() {
+    static const Grammar grammar(R"(
+text: check~--tableau~FILE~--max-order~<order><options>~~{<tableau>}~
+order: 3 | 2 | 4
+options: _ | ~--format~json | ~--plot~PLOT | ~--format~json | ~--param~<$name>=<number>
+tableau: "c": [<half>], "b": [<one>], "A": [[<half>]]
+    | "c": [<entry>], "b": [<entry>], "A": [[<entry>]]
+    | "c": [0, 1], "b": [<half>, <half>], "A": <trapezium>, "A_tilde": [[<half>, 0], [<half>, 0]]
+    | "c": [<g1>, <g2>], "b": [<half>, <half>], "A": [[<quarter>, <a12>], [<a21>, <quarter>]]
+    | "c": <pair>, "b": <pair>, "A": [<pair>, <pair>]
+    | "c": [0, <half>, <half>, <one>], "b": [<sixth>, <third>, <third>, <sixth>], "A": <kutta>
+trapezium: [[0, 0], [<half>, <half>]]
+pair: [<entry>, <entry>]
+kutta: [[0, 0, 0, 0], [<half>, 0, 0, 0], [0, <half>, 0, 0], [0, 0, <one>, 0]]
+half: 0.5 | "1/2" | 0.5 | <entry>
+one: 1 | 1.0 | "1" | 1 | <entry>
+quarter: 0.25 | "1/4" | 0.25 | <entry>
+sixth: 0.16666666666666666 | "1/6" | 0.166667 | <entry>
+third: 0.3333333333333333 | "1/3" | 0.333333 | <entry>
+g1: "1/2-sqrt(3)/6" | 0.21132486540518713 | 0.211325 | <entry>
+g2: "1/2+sqrt(3)/6" | 0.78867513459481287 | 0.788675 | <entry>
+a12: "1/4-sqrt(3)/6" | -0.038675134594812866 | -0.038675 | <entry>
+a21: "1/4+sqrt(3)/6" | 0.53867513459481287 | 0.538675 | <entry>
+entry: 0 | "<number>" | <digit>e-<digit> | "<$name>" | {"exact": null, "decimal": "0.<digit><digit>"}
+    | -<digit>.<digit> | {"exact": "<number>", "decimal": null}
+)" + common);
+    return grammar;
+}
+
+}  // namespace hvi::gen::fuzz
