@@ -6,6 +6,8 @@
 #
 #   cmake -D BUILD=build/dev -P tests/touched.cmake
 
+cmake_minimum_required(VERSION 3.25)
+
 set(memory "${BUILD}/Testing/passed")
 
 # The digest of a file, or of all files below a directory.
@@ -54,9 +56,10 @@ function(ingredients_of test result)
         return()
     endif()
     string(SHA256 ingredients "${command}")
-    foreach(word IN LISTS command needed)
-        if(IS_ABSOLUTE "${word}" AND EXISTS "${word}")
-            digest_of("${word}" digest)
+    list(FILTER command INCLUDE REGEX "^/")
+    foreach(file IN LISTS command needed)
+        if(file IN_LIST needed OR NOT IS_DIRECTORY "${file}")
+            digest_of("${file}" digest)
             string(APPEND ingredients " ${digest}")
         endif()
     endforeach()

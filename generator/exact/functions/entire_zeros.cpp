@@ -1,9 +1,11 @@
 // Real zeros of entire functions, isolated by enclosures.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "generator/exact/functions/near_zero.hpp"
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
@@ -14,8 +16,17 @@ public:
     ZeroSearch(const EntireFunction& function, const EntireGenerators& generators)
         : function_(function, generators, bits) {}
 
+    /// Throws MathError after so many intervals that one cannot wait for the rest: some hundred are
+    /// usual.
     void search(double low, double high) {
         constexpr double narrowest = 1e-9;
+        constexpr int most_intervals = 4096;
+        if (++intervals_ > most_intervals) {
+            throw MathError("the zeros of the denominators of the coefficients lie too close, or "
+                            "come too near 0 without being there: " +
+                                std::to_string(most_intervals) + " intervals do not isolate them",
+                            {}, "give the parameter a value with --param, or choose simpler nodes");
+        }
         const double middle = low + 0.4871 * (high - low);  // NOTE: hardly ever a zero itself
         const BallSeries whole = function_.at(interval(low, high), 2);
         const Ball slope = whole.coefficient(1);
@@ -78,6 +89,7 @@ private:
 
     EnclosedFunction function_;
     std::vector<double> zeros_;
+    int intervals_ = 0;  ///< that were looked at
 };
 
 }  // namespace
