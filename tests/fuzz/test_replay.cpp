@@ -37,7 +37,7 @@ public:
     Watch& operator=(const Watch&) = delete;
 
 private:
-    static constexpr time_t most_seconds = 60;
+    static constexpr time_t most_seconds = 600;
 
     timer_t timer_{};
 };

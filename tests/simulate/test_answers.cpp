@@ -72,7 +72,7 @@ TEST_CASE("programs that say nothing, or anything: status 3") {
              "kill -SEGV $$",
              begin + "'rows 11' 'iterations 0' 'evaluations 10' 'start 0.5' 'largest 0'"}) {
         const PretendedCompiler compiler(program);
-        const Outcome outcome = compiler.run("ulimit -v 4000000; exec $run");
+        const Outcome outcome = compiler.run("exec timeout 60 $run");
         INFO(program << "\n" << outcome.err);
         CHECK(outcome.status == 3);
         CHECK(outcome.out.empty());
