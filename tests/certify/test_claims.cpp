@@ -17,8 +17,6 @@ using namespace hvi::gen;
 
 namespace {
 
-Tableau tableau(const std::string& method) { return derive(any_method(method)); }
-
 std::string order(const std::string& method) {
     const Orders found = orders(tableau(method), 8);
     return fmt::format("{}, separable {}, Nystrom {}", found.general.order, found.separable.order,

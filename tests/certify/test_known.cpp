@@ -10,8 +10,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Tableau tableau(const std::string& method) { return derive(any_method(method)); }
-
 /// b_j - a_ij for the stages in reverse, for A and for A~ (Hairer, Lubich & Wanner, Geometric
 /// Numerical Integration, Theorem II.8.3).
 bool are_adjoint(const Tableau& one, const Tableau& other) {

@@ -44,8 +44,6 @@ std::string as_json(const Tableau& tableau, int digits = 0, bool with_partner = 
            (with_partner ? ", \"A_tilde\": " + matrix(tableau.A_tilde) : "") + "}";
 }
 
-Tableau derived(const std::string& given) { return derive(any_method(given)); }
-
 }  // namespace
 
 TEST_CASE("named methods are found by their coefficients") {
@@ -53,7 +51,7 @@ TEST_CASE("named methods are found by their coefficients") {
                                    "radau-left:2", "radau-right:3", "newton-cotes:4", "chebyshev:4",
                                    "newton-cotes-open:4", "clenshaw-curtis:4", "fejer:3"}) {
         CAPTURE(name);
-        const Audit found = audit_of(as_json(derived(name)), 4);
+        const Audit found = audit_of(as_json(tableau(name)), 4);
         CHECK(meant(found) == name);
         CHECK(found.rebuilt->wrong.empty());
         CHECK(found.rebuilt->proved);
@@ -71,7 +69,7 @@ TEST_CASE("named methods are found by their coefficients") {
 TEST_CASE("decimals are enough, as many as there are") {
     for (const int digits : {6, 8, 15, 16, 17, 30, 50}) {
         CAPTURE(digits);
-        const Audit found = audit_of(as_json(derived("gauss:8"), digits), 4);
+        const Audit found = audit_of(as_json(tableau("gauss:8"), digits), 4);
         CHECK(meant(found) == "gauss:8");
         CHECK(found.rebuilt->wrong.empty());
         CHECK_FALSE(found.rebuilt->proved);
@@ -106,11 +104,11 @@ TEST_CASE("every entry that is off is listed with the right one") {
 }
 
 TEST_CASE("an exact entry is wrong by any difference, a decimal by more than half a unit") {
-    const std::string exact = as_json(derived("gauss:3"));
+    const std::string exact = as_json(tableau("gauss:3"));
     CHECK(wrong_entries(audit_of(replaced(exact, "\"c\": [\"1/2-sqrt(15)/10\"",
                                           "\"c\": [\"1/2-sqrt(15)/10+10^-60\""))) ==
           "c[1]: 1/2-sqrt(15)/10");
-    const Tableau gauss = derived("gauss:6");  // without closed forms
+    const Tableau gauss = tableau("gauss:6");  // without closed forms
     const std::string thirty = as_json(gauss, 30, false);
     const std::string node = "\"c\": [\"" + gauss.c[0].decimal(30);
     CHECK(audit_of(thirty, 2).rebuilt->wrong.empty());
@@ -146,24 +144,24 @@ TEST_CASE("stages may stand in any order") {
 }
 
 TEST_CASE("collocation at nodes without a name") {
-    const Tableau tableau = derived("monomials:3 | 0, 1/3, 6/7");
-    const Audit exact = audit_of(as_json(tableau));
+    const Tableau collocation = tableau("monomials:3 | 0, 1/3, 6/7");
+    const Audit exact = audit_of(as_json(collocation));
     CHECK(meant(exact) == "collocation");
     CHECK(exact.rebuilt->proved);
     CHECK(exact.rebuilt->tableau->origin == "--basis \"monomials:3\" --nodes \"0, 1/3, 6/7\"");
-    const Audit rounded = audit_of(as_json(tableau, 16));
+    const Audit rounded = audit_of(as_json(collocation, 16));
     CHECK(meant(rounded) == "collocation");
     CHECK(rounded.rebuilt->wrong.empty());
     CHECK_FALSE(rounded.rebuilt->determined);
     CHECK_FALSE(rounded.certificate.is_proved());
-    const std::string entry = tableau.A[1][2].decimal(16);
+    const std::string entry = collocation.A[1][2].decimal(16);
     std::string misprint = entry;
     misprint[8] = misprint[8] == '9' ? '8' : '9';
-    const Audit wrong = audit_of(replaced(as_json(tableau, 16), entry, misprint));
+    const Audit wrong = audit_of(replaced(as_json(collocation, 16), entry, misprint));
     CHECK(meant(wrong) == "collocation");
-    CHECK(wrong_entries(wrong) == "A[2][3]: " + tableau.A[1][2].decimal(10));
+    CHECK(wrong_entries(wrong) == "A[2][3]: " + collocation.A[1][2].decimal(10));
     // Another basis gives another A; then A~ is compared with the partner of A.
-    const Tableau other = derived("1, exp(tau), exp(2*tau) | 0, 1/3, 6/7");
+    const Tableau other = tableau("1, exp(tau), exp(2*tau) | 0, 1/3, 6/7");
     CHECK(meant(audit_of(as_json(other))) == "partner");
     CHECK(audit_of(as_json(other)).rebuilt->wrong.empty());
     const std::string partner = other.A_tilde[1][2].decimal(16);

@@ -9,17 +9,19 @@
 #include <driver/dual.hpp>
 #include <hvi/compensated.hpp>
 
+#include "tests/edges/epsilon.hpp"
+
 namespace {
 
-using Number = hvi::driver::Dual<3>;
+using Dual = hvi::driver::Dual<3>;
+using hvi::test::eps;
 namespace math = hvi::math;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Number number(double value, double by_0, double by_1, double by_2) {
-    Number x(value);
+Dual dual(double value, double by_0, double by_1, double by_2) {
+    Dual x(value);
     x.by[0] = by_0;
     x.by[1] = by_1;
     x.by[2] = by_2;
@@ -27,10 +29,10 @@ Number number(double value, double by_0, double by_1, double by_2) {
 }
 
 /// 3/8, as a number that has a derivative, another one, and one that is none.
-const Number x = number(0.375, 1, -4, 0);
+const Dual three_eighths = dual(0.375, 1, -4, 0);
 
-/// Whether a function of x has this value, and this derivative to four units in the last place.
-bool is(const Number& result, double value, double slope) {
+/// Whether a function of 3/8 has this value, and this derivative to four units in the last place.
+bool is(const Dual& result, double value, double slope) {
     const double most = 4 * eps * std::abs(slope);
     return result.value == value && std::abs(result.by[0] - slope) <= most &&
            result.by[1] == -4 * result.by[0] && result.by[2] == 0;
@@ -39,6 +41,7 @@ bool is(const Number& result, double value, double slope) {
 }  // namespace
 
 TEST_CASE("the derivative of each function at 3/8") {
+    const Dual& x = three_eighths;
     const double v = x.value;
     CHECK(is(math::acos(x), std::acos(v), -1.078719779941187337994));
     CHECK(is(math::asin(x), std::asin(v), 1.078719779941187337994));
@@ -56,101 +59,101 @@ TEST_CASE("the derivative of each function at 3/8") {
 }
 
 TEST_CASE("the derivatives of powers by base and exponent") {
-    CHECK(is(math::pow(x, Number(1.25)), std::pow(0.375, 1.25), 0.9781778625458045728653));
-    const Number y = x + 0.875;  // 5/4
-    CHECK(is(math::pow(Number(0.375), y), std::pow(0.375, 1.25), -0.2878276386700225568374));
+    const Dual& x = three_eighths;
+    CHECK(is(math::pow(x, Dual(1.25)), std::pow(0.375, 1.25), 0.9781778625458045728653));
+    const Dual y = x + 0.875;  // 5/4
+    CHECK(is(math::pow(Dual(0.375), y), std::pow(0.375, 1.25), -0.2878276386700225568374));
     CHECK(is(math::pow(x, y), std::pow(0.375, 1.25),
              0.9781778625458045728653 - 0.2878276386700225568374));
     // Integer exponents, of bases that have no logarithm.
-    CHECK(math::pow(number(-2, 1, 0, 0), Number(3)) == number(-8, 12, 0, 0));
-    CHECK(math::pow(number(0, 1, 0, 0), Number(1)) == number(0, 1, 0, 0));
-    CHECK(math::pow(number(0, 1, 0, 0), Number(0)) == Number(1));
-    CHECK(math::pow(number(0, 1, 0, 0), Number(2)) == Number(0));
+    CHECK(math::pow(dual(-2, 1, 0, 0), Dual(3)) == dual(-8, 12, 0, 0));
+    CHECK(math::pow(dual(0, 1, 0, 0), Dual(1)) == dual(0, 1, 0, 0));
+    CHECK(math::pow(dual(0, 1, 0, 0), Dual(0)) == Dual(1));
+    CHECK(math::pow(dual(0, 1, 0, 0), Dual(2)) == Dual(0));
 }
 
 TEST_CASE("the rules of calculus, on numbers without rounding") {
-    const Number u = number(1.5, 1, 0, 2);
-    const Number v = number(-4, 0, 1, 8);
-    CHECK(u + v == number(-2.5, 1, 1, 10));
-    CHECK(u - v == number(5.5, 1, -1, -6));
-    CHECK(u * v == number(-6, -4, 1.5, 4));
-    CHECK(u / v == number(-0.375, -0.25, -0.09375, -1.25));
-    CHECK(-u == number(-1.5, -1, 0, -2));
-    CHECK(2 * u - 1 == number(2, 2, 0, 4));
+    const Dual u = dual(1.5, 1, 0, 2);
+    const Dual v = dual(-4, 0, 1, 8);
+    CHECK(u + v == dual(-2.5, 1, 1, 10));
+    CHECK(u - v == dual(5.5, 1, -1, -6));
+    CHECK(u * v == dual(-6, -4, 1.5, 4));
+    CHECK(u / v == dual(-0.375, -0.25, -0.09375, -1.25));
+    CHECK(-u == dual(-1.5, -1, 0, -2));
+    CHECK(2 * u - 1 == dual(2, 2, 0, 4));
     CHECK(u * u / u == u);
-    Number w = u;
-    const Number& same = w;
+    Dual w = u;
+    const Dual& same = w;
     w /= same;
-    CHECK(w == Number(1));
+    CHECK(w == Dual(1));
     w = u;
     w *= same;
-    CHECK(w == number(2.25, 3, 0, 6));
+    CHECK(w == dual(2.25, 3, 0, 6));
 }
 
 TEST_CASE("constants have no derivative where a function has no finite one") {
-    CHECK(math::sqrt(Number(0)) == Number(0));
-    CHECK(math::asin(Number(1)) == Number(std::asin(1.0)));
-    CHECK(math::sqrt(number(0, 1, 0, 0)).by[0] == infinity);
+    CHECK(math::sqrt(Dual(0)) == Dual(0));
+    CHECK(math::asin(Dual(1)) == Dual(std::asin(1.0)));
+    CHECK(math::sqrt(dual(0, 1, 0, 0)).by[0] == infinity);
 }
 
 TEST_CASE("numbers are ordered by values, and equal by all parts") {
-    CHECK(Number(1) < Number(2));
-    CHECK(Number(2) >= Number(2));
-    CHECK_FALSE(number(1, 5, 0, 0) > number(1, 0, 0, 0));
-    CHECK(number(1, 5, 0, 0) != Number(1));
-    CHECK(hvi::driver::variable<3>(7, 1) == number(7, 0, 1, 0));
-    CHECK(math::islessgreater(Number(1), Number(2)));
-    CHECK_FALSE(math::islessgreater(Number(no_number), Number(2)));
-    CHECK(math::isnormal(Number(1)));
-    CHECK_FALSE(math::isnormal(number(0, 1, 1, 1)));
+    CHECK(Dual(1) < Dual(2));
+    CHECK(Dual(2) >= Dual(2));
+    CHECK_FALSE(dual(1, 5, 0, 0) > dual(1, 0, 0, 0));
+    CHECK(dual(1, 5, 0, 0) != Dual(1));
+    CHECK(hvi::driver::variable<3>(7, 1) == dual(7, 0, 1, 0));
+    CHECK(math::islessgreater(Dual(1), Dual(2)));
+    CHECK_FALSE(math::islessgreater(Dual(no_number), Dual(2)));
+    CHECK(math::isnormal(Dual(1)));
+    CHECK_FALSE(math::isnormal(dual(0, 1, 1, 1)));
 }
 
 TEST_CASE("to the runtime they are of the format of double") {
-    STATIC_REQUIRE(hvi::detail::is_supported<Number>());
-    STATIC_REQUIRE(hvi::detail::bits<Number> == 53);
-    STATIC_REQUIRE(hvi::detail::epsilon<Number>.value == eps);
-    STATIC_REQUIRE(math::computes_in<Number>);
+    STATIC_REQUIRE(hvi::detail::is_supported<Dual>());
+    STATIC_REQUIRE(hvi::detail::bits<Dual> == 53);
+    STATIC_REQUIRE(hvi::detail::epsilon<Dual>.value == eps);
+    STATIC_REQUIRE(math::computes_in<Dual>);
     STATIC_REQUIRE_FALSE(hvi::detail::is_supported<std::vector<double>>());
-    CHECK(hvi::detail::is_finite(number(1, 2, 3, 4)));
-    CHECK_FALSE(hvi::detail::is_finite(number(1, 2, infinity, 4)));
+    CHECK(hvi::detail::is_finite(dual(1, 2, 3, 4)));
+    CHECK_FALSE(hvi::detail::is_finite(dual(1, 2, infinity, 4)));
 }
 
 TEST_CASE("a size is that of the largest part, and no number where one is none") {
-    CHECK(hvi::detail::abs(number(-3, 1, -7, 2)) == Number(7));
-    CHECK(hvi::detail::abs(number(-3, 1, -2, 2)) == Number(3));
-    for (const Number& none :
-         {number(no_number, 1, 1, 9), number(1, no_number, 9, 1), number(1, 9, 1, no_number)})
+    CHECK(hvi::detail::abs(dual(-3, 1, -7, 2)) == Dual(7));
+    CHECK(hvi::detail::abs(dual(-3, 1, -2, 2)) == Dual(3));
+    for (const Dual& none :
+         {dual(no_number, 1, 1, 9), dual(1, no_number, 9, 1), dual(1, 9, 1, no_number)})
         CHECK(std::isnan(hvi::detail::abs(none).value));
 }
 
 TEST_CASE("compensated sums keep what each part loses") {
-    CHECK(hvi::detail::sums_are_exact<Number>());
-    const hvi::Sum<Number> sum =
-        hvi::two_sum(number(1, 0x1p60, 3, 0x1p-60), number(0x1p-60, 1, 4, 1));
-    CHECK(sum.value == number(1, 0x1p60, 7, 1));
-    CHECK(sum.remainder == number(0x1p-60, 1, 0, 0x1p-60));
+    CHECK(hvi::detail::sums_are_exact<Dual>());
+    const hvi::Sum<Dual> sum = hvi::two_sum(dual(1, 0x1p60, 3, 0x1p-60), dual(0x1p-60, 1, 4, 1));
+    CHECK(sum.value == dual(1, 0x1p60, 7, 1));
+    CHECK(sum.remainder == dual(0x1p-60, 1, 0, 0x1p-60));
 }
 
 TEST_CASE("Newton's method gives the derivatives of a solution") {
     // Of u^2 + v = a and u v = b, at u = 2 and v = 3: du = (2 da - db)/5, dv = da - 4 du.
-    const Number a = number(7, 1, 0, 5);
-    const Number b = number(6, 0, 1, 5);
-    Number u = 2.25;
-    Number v = 2.75;
-    hvi::detail::SquareMatrix<Number> J(2);
+    const Dual a = dual(7, 1, 0, 5);
+    const Dual b = dual(6, 0, 1, 5);
+    Dual u = 2.25;
+    Dual v = 2.75;
+    hvi::detail::SquareMatrix<Dual> J(2);
     J(0, 0) = 2 * u;
     J(0, 1) = 1;
     J(1, 0) = v;
     J(1, 1) = u;
-    hvi::detail::Factors<Number> factors;
+    hvi::detail::Factors<Dual> factors;
     REQUIRE(factors.compute(J));
     for (int i = 0; i < 200; ++i) {
-        std::vector<Number> correction{u * u + v - a, u * v - b};
+        std::vector<Dual> correction{u * u + v - a, u * v - b};
         factors.solve(correction.data());
         u -= correction[0];
         v -= correction[1];
     }
-    const auto near = [](const Number& number, const std::vector<double>& parts) {
+    const auto near = [](const Dual& number, const std::vector<double>& parts) {
         bool all = std::abs(number.value - parts[0]) < 1e-15;
         for (std::size_t i = 0; i < 3; ++i)
             all = all && std::abs(number.by[i] - parts[i + 1]) < 1e-14;
@@ -158,5 +161,5 @@ TEST_CASE("Newton's method gives the derivatives of a solution") {
     };
     CHECK(near(u, {2, 0.4, -0.2, 1}));
     CHECK(near(v, {3, -0.6, 0.8, 1}));
-    CHECK_FALSE(factors.compute(hvi::detail::SquareMatrix<Number>(2)));
+    CHECK_FALSE(factors.compute(hvi::detail::SquareMatrix<Dual>(2)));
 }

@@ -11,7 +11,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Scene named(const std::string& name) {
+Scene embedded_scene(const std::string& name) {
     return find_scene(name, {std::make_shared<const Source>(Source{"SCENE", name}), {0, 0}});
 }
 
@@ -28,11 +28,11 @@ TEST_CASE("the origin of the scenes that come with the program") {
     for (const std::string name : {"double-pendulum", "fpu", "harmonic-oscillator", "henon-heiles",
                                    "nonseparable", "pendulum", "qp"}) {
         INFO(name);
-        CHECK(origin_of(named(name)) == Origin::rest);
+        CHECK(origin_of(embedded_scene(name)) == Origin::rest);
     }
     for (const std::string name : {"kepler", "outer-solar-system", "point-vortices"}) {
         INFO(name);
-        CHECK(origin_of(named(name)) == Origin::singular);
+        CHECK(origin_of(embedded_scene(name)) == Origin::singular);
     }
 }
 

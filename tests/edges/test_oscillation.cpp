@@ -17,7 +17,7 @@ using namespace hvi::gen;
 
 namespace {
 
-ComposedMethod named(const std::string& name) {
+ComposedMethod method_named(const std::string& name) {
     return composed_method(std::make_shared<const Source>(Source{"--methods", name}));
 }
 
@@ -55,9 +55,9 @@ TEST_CASE("the map of a composition is that of its steps in a row") {
                                   {"symplectic-euler", "adjoint-symplectic-euler", "blanes-moan:6"},
                                   {"radau-left:2", "radau-right:2", "blanes-moan:6"}};
     for (const auto& [method, adjoint, composition] : cases) {
-        const ComposedMethod composed = named(method + "-" + composition);
-        const OscillatorMap own = oscillator_map(derive(named(method).method)),
-                            other = oscillator_map(derive(named(adjoint).method));
+        const ComposedMethod composed = method_named(method + "-" + composition);
+        const OscillatorMap own = oscillator_map(derive(method_named(method).method)),
+                            other = oscillator_map(derive(method_named(adjoint).method));
         const KnownOscillator known = known_oscillator(composed);
         CHECK(known.method == method + "-" + composition);
         CHECK(known.map.determinant_one.holds);
@@ -80,7 +80,7 @@ TEST_CASE("the map of a composition is that of its steps in a row") {
 TEST_CASE("compositions are stable as far as the product of their steps") {
     // 1/(2 - 2^(1/3)), and what is left for the step in the middle.
     const double gamma = 1 / (2 - std::cbrt(2.0));
-    const KnownOscillator known = known_oscillator(named("stormer-verlet-yoshida:4"));
+    const KnownOscillator known = known_oscillator(method_named("stormer-verlet-yoshida:4"));
     for (double z = 0.01; z < 4; z += 0.0173) {
         const Matrix R =
             product(verlet(gamma * z), product(verlet((1 - 2 * gamma) * z), verlet(gamma * z)));
@@ -91,28 +91,30 @@ TEST_CASE("compositions are stable as far as the product of their steps") {
     }
     CHECK(known.contraction == 0);
     // rho(A A) = 1/12 of gauss:2, and the largest step is the one in the middle.
-    CHECK(known_oscillator(named("gauss:2-yoshida:4")).contraction ==
+    CHECK(known_oscillator(method_named("gauss:2-yoshida:4")).contraction ==
           Approx(std::pow(1 - 2 * gamma, 2) / 12).epsilon(1e-3));
 }
 
 TEST_CASE("stages of compositions have the properties of the method") {
     for (const std::string name :
          {"stormer-verlet-yoshida:4", "midpoint-suzuki:4", "symplectic-euler-blanes-moan:6"}) {
-        const PartitionedMethod stages = known_oscillator(named(name)).stages;
+        const PartitionedMethod stages = known_oscillator(method_named(name)).stages;
         INFO(name);
         CHECK(is_symplectic(stages).holds);
         CHECK(is_symmetric(stages).holds);
-        CHECK(is_symmetric(named(name)));
+        CHECK(is_symmetric(method_named(name)));
     }
-    CHECK_FALSE(is_symmetric(named("symplectic-euler")));
+    CHECK_FALSE(is_symmetric(method_named("symplectic-euler")));
 }
 
 TEST_CASE("orders of compositions") {
-    const auto order = [](const std::string& name) { return known_order(named(name)).order; };
+    const auto order = [](const std::string& name) {
+        return known_order(method_named(name)).order;
+    };
     CHECK(order("stormer-verlet-yoshida:4") == 4);
     CHECK(order("stormer-verlet-kahan-li:8") == 8);
     CHECK(order("symplectic-euler-blanes-moan:6") == 6);
     CHECK(order("gauss:3-yoshida:4") == 6);
     CHECK(order("gauss:3") == 6);
-    CHECK_FALSE(known_order(named("gauss:3-kahan-li:8")).is_at_least);
+    CHECK_FALSE(known_order(method_named("gauss:3-kahan-li:8")).is_at_least);
 }

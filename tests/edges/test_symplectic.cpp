@@ -4,17 +4,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include <catch2/catch.hpp>
 #include <driver/dual.hpp>
 #include <driver/edge_symplectic.hpp>
 #include <hvi/state.hpp>
 
+#include "tests/edges/epsilon.hpp"
+
 namespace {
 
 using hvi::Status;
-constexpr double eps = std::numeric_limits<double>::epsilon();
+using hvi::test::eps;
 
 /// Steps of so many degrees of freedom, that do what `Map` does.
 template <std::size_t n, class Map>

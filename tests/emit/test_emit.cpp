@@ -10,6 +10,7 @@
 #include "generator/emit/text/text.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
+#include "tests/emit/header.hpp"
 #include "tests/emit/tableaux.hpp"
 #include "tests/exact/exact.hpp"
 
@@ -17,11 +18,6 @@ using namespace hvi::gen;
 using Catch::Matchers::Contains;
 
 namespace {
-
-std::string header(const Tableau& tableau, bool separable, std::string name = "Method") {
-    return emit(tableau, plan(tableau, {.separable = separable}),
-                {std::move(name), "hvi-gen stepper --method by-hand"});
-}
 
 std::string from_class(const std::string& text) {
     return text.substr(text.find("\nnamespace hvi::generated"));

@@ -5,10 +5,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/emit/steps/emit.hpp"
 #include "generator/plan/lattice.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
+#include "tests/emit/header.hpp"
 #include "tests/emit/tableaux.hpp"
 
 using namespace hvi::gen;
@@ -38,10 +38,6 @@ Number exactly(Dyadic value) {
 bool at_most(const Number& a, const Number& b) { return (b - a).sign() >= 0; }
 
 Number absolute(const Number& a) { return a.sign() < 0 ? -a : a; }
-
-std::string header(const Tableau& tableau, bool separable = false) {
-    return emit(tableau, plan(tableau, {.separable = separable}), {"Method", "hvi-gen stepper"});
-}
 
 /// Explicit for separable H, with any weights: kicks after drifts of b_i.
 Tableau composition(const NumberVector& b) {

@@ -69,6 +69,20 @@ inline Method any_method(const std::string& given) {
                                     : method(given.substr(0, bar), given.substr(bar + 1));
 }
 
+inline Tableau tableau(const std::string& method) { return derive(any_method(method)); }
+
+inline Number sum(const NumberVector& terms) {
+    Number result;
+    for (const Number& term : terms) result = result + term;
+    return result;
+}
+
+/// |number| < 10^-60
+inline bool is_tiny(const Number& number) {
+    const Number bound = Number(1) / power(Number(10), 60);
+    return (bound - number).sign() == 1 && (bound + number).sign() == 1;
+}
+
 /// All entries of a tableau, row after row.
 inline NumberVector all_entries(const Tableau& tableau) {
     NumberVector result;

@@ -7,20 +7,14 @@
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/exact/methods/composition.hpp"
-#include "generator/exact/methods/galerkin.hpp"
-#include "generator/read/method.hpp"
+#include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;
 
 namespace {
 
 Composition named(const std::string_view name) {
-    return named_composition(
-        std::make_shared<const Source>(Source{"--compose", std::string(name)}));
-}
-
-Tableau tableau(const std::string& name) {
-    return derive(named_method(std::make_shared<const Source>(Source{"--method", name})));
+    return named_composition(source(std::string(name), "--compose"));
 }
 
 Number sum_of_powers(const NumberVector& numbers, unsigned exponent) {

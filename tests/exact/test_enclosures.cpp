@@ -10,19 +10,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Number sum(const NumberVector& terms) {
-    Number result;
-    for (const Number& term : terms) result = result + term;
-    return result;
-}
-
-/// |number| < 10^-60
-bool is_tiny(const Number& number) {
-    const Number bound = Number(1) / power(Number(10), 60);
-    return (bound - number).sign() == 1 && (bound + number).sign() == 1;
-}
-
-const std::string one = "1." + std::string(59, '0');
+const std::string one_to_60_digits = "1." + std::string(59, '0');
 
 }  // namespace
 
@@ -62,7 +50,7 @@ TEST_CASE("a method known by enclosures is consistent and symplectic to 60 digit
     const Tableau tableau = derive(method(name));
     const auto& [b, A, A_tilde] = std::tie(tableau.b, tableau.A, tableau.A_tilde);
     CHECK(text(tableau.c[1]) == "none");
-    CHECK(sum(b).decimal(60) == one);
+    CHECK(sum(b).decimal(60) == one_to_60_digits);
     for (std::size_t i = 0; i < b.size(); ++i) {
         CHECK(is_tiny(sum(A[i]) - tableau.c[i]));
         CHECK(is_tiny(sum(A_tilde[i]) - tableau.c_tilde[i]));
@@ -92,7 +80,7 @@ TEST_CASE("the middle node of an odd rule is exact") {
 
 TEST_CASE("many stages") {
     const Tableau tableau = derive(method("gauss:20"));
-    CHECK(sum(tableau.b).decimal(60) == one);
+    CHECK(sum(tableau.b).decimal(60) == one_to_60_digits);
     // Abramowitz & Stegun, Table 25.4: the largest of the 20 nodes
     CHECK((Number(2) * tableau.c.back() - Number(1)).decimal(15) == "0.993128599185095");
 }

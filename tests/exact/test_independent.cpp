@@ -15,13 +15,13 @@ using namespace hvi::gen;
 
 namespace {
 
-constexpr Precision bits = 400;
+constexpr Precision working_bits = 400;
 
-Ball ball(const std::string& fraction) { return ball_of_rational(fraction, bits); }
+Ball ball(const std::string& fraction) { return ball_of_rational(fraction, working_bits); }
 
 Ball apply(void (*function)(arb_t, const arb_t, slong), const Ball& argument) {
     Ball result;
-    function(result.get(), argument.get(), bits);
+    function(result.get(), argument.get(), working_bits);
     return result;
 }
 
@@ -34,22 +34,24 @@ Ball value(const Expression& expression, const Ball& tau) {
     case Kind::number: return ball(expression.numerator + "/" + expression.denominator);
     case Kind::symbol:
         if (expression.name == "tau") return tau;
-        (expression.name == "pi" ? arb_const_pi : arb_const_e)(result.get(), bits);
+        (expression.name == "pi" ? arb_const_pi : arb_const_e)(result.get(), working_bits);
         return result;
     case Kind::sum:
         for (const Expression& term : expression.arguments) {
-            arb_add(result.get(), result.get(), value(term, tau).get(), bits);
+            arb_add(result.get(), result.get(), value(term, tau).get(), working_bits);
         }
         return result;
     case Kind::product:
         arb_one(result.get());
         for (const Expression& factor : expression.arguments) {
-            arb_mul(result.get(), result.get(), value(factor, tau).get(), bits);
+            arb_mul(result.get(), result.get(), value(factor, tau).get(), working_bits);
         }
         return result;
     case Kind::negation: arb_neg(result.get(), part(0).get()); return result;
     case Kind::reciprocal: return apply(arb_inv, part(0));
-    case Kind::power: arb_pow(result.get(), part(0).get(), part(1).get(), bits); return result;
+    case Kind::power:
+        arb_pow(result.get(), part(0).get(), part(1).get(), working_bits);
+        return result;
     case Kind::call: break;
     }
     const std::string& name = expression.name;
@@ -74,7 +76,7 @@ struct Rule {
         for (slong i = 0; i < nodes; ++i) {
             const auto k = static_cast<std::size_t>(i);
             arb_hypgeom_legendre_p_ui_root(points[k].get(), weights[k].get(), nodes,
-                                           static_cast<ulong>(i), bits);
+                                           static_cast<ulong>(i), working_bits);
         }
     }
 
@@ -85,11 +87,11 @@ struct Rule {
         arb_mul_2exp_si(half.get(), end.get(), -1);
         for (std::size_t k = 0; k < points.size(); ++k) {
             Ball point;
-            arb_add_ui(point.get(), points[k].get(), 1, bits);
-            arb_mul(point.get(), point.get(), half.get(), bits);
-            arb_addmul(sum.get(), weights[k].get(), value(function, point).get(), bits);
+            arb_add_ui(point.get(), points[k].get(), 1, working_bits);
+            arb_mul(point.get(), point.get(), half.get(), working_bits);
+            arb_addmul(sum.get(), weights[k].get(), value(function, point).get(), working_bits);
         }
-        arb_mul(sum.get(), sum.get(), half.get(), bits);
+        arb_mul(sum.get(), sum.get(), half.get(), working_bits);
         return sum;
     }
 };
@@ -115,7 +117,7 @@ std::vector<std::vector<Ball>> integrals_of_phi(const std::vector<Expression>& p
                     rule.integral(function, ends[r]).get());
         }
     }
-    REQUIRE(arb_mat_solve(solution, M, integrals, bits) != 0);
+    REQUIRE(arb_mat_solve(solution, M, integrals, working_bits) != 0);
     std::vector<std::vector<Ball>> rows(ends.size(), std::vector<Ball>(psi.size()));
     for (std::size_t r = 0; r < ends.size(); ++r) {
         for (std::size_t j = 0; j < psi.size(); ++j) {
@@ -130,12 +132,12 @@ std::vector<std::vector<Ball>> integrals_of_phi(const std::vector<Expression>& p
 /// To 50 digits of the larger of 1 and the number.
 bool agree(const Ball& left, const Ball& right) {
     Ball distance, allowed;
-    arb_sub(distance.get(), left.get(), right.get(), bits);
+    arb_sub(distance.get(), left.get(), right.get(), working_bits);
     arb_abs(distance.get(), distance.get());
     arb_abs(allowed.get(), right.get());
-    arb_add_ui(allowed.get(), allowed.get(), 1, bits);
+    arb_add_ui(allowed.get(), allowed.get(), 1, working_bits);
     arb_mul(allowed.get(), allowed.get(),
-            ball("1/100000000000000000000000000000000000000000000000000").get(), bits);
+            ball("1/100000000000000000000000000000000000000000000000000").get(), working_bits);
     return arb_lt(distance.get(), allowed.get()) != 0;
 }
 

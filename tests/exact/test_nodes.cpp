@@ -14,12 +14,6 @@ NumberVector nodes(const std::string& list) {
         [&](const Ground& ground) { return quadrature_nodes(parse_list(source(list)), ground).c; });
 }
 
-/// |left - right| < 10^-60
-bool agree(const Number& left, const Number& right) {
-    const Number bound = Number(1) / power(Number(10), 60);
-    return (bound + left - right).sign() == 1 && (bound - left + right).sign() == 1;
-}
-
 bool ascending_in_unit_interval(const NumberVector& c) {
     if (c.front().sign() < 0 || (Number(1) - c.back()).sign() < 0) return false;
     for (std::size_t i = 1; i < c.size(); ++i) {
@@ -32,7 +26,7 @@ bool ascending_in_unit_interval(const NumberVector& c) {
 bool mirrored(const NumberVector& c, const NumberVector& d) {
     if (c.size() != d.size()) return false;
     for (std::size_t i = 0; i < c.size(); ++i) {
-        if (!agree(c[i], Number(1) - d[c.size() - 1 - i])) return false;
+        if (!is_tiny(c[i] - (Number(1) - d[c.size() - 1 - i]))) return false;
     }
     return true;
 }
@@ -82,7 +76,7 @@ TEST_CASE("nodes on a circle, projected") {
     CHECK(nodes("clenshaw-curtis:8")[3].decimal(20) == "0.38873953302184279786");
     CHECK(nodes("fejer:7")[2].decimal(20) == "0.28305813044122093976");
     CHECK(nodes("fejer:9")[3].decimal(20) == "0.32898992833716563348");
-    CHECK(agree(nodes("fejer:11")[5], number("1/2")));
+    CHECK(is_tiny(nodes("fejer:11")[5] - number("1/2")));
 }
 
 TEST_CASE("families, roots and numbers in one list") {

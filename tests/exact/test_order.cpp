@@ -10,8 +10,6 @@ using namespace hvi::gen;
 
 namespace {
 
-Tableau tableau(const std::string& method) { return derive(any_method(method)); }
-
 OrderConditions general(const std::string& method, int max_order = 8) {
     return orders(tableau(method), max_order).general;
 }

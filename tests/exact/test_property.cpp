@@ -13,7 +13,7 @@ using namespace hvi::gen;
 namespace {
 
 /// Nodes numerator/denominator in [0, 1], all with one denominator.
-struct Nodes {
+struct RationalNodes {
     std::vector<long> numerators;
     long denominator = 1;
 
@@ -46,8 +46,8 @@ const std::vector<Basis> bases{
     {"1, cos(pi*tau), sin(pi*tau)", 3, 7},
 };
 
-Nodes random_nodes(const Basis& basis, std::mt19937& generator) {
-    Nodes nodes{{}, basis.denominator};
+RationalNodes random_nodes(const Basis& basis, std::mt19937& generator) {
+    RationalNodes nodes{{}, basis.denominator};
     while (nodes.numerators.size() < basis.size) {
         // NOTE: std::uniform_int_distribution differs between standard libraries.
         const long numerator =
@@ -61,7 +61,7 @@ Nodes random_nodes(const Basis& basis, std::mt19937& generator) {
 
 /// A tableau on random nodes; draws again when M is singular or a weight is zero.
 struct Drawn {
-    Nodes nodes;
+    RationalNodes nodes;
     Tableau tableau;
 };
 Drawn draw(const Basis& basis, std::mt19937& generator) {
@@ -71,12 +71,6 @@ Drawn draw(const Basis& basis, std::mt19937& generator) {
             return {nodes, derive(method(basis.text, nodes.list()))};
         } catch (const MathError&) {}
     }
-}
-
-Number sum(const NumberVector& terms) {
-    Number result;
-    for (const Number& term : terms) result = result + term;
-    return result;
 }
 
 /// The entries of one tableau as texts, with row and column k taken from order[k].
@@ -126,7 +120,7 @@ TEST_CASE("permuted nodes give the permuted tableau") {
         std::vector<std::size_t> order = ascending(basis.size);
         std::rotate(order.begin(), order.begin() + 1, order.end());
         std::swap(order.front(), order[1]);
-        Nodes permuted{{}, nodes.denominator};
+        RationalNodes permuted{{}, nodes.denominator};
         for (const std::size_t i : order) permuted.numerators.push_back(nodes.numerators[i]);
         CAPTURE(seed, basis.text, nodes.list(), permuted.list());
         const Tableau other = derive(method(basis.text, permuted.list()));
@@ -141,7 +135,7 @@ TEST_CASE("reflected nodes give the adjoint method") {
     for (const Basis& basis : bases) {
         const auto [nodes, tableau] = draw(basis, generator);
         const std::size_t s = basis.size;
-        Nodes reflected{{}, nodes.denominator};
+        RationalNodes reflected{{}, nodes.denominator};
         for (std::size_t i = s; i-- > 0;)
             reflected.numerators.push_back(nodes.denominator - nodes.numerators[i]);
         Tableau adjoint = tableau;

@@ -10,23 +10,23 @@ using namespace hvi::gen;
 
 namespace {
 
-bool agrees(const Number& entry, const std::string& expected) {
+bool has_reference_value(const Number& entry, const std::string& expected) {
     if (entry.has_parameters()) return same(text(entry), expected);
     return close(entry.decimal(50), expected);
 }
 
-bool agrees(const Number& entry, const Json& expected) {
+bool has_reference_value(const Number& entry, const Json& expected) {
     const auto value = expected.get<std::string>();
-    if (agrees(entry, value)) return true;
+    if (has_reference_value(entry, value)) return true;
     UNSCOPED_INFO(text(entry) << " is not " << value);
     return false;
 }
 
 template <class Entries>
-bool agrees(const std::vector<Entries>& entries, const Json& expected) {
+bool has_reference_value(const std::vector<Entries>& entries, const Json& expected) {
     if (entries.size() != expected.size()) return false;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (!agrees(entries[i], expected[i])) return false;
+        if (!has_reference_value(entries[i], expected[i])) return false;
     }
     return true;
 }
@@ -39,11 +39,11 @@ TEST_CASE("all coefficients agree with the reference") {
         if (entry["status"] != "ok") continue;
         CAPTURE(entry["name"]);
         const Tableau tableau = derive(method_of(entry));
-        CHECK(agrees(tableau.c, entry["c"]));
-        CHECK(agrees(tableau.b, entry["b"]));
-        CHECK(agrees(tableau.A, entry["A"]));
-        CHECK(agrees(tableau.A_tilde, entry["A_tilde"]));
-        CHECK(agrees(tableau.c_tilde, entry["c_tilde"]));
+        CHECK(has_reference_value(tableau.c, entry["c"]));
+        CHECK(has_reference_value(tableau.b, entry["b"]));
+        CHECK(has_reference_value(tableau.A, entry["A"]));
+        CHECK(has_reference_value(tableau.A_tilde, entry["A_tilde"]));
+        CHECK(has_reference_value(tableau.c_tilde, entry["c_tilde"]));
         ++methods;
     }
     CHECK(methods == 50);

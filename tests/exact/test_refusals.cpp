@@ -2,18 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "tests/exact/exact.hpp"
+#include "tests/exact/refusals.hpp"
 
 using namespace hvi::gen;
 
 namespace {
-
-constexpr int mathematics = 1;
-constexpr int input = 2;
-
-Refusal refused(const std::string& basis, const std::string& nodes) {
-    return refusal([&] { return derive(method(basis, nodes)); });
-}
 
 Refusal refused(const std::string& expression) {
     return refusal([&] { return number(expression); });

@@ -3,14 +3,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "tests/exact/exact.hpp"
+#include "tests/exact/refusals.hpp"
 
 using namespace hvi::gen;
 
 namespace {
-
-constexpr int mathematics = 1;
-constexpr int input = 2;
 
 struct Refused {
     std::string basis;  ///< the function after `1, `, with brackets around what the caret marks

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/exact/function.hpp"
+#include "tests/exact/refusals.hpp"
 
 using namespace hvi::gen;
 
@@ -17,10 +18,6 @@ std::string rotated(long degree, long count, long i) {
         text += fmt::format("{}bspline({},{})", j == 0 ? "" : ", ", degree, (i + j) % count);
     }
     return text;
-}
-
-Refusal refused(const std::string& basis, const std::string& nodes) {
-    return refusal([&] { return derive(method(basis, nodes)); });
 }
 
 }  // namespace

@@ -8,19 +8,21 @@ using namespace hvi::gen;
 
 namespace {
 
-Coefficients read(const std::string& text) { return coefficients_from_json({"t.json", text}); }
+Coefficients read_coefficients(const std::string& text) {
+    return coefficients_from_json({"t.json", text});
+}
 
-Refusal refused(const std::string& text) {
-    return refusal([&] { return read(text); });
+Refusal refused_coefficients(const std::string& text) {
+    return refusal([&] { return read_coefficients(text); });
 }
 
 /// One stage with this number for A.
 Refusal refused_entry(const std::string& entry) {
-    return refused("{\"A\": [[" + entry + "]],\n\"b\": [1], \"c\": [0]}");
+    return refused_coefficients("{\"A\": [[" + entry + "]],\n\"b\": [1], \"c\": [0]}");
 }
 
 Expression value(const std::string& entry) {
-    return read("{\"A\": [[" + entry + "]], \"b\": [1], \"c\": [0]}").A[0][0].value;
+    return read_coefficients("{\"A\": [[" + entry + "]], \"b\": [1], \"c\": [0]}").A[0][0].value;
 }
 
 std::string texts(const CoefficientVector& entries) {
@@ -43,7 +45,7 @@ std::string rounded(const std::vector<std::string>& numbers) {
     }
     std::string result;
     for (const Coefficient& entry :
-         read("{\"A\":[" + rows + "],\"b\":[" + row + "],\"c\":[" + c + "]}").c) {
+         read_coefficients("{\"A\":[" + rows + "],\"b\":[" + row + "],\"c\":[" + c + "]}").c) {
         result += entry.rounded ? 'r' : '-';
     }
     return result;
@@ -52,7 +54,7 @@ std::string rounded(const std::vector<std::string>& numbers) {
 }  // namespace
 
 TEST_CASE("a bare object with A, b and c is a tableau") {
-    const Coefficients rule = read(R"({"A": [["1/2"]], "b": [1], "c": [0.5]})");
+    const Coefficients rule = read_coefficients(R"({"A": [["1/2"]], "b": [1], "c": [0.5]})");
     CHECK(rule.name.empty());
     CHECK(rule.origin == "--tableau t.json");
     CHECK(texts(rule.A[0]) == "1/2");
@@ -60,7 +62,8 @@ TEST_CASE("a bare object with A, b and c is a tableau") {
     CHECK(texts(rule.c) == "1/2");
     CHECK_FALSE(rule.A_tilde);
     CHECK_FALSE(rule.b_tilde);
-    const Coefficients pair = read(R"json({"A": [[0,0],[0.5,0.5]], "A_tilde": [[0.5,0],[0.5,0]],
+    const Coefficients pair =
+        read_coefficients(R"json({"A": [[0,0],[0.5,0.5]], "A_tilde": [[0.5,0],[0.5,0]],
         "b": ["1/2","1/2"], "b_tilde": [1, 0], "c": [0, 1], "name": "Verlet (1967)"})json");
     CHECK(pair.name == "Verlet (1967)");
     CHECK(texts(pair.A_tilde->at(1)) == "1/2 0");
@@ -90,36 +93,41 @@ TEST_CASE("of an entry the exact form counts, and then the decimal") {
 }
 
 TEST_CASE("keys of hvi-tableau/1 that are not needed are ignored, others are refused") {
-    CHECK(refused(R"({"schema": "hvi-tableau/1", "stages": 1, "parameters": [], "basis": ["1"],
+    CHECK(refused_coefficients(
+              R"({"schema": "hvi-tableau/1", "stages": 1, "parameters": [], "basis": ["1"],
         "c": [0], "b": [1], "c_tilde": 7, "A": [[0]], "A_tilde": [[1]], "M": 1, "M_inverse": {},
         "B": null, "A_psi": "x"})")
               .status == 0);
-    const Refusal key = refused(R"({"A": [[0]], "b": [1], "c": [0], "Atilde": [[1]]})");
+    const Refusal key =
+        refused_coefficients(R"({"A": [[0]], "b": [1], "c": [0], "Atilde": [[1]]})");
     CHECK(key.says("no `Atilde`"));
     CHECK(key.helps("`A_tilde`"));
     CHECK(key.marked == R"({"A": [[0]], "b": [1], "c": [0], ["Atilde"]: [[1]]})");
-    CHECK(refused(R"({"schema": "hvi-check/1", "A": [[0]], "b": [1], "c": [0]})")
+    CHECK(refused_coefficients(R"({"schema": "hvi-check/1", "A": [[0]], "b": [1], "c": [0]})")
               .says("`hvi-tableau/1`"));
 }
 
 TEST_CASE("shapes are checked") {
-    CHECK(refused("[]").says("an object"));
-    CHECK(refused(R"({"A": [[0]], "b": [1]})").says("no `c`"));
-    CHECK(refused(R"({"A": [[0]], "c": [1]})").says("no `b`"));
-    CHECK(refused(R"({"b": [0], "c": [1]})").says("no `A`"));
-    CHECK(refused(R"({"A": [], "b": [], "c": []})").says("one stage at least"));
-    CHECK(refused(R"({"A": [[0]], "b": [1], "c": 0})").says("`c` is no list"));
-    CHECK(refused(R"({"A": [0], "b": [1], "c": [0]})").says("`A[1]` is no list"));
-    CHECK(
-        refused(R"({"A": [[0]], "b": [1, 2], "c": [0]})").says("`b` has 2 entries, and `c` has 1"));
-    const Refusal row = refused("{\"A\": [[0, 1],\n [0]], \"b\": [1, 2], \"c\": [0, 1]}");
+    CHECK(refused_coefficients("[]").says("an object"));
+    CHECK(refused_coefficients(R"({"A": [[0]], "b": [1]})").says("no `c`"));
+    CHECK(refused_coefficients(R"({"A": [[0]], "c": [1]})").says("no `b`"));
+    CHECK(refused_coefficients(R"({"b": [0], "c": [1]})").says("no `A`"));
+    CHECK(refused_coefficients(R"({"A": [], "b": [], "c": []})").says("one stage at least"));
+    CHECK(refused_coefficients(R"({"A": [[0]], "b": [1], "c": 0})").says("`c` is no list"));
+    CHECK(refused_coefficients(R"({"A": [0], "b": [1], "c": [0]})").says("`A[1]` is no list"));
+    CHECK(refused_coefficients(R"({"A": [[0]], "b": [1, 2], "c": [0]})")
+              .says("`b` has 2 entries, and `c` has 1"));
+    const Refusal row =
+        refused_coefficients("{\"A\": [[0, 1],\n [0]], \"b\": [1, 2], \"c\": [0, 1]}");
     CHECK(row.says("`A[2]` has 1 entry, and `c` has 2"));
     CHECK(row.name == "t.json:2");
     CHECK(row.marked == R"( [[0]]], "b": [1, 2], "c": [0, 1]})");
-    CHECK(refused(R"({"A": [[0]], "b": [1], "c": [0], "stages": 2})").says("`c` has 1 entry"));
+    CHECK(refused_coefficients(R"({"A": [[0]], "b": [1], "c": [0], "stages": 2})")
+              .says("`c` has 1 entry"));
     std::string many = "0";
     for (int k = 1; k <= 64; ++k) { many += ",0"; }
-    CHECK(refused("{\"A\": [], \"b\": [], \"c\": [" + many + "]}").says("more than 64 stages"));
+    CHECK(refused_coefficients("{\"A\": [], \"b\": [], \"c\": [" + many + "]}")
+              .says("more than 64 stages"));
 }
 
 TEST_CASE("what stands in an entry is refused where it stands") {
@@ -139,7 +147,7 @@ TEST_CASE("what stands in an entry is refused where it stands") {
 
 TEST_CASE("names are printable, and short") {
     const auto named = [](const std::string& name) {
-        return refused(R"({"A": [[0]], "b": [1], "c": [0], "name": )" + name + "}");
+        return refused_coefficients(R"({"A": [[0]], "b": [1], "c": [0], "name": )" + name + "}");
     };
     CHECK(named("\"\"").status == 0);
     CHECK(named("null").status == 0);
@@ -151,7 +159,7 @@ TEST_CASE("names are printable, and short") {
 }
 
 TEST_CASE("symbols are parameters, and can be given values") {
-    Coefficients rule = read(R"json({"A": [["w/2"]], "b": [1], "c": ["cos(v)"]})json");
+    Coefficients rule = read_coefficients(R"json({"A": [["w/2"]], "b": [1], "c": ["cos(v)"]})json");
     CHECK(parameter_names(rule) == std::vector<std::string>{"v", "w"});
     set_parameter(rule, parse_parameter(source("w=1/3")));
     REQUIRE(rule.parameters.size() == 1);

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = JsonValue::Kind;
 
-Refusal refused(const std::string& text) {
+Refusal refused_json(const std::string& text) {
     return refusal([&] { return JsonFile({"t.json", text}); });
 }
 
@@ -68,49 +68,49 @@ TEST_CASE("every value knows its place") {
 }
 
 TEST_CASE("what is no JSON is refused at its place") {
-    CHECK(refused("").status == 2);
-    CHECK(refused("").says("unexpected end of input"));
-    CHECK(refused("[1,]").marked == "[1,[]]");
-    CHECK(refused("[1,]").name == "t.json:1");
-    CHECK(refused("{\"a\": 1,}").says("expected string literal"));
-    CHECK(refused("{\"a\":\n NaN}").name == "t.json:2");
-    CHECK(refused("{\"a\": Infinity}").says("invalid literal"));
-    CHECK(refused("[01]").status == 2);
-    CHECK(refused("[.5]").status == 2);
-    CHECK(refused("[+1]").status == 2);
-    CHECK(refused("['a']").status == 2);
-    CHECK(refused("[1] 2").status == 2);
-    CHECK(refused("// 1\n1").status == 2);
-    CHECK(refused("[1e999]").says("number overflow"));
-    CHECK(refused("[\"\xff\"]").says("UTF-8"));
-    CHECK(refused("[\"\xed\xa0\x80\"]").says("UTF-8"));
-    CHECK(refused("[\"a\nb\"]").status == 2);
-    CHECK(refused(std::string("[1\0]", 4)).status == 2);
-    CHECK_FALSE(refused("[1,]").says("json.exception"));
-    CHECK_FALSE(refused("[1e999]").says("json.exception"));
+    CHECK(refused_json("").status == 2);
+    CHECK(refused_json("").says("unexpected end of input"));
+    CHECK(refused_json("[1,]").marked == "[1,[]]");
+    CHECK(refused_json("[1,]").name == "t.json:1");
+    CHECK(refused_json("{\"a\": 1,}").says("expected string literal"));
+    CHECK(refused_json("{\"a\":\n NaN}").name == "t.json:2");
+    CHECK(refused_json("{\"a\": Infinity}").says("invalid literal"));
+    CHECK(refused_json("[01]").status == 2);
+    CHECK(refused_json("[.5]").status == 2);
+    CHECK(refused_json("[+1]").status == 2);
+    CHECK(refused_json("['a']").status == 2);
+    CHECK(refused_json("[1] 2").status == 2);
+    CHECK(refused_json("// 1\n1").status == 2);
+    CHECK(refused_json("[1e999]").says("number overflow"));
+    CHECK(refused_json("[\"\xff\"]").says("UTF-8"));
+    CHECK(refused_json("[\"\xed\xa0\x80\"]").says("UTF-8"));
+    CHECK(refused_json("[\"a\nb\"]").status == 2);
+    CHECK(refused_json(std::string("[1\0]", 4)).status == 2);
+    CHECK_FALSE(refused_json("[1,]").says("json.exception"));
+    CHECK_FALSE(refused_json("[1e999]").says("json.exception"));
 }
 
 TEST_CASE("a byte order mark is refused, with what to do") {
     for (const std::string mark : {"\xef\xbb\xbf", "\xff\xfe", "\xfe\xff"}) {
-        CHECK(refused(mark + "[1]").says("byte order mark"));
-        CHECK(refused(mark + "[1]").helps("UTF-8"));
+        CHECK(refused_json(mark + "[1]").says("byte order mark"));
+        CHECK(refused_json(mark + "[1]").helps("UTF-8"));
     }
 }
 
 TEST_CASE("a name that is given twice is refused") {
-    const Refusal twice = refused("{\"a\": 1,\n \"b\": 2,\n \"\\u0061\": 3}");
+    const Refusal twice = refused_json("{\"a\": 1,\n \"b\": 2,\n \"\\u0061\": 3}");
     CHECK(twice.says("`a` is given twice"));
     CHECK(twice.marked == " [\"\\u0061\"]: 3}");
-    CHECK(refused("[{\"a\": {\"b\": 1}, \"b\": {\"a\": 1}}]").status == 0);
+    CHECK(refused_json("[{\"a\": {\"b\": 1}, \"b\": {\"a\": 1}}]").status == 0);
 }
 
 TEST_CASE("depth and number of values are limited") {
-    CHECK(refused(repeated("[", 32) + repeated("]", 32)).status == 0);
-    CHECK(refused(repeated("[", 33) + repeated("]", 33)).says("nested deeper than 32"));
-    CHECK(refused(repeated("[", 1000000)).says("nested deeper than 32"));
-    CHECK(refused("[" + repeated("1,", 299998) + "1]").status == 0);
-    CHECK(refused("[" + repeated("1,", 299999) + "1]").says("more than 300000 values"));
+    CHECK(refused_json(repeated("[", 32) + repeated("]", 32)).status == 0);
+    CHECK(refused_json(repeated("[", 33) + repeated("]", 33)).says("nested deeper than 32"));
+    CHECK(refused_json(repeated("[", 1000000)).says("nested deeper than 32"));
+    CHECK(refused_json("[" + repeated("1,", 299998) + "1]").status == 0);
+    CHECK(refused_json("[" + repeated("1,", 299999) + "1]").says("more than 300000 values"));
     std::string many = "{";
     for (int k = 0; k < 100000; ++k) { many += "\"" + std::to_string(k) + "\":0,"; }
-    CHECK(refused(many + "\"7\":0}").says("`7` is given twice"));
+    CHECK(refused_json(many + "\"7\":0}").says("`7` is given twice"));
 }

@@ -15,11 +15,11 @@ Method given(const std::string& basis, const std::string& nodes) {
     return method_from_text(source(basis, "--basis"), source(nodes, "--nodes"));
 }
 
-Refusal refused(const std::string& name) {
+Refusal refused_method(const std::string& name) {
     return refusal([&] { return named(name); });
 }
 
-Refusal refused(const std::string& basis, const std::string& nodes) {
+Refusal refused_method(const std::string& basis, const std::string& nodes) {
     return refusal([&] { return given(basis, nodes); });
 }
 
@@ -70,8 +70,8 @@ TEST_CASE("every entry of the catalogue can be read") {
     for (const FamilyEntry& entry : node_families()) {
         CHECK(named(std::string(entry.name) + ":" + std::to_string(entry.smallest))
                   .nodes.items.size() == 1);
-        CHECK(refused(std::string(entry.name) + ":" + std::to_string(entry.smallest - 1)).status ==
-              2);
+        CHECK(refused_method(std::string(entry.name) + ":" + std::to_string(entry.smallest - 1))
+                  .status == 2);
     }
     for (const FamilyEntry& entry : basis_families())
         CHECK(given(std::string(entry.name) + ":64", "0").basis.items.size() == 1);
@@ -80,38 +80,38 @@ TEST_CASE("every entry of the catalogue can be read") {
 }
 
 TEST_CASE("names that there are not") {
-    CHECK(refused("").status == 2);
-    CHECK(refused("gaus:3").marked == "[gaus:3]");
-    CHECK(refused("gaus:3").helps("`gauss`"));
-    CHECK(refused("gauss").helps("`gauss:3`"));
-    CHECK(refused("midpont").helps("`midpoint`"));
-    CHECK(refused("xyz").helps("hvi-gen list methods"));
-    CHECK(refused("midpoint:2").says("without a size"));
-    CHECK(refused("monomials:3").status == 2);
-    CHECK(refused("gauss:3 gauss:2").status == 2);
+    CHECK(refused_method("").status == 2);
+    CHECK(refused_method("gaus:3").marked == "[gaus:3]");
+    CHECK(refused_method("gaus:3").helps("`gauss`"));
+    CHECK(refused_method("gauss").helps("`gauss:3`"));
+    CHECK(refused_method("midpont").helps("`midpoint`"));
+    CHECK(refused_method("xyz").helps("hvi-gen list methods"));
+    CHECK(refused_method("midpoint:2").says("without a size"));
+    CHECK(refused_method("monomials:3").status == 2);
+    CHECK(refused_method("gauss:3 gauss:2").status == 2);
 }
 
 TEST_CASE("sizes that a family does not have") {
     for (const std::string name : {"newton-cotes:1", "lobatto:1", "clenshaw-curtis:1", "gauss:0",
                                    "gauss:65", "gauss:99999999999999999999", "chebyshev:65"}) {
-        CHECK(refused(name).status == 2);
-        CHECK(refused(name).says("S is out of range"));
-        CHECK(refused(name).marked == "[" + name + "]");
+        CHECK(refused_method(name).status == 2);
+        CHECK(refused_method(name).says("S is out of range"));
+        CHECK(refused_method(name).marked == "[" + name + "]");
     }
     for (const std::string name :
          {"gauss:-1", "gauss:x", "gauss:3.5", "gauss:", "gauss: ", "gauss:3:3"})
-        CHECK(refused(name).status == 2);
+        CHECK(refused_method(name).status == 2);
 }
 
 TEST_CASE("Chebyshev nodes that are not real are a matter of mathematics") {
     for (const long size : {1, 2, 3, 4, 5, 6, 7, 9})
-        CHECK(refused("chebyshev:" + std::to_string(size)).status == 0);
+        CHECK(refused_method("chebyshev:" + std::to_string(size)).status == 0);
     for (const long size : {8, 10, 11, 64}) {
-        CHECK(refused("chebyshev:" + std::to_string(size)).status == 1);
-        CHECK(refused("1", "chebyshev:" + std::to_string(size)).status == 1);
+        CHECK(refused_method("chebyshev:" + std::to_string(size)).status == 1);
+        CHECK(refused_method("1", "chebyshev:" + std::to_string(size)).status == 1);
     }
-    CHECK(refused("chebyshev:8").says("not all real"));
-    CHECK(refused("chebyshev:8").marked == "[chebyshev:8]");
+    CHECK(refused_method("chebyshev:8").says("not all real"));
+    CHECK(refused_method("chebyshev:8").marked == "[chebyshev:8]");
 }
 
 TEST_CASE("basis functions and nodes by text") {
@@ -126,16 +126,16 @@ TEST_CASE("basis functions and nodes by text") {
 }
 
 TEST_CASE("words that stand where they do not belong") {
-    CHECK(refused("tau, gauss:3", "0").marked == "tau, [gauss:3]");
-    CHECK(refused("tau, gauss:3", "0").helps("--nodes"));
-    CHECK(refused("1", "trig:3").marked == "[trig:3]");
-    CHECK(refused("1", "bogus:3").helps("gauss, lobatto"));
-    CHECK(refused("1", "1/2+tau").marked == "1/2+[tau]");
-    CHECK(refused("1", "1+roots(tau)").marked == "1+[roots(tau)]");
-    CHECK(refused("1", "roots(roots(tau))").status == 2);
-    CHECK(refused("roots(tau)", "0").status == 2);
-    CHECK(refused("1", "bspline(2,1)").marked == "[bspline(2,1)]");
-    CHECK(refused("bspline(2,1)", "0").status == 0);
+    CHECK(refused_method("tau, gauss:3", "0").marked == "tau, [gauss:3]");
+    CHECK(refused_method("tau, gauss:3", "0").helps("--nodes"));
+    CHECK(refused_method("1", "trig:3").marked == "[trig:3]");
+    CHECK(refused_method("1", "bogus:3").helps("gauss, lobatto"));
+    CHECK(refused_method("1", "1/2+tau").marked == "1/2+[tau]");
+    CHECK(refused_method("1", "1+roots(tau)").marked == "1+[roots(tau)]");
+    CHECK(refused_method("1", "roots(roots(tau))").status == 2);
+    CHECK(refused_method("roots(tau)", "0").status == 2);
+    CHECK(refused_method("1", "bspline(2,1)").marked == "[bspline(2,1)]");
+    CHECK(refused_method("bspline(2,1)", "0").status == 0);
     CHECK(refusal([] {
               return method_from_text(source("1"), source("0"), source("tau"));
           }).status == 2);
@@ -145,19 +145,19 @@ TEST_CASE("words that stand where they do not belong") {
 }
 
 TEST_CASE("reserved names in basis functions") {
-    CHECK(refused("1, t", "0").marked == "1, [t]");
-    CHECK(refused("1, t", "0").helps("`tau`"));
-    CHECK(refused("1, h*tau", "0").marked == "1, [h]*tau");
-    CHECK(refused("1, exp(_a*tau)", "0").status == 2);
+    CHECK(refused_method("1, t", "0").marked == "1, [t]");
+    CHECK(refused_method("1, t", "0").helps("`tau`"));
+    CHECK(refused_method("1, h*tau", "0").marked == "1, [h]*tau");
+    CHECK(refused_method("1, exp(_a*tau)", "0").status == 2);
 }
 
 TEST_CASE("there are limits to what a method has") {
-    CHECK(refused("monomials:64", "gauss:64").status == 0);
-    CHECK(refused("monomials:40, trig:25", "0").marked == "monomials:40, [trig:25]");
-    CHECK(refused("1", "gauss:64, 0").says("more than 64 nodes"));
+    CHECK(refused_method("monomials:64", "gauss:64").status == 0);
+    CHECK(refused_method("monomials:40, trig:25", "0").marked == "monomials:40, [trig:25]");
+    CHECK(refused_method("1", "gauss:64, 0").says("more than 64 nodes"));
     std::string sum = "a0*tau";
     for (int k = 1; k < 65; ++k) sum += "+a" + std::to_string(k) + "*tau";
-    CHECK(refused("1," + sum, "0, 1").says("more than 64 parameters"));
+    CHECK(refused_method("1," + sum, "0, 1").says("more than 64 parameters"));
 }
 
 TEST_CASE("parameters are the symbols that are left") {

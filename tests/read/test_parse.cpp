@@ -10,7 +10,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Refusal refused(const std::string& text) {
+Refusal refused_expression(const std::string& text) {
     return refusal([&] { return parse_expression(source(text)); });
 }
 
@@ -57,81 +57,81 @@ TEST_CASE("a part of a source is read with places in the whole") {
 }
 
 TEST_CASE("errors of operands and operators point at their place") {
-    CHECK(refused("").says("empty"));
-    CHECK(refused("  ").says("empty"));
-    CHECK(refused("1+").marked == "1+[]");
-    CHECK(refused("*2").marked == "[*]2");
-    CHECK(refused("1+*2").marked == "1+[*]2");
-    CHECK(refused("()").marked == "([)]");
-    CHECK(refused("2tau").marked == "2[tau]");
-    CHECK(refused("2tau").helps("`2*tau`"));
-    CHECK(refused("2(tau)").marked == "2[(]tau)");
-    CHECK(refused("2(tau)").helps("`2*(...)`"));
-    CHECK(refused("(a)(b)").helps("`(...)*(...)`"));
-    CHECK(refused("tau 2").marked == "tau [2]");
-    CHECK(refused("2e").helps("`2*e`"));
-    CHECK(refused("1.5.2").says("a number follows a number"));
-    CHECK(refused("x**2").marked == "x[**]2");
-    CHECK(refused("x**2").helps("`^`"));
-    CHECK(refused("1,2").marked == "1[,]2");
-    CHECK(refused("1,5").helps("0.5"));
+    CHECK(refused_expression("").says("empty"));
+    CHECK(refused_expression("  ").says("empty"));
+    CHECK(refused_expression("1+").marked == "1+[]");
+    CHECK(refused_expression("*2").marked == "[*]2");
+    CHECK(refused_expression("1+*2").marked == "1+[*]2");
+    CHECK(refused_expression("()").marked == "([)]");
+    CHECK(refused_expression("2tau").marked == "2[tau]");
+    CHECK(refused_expression("2tau").helps("`2*tau`"));
+    CHECK(refused_expression("2(tau)").marked == "2[(]tau)");
+    CHECK(refused_expression("2(tau)").helps("`2*(...)`"));
+    CHECK(refused_expression("(a)(b)").helps("`(...)*(...)`"));
+    CHECK(refused_expression("tau 2").marked == "tau [2]");
+    CHECK(refused_expression("2e").helps("`2*e`"));
+    CHECK(refused_expression("1.5.2").says("a number follows a number"));
+    CHECK(refused_expression("x**2").marked == "x[**]2");
+    CHECK(refused_expression("x**2").helps("`^`"));
+    CHECK(refused_expression("1,2").marked == "1[,]2");
+    CHECK(refused_expression("1,5").helps("0.5"));
 }
 
 TEST_CASE("errors of parentheses point at the one without a partner") {
-    CHECK(refused("(1+2").marked == "[(]1+2");
-    CHECK(refused("sin(1+(2)").marked == "sin[(]1+(2)");
-    CHECK(refused("1+2)").marked == "1+2[)]");
+    CHECK(refused_expression("(1+2").marked == "[(]1+2");
+    CHECK(refused_expression("sin(1+(2)").marked == "sin[(]1+(2)");
+    CHECK(refused_expression("1+2)").marked == "1+2[)]");
     CHECK(refused_list("1, 2)").marked == "1, 2[)]");
-    CHECK(refused("(1,2)").marked == "(1[,]2)");
+    CHECK(refused_expression("(1,2)").marked == "(1[,]2)");
 }
 
 TEST_CASE("errors of functions") {
-    CHECK(refused("sine(x)").marked == "[sine](x)");
-    CHECK(refused("sine(x)").helps("`sin`"));
-    CHECK(refused("foo(x)").helps("sqrt, exp, log"));
-    CHECK(refused("tau(2)").helps("tau*(...)"));
+    CHECK(refused_expression("sine(x)").marked == "[sine](x)");
+    CHECK(refused_expression("sine(x)").helps("`sin`"));
+    CHECK(refused_expression("foo(x)").helps("sqrt, exp, log"));
+    CHECK(refused_expression("tau(2)").helps("tau*(...)"));
     // Where a function would be refused it is not offered.
-    CHECK_FALSE(refused("foo(x)").helps("roots"));
-    CHECK_FALSE(refused("foo(x)").helps("bspline"));
-    CHECK_FALSE(refused("rots(x)").helps("did you mean"));
+    CHECK_FALSE(refused_expression("foo(x)").helps("roots"));
+    CHECK_FALSE(refused_expression("foo(x)").helps("bspline"));
+    CHECK_FALSE(refused_expression("rots(x)").helps("did you mean"));
     CHECK_FALSE(refusal([] { return parse_indexed_expression(source("foo(x)")); }).helps("roots"));
     CHECK(refusal([] { return parse_list(source("rots(x)")); }).helps("`roots`"));
-    CHECK(refused("sin").marked == "[sin]");
-    CHECK(refused("sin()").marked == "[sin()]");
-    CHECK(refused("1+sin(1,2)").marked == "1+[sin(1,2)]");
-    CHECK(refused("bspline(1)").says("2 arguments, not 1"));
+    CHECK(refused_expression("sin").marked == "[sin]");
+    CHECK(refused_expression("sin()").marked == "[sin()]");
+    CHECK(refused_expression("1+sin(1,2)").marked == "1+[sin(1,2)]");
+    CHECK(refused_expression("bspline(1)").says("2 arguments, not 1"));
 }
 
 TEST_CASE("characters that mean nothing are shown sanely") {
-    CHECK(refused("1#2").marked == "1[#]2");
-    CHECK(refused("2*\u03c0").marked == "2*[\u03c0]");
-    CHECK(refused("2*\u03c0").helps("`pi`"));
-    CHECK(refused("1\u22122").helps("`-`"));
-    CHECK(refused("gauss :3+1").says("`:`"));
-    CHECK(refused(std::string("1\0", 2)).says("0x00"));
-    CHECK(refused("1\x1b[2J").says("0x1b"));
-    CHECK(refused("\xff\xfe").says("0xff"));
-    CHECK(refused("\xcf").says("0xcf"));
-    CHECK(refused("x=2").marked == "x[=]2");
-    CHECK(refused(".").marked == "[.]");
+    CHECK(refused_expression("1#2").marked == "1[#]2");
+    CHECK(refused_expression("2*\u03c0").marked == "2*[\u03c0]");
+    CHECK(refused_expression("2*\u03c0").helps("`pi`"));
+    CHECK(refused_expression("1\u22122").helps("`-`"));
+    CHECK(refused_expression("gauss :3+1").says("`:`"));
+    CHECK(refused_expression(std::string("1\0", 2)).says("0x00"));
+    CHECK(refused_expression("1\x1b[2J").says("0x1b"));
+    CHECK(refused_expression("\xff\xfe").says("0xff"));
+    CHECK(refused_expression("\xcf").says("0xcf"));
+    CHECK(refused_expression("x=2").marked == "x[=]2");
+    CHECK(refused_expression(".").marked == "[.]");
 }
 
 TEST_CASE("length and depth are limited, and long flat texts are not deep") {
-    CHECK(refused(std::string(64 * 1024 + 1, '1')).says("64 KiB"));
+    CHECK(refused_expression(std::string(64 * 1024 + 1, '1')).says("64 KiB"));
     std::string flat = "1";
     while (flat.size() < 60000) flat += "+x*2-y/3";
-    CHECK(refused(flat).status == 0);
+    CHECK(refused_expression(flat).status == 0);
     const auto nested = [](const char* open, std::size_t depth, const char* close) {
         std::string text = "x";
         for (std::size_t k = 0; k < depth; ++k) text = open + text + close;
         return text;
     };
-    CHECK(refused(nested("(", 199, ")")).status == 0);
-    CHECK(refused(nested("(", 200, ")")).says("deeper than 200"));
-    CHECK(refused(nested("-", 20000, "")).says("deeper than 200"));
-    CHECK(refused(nested("2^", 20000, "")).says("deeper than 200"));
-    CHECK(refused(nested("sin(", 10000, ")")).says("deeper than 200"));
-    CHECK(refused(std::string(60000, '(')).says("deeper than 200"));
+    CHECK(refused_expression(nested("(", 199, ")")).status == 0);
+    CHECK(refused_expression(nested("(", 200, ")")).says("deeper than 200"));
+    CHECK(refused_expression(nested("-", 20000, "")).says("deeper than 200"));
+    CHECK(refused_expression(nested("2^", 20000, "")).says("deeper than 200"));
+    CHECK(refused_expression(nested("sin(", 10000, ")")).says("deeper than 200"));
+    CHECK(refused_expression(std::string(60000, '(')).says("deeper than 200"));
 }
 
 TEST_CASE("lists of expressions and families") {

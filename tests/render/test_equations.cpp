@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <sstream>
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "generator/read/parse.hpp"
 #include "generator/render/equations.hpp"
+#include "tests/render/output.hpp"
 
 using namespace hvi::gen;
 using Json = nlohmann::ordered_json;
@@ -66,23 +65,6 @@ StepEquations generating() {
     function.is_at_least = true;
     result.generating = function;
     return result;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-std::size_t longest_line(const std::string& text) {
-    std::istringstream lines(text);
-    std::size_t longest = 0;
-    for (std::string line; std::getline(lines, line);) longest = std::max(longest, line.size());
-    return longest;
-}
-
-std::vector<std::string> keys(const Json& object) {
-    std::vector<std::string> names;
-    for (const auto& [key, value] : object.items()) names.push_back(key);
-    return names;
 }
 
 }  // namespace

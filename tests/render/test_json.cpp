@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/render/render.hpp"
+#include "tests/render/output.hpp"
 #include "tests/render/tableaux.hpp"
 
 using namespace hvi::gen;
@@ -12,12 +13,6 @@ namespace {
 
 Json json(const Tableau& tableau, int digits = 50) {
     return Json::parse(render_json(tableau, digits));
-}
-
-std::vector<std::string> keys(const Json& object) {
-    std::vector<std::string> names;
-    for (const auto& [key, value] : object.items()) names.push_back(key);
-    return names;
 }
 
 }  // namespace

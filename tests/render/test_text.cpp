@@ -1,27 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <sstream>
-
 #include <catch2/catch.hpp>
 
 #include "generator/render/render.hpp"
+#include "tests/render/output.hpp"
 #include "tests/render/tableaux.hpp"
 
 using namespace hvi::gen;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-std::size_t longest_line(const std::string& text) {
-    std::istringstream lines(text);
-    std::size_t longest = 0;
-    for (std::string line; std::getline(lines, line);) longest = std::max(longest, line.size());
-    return longest;
-}
-
-}  // namespace
 
 TEST_CASE("two small tableaux stand side by side, exact and as decimals") {
     CHECK(render_text(tableau("stormer-verlet"), 3) == R"(stormer-verlet

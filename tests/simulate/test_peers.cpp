@@ -60,7 +60,7 @@ double order_of(const std::vector<Row>& rows) {
     return std::log2(rows[1].error / rows[2].error);
 }
 
-bool has(const std::string& csv, const std::string& note) {
+bool has_note(const std::string& csv, const std::string& note) {
     return csv.find("\n# " + note) != std::string::npos;
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("peers come to the end of Kepler's problem as well as their order and 
     const std::vector<Row>& ours = curves.at("gauss:2");
     CHECK(std::abs(order_of(ours) - 4) < 0.2);
 
-    if (has(csv, "odeint is ")) {
+    if (has_note(csv, "odeint is ")) {
         for (const char* name : {"odeint:bulirsch-stoer", "odeint:rkf78"}) {
             INFO(name);
             const std::vector<Row>& rows = curves.at(name);
@@ -86,7 +86,7 @@ TEST_CASE("peers come to the end of Kepler's problem as well as their order and 
         }
         CHECK(std::abs(order_of(curves.at("odeint:sb3a")) - 4) < 0.2);
     }
-    if (has(csv, "gsl is ")) {
+    if (has_note(csv, "gsl is ")) {
         CHECK(curves.at("gsl:rk8pd").back().error < 1e-9);
         // Gauss' method too, which takes each step as two halves.
         const std::vector<Row>& halved = curves.at("gsl:rk4imp");
@@ -96,9 +96,10 @@ TEST_CASE("peers come to the end of Kepler's problem as well as their order and 
             CHECK(std::abs(halved[i].error / ours[i + 1].error - 1) < 0.01);
         }
     }
-    CHECK((has(csv, "odeint is ") || has(csv, "Boost.Odeint is not installed, and left out")));
-    CHECK((has(csv, "gsl is ") ||
-           has(csv, "the GNU Scientific Library is not installed, and left out")));
+    CHECK((has_note(csv, "odeint is ") ||
+           has_note(csv, "Boost.Odeint is not installed, and left out")));
+    CHECK((has_note(csv, "gsl is ") ||
+           has_note(csv, "the GNU Scientific Library is not installed, and left out")));
 }
 
 TEST_CASE("peers are in the pictures over time too") {
@@ -116,7 +117,8 @@ TEST_CASE("peers are in the pictures over time too") {
         for (const std::string peer : {"odeint:rkf78", "odeint:sb3a", "gsl:rk4imp"}) {
             const std::string library = peer.substr(0, peer.find(':'));
             // NOTE: SB3A keeps the angular momentum to the last bit or so.
-            CHECK((svg.find(peer + ", h = ") != std::string::npos) == has(csv, library + " is "));
+            CHECK((svg.find(peer + ", h = ") != std::string::npos) ==
+                  has_note(csv, library + " is "));
         }
     }
 }
@@ -135,8 +137,8 @@ TEST_CASE("peers take a quadratic H that is not separable, with explicit time") 
                                     "--steps", "1/8, 1/16, 1/32"});
     const Curves curves = curves_of(csv);
     CHECK(curves.count("odeint:sb3a") == 0);
-    if (has(csv, "odeint is ")) CHECK(curves.at("odeint:rkf78").back().error < 1e-12);
-    if (has(csv, "gsl is ")) {
+    if (has_note(csv, "odeint is ")) CHECK(curves.at("odeint:rkf78").back().error < 1e-12);
+    if (has_note(csv, "gsl is ")) {
         CHECK(curves.at("gsl:rk8pd").back().error < 1e-12);
         const double ratio = curves.at("gsl:rk4imp")[0].error / curves.at("gauss:2")[1].error;
         CHECK(std::abs(ratio - 1) < 0.01);
@@ -157,11 +159,11 @@ TEST_CASE("a library that is not installed is left out, and the report says so")
     const std::string csv = report({"harmonic-oscillator", (directory / "skew.toml").string(),
                                     "--until", "2", "--methods", "gauss:2", "--steps", "1/4"},
                                    "CXX='" + (directory / "cxx").string() + "' ");
-    CHECK(has(csv, "Boost.Odeint is not installed, and left out"));
+    CHECK(has_note(csv, "Boost.Odeint is not installed, and left out"));
     const Curves curves = curves_of(csv);
     CHECK(curves.count("odeint:rkf78") == 0);
-    CHECK(curves.count("gsl:rk8pd") == (has(csv, "gsl is ") ? 1 : 0));
-    if (!has(csv, "gsl is ")) return;
+    CHECK(curves.count("gsl:rk8pd") == (has_note(csv, "gsl is ") ? 1 : 0));
+    if (!has_note(csv, "gsl is ")) return;
     // Where H is quadratic Newton's method is at the end after one iteration, if its second
     // derivatives are right, and sees it no later than in the next: at most three times two of
     // them at two stages, and the slopes there.
