@@ -14,11 +14,11 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int page_width = 1000, page_height = 560;
+constexpr int picture_width = 1000, picture_height = 560;
 constexpr double top = 0.95;  // of the panels, below the title of all
 
 // Told apart by colour and, in print, by the length of their dashes.
-constexpr const char* styles = R"(
+constexpr const char* line_styles = R"(
 set datafile separator comma
 set datafile commentschars '#'
 set style line 1 linecolor rgb '#00508c' linewidth 1.2
@@ -123,10 +123,10 @@ std::string stem(const std::string& name) { return name.substr(0, name.find('[')
 std::string draw(const TrajectoryPicture& picture) {
     constexpr double middle = 0.55;
     const std::string script =
-        styles + fmt::format("set multiplot title {}\n", gnuplot_label(picture.title)) +
+        line_styles + fmt::format("set multiplot title {}\n", gnuplot_label(picture.title)) +
         over_time(picture, middle) + in_space(picture, middle) + "unset multiplot\n";
     // NOTE: in its directory, whose name may have in it what no script can quote.
-    return gnuplot_svg(script, page_width, page_height,
+    return gnuplot_svg(script, picture_width, picture_height,
                        picture.table.has_parent_path() ? picture.table.parent_path() : ".");
 }
 

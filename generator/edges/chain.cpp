@@ -16,9 +16,9 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr const char* scene_name = "fpu";
-constexpr double h = 1.0 / 32;  // omega = z/h is then exact
-constexpr long steps = 256;
+constexpr const char* chain_scene = "fpu";
+constexpr double chain_step = 1.0 / 32;  // omega = z/h is then exact
+constexpr long chain_steps = 256;
 constexpr std::size_t springs = 3;
 
 /// Soft springs have the energy xi^4/4 where xi is what they are longer. Where omega > 9.6 the
@@ -42,9 +42,9 @@ struct Motion : Advance {
 };
 
 Motion motion(const EdgeProgram& program, double z) {
-    const double omega = z / h, d = 1 / std::max(omega, 1.0);
-    const Heard heard =
-        program.ask("advance", h, steps, {1, 0, 0, d, 0, 0, 1, 0, 0, 1, 0, 0}, {omega});
+    const double omega = z / chain_step, d = 1 / std::max(omega, 1.0);
+    const Heard heard = program.ask("advance", chain_step, chain_steps,
+                                    {1, 0, 0, d, 0, 0, 1, 0, 0, 1, 0, 0}, {omega});
     Motion result{Advance(heard), 0, 0, 0};
     if (!heard.failure.empty()) return result;
     const Answers& answers = heard.answers;
@@ -59,7 +59,7 @@ Motion motion(const EdgeProgram& program, double z) {
     return result;
 }
 
-enum class Fate {
+enum class FateOfChain {
     resolved,  ///< the energy is nearly conserved
     bounded,   ///< the stiff springs stay within a bound
     growing,   ///< they do not
@@ -68,13 +68,13 @@ enum class Fate {
 };
 
 struct Expected {
-    Fate fate;
+    FateOfChain fate;
     bool may_stop;   ///< fixed points contract little
     double measure;  ///< the bound, or what they grow to
 };
 
 /// h times a frequency, whose square is omega^2 and this.
-double with(double added, double z) { return std::sqrt(z * z + added * h * h); }
+double with(double added, double z) { return std::sqrt(z * z + added * chain_step * chain_step); }
 
 /// Whether there is a pole or an end of an interval of stability from z = low to high.
 bool changes(const LinearStability& stability, double low, double high) {
@@ -91,8 +91,8 @@ bool changes(const LinearStability& stability, double low, double high) {
 /// Of methods of order one the modified H differs from H by no more than h omega H/2.
 Expected by_energy(const KnownOscillator& known, double z) {
     const double fastest = with(most_soft, z);
-    if (changes(known.stability, 0, fastest)) return {Fate::either, true, 0};
-    return {Fate::resolved, false, fastest};
+    if (changes(known.stability, 0, fastest)) return {FateOfChain::either, true, 0};
+    return {FateOfChain::resolved, false, fastest};
 }
 
 /// Of the stiff springs, alone and with what the soft ones may add.
@@ -101,46 +101,47 @@ Expected by_map(const KnownOscillator& known, double z) {
                       half = oscillation(known, with(most_added / 2, z)),
                       all = oscillation(known, with(most_added, z));
     if (changes(known.stability, z, with(most_added, z)) || alone.is_stable != all.is_stable)
-        return {Fate::either, true, 0};
+        return {FateOfChain::either, true, 0};
     if (alone.is_stable) {
-        const double time = static_cast<double>(steps) * h;
+        const double time = static_cast<double>(chain_steps) * chain_step;
         const double pushed = time * response(known.stages, z) * most_force;
-        return {Fate::bounded, false, alone.bound * (std::sqrt(2.0) + pushed)};
+        return {FateOfChain::bounded, false, alone.bound * (std::sqrt(2.0) + pushed)};
     }
     // NOTE: half of the digits, as for the oscillator; and up to d = 0.1, where the soft springs
     // are still as they were.
     const double rate = std::min({alone.growth, half.growth, all.growth});
-    const double digits = std::min(20.0, static_cast<double>(steps) * rate / 2);
-    return {Fate::growing, true, std::min(std::pow(10, digits), 0.1 * z / h)};
+    const double digits = std::min(20.0, static_cast<double>(chain_steps) * rate / 2);
+    return {FateOfChain::growing, true, std::min(std::pow(10, digits), 0.1 * z / chain_step)};
 }
 
 /// NOTE: wider than for the oscillator, where the contraction is the same in every step.
 Expected expected(const KnownOscillator& known, const Form& form, double z) {
     Expected result = z <= resolved_until ? by_energy(known, z) : by_map(known, z);
     if (form.solver != Solver::fixed_point) return result;
-    if (z * z * known.contraction > 2) return {Fate::refused, false, 0};
+    if (z * z * known.contraction > 2) return {FateOfChain::refused, false, 0};
     if (std::pow(with(most_added, z), 2) * known.contraction > 0.7) result.may_stop = true;
     return result;
 }
 
 bool agrees(const Expected& expected, const Motion& seen) {
     if (!seen.ok() && !seen.is_stopped()) return false;
-    if (expected.fate == Fate::refused) return seen.is_refused();
-    if (expected.fate == Fate::either) return true;
+    if (expected.fate == FateOfChain::refused) return seen.is_refused();
+    if (expected.fate == FateOfChain::either) return true;
     if (!seen.ok()) return expected.may_stop;
-    if (expected.fate == Fate::resolved) return seen.energy_error <= expected.measure;
-    return expected.fate == Fate::bounded ? seen.largest <= expected.measure
-                                          : seen.largest >= expected.measure;
+    if (expected.fate == FateOfChain::resolved) return seen.energy_error <= expected.measure;
+    return expected.fate == FateOfChain::bounded ? seen.largest <= expected.measure
+                                                 : seen.largest >= expected.measure;
 }
 
 std::string text(const Expected& expected) {
     const std::string stop = expected.may_stop ? ", or stopped" : "";
     switch (expected.fate) {
-    case Fate::resolved: return fmt::format("H off by at most {:.2g}{}", expected.measure, stop);
-    case Fate::bounded: return fmt::format("at most {:.3g}{}", expected.measure, stop);
-    case Fate::growing: return fmt::format("at least {:.3g}{}", expected.measure, stop);
-    case Fate::either: return "anything that ends well";
-    case Fate::refused: return "refused, the state untouched";
+    case FateOfChain::resolved:
+        return fmt::format("H off by at most {:.2g}{}", expected.measure, stop);
+    case FateOfChain::bounded: return fmt::format("at most {:.3g}{}", expected.measure, stop);
+    case FateOfChain::growing: return fmt::format("at least {:.3g}{}", expected.measure, stop);
+    case FateOfChain::either: return "anything that ends well";
+    case FateOfChain::refused: return "refused, the state untouched";
     }
     return {};
 }
@@ -153,17 +154,20 @@ std::string text(const Motion& seen) {
 }
 
 /// How many points are expected to be what.
-std::string text(std::map<Fate, int> tally) {
-    return fmt::format(
-        "H kept at {}, bounded at {}, growing or stopped at {}, either at {}{}",
-        tally[Fate::resolved], tally[Fate::bounded], tally[Fate::growing], tally[Fate::either],
-        tally[Fate::refused] > 0 ? fmt::format(", refused at {}", tally[Fate::refused]) : "");
+std::string text(std::map<FateOfChain, int> tally) {
+    return fmt::format("H kept at {}, bounded at {}, growing or stopped at {}, either at {}{}",
+                       tally[FateOfChain::resolved], tally[FateOfChain::bounded],
+                       tally[FateOfChain::growing], tally[FateOfChain::either],
+                       tally[FateOfChain::refused] > 0
+                           ? fmt::format(", refused at {}", tally[FateOfChain::refused])
+                           : "");
 }
 
-EdgeCheck sweep(const KnownOscillator& known, const Form& form, Sweeps& sweeps) {
-    std::map<Fate, int> tally;
+EdgeCheck sweep_of_chain(const KnownOscillator& known, const Form& form, Sweeps& sweeps) {
+    std::map<FateOfChain, int> tally;
     EdgeCheck check = sweeps.sweep(
-        known.method, form.name, fmt::format("{} steps of {}", steps, h), [&](double z) {
+        known.method, form.name, fmt::format("{} steps of {}", chain_steps, chain_step),
+        [&](double z) {
             const Expected wanted = expected(known, form, z);
             const Motion seen = motion(form.program, z);
             ++tally[wanted.fate];
@@ -194,15 +198,17 @@ EdgeChapter chain(Builds& builds, const std::vector<ComposedMethod>& methods) {
         "1e20 in the pictures.",
         {},
         {}};
-    Sweeps sweeps(scene_name, "Soft and stiff springs");
+    Sweeps sweeps(chain_scene, "Soft and stiff springs");
     std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
     for (const ComposedMethod& method : methods)
-        all.push_back({known_oscillator(method), forms(builds, method, edge_scene(scene_name))});
+        all.push_back({known_oscillator(method), forms(builds, method, edge_scene(chain_scene))});
     Bar bar;
     double done = 0;
     for (const auto& [known, forms] : all) {
         bar.show(done++ / static_cast<double>(all.size()), "chain: " + known.method);
-        for (const Form& form : forms) { chapter.checks.push_back(sweep(known, form, sweeps)); }
+        for (const Form& form : forms) {
+            chapter.checks.push_back(sweep_of_chain(known, form, sweeps));
+        }
     }
     chapter.pictures = sweeps.pictures();
     return chapter;

@@ -41,7 +41,7 @@ void add_bodies(const ExtremeMethod& method, EdgeChapter& chapter);
 /// Whether the end is ok and finite, or a status and every bit of the state as it was before the
 /// step.
 [[nodiscard]] bool is_whole(const Heard& heard);
-inline constexpr const char* whole = "ok and finite, or a status and the state untouched";
+inline constexpr const char* ends_well = "ok and finite, or a status and the state untouched";
 
 /// What became of the steps, in a few words.
 [[nodiscard]] std::string end_text(const Heard& heard);

@@ -152,7 +152,7 @@ void add_three(const ExtremeMethod& method, EdgeChapter& chapter) {
         EdgeCheck check{method.name,
                         scene.name,
                         fmt::format("{} steps to t = 10", 10 * parts),
-                        fmt::format("{}; {}", whole, conserved),
+                        fmt::format("{}; {}", ends_well, conserved),
                         end_text(heard),
                         false};
         if (is_whole(heard)) {

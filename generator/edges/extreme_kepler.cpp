@@ -13,7 +13,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr const char* scene_name = "kepler";
+constexpr const char* kepler_scene = "kepler";
 constexpr double most_eccentric = 0.9999;
 
 void add_passage(const ExtremeMethod& method, const EdgeProgram& program, double e,
@@ -21,7 +21,7 @@ void add_passage(const ExtremeMethod& method, const EdgeProgram& program, double
     const Passage passage(e);
     const Refinement refinement = refined(passage, program, method.parts, passage.begin(), {},
                                           [](const auto& end) { return end; });
-    chapter.checks.push_back(order_check(method.name, method.order, scene_name,
+    chapter.checks.push_back(order_check(method.name, method.order, kepler_scene,
                                          fmt::format("e = {}: past the pericentre", e),
                                          refinement));
     if (e != most_eccentric) return;  // in these units the others look alike
@@ -59,8 +59,8 @@ void add_orbit(const ExtremeMethod& method, const EdgeProgram& program, double e
             curve.points.emplace_back(static_cast<double>(steps), error);
     }
     chapter.checks.push_back(
-        {method.name, scene_name, fmt::format("e = {}: once around in 4, 8, ... 4096 steps", e),
-         std::string(whole),
+        {method.name, kepler_scene, fmt::format("e = {}: once around in 4, 8, ... 4096 steps", e),
+         std::string(ends_well),
          fmt::format("ok in {}, a status in {} of {}{}", ok, stopped, all, wrong),
          ok + stopped == all});
 }
@@ -69,7 +69,7 @@ void add_orbit(const ExtremeMethod& method, const EdgeProgram& program, double e
 void add_fall(const ExtremeMethod& method, const EdgeProgram& program, double h, double mu,
               const std::string& what, EdgeChapter& chapter) {
     const Heard heard = program.ask("advance", h, 1000, {1, 0, 0, 0}, {mu, 0});
-    EdgeCheck check{method.name,     scene_name,     what, std::string(whole) + ", on the axis",
+    EdgeCheck check{method.name,     kepler_scene,   what, std::string(ends_well) + ", on the axis",
                     end_text(heard), is_whole(heard)};
     if (heard.failure.empty()) {
         const std::vector<double> end = heard.answers.numbers("end");
@@ -83,7 +83,7 @@ void add_fall(const ExtremeMethod& method, const EdgeProgram& program, double h,
 }  // namespace
 
 EdgeProgram kepler_program(Builds& builds, const ComposedMethod& method) {
-    return {builds, method, edge_scene(scene_name)};
+    return {builds, method, edge_scene(kepler_scene)};
 }
 
 void add_kepler(const ExtremeMethod& method, EdgeChapter& chapter) {

@@ -16,8 +16,8 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr const char* scene_name = "harmonic-oscillator";
-constexpr double h = 1.0 / 16;  // omega = z/h is then exact
+constexpr const char* oscillator_scene = "harmonic-oscillator";
+constexpr double oscillator_step = 1.0 / 16;  // omega = z/h is then exact
 
 /// One run from (omega q, p) = (1, 1/2).
 struct Orbit : Advance {
@@ -25,8 +25,8 @@ struct Orbit : Advance {
 };
 
 Orbit orbit(const EdgeProgram& program, double z, long steps) {
-    const double omega = z / h;
-    const Heard heard = program.ask("advance", h, steps, {1 / omega, 0.5}, {omega});
+    const double omega = z / oscillator_step;
+    const Heard heard = program.ask("advance", oscillator_step, steps, {1 / omega, 0.5}, {omega});
     Orbit result{Advance(heard), 0};
     if (!heard.failure.empty()) return result;
     const std::vector<double> largest = heard.answers.numbers("largest");
@@ -48,22 +48,24 @@ bool grows(const Orbit& orbit, const Oscillation& expected, long steps) {
 }
 
 /// What has to become of an orbit.
-enum class Fate {
+enum class FateOfOrbit {
     as_map,  ///< bounded or growing as the exact map is
     either,  ///< the same, or stopped: fixed points contract so little that it depends on the state
              ///< whether they come to round-off within their 200 iterations
     refused,  ///< fixed points do not contract
 };
 
-Fate fate(const KnownOscillator& known, const Form& form, double z) {
-    if (form.solver != Solver::fixed_point) return Fate::as_map;
+FateOfOrbit fate(const KnownOscillator& known, const Form& form, double z) {
+    if (form.solver != Solver::fixed_point) return FateOfOrbit::as_map;
     const double factor = z * z * known.contraction;
-    return factor < 0.7 ? Fate::as_map : factor < 1.01 ? Fate::either : Fate::refused;
+    return factor < 0.7    ? FateOfOrbit::as_map
+           : factor < 1.01 ? FateOfOrbit::either
+                           : FateOfOrbit::refused;
 }
 
-bool agrees(Fate fate, const Orbit& orbit, const Oscillation& expected, long steps) {
-    if (fate == Fate::refused) return orbit.is_refused();
-    if (fate == Fate::either && orbit.is_stopped()) return true;
+bool agrees(FateOfOrbit fate, const Orbit& orbit, const Oscillation& expected, long steps) {
+    if (fate == FateOfOrbit::refused) return orbit.is_refused();
+    if (fate == FateOfOrbit::either && orbit.is_stopped()) return true;
     return expected.is_stable ? is_bounded(orbit, expected) : grows(orbit, expected, steps);
 }
 
@@ -77,12 +79,12 @@ std::string text(const Orbit& orbit) {
                             (orbit.untouched ? "" : ", and the state is changed");
 }
 
-std::string text(Fate fate, const Oscillation& expected) {
-    if (fate == Fate::refused) return "refused, the state untouched";
+std::string text(FateOfOrbit fate, const Oscillation& expected) {
+    if (fate == FateOfOrbit::refused) return "refused, the state untouched";
     const std::string map =
         expected.is_stable ? fmt::format("at most {:.3g} times", expected.bound)
                            : fmt::format("10^({:.3g} n) times in n steps, or so", expected.growth);
-    return fate == Fate::either ? map + ", or stopped" : map;
+    return fate == FateOfOrbit::either ? map + ", or stopped" : map;
 }
 
 // ---- from 1e-3 to 1e4 ----
@@ -91,11 +93,11 @@ std::string text(Fate fate, const Oscillation& expected) {
 struct Tally {
     int bounded = 0, growing = 0, either = 0, refused = 0;
 
-    void expect(Fate fate, const Oscillation& map) {
-        ++(fate == Fate::refused  ? refused
-           : fate == Fate::either ? either
-           : map.is_stable        ? bounded
-                                  : growing);
+    void expect(FateOfOrbit fate, const Oscillation& map) {
+        ++(fate == FateOfOrbit::refused  ? refused
+           : fate == FateOfOrbit::either ? either
+           : map.is_stable               ? bounded
+                                         : growing);
     }
     [[nodiscard]] std::string text() const {
         std::string text = fmt::format("bounded at {}, growing at {}", bounded, growing);
@@ -105,13 +107,13 @@ struct Tally {
     }
 };
 
-EdgeCheck sweep(const KnownOscillator& known, const Form& form, Sweeps& sweeps) {
+EdgeCheck sweep_of_oscillator(const KnownOscillator& known, const Form& form, Sweeps& sweeps) {
     constexpr long steps = 1000;
     Tally tally;
     EdgeCheck check =
         sweeps.sweep(known.method, form.name, fmt::format("{} steps", steps), [&](double z) {
             const Oscillation map = oscillation(known, z);
-            const Fate expected = fate(known, form, z);
+            const FateOfOrbit expected = fate(known, form, z);
             const Orbit found = orbit(form.program, z, steps);
             tally.expect(expected, map);
             return SweepPoint{found.growth, found.ok() ? found.iterations : 0,
@@ -129,17 +131,20 @@ EdgeCheck beside(const KnownOscillator& known, const Form& form, double z,
                  const std::string& where) {
     constexpr long steps = 100'000;
     const Oscillation map = oscillation(known, z);
-    const Fate expected = fate(known, form, z);
+    const FateOfOrbit expected = fate(known, form, z);
     const Orbit found = orbit(form.program, z, steps);
-    return {
-        known.method,        scene_name,  fmt::format("{}: z = {:.9g}, {}", form.name, z, where),
-        text(expected, map), text(found), agrees(expected, found, map, steps)};
+    return {known.method,
+            oscillator_scene,
+            fmt::format("{}: z = {:.9g}, {}", form.name, z, where),
+            text(expected, map),
+            text(found),
+            agrees(expected, found, map, steps)};
 }
 
 EdgeCheck at_pole(const KnownOscillator& known, const Form& form, double z) {
     const Orbit found = orbit(form.program, z, 1);
     return {known.method,
-            scene_name,
+            oscillator_scene,
             fmt::format("{}: z = {:.17g}, the double nearest to a pole", form.name, z),
             "a status and the state untouched, or more than 1e6 times",
             text(found),
@@ -186,16 +191,17 @@ EdgeChapter stiff(Builds& builds, const std::vector<ComposedMethod>& methods) {
         "|(omega q, p)|, cut off at 1e20 in the pictures.",
         {},
         {}};
-    Sweeps sweeps(scene_name, "Harmonic oscillator");
+    Sweeps sweeps(oscillator_scene, "Harmonic oscillator");
     std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
     for (const ComposedMethod& method : methods)
-        all.push_back({known_oscillator(method), forms(builds, method, edge_scene(scene_name))});
+        all.push_back(
+            {known_oscillator(method), forms(builds, method, edge_scene(oscillator_scene))});
     Bar bar;
     double done = 0;
     for (const auto& [known, forms] : all) {
         bar.show(done++ / static_cast<double>(all.size()), "stiff: " + known.method);
         for (const Form& form : forms) {
-            chapter.checks.push_back(sweep(known, form, sweeps));
+            chapter.checks.push_back(sweep_of_oscillator(known, form, sweeps));
             for (EdgeCheck& check : at_ends(known, form))
                 chapter.checks.push_back(std::move(check));
         }

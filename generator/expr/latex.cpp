@@ -18,7 +18,7 @@ enum class Bar { stacked, slash };
 
 std::string latex(const Expression& expression, Bar bar);
 
-std::string parenthesised(const std::string& text) { return "\\left(" + text + "\\right)"; }
+std::string in_sized_parentheses(const std::string& text) { return "\\left(" + text + "\\right)"; }
 
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
@@ -83,7 +83,7 @@ std::string call_latex(const Expression& call, const std::string& exponent = {})
     std::string arguments;
     for (const Expression& argument : call.arguments)
         arguments += (arguments.empty() ? "" : ", ") + latex(argument, Bar::slash);
-    return text + parenthesised(arguments);
+    return text + in_sized_parentheses(arguments);
 }
 
 std::string exponential_latex(const Expression& argument) {
@@ -100,14 +100,14 @@ std::string power_latex(const Expression& base, const Expression& exponent) {
     const bool word = root || base.kind == Expression::Kind::symbol ||
                       (base.kind == Expression::Kind::number && base.denominator == "1");
     const std::string text = latex(base, Bar::stacked);
-    return (word ? text : parenthesised(text)) + "^{" + raised + "}";
+    return (word ? text : in_sized_parentheses(text)) + "^{" + raised + "}";
 }
 
 std::string factor_latex(const WrittenFactor& factor) {
     if (const auto* digits = std::get_if<std::string_view>(&factor)) return std::string(*digits);
     const Expression& expression = *std::get<const Expression*>(factor);
     switch (expression.kind) {
-    case Expression::Kind::sum: return parenthesised(latex(expression, Bar::stacked));
+    case Expression::Kind::sum: return in_sized_parentheses(latex(expression, Bar::stacked));
     case Expression::Kind::power:
         return power_latex(expression.arguments[0], expression.arguments[1]);
     case Expression::Kind::call:
@@ -158,7 +158,7 @@ std::string fraction_latex(const Fraction& fraction, Bar bar) {
         return "\\frac" + between_braces(fraction.above) + between_braces(fraction.below);
     const std::string below = factors_latex(fraction.below);
     return factors_latex(fraction.above) + "/" +
-           (fraction.below.size() == 1 ? below : parenthesised(below));
+           (fraction.below.size() == 1 ? below : in_sized_parentheses(below));
 }
 
 std::string sum_latex(const Expression& sum, Bar bar) {

@@ -17,21 +17,21 @@ namespace hvi::gen {
 namespace {
 
 /// What an expression may contain at the place where it stands.
-struct Rules {
+struct ItemRules {
     std::string_view subject;  ///< what messages call it: `a node`
     bool tau = false;
     bool bspline = false;
     bool parameters = true;
 };
 
-constexpr Rules basis_rules{"a basis function", true, true, true};
-constexpr Rules node_rules{"a node", false, false, true};
-constexpr Rules polynomial_rules{"the polynomial of `roots`", true, false, true};
-constexpr Rules weight_rules{"a weight", false, false, true};
-constexpr Rules coefficient_rules{"a coefficient", false, false, true};
-constexpr Rules value_rules{"the value of a parameter", false, false, false};
+constexpr ItemRules basis_rules{"a basis function", true, true, true};
+constexpr ItemRules node_rules{"a node", false, false, true};
+constexpr ItemRules polynomial_rules{"the polynomial of `roots`", true, false, true};
+constexpr ItemRules weight_rules{"a weight", false, false, true};
+constexpr ItemRules coefficient_rules{"a coefficient", false, false, true};
+constexpr ItemRules value_rules{"the value of a parameter", false, false, false};
 
-void check_symbol(const std::string& name, const Place& place, const Rules& rules) {
+void check_symbol(const std::string& name, const Place& place, const ItemRules& rules) {
     if (is_constant(name)) return;
     if (name == "tau") {
         if (rules.tau) return;
@@ -47,7 +47,7 @@ void check_symbol(const std::string& name, const Place& place, const Rules& rule
     check_parameter_name(name, place);
 }
 
-void check_call(const std::string& function, const Place& place, const Rules& rules) {
+void check_call(const std::string& function, const Place& place, const ItemRules& rules) {
     if (function == "roots")
         throw InputError("`roots` gives a list of nodes, and stands alone among the nodes", place,
                          "write for example --nodes \"0, roots(2*tau-1), 1\"");
@@ -71,7 +71,7 @@ void check_spline(const Expression& call, const std::shared_ptr<const Source>& s
 }
 
 void check_expression(const Expression& expression, const std::shared_ptr<const Source>& source,
-                      const Rules& rules) {
+                      const ItemRules& rules) {
     walk(expression, [&](const Expression& part) {
         const Place place{source, part.range};
         if (part.kind == Expression::Kind::symbol) check_symbol(part.name, place, rules);

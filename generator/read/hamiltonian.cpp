@@ -21,14 +21,6 @@ namespace {
 constexpr const char* how_to_name =
     "name the variables: --coordinates \"x, y\" --momenta \"px, py\"";
 
-Place whole(const std::shared_ptr<const Source>& source) {
-    return {source, {0, source->text.size()}};
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// The names of one kind of variable.
 void declare(Vocabulary& vocabulary, const NameList& list, std::string_view subject) {
     for (std::size_t k = 0; k < list.names.size(); ++k) {
@@ -56,7 +48,7 @@ NameList placed(const std::vector<std::string>& names,
 
 /// The k of `qk` and `pk`, as digits; empty for q and p themselves, nothing for other names.
 /// NOTE: q0 is none of q1, q2, ...: it often is a parameter, a position at rest.
-std::optional<std::string> index_of(const std::string& name) {
+std::optional<std::string> number_of(const std::string& name) {
     if (name.empty() || (name.front() != 'q' && name.front() != 'p')) return {};
     const std::string digits = name.substr(1);
     const bool counts = std::all_of(digits.begin(), digits.end(), is_digit) &&
@@ -75,7 +67,7 @@ void find_variables(Hamiltonian& H) {
     Range last;
     walk(H.expression, [&](const Expression& part) {
         if (part.kind != Expression::Kind::symbol) return true;
-        if (const auto index = index_of(part.name)) {
+        if (const auto index = number_of(part.name)) {
             indices.insert(*index);
             last = part.range;
         }

@@ -18,10 +18,6 @@ namespace hvi::gen {
 
 namespace {
 
-Place whole(const std::shared_ptr<const Source>& source) {
-    return {source, {0, source->text.size()}};
-}
-
 /// The part of a text without the blanks around it; empty when it is all blank.
 Range trimmed(std::string_view text, Range range) {
     while (range.begin < range.end && is_blank(text[range.begin])) ++range.begin;

@@ -53,6 +53,10 @@ bool is_indexed(const std::string& name) {
 
 }  // namespace
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 bool is_constant(std::string_view name) { return name == "pi" || name == "e"; }
 
 std::string_view without_index(std::string_view name) { return name.substr(0, name.find('[')); }

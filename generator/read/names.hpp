@@ -6,10 +6,14 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "generator/expr/expression.hpp"
 
 namespace hvi::gen {
+
+/// Whether the name is one of them.
+[[nodiscard]] bool contains(const std::vector<std::string>& names, const std::string& name);
 
 /// Whether it is `pi` or `e`.
 [[nodiscard]] bool is_constant(std::string_view name);

@@ -9,14 +9,8 @@
 
 namespace hvi::gen {
 
-namespace {
-
-Range whole(const Source& source) { return {0, source.text.size()}; }
-
-}  // namespace
-
 Expression parse_expression(std::shared_ptr<const Source> source) {
-    const Range part = whole(*source);
+    const Range part = whole(source).range;
     return parse_expression(std::move(source), part);
 }
 
@@ -25,17 +19,17 @@ Expression parse_expression(std::shared_ptr<const Source> source, Range part) {
 }
 
 Expression parse_indexed_expression(std::shared_ptr<const Source> source) {
-    const Range part = whole(*source);
+    const Range part = whole(source).range;
     return IndexedParser(std::move(source), part).lone_expression();
 }
 
 std::vector<Name> parse_names(std::shared_ptr<const Source> source) {
-    const Range part = whole(*source);
+    const Range part = whole(source).range;
     return IndexedParser(std::move(source), part).names();
 }
 
 List parse_list(std::shared_ptr<const Source> source) {
-    std::vector<Item> items = ListParser(source, whole(*source)).items();
+    std::vector<Item> items = ListParser(source, whole(source).range).items();
     return {std::move(source), std::move(items)};
 }
 
@@ -43,7 +37,7 @@ Family parse_family(std::shared_ptr<const Source> source) {
     const List list = parse_list(source);
     const auto* family = std::get_if<Family>(&list.items.front().what);
     if (family == nullptr || list.items.size() > 1)
-        throw InputError("one family with its size is wanted here", Place{source, whole(*source)},
+        throw InputError("one family with its size is wanted here", whole(source),
                          "write for example `gauss:3`");
     return *family;
 }

@@ -21,10 +21,6 @@ std::string_view name_of(const EmbeddedFile& file) {
     return file.name.substr(0, file.name.rfind('.'));
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 std::vector<std::string> parameter_names(const Scene& scene) {
     std::vector<std::string> names;
     for (const Parameter& parameter : scene.parameters) names.push_back(parameter.name);

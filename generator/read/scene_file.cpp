@@ -18,10 +18,11 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::size_t most_invariants = 64;
-constexpr std::size_t most_words = 300'000;  ///< of all expressions, with their sums expanded
+constexpr std::size_t most_words_of_scene =
+    300'000;  ///< of all expressions, with their sums expanded
 
 /// What may stand in an expression besides parameters, pi and e.
-struct Rules {
+struct SceneRules {
     std::string_view subject;  ///< what messages call it
     bool variables = false;
     bool time = false;
@@ -29,14 +30,14 @@ struct Rules {
 };
 
 constexpr std::string_view made_of_parameters = "it is made of numbers, parameters, pi and e";
-constexpr Rules hamiltonian_rules{"the Hamiltonian", true, true,
-                                  "give it a value: add it to [parameters]"};
-constexpr Rules invariant_rules{"an invariant", true, false, "add it to [parameters]"};
-constexpr Rules initial_rules{"an initial value", false, false, made_of_parameters};
-constexpr Rules exact_rules{"an exact solution", false, true,
-                            "it is made of numbers, parameters, pi, e and the time `t`"};
-constexpr Rules step_rules{"the step size", false, false, made_of_parameters};
-constexpr Rules until_rules{"the time at the end", false, false, made_of_parameters};
+constexpr SceneRules hamiltonian_rules{"the Hamiltonian", true, true,
+                                       "give it a value: add it to [parameters]"};
+constexpr SceneRules invariant_rules{"an invariant", true, false, "add it to [parameters]"};
+constexpr SceneRules initial_rules{"an initial value", false, false, made_of_parameters};
+constexpr SceneRules exact_rules{"an exact solution", false, true,
+                                 "it is made of numbers, parameters, pi, e and the time `t`"};
+constexpr SceneRules step_rules{"the step size", false, false, made_of_parameters};
+constexpr SceneRules until_rules{"the time at the end", false, false, made_of_parameters};
 
 using Entry = std::pair<const toml::key*, const toml::node*>;
 
@@ -81,17 +82,18 @@ private:
     [[nodiscard]] std::string description() const;
     [[nodiscard]] NameList names(std::string_view key, std::string_view example) const;
     [[nodiscard]] NamedExpression expression(std::string name, const toml::node& node,
-                                             const Rules& rules);
+                                             const SceneRules& rules);
     void check_words(const Expression& expression, const std::shared_ptr<const Source>& source,
-                     const Rules& rules);
+                     const SceneRules& rules);
     [[nodiscard]] Hamiltonian hamiltonian();
     [[nodiscard]] std::vector<Parameter> parameters();
     void add_parameter(std::vector<Parameter>& list, DeclaredName name, const toml::node& value);
     [[nodiscard]] std::vector<NamedExpression> invariants();
-    [[nodiscard]] std::vector<NamedExpression> values(const toml::table& table, const Rules& rules);
+    [[nodiscard]] std::vector<NamedExpression> values(const toml::table& table,
+                                                      const SceneRules& rules);
     [[noreturn]] void refuse_variable(const std::string& name, const Place& place) const;
     void add_values(std::map<std::string, NamedExpression>& found, const Entry& entry,
-                    const Rules& rules);
+                    const SceneRules& rules);
     [[nodiscard]] RunWishes run();
 
     const Source& source_;
@@ -150,7 +152,7 @@ NameList SceneReader::names(std::string_view key, std::string_view example) cons
 }
 
 NamedExpression SceneReader::expression(std::string name, const toml::node& node,
-                                        const Rules& rules) {
+                                        const SceneRules& rules) {
     const auto source = file_.source(node, file_.text(node));
     Expression read = parse_indexed_expression(source);
     check_words(read, source, rules);
@@ -158,7 +160,8 @@ NamedExpression SceneReader::expression(std::string name, const toml::node& node
 }
 
 void SceneReader::check_words(const Expression& expression,
-                              const std::shared_ptr<const Source>& source, const Rules& rules) {
+                              const std::shared_ptr<const Source>& source,
+                              const SceneRules& rules) {
     check_functions(expression, source, rules.subject);
     const auto check = [&](const std::string& symbol, const Place& place) {
         if (is_constant(symbol) || (symbol == "t" && rules.time)) return;
@@ -176,10 +179,10 @@ void SceneReader::check_words(const Expression& expression,
         ++word_count_;
         return true;
     });
-    if (word_count_ > most_words)
-        throw InputError(
-            fmt::format("the expressions of the scene have more than {} words", most_words),
-            Place{source, {0, source->text.size()}});
+    if (word_count_ > most_words_of_scene)
+        throw InputError(fmt::format("the expressions of the scene have more than {} words",
+                                     most_words_of_scene),
+                         Place{source, {0, source->text.size()}});
 }
 
 /// NOTE: its symbols are looked at once the parameters are known.
@@ -260,7 +263,7 @@ std::vector<NamedExpression> SceneReader::invariants() {
 
 /// The value of a variable, or those of x[1], x[2], ... by ascending index.
 void SceneReader::add_values(std::map<std::string, NamedExpression>& found, const Entry& entry,
-                             const Rules& rules) {
+                             const SceneRules& rules) {
     const auto& [key, node] = entry;
     const std::string name(key->str());
     std::vector<std::string> indices = words_.indices(name);
@@ -287,7 +290,8 @@ void SceneReader::add_values(std::map<std::string, NamedExpression>& found, cons
 }
 
 /// One for each variable: those of the coordinates, then of the momenta.
-std::vector<NamedExpression> SceneReader::values(const toml::table& table, const Rules& rules) {
+std::vector<NamedExpression> SceneReader::values(const toml::table& table,
+                                                 const SceneRules& rules) {
     std::map<std::string, NamedExpression> found;
     for (const Entry& entry : in_order(table)) add_values(found, entry, rules);
     std::vector<NamedExpression> list;

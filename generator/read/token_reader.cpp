@@ -10,7 +10,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::size_t longest_text = 64 * 1024;
-constexpr std::size_t most_words = 100'000;
+constexpr std::size_t most_words_read = 100'000;
 
 }  // namespace
 
@@ -24,8 +24,8 @@ TokenReader::TokenReader(std::shared_ptr<const Source> source, Range part, Indic
 }
 
 void TokenReader::count() {
-    if (++taken_ > most_words)
-        fail(next_.range, fmt::format("the sums expand to more than {} words", most_words));
+    if (++taken_ > most_words_read)
+        fail(next_.range, fmt::format("the sums expand to more than {} words", most_words_read));
 }
 
 Token TokenReader::take() {

@@ -31,7 +31,7 @@ std::string in_words(const std::vector<std::string>& indices) {
 }  // namespace
 
 NameList names_in(const std::shared_ptr<const Source>& source) {
-    NameList list{{}, {source, {0, source->text.size()}}};
+    NameList list{{}, whole(source)};
     for (Name& name : parse_names(source))
         list.names.push_back({std::move(name.text), {source, name.range}});
     return list;

@@ -7,7 +7,7 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int digits = 50;
+constexpr int digits_of_audit = 50;
 
 const std::string& name_of(const Tableau& tableau) {
     return tableau.name.empty() ? tableau.origin : tableau.name;
@@ -36,7 +36,7 @@ Json wrong_json(const std::optional<Rebuilt>& rebuilt) {
     for (const WrongEntry& entry : rebuilt->wrong) {
         json.push_back({{"entry", entry.place},
                         {"given", entry.given},
-                        {"right", entry_json(entry.right, digits)}});
+                        {"right", entry_json(entry.right, digits_of_audit)}});
     }
     return json;
 }
@@ -55,7 +55,7 @@ Json defect_json(const std::optional<SymplecticDefect>& defect) {
     if (!defect) { return nullptr; }
     return {{"i", defect->i + 1},
             {"j", defect->j ? Json(*defect->j + 1) : Json(nullptr)},
-            {"residual", entry_json(defect->residual, digits)}};
+            {"residual", entry_json(defect->residual, digits_of_audit)}};
 }
 
 Json audit_json(const Audit& audit) {

@@ -9,21 +9,21 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int digits = 50;
+constexpr int digits_of_certificate = 50;
 
 Json failures_json(const OrderConditions& conditions) {
     if (conditions.is_at_least) { return nullptr; }
     Json json = Json::array();
     for (const FailedCondition& failure : conditions.failures) {
-        json.push_back(
-            {{"tree", failure.tree->text}, {"residual", entry_json(failure.residual, digits)}});
+        json.push_back({{"tree", failure.tree->text},
+                        {"residual", entry_json(failure.residual, digits_of_certificate)}});
     }
     return json;
 }
 
 Json error_constant_json(const OrderConditions& conditions) {
     const auto constant = conditions.error_constant();
-    return constant ? entry_json(*constant, digits) : Json(nullptr);
+    return constant ? entry_json(*constant, digits_of_certificate) : Json(nullptr);
 }
 
 Json places_json(const std::vector<Number>& places) {
@@ -51,7 +51,8 @@ Json touching_json(const std::vector<TouchingPoint>& points) {
 }
 
 Json limit_json(const LimitOfHalfTrace& limit) {
-    return {{"half_trace", limit.value ? entry_json(*limit.value, digits) : Json(nullptr)},
+    return {{"half_trace",
+             limit.value ? entry_json(*limit.value, digits_of_certificate) : Json(nullptr)},
             {"sign", limit.sign},
             {"stable", limit.is_stable}};
 }
@@ -90,7 +91,7 @@ Json exceptions_json(const std::vector<ExceptionalValue>& exceptions) {
     Json json = Json::array();
     for (const ExceptionalValue& value : exceptions) {
         json.push_back({{"parameter", value.parameter},
-                        {"value", entry_json(value.value, digits)},
+                        {"value", entry_json(value.value, digits_of_certificate)},
                         {"order", value.order},
                         {"order_is_at_least", value.is_at_least}});
     }

@@ -92,7 +92,7 @@ void write_coupled(NamedLines& lines, std::string_view what,
     }
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string enumerated(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -181,7 +181,7 @@ void write_certificate(NamedLines& lines, const Certificate& certificate) {
     lines.line("symplectic", yes_or_no(certificate.symplectic, certificate));
     lines.line("self-adjoint", yes_or_no(certificate.symmetric, certificate));
     if (!certificate.symmetric.holds && !certificate.adjoint.empty()) {
-        lines.line("adjoint", joined(certificate.adjoint));
+        lines.line("adjoint", enumerated(certificate.adjoint));
     }
     lines.line("A == A~", yes_or_no(certificate.runge_kutta, certificate));
     lines.line("conserves", conserved(certificate));
@@ -203,7 +203,7 @@ std::string render_text(const Certificate& certificate) {
     NamedLines lines;
     lines.title(certificate.name.empty() ? certificate.origin : certificate.name);
     if (certificate.name.empty() && !certificate.known_as.empty()) {
-        lines.line("known as", joined(certificate.known_as));
+        lines.line("known as", enumerated(certificate.known_as));
     }
     lines.blank();
     write_certificate(lines, certificate);

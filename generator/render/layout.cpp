@@ -32,7 +32,7 @@ void align(std::vector<std::string*> column) {
     for (std::string* cell : column) *cell = padded(std::move(*cell), columns);
 }
 
-std::string joined(const std::vector<std::string>& cells) {
+std::string in_columns(const std::vector<std::string>& cells) {
     std::string line;
     for (const std::string& cell : cells) {
         if (!line.empty()) line += column_gap;
@@ -84,10 +84,10 @@ Lines table_lines(const Table& table) {
         for (std::vector<std::string>& row : aligned.rows) column.push_back(&row[j]);
         align(column);
     }
-    const std::string last = joined(aligned.last_row);
+    const std::string last = in_columns(aligned.last_row);
     Lines lines{" " + aligned.corner + " | " + aligned.title};
     for (std::size_t i = 0; i < aligned.rows.size(); ++i)
-        lines.push_back(" " + aligned.heads[i] + " | " + joined(aligned.rows[i]));
+        lines.push_back(" " + aligned.heads[i] + " | " + in_columns(aligned.rows[i]));
     lines.push_back(std::string(aligned.corner.size() + 2, '-') + "+" +
                     std::string(last.size() + 1, '-'));
     lines.push_back(" " + aligned.last_head + " | " + last);

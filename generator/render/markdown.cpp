@@ -16,7 +16,7 @@ std::string code(const Number& number, int digits) {
     return code(make_entry(number, digits).best_text());
 }
 
-std::string row_line(const std::string& head, const NumberVector& row, int digits) {
+std::string table_row(const std::string& head, const NumberVector& row, int digits) {
     std::string line = "| " + head + " |";
     for (const Number& number : row) line += " " + code(number, digits) + " |";
     return line + "\n";
@@ -30,8 +30,8 @@ std::string butcher_table(std::string_view c_name, const NumberVector& c, std::s
     text += "\n|---|";
     for (std::size_t j = 0; j < b.size(); ++j) text += "---|";
     text += "\n";
-    for (std::size_t i = 0; i < c.size(); ++i) text += row_line(code(c[i], digits), A[i], digits);
-    return text + row_line("**b**", b, digits);
+    for (std::size_t i = 0; i < c.size(); ++i) text += table_row(code(c[i], digits), A[i], digits);
+    return text + table_row("**b**", b, digits);
 }
 
 std::string list(const std::vector<std::string>& items) {

@@ -15,11 +15,11 @@ namespace hvi::gen {
 namespace {
 
 // All lengths in pixels. The plot's area:
-constexpr double left = 70;
-constexpr double right = 780;
-constexpr double top = 92;
-constexpr double bottom = 412;
-constexpr double width = 800;
+constexpr double plot_left = 70;
+constexpr double plot_right = 780;
+constexpr double plot_top = 92;
+constexpr double plot_bottom = 412;
+constexpr double picture_width = 800;
 constexpr double line_height = 18;
 constexpr std::size_t most_columns = 100;  // of the text below the plot
 /// Half the trace is drawn between these values and their negatives.
@@ -31,9 +31,11 @@ public:
     explicit Axes(long until) : until_(static_cast<double>(until)) {}
 
     [[nodiscard]] double until() const { return until_; }
-    [[nodiscard]] double x(double z) const { return left + (right - left) * z / until_; }
+    [[nodiscard]] double x(double z) const {
+        return plot_left + (plot_right - plot_left) * z / until_;
+    }
     [[nodiscard]] static double y(double half_trace) {
-        return (top + bottom) / 2 - (bottom - top) / 2 * half_trace / most;
+        return (plot_top + plot_bottom) / 2 - (plot_bottom - plot_top) / 2 * half_trace / most;
     }
 
     [[nodiscard]] double tick() const {
@@ -74,7 +76,7 @@ std::string shading(const Axes& axes, const LinearStability& stability) {
         const double x2 = axes.x(interval.high.nearest_double());
         result += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
                               "class=\"stable\"/>\n",
-                              x1, top, x2 - x1, bottom - top);
+                              x1, plot_top, x2 - x1, plot_bottom - plot_top);
     }
     return result;
 }
@@ -83,23 +85,26 @@ std::string grid(const Axes& axes) {
     std::string result;
     for (const int value : {-1, 0, 1}) {
         const double y = Axes::y(value);
-        result += line(left, y, right, y, value == 0 ? "zero" : "one");
+        result += line(plot_left, y, plot_right, y, value == 0 ? "zero" : "one");
     }
     result += fmt::format(
         "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" class=\"frame\"/>\n",
-        left, top, right - left, bottom - top);
+        plot_left, plot_top, plot_right - plot_left, plot_bottom - plot_top);
     const int ticks = static_cast<int>(std::floor(axes.until() / axes.tick() + 1e-9));
     for (int i = 0; i <= ticks; ++i) {
         const double z = i * axes.tick();
-        result += line(axes.x(z), bottom, axes.x(z), bottom + 5, "tick");
-        result += text_at(axes.x(z), bottom + 19, "class=\"middle\"", fmt::format("{:.6g}", z));
+        result += line(axes.x(z), plot_bottom, axes.x(z), plot_bottom + 5, "tick");
+        result +=
+            text_at(axes.x(z), plot_bottom + 19, "class=\"middle\"", fmt::format("{:.6g}", z));
     }
     for (int value = -2; value <= 2; ++value) {
-        result += line(left - 5, Axes::y(value), left, Axes::y(value), "tick");
-        result += text_at(left - 9, Axes::y(value) + 4, "class=\"end\"", fmt::format("{}", value));
+        result += line(plot_left - 5, Axes::y(value), plot_left, Axes::y(value), "tick");
+        result +=
+            text_at(plot_left - 9, Axes::y(value) + 4, "class=\"end\"", fmt::format("{}", value));
     }
-    result += text_at((left + right) / 2, bottom + 38, "class=\"middle\"", "z = h·ω");
-    const double middle = (top + bottom) / 2;
+    result +=
+        text_at((plot_left + plot_right) / 2, plot_bottom + 38, "class=\"middle\"", "z = h·ω");
+    const double middle = (plot_top + plot_bottom) / 2;
     result += text_at(24, middle,
                       fmt::format("class=\"middle\" transform=\"rotate(-90 24 {:.2f})\"", middle),
                       "trace/2");
@@ -116,8 +121,8 @@ std::string poles(const Axes& axes, const LinearStability& stability) {
         std::size_t row = 0;
         while (row + 1 < taken.size() && x - label_width / 2 < taken[row]) { ++row; }
         taken[row] = x + label_width / 2;
-        result += line(x, top, x, bottom, "pole");
-        result += text_at(x, top - 6 - 14 * static_cast<double>(row), "class=\"middle\"",
+        result += line(x, plot_top, x, plot_bottom, "pole");
+        result += text_at(x, plot_top - 6 - 14 * static_cast<double>(row), "class=\"middle\"",
                           "pole " + pole.decimal(4));
     }
     return result;
@@ -126,8 +131,10 @@ std::string poles(const Axes& axes, const LinearStability& stability) {
 /// Every pixel, all special points, and closer and closer to the poles.
 std::vector<double> arguments(const Axes& axes, const LinearStability& stability) {
     std::vector<double> result;
-    const double step = axes.until() / (right - left);
-    for (int i = 1; i < static_cast<int>(right - left); ++i) { result.push_back(i * step); }
+    const double step = axes.until() / (plot_right - plot_left);
+    for (int i = 1; i < static_cast<int>(plot_right - plot_left); ++i) {
+        result.push_back(i * step);
+    }
     for (const StabilityInterval& interval : stability.stable) {
         result.push_back(interval.low.nearest_double());
         result.push_back(interval.high.nearest_double());
@@ -219,9 +226,9 @@ std::vector<std::string> words(const LinearStability& stability) {
 std::string legend(double y, const LinearStability& stability) {
     std::string result = fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"26\" height=\"13\" "
                                      "class=\"stable key\"/>\n",
-                                     left, y - 11);
-    result += text_at(left + 33, y, "", "stable: powers of the map are bounded");
-    double x = left + 320;
+                                     plot_left, y - 11);
+    result += text_at(plot_left + 33, y, "", "stable: powers of the map are bounded");
+    double x = plot_left + 320;
     if (!stability.poles.empty()) {
         result += line(x, y - 5, x + 26, y - 5, "pole");
         result += text_at(x + 33, y, "", "pole");
@@ -265,21 +272,22 @@ std::string stability_svg(const std::string& name, const OscillatorMap& map,
                           const LinearStability& stability) {
     const Axes axes(stability.until);
     const std::vector<std::string> below = words(stability);
-    const double legend_at = bottom + 66;
+    const double legend_at = plot_bottom + 66;
     const double height = legend_at + line_height * static_cast<double>(below.size() + 1);
     std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" "
                                   "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n",
-                                  width, height);
+                                  picture_width, height);
     svg += "<title>" + escaped("Linear stability of " + name) + "</title>\n" + style;
     svg += fmt::format("<clipPath id=\"plot\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>"
                        "</clipPath>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-                       left, top, right - left, bottom - top);
-    svg += text_at(left, 28, "class=\"title\"", "Linear stability of " + name);
-    svg += text_at(left, 48, "", "Half the trace of one step for H = (p² + ω² q²)/2");
+                       plot_left, plot_top, plot_right - plot_left, plot_bottom - plot_top);
+    svg += text_at(plot_left, 28, "class=\"title\"", "Linear stability of " + name);
+    svg += text_at(plot_left, 48, "", "Half the trace of one step for H = (p² + ω² q²)/2");
     svg += shading(axes, stability) + grid(axes) + poles(axes, stability);
     svg += curve(axes, map, stability) + touching(axes, stability) + legend(legend_at, stability);
     for (std::size_t i = 0; i < below.size(); ++i) {
-        svg += text_at(left, legend_at + line_height * static_cast<double>(i + 1), "", below[i]);
+        svg +=
+            text_at(plot_left, legend_at + line_height * static_cast<double>(i + 1), "", below[i]);
     }
     return svg + "</svg>\n";
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double close_by = 1.04;  // so near to the fewest steps is near enough
 constexpr std::size_t most_points = 24;
-constexpr double most_steps = 1e8;
+constexpr double most_steps_of_path = 1e8;
 constexpr double rough = 0.1;       // from here down an error is one of an order
 constexpr double round_off = 1e-6;  // from here down errors may have ended to fall
 
@@ -126,7 +126,7 @@ std::optional<std::int64_t> next_count(const WorkCurve& curve, double accuracy) 
     if (found.reached == nullptr) {
         if (is_at_round_off(curve)) return {};
         next = beyond(curve, wanted, order);
-        if (next > most_steps) return {};
+        if (next > most_steps_of_path) return {};
         return std::max<std::int64_t>(curve.points.back().steps + 1, std::llround(next));
     }
     const std::int64_t high = found.reached->steps;

@@ -163,6 +163,11 @@ std::string place_lines(const Place& whole) {
 
 }  // namespace
 
+Place whole(std::shared_ptr<const Source> source) {
+    const std::size_t size = source->text.size();
+    return {std::move(source), {0, size}};
+}
+
 Error::Error(ExitStatus status, std::string what, std::optional<Place> place, std::string help)
     : std::runtime_error(std::move(what)),
       status_(status),

@@ -39,6 +39,9 @@ struct Place {
     Range range;
 };
 
+/// All of a text that the user gave.
+[[nodiscard]] Place whole(std::shared_ptr<const Source> source);
+
 /// Base of all errors that end the program with a message of the form
 ///
 ///     error: WHAT

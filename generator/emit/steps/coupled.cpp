@@ -7,7 +7,7 @@ namespace {
 
 using Kind = StageNode::Kind;
 
-constexpr auto& loop = "for (Index k = 0; k < s.at.q.size(); ++k) {{";
+constexpr auto& loop_of_struct = "for (Index k = 0; k < s.at.q.size(); ++k) {{";
 
 std::string index_list(std::string_view name, const std::vector<std::size_t>& indices) {
     std::string list;
@@ -25,7 +25,7 @@ std::string stage_values(const std::vector<std::size_t>& indices, std::string_vi
                          std::string_view y, bool measured, const auto& sum) {
     if (indices.empty()) { return {}; }
     Writer writer(3);
-    writer.open(loop);
+    writer.open(loop_of_struct);
     writer.line("const Scalar {0} = s.at.{0}[k];", y);
     writer.line("const Scalar e_{0} = s.remainder.{0}[k];", y);
     std::string change;
@@ -48,7 +48,7 @@ std::string slopes(const std::vector<std::size_t>& indices, std::string_view let
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
     for (const std::size_t i : indices) {
         writer.line("system.{}", evaluate(i));
-        writer.open(loop).line("s.{}[{}][k] = {} * slope[k];", letter, i, factor(i)).close();
+        writer.open(loop_of_struct).line("s.{}[{}][k] = {} * slope[k];", letter, i, factor(i)).close();
     }
     return writer.str();
 }
@@ -59,7 +59,7 @@ std::string joint_slopes(const Scheme& scheme, const std::vector<std::size_t>& i
     for (const std::size_t i : indices) {
         writer.line("system.gradient(s.Q[{0}], s.P[{0}], {1}dHdq, dHdp);", i,
                     stage_time(scheme, i, "s"));
-        writer.open(loop);
+        writer.open(loop_of_struct);
         writer.line("s.Lp[{}][k] = {} * dHdq[k];", i, force_factor(scheme, i, "s"));
         writer.line("s.Lq[{}][k] = {} * dHdp[k];", i, velocity_factor(scheme, i, "s"));
         writer.close();

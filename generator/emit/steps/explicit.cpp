@@ -15,9 +15,9 @@ namespace hvi::gen {
 namespace {
 
 /// Writes the kicks and drifts of a step in turn.
-class MovesWriter {
+class PlainMoves {
 public:
-    MovesWriter(Writer& writer, const Scheme& scheme) : writer_(writer), scheme_(scheme) {}
+    PlainMoves(Writer& writer, const Scheme& scheme) : writer_(writer), scheme_(scheme) {}
 
     void write(const Move& move) {
         evaluate(move);
@@ -105,14 +105,14 @@ std::string moves_text(const Scheme& scheme) {
     if (scheme.keeps_remainder) { return compensated_moves_text(scheme); }
     Writer writer(2);
     writer.insert(scratch_text(scratch(scheme)));
-    MovesWriter code(writer, scheme);
+    PlainMoves code(writer, scheme);
     const std::vector<Move> all = moves(scheme);
     for (std::size_t i = 0; i + 1 < all.size(); ++i) { code.write(all[i]); }
     code.finish(all.back());
     return writer.str();
 }
 
-/// NOTE: what a kept slope belongs to is fitted where that is not known: see MovesWriter.
+/// NOTE: what a kept slope belongs to is fitted where that is not known: see PlainMoves.
 std::string fits_text(const Scheme& scheme) {
     Writer writer(2);
     const auto fit = [&](std::string_view vector) {
@@ -160,7 +160,7 @@ std::string_view forget(const Scheme& scheme) {
     return keeps(scheme) ? "known_ = false;" : "";
 }
 
-std::string members_text(const Scheme& scheme) {
+std::string members_of_moves(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
     if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
@@ -221,7 +221,7 @@ std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
                       {"clock", clock_begins(scheme)},
                       {"status", scheme.depends_on_time ? "clock_.end(x.t, Status{})" : "{}"},
                       {"forget", std::string(forget(scheme))},
-                      {"members", members_text(scheme)}});
+                      {"members", members_of_moves(scheme)}});
     return fill("explicit.hpp.in", holes);
 }
 

@@ -14,9 +14,9 @@ constexpr MoveNames drift{"q", "dHdp", "+", "b_q", "velocity_"};
 
 /// Writes the moves where increments are summed apart, of one trajectory or of several, and those
 /// of several where they are not.
-class MovesWriter {
+class SummedMoves {
 public:
-    MovesWriter(Writer& writer, const Scheme& scheme, std::size_t dimension)
+    SummedMoves(Writer& writer, const Scheme& scheme, std::size_t dimension)
         : writer_(writer), scheme_(scheme), dimension_(dimension) {}
 
     /// A move, and the stage value that it leads to unless the step ends there.
@@ -84,7 +84,7 @@ private:
 constexpr std::string_view weigh = "weights_.weigh(h, b_p, b_q);";
 
 void write_moves(Writer& writer, const Scheme& scheme, std::size_t dimension) {
-    MovesWriter code(writer, scheme, dimension);
+    SummedMoves code(writer, scheme, dimension);
     const std::vector<Move> all = moves(scheme);
     for (std::size_t i = 0; i < all.size(); ++i) { code.write(all[i], i + 1 == all.size()); }
     writer.blank();

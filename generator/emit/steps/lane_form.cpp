@@ -20,8 +20,8 @@ std::string times(const Scheme& scheme) {
 }
 
 /// `first`: what is done before the starting values.
-std::string steps_text(const Scheme& scheme, const std::vector<std::string>& first,
-                       std::string_view table) {
+std::string steps_of_lanes(const Scheme& scheme, const std::vector<std::string>& first,
+                           std::string_view table) {
     Writer writer(2);
     writer.line("s_.weigh(b);");
     for (const std::string& line : first) { writer.line("{}", line); }
@@ -48,7 +48,8 @@ std::string extrapolation_of(const Scheme& scheme, std::string_view slope) {
                                        : "N_lanes";
 }
 
-std::string predict_text(const Scheme& scheme, const auto& extrapolate, const auto& constant) {
+std::string prediction_of_lanes(const Scheme& scheme, const auto& extrapolate,
+                                const auto& constant) {
     Writer writer(1);
     open_predict(writer, scheme, "slopes");
     if (scheme.extrapolation) {
@@ -60,7 +61,7 @@ std::string predict_text(const Scheme& scheme, const auto& extrapolate, const au
     return writer.close().str();
 }
 
-std::string members_text(const Scheme& scheme, std::string_view stages) {
+std::string members_of_lanes(const Scheme& scheme, std::string_view stages) {
     Writer writer(1);
     writer.line("System system_;");
     if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
@@ -73,7 +74,7 @@ std::string members_text(const Scheme& scheme, std::string_view stages) {
 // ---- positions alone ----
 
 std::string velocity_predict_text(const Scheme& scheme) {
-    return predict_text(
+    return prediction_of_lanes(
         scheme,
         [&](Writer& writer) { writer.line("s_.extrapolate({});", extrapolation_of(scheme, "W")); },
         [&](Writer& writer) {
@@ -91,7 +92,7 @@ ImplicitParts velocity_lane_parts(const Scheme& scheme, const SceneWishes& wishe
     columns_of_extrapolation(constants, scheme);
     ImplicitParts parts;
     parts.runtime = {"velocity_lanes.hpp"};
-    parts.steps = steps_text(
+    parts.steps = steps_of_lanes(
         scheme, {"system_.dHdp(s_.at.p, s_.velocity);", "s_.drift_freely(cn_lanes);"}, "cn_lanes");
     parts.constants = constants.str();
     parts.predict = velocity_predict_text(scheme);
@@ -103,7 +104,7 @@ ImplicitParts velocity_lane_parts(const Scheme& scheme, const SceneWishes& wishe
                    {"newton", scheme.takes_newton() ? newton_of_positions(scheme, block.of(Kind::Q),
                                                                           "s.drifts(system);")
                                                     : ""}});
-    parts.members = members_text(scheme, "VelocityLanes");
+    parts.members = members_of_lanes(scheme, "VelocityLanes");
     if (wishes.curve) {
         parts.curve = curve_text(
             scheme, *wishes.curve, "s_.increment_q(cn_lanes, static_cast<std::size_t>(k))",
@@ -116,7 +117,7 @@ ImplicitParts velocity_lane_parts(const Scheme& scheme, const SceneWishes& wishe
 
 /// NOTE: for separable H the slopes of p are enough.
 std::string pair_predict_text(const Scheme& scheme) {
-    return predict_text(
+    return prediction_of_lanes(
         scheme,
         [&](Writer& writer) {
             if (!scheme.separable) {
@@ -143,7 +144,7 @@ std::string pair_predict_text(const Scheme& scheme) {
 }
 
 /// Members of the stage equations that evaluate H.
-std::string slopes_text(const Scheme& scheme) {
+std::string slopes_of_lanes(const Scheme& scheme) {
     const std::string Q = "hvi::detail::load(s.Q)", P = "hvi::detail::load(s.P)";
     Writer writer(2);
     if (scheme.has_joint_slopes) {
@@ -171,7 +172,7 @@ ImplicitParts pair_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
     columns_of_extrapolation(constants, scheme);
     ImplicitParts parts;
     parts.runtime = {"stage_lanes.hpp"};
-    parts.steps = steps_text(scheme, {}, "");
+    parts.steps = steps_of_lanes(scheme, {}, "");
     parts.constants = constants.str();
     parts.predict = pair_predict_text(scheme);
     parts.coupled = fill_part("pair_lanes.hpp.in",
@@ -181,8 +182,8 @@ ImplicitParts pair_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
                                {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
                                {"separable", std::string(truth(scheme.separable))},
                                {"mt", std::string(table_mt(scheme))},
-                               {"slopes", slopes_text(scheme)}});
-    parts.members = members_text(scheme, "StageLanes");
+                               {"slopes", slopes_of_lanes(scheme)}});
+    parts.members = members_of_lanes(scheme, "StageLanes");
     if (wishes.curve) {
         parts.curve = curve_text(
             scheme, *wishes.curve, "s_.increment_q(static_cast<std::size_t>(k))",

@@ -9,9 +9,8 @@ namespace hvi::gen {
 namespace {
 
 using Kind = StageNode::Kind;
-using Place = StageValue::Place;
 
-constexpr auto& loop = "for (Index k = 0; k < s_.at.q.size(); ++k) {{";
+constexpr auto& loop_of_step = "for (Index k = 0; k < s_.at.q.size(); ++k) {{";
 
 std::string coupled_name(const Scheme& scheme, std::size_t number) {
     return scheme.coupled_blocks() == 1 ? "Coupled" : fmt::format("Coupled{}", number + 1);
@@ -50,7 +49,7 @@ public:
 
 private:
     void write(const auto& lines) {
-        writer_.open(loop);
+        writer_.open(loop_of_step);
         lines();
         writer_.close();
     }
@@ -73,18 +72,18 @@ void evaluate_stage(Writer& writer, const Scheme& scheme, const StageNode& node,
     const std::string_view letter = is_q ? "Q" : "P";
     const std::string_view y = is_q ? "q" : "p";
     switch (value.place) {
-    case Place::start:
+    case StageValue::Place::start:
         if (!scheme.separable) { writer.line("s_.{}[{}] = s_.at.{};", letter, node.index, y); }
         return;
-    case Place::end:
+    case StageValue::Place::end:
         if (is_q) {
             updates.q();
         } else {
             updates.p();
         }
         return;
-    case Place::inner:
-        writer.open(loop);
+    case StageValue::Place::inner:
+        writer.open(loop_of_step);
         writer.line("const Scalar {0} = s_.at.{0}[k];", y);
         writer.line("const Scalar e_{0} = s_.remainder.{0}[k];", y);
         writer.line("s_.{}[{}][k] = {};", letter, node.index,
@@ -104,15 +103,15 @@ void evaluate_slope(Writer& writer, const Scheme& scheme, const StageNode& node)
     if (!is_kept(scheme, node)) {
         writer.line("system_.{}", is_force ? evaluate_force(scheme, node.index, "s_")
                                            : evaluate_velocity(scheme, node.index, "s_"));
-        writer.open(loop).line("s_.{}[{}][k] = {} * slope[k];", letter, node.index, factor).close();
+        writer.open(loop_of_step).line("s_.{}[{}][k] = {} * slope[k];", letter, node.index, factor).close();
         return;
     }
     const std::string_view slope = is_force ? "force_" : "velocity_";
-    if (value.place == Place::end) {
+    if (value.place == StageValue::Place::end) {
         writer.line("system_.{}(s_.at.{}, {}{});", is_force ? "dHdq" : "dHdp", is_force ? "q" : "p",
                     is_force ? stage_time(scheme, node.index, "s_") : "", slope);
     }
-    writer.open(loop).line("s_.{}[{}][k] = {} * {}[k];", letter, node.index, factor, slope).close();
+    writer.open(loop_of_step).line("s_.{}[{}][k] = {} * {}[k];", letter, node.index, factor, slope).close();
 }
 
 void begin_kept(Writer& writer, bool keeps, std::string_view gradient, std::string_view y,
@@ -134,7 +133,7 @@ bool evaluates_slopes(const Scheme& scheme) {
     return false;
 }
 
-std::string steps_text(const Scheme& scheme) {
+std::string steps_of_pairs(const Scheme& scheme) {
     Writer writer(2);
     Updates updates(writer, scheme);
     if (rounds_weights(scheme)) {
@@ -195,7 +194,7 @@ std::vector<Slope> predicted(const Scheme& scheme) {
 
 void extrapolate(Writer& writer, const Scheme& scheme, const std::vector<Slope>& slopes) {
     open_extrapolation(writer, scheme);
-    writer.open(loop);
+    writer.open(loop_of_step);
     for (const std::string_view letter : predicted_slopes(scheme)) {
         recall_slopes(writer, scheme, letter);
     }
@@ -220,7 +219,7 @@ std::vector<std::size_t> indices_of(const std::vector<Slope>& slopes, std::strin
 void constant_jointly(Writer& writer, const Scheme& scheme, const std::vector<Slope>& slopes) {
     writer.line("Vector dHdq, dHdp;");
     writer.line("system_.gradient(s_.at.q, s_.at.p, {}dHdq, dHdp);", start_time(scheme));
-    writer.open(loop);
+    writer.open(loop_of_step);
     for (const std::size_t i : indices_of(slopes, "Lp")) {
         writer.line("s_.Lp[{}][k] = {} * dHdq[k];", i, force_factor(scheme, i, "s_"));
     }
@@ -241,7 +240,7 @@ void constant(Writer& writer, const Scheme& scheme, const std::vector<Slope>& sl
         writer.line("system_.{}({}, {}slope);", is_force ? "dHdq" : "dHdp",
                     scheme.separable ? "s_.at.q" : "s_.at.q, s_.at.p", start_time(scheme));
     }
-    writer.open(loop);
+    writer.open(loop_of_step);
     for (const std::size_t i : indices) {
         writer.line("s_.{}[{}][k] = {} * {}[k];", letter, i,
                     is_force ? force_factor(scheme, i, "s_") : velocity_factor(scheme, i, "s_"),
@@ -250,7 +249,7 @@ void constant(Writer& writer, const Scheme& scheme, const std::vector<Slope>& sl
     writer.close();
 }
 
-std::string predict_text(const Scheme& scheme) {
+std::string prediction_of_pairs(const Scheme& scheme) {
     if (scheme.is_explicit()) { return {}; }
     const std::vector<Slope> slopes = predicted(scheme);
     Writer writer(1);
@@ -268,7 +267,7 @@ std::string predict_text(const Scheme& scheme) {
 
 // ---- constants, members ----
 
-std::string coupled_text(const Scheme& scheme) {
+std::string coupled_pairs(const Scheme& scheme) {
     std::string text;
     std::size_t number = 0;
     for (const Block& block : scheme.blocks) {
@@ -279,7 +278,7 @@ std::string coupled_text(const Scheme& scheme) {
     return text;
 }
 
-std::string members_text(const Scheme& scheme) {
+std::string members_of_pairs(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
     if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
@@ -319,11 +318,11 @@ ImplicitParts pair_parts(const Scheme& scheme, const SceneWishes& wishes) {
     parts.format = scheme.depends_on_time ? 4 : scheme.from_parameter ? 3 : 2;
     parts.runtime = {"stages.hpp"};
     if (scheme.from_parameter) { parts.runtime.push_back("parameter.hpp"); }
-    parts.steps = steps_text(scheme);
+    parts.steps = steps_of_pairs(scheme);
     parts.constants = pair_constants(scheme, wishes);
-    parts.predict = predict_text(scheme);
-    parts.coupled = coupled_text(scheme);
-    parts.members = members_text(scheme);
+    parts.predict = prediction_of_pairs(scheme);
+    parts.coupled = coupled_pairs(scheme);
+    parts.members = members_of_pairs(scheme);
     if (wishes.curve) {
         parts.curve = curve_text(scheme, *wishes.curve, sum_of_slopes("Lq", scheme.momenta.size()),
                                  [](std::size_t i) { return fmt::format("s_.Lq[{}][k]", i); });

@@ -13,7 +13,7 @@ using Kind = StageNode::Kind;
 using Place = StageValue::Place;
 
 /// A loop over the components of a vector; `s` is s_ in the stepper and s in its struct.
-void loop(Writer& writer, std::string_view s, const auto& lines) {
+void for_components(Writer& writer, std::string_view s, const auto& lines) {
     writer.open("for (Index k = 0; k < {}.at.q.size(); ++k) {{", s);
     lines();
     writer.close();
@@ -50,7 +50,7 @@ const Block& coupled_block(const Scheme& scheme) {
 
 std::string positions_text(const VelocityForm& form, const std::vector<std::size_t>& Q) {
     Writer writer(2);
-    loop(writer, "s", [&] {
+    for_components(writer, "s", [&] {
         writer.line("const Scalar q = s.at.q[k];");
         writer.line("const Scalar e_q = s.remainder.q[k];");
         writer.line("const Scalar hv = s.h * s.velocity[k];");
@@ -70,13 +70,14 @@ std::string positions_text(const VelocityForm& form, const std::vector<std::size
 void write_velocity(Writer& writer, std::string_view i, std::string_view s,
                     std::string_view system) {
     writer.line("{1}.inverse_mass({0}.Lp[{2}], {0}.W[{2}]);", s, system, i);
-    loop(writer, s, [&] { writer.line("{0}.W[{1}][k] *= {0}.h;", s, i); });
+    for_components(writer, s, [&] { writer.line("{0}.W[{1}][k] *= {0}.h;", s, i); });
 }
 
 /// Lp_i and W_i from `slope`, which is dH/dq there.
 void write_force(Writer& writer, std::size_t i, std::string_view s, std::string_view system,
                  std::string_view slope) {
-    loop(writer, s, [&] { writer.line("{0}.Lp[{1}][k] = -{0}.hb[{1}] * {2}[k];", s, i, slope); });
+    for_components(writer, s,
+                   [&] { writer.line("{0}.Lp[{1}][k] = -{0}.hb[{1}] * {2}[k];", s, i, slope); });
     write_velocity(writer, std::to_string(i), s, system);
 }
 
@@ -108,7 +109,7 @@ std::string taylor_text(const Scheme& scheme, const std::vector<std::size_t>& un
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
     writer.open("for (const std::size_t j : unknown) {{");
     writer.line("system.dHdq(s.Q[j], {}slope, tangents.at[j]);", time);
-    loop(writer, "s", [&] { writer.line("s.Lp[j][k] = -s.hb[j] * slope[k];"); });
+    for_components(writer, "s", [&] { writer.line("s.Lp[j][k] = -s.hb[j] * slope[k];"); });
     write_velocity(writer, "j", "s", "system");
     writer.line("tangents.Q[j] = s.Q[j];").line("tangents.Lp[j] = s.Lp[j];");
     writer.close().close().blank();
@@ -117,9 +118,10 @@ std::string taylor_text(const Scheme& scheme, const std::vector<std::size_t>& un
     writer.open("void forces_by_tangents() {{");
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);").line("Vector way{{}};");
     writer.open("for (const std::size_t j : unknown) {{");
-    loop(writer, "s", [&] { writer.line("way[k] = s.Q[j][k] - tangents.Q[j][k];"); });
+    for_components(writer, "s", [&] { writer.line("way[k] = s.Q[j][k] - tangents.Q[j][k];"); });
     writer.line("system.d2Hdq2(tangents.Q[j], tangents.at[j], way, slope);");
-    loop(writer, "s", [&] { writer.line("s.Lp[j][k] = tangents.Lp[j][k] - s.hb[j] * slope[k];"); });
+    for_components(writer, "s",
+                   [&] { writer.line("s.Lp[j][k] = tangents.Lp[j][k] - s.hb[j] * slope[k];"); });
     write_velocity(writer, "j", "s", "system");
     return writer.close().close().str();
 }
@@ -130,7 +132,7 @@ std::string more_text(const Scheme& scheme, const std::vector<std::size_t>& unkn
     return scheme.solver == Solver::newton_taylor ? taylor_text(scheme, unknown) : "";
 }
 
-std::string coupled_text(const Scheme& scheme) {
+std::string coupled_velocities(const Scheme& scheme) {
     const Block& block = coupled_block(scheme);
     const std::vector<std::size_t> Q = block.of(Kind::Q);
     // NOTE: a stage may be near 0 where q is not, and moves by what q is rounded to.
@@ -167,7 +169,7 @@ std::string increment_of_step(const VelocityForm& form) {
 }
 
 void update_q(Writer& writer, const VelocityForm& form) {
-    loop(writer, "s_", [&] {
+    for_components(writer, "s_", [&] {
         writer.line("s_.add(s_.at.q[k], s_.remainder.q[k], {});", increment_of_step(form));
     });
 }
@@ -177,7 +179,8 @@ void update_p(Writer& writer, std::size_t stages) {
     for (std::size_t j = 0; j < stages; ++j) {
         sum += fmt::format("{}s_.Lp[{}][k]", j == 0 ? "" : " + ", j);
     }
-    loop(writer, "s_", [&] { writer.line("s_.add(s_.at.p[k], s_.remainder.p[k], {});", sum); });
+    for_components(writer, "s_",
+                   [&] { writer.line("s_.add(s_.at.p[k], s_.remainder.p[k], {});", sum); });
 }
 
 /// Returns whether it was the position at the end of the step.
@@ -187,7 +190,7 @@ bool evaluate_position(Writer& writer, const Scheme& scheme, std::size_t i) {
     case Place::end: update_q(writer, *scheme.velocity_form); return true;
     case Place::inner: break;
     }
-    loop(writer, "s_", [&] {
+    for_components(writer, "s_", [&] {
         writer.line("const Scalar hv = s_.h * s_.velocity[k];");
         writer.line("s_.Q[{}][k] = s_.at.q[k] + (s_.remainder.q[k] + ({}));", i,
                     increment(*scheme.velocity_form, i, "s_"));
@@ -206,7 +209,7 @@ void evaluate_force(Writer& writer, const Scheme& scheme, std::size_t i) {
     write_force(writer, i, "s_", "system_", kept ? "force_" : "s_.slope");
 }
 
-std::string steps_text(const Scheme& scheme) {
+std::string steps_of_velocities(const Scheme& scheme) {
     Writer writer(2);
     writer.line("s_.weigh(b);").line("system_.dHdp(s_.at.p, s_.velocity);");
     if (scheme.keeps_force) {
@@ -239,7 +242,7 @@ std::string steps_text(const Scheme& scheme) {
 
 void extrapolate(Writer& writer, const Scheme& scheme, const std::vector<std::size_t>& unknown) {
     open_extrapolation(writer, scheme);
-    loop(writer, "s_", [&] {
+    for_components(writer, "s_", [&] {
         recall_slopes(writer, scheme, "W");
         for (const std::size_t i : unknown) {
             writer.line("s_.W[{}][k] = {};", i, extrapolated(scheme, i, "W"));
@@ -248,7 +251,7 @@ void extrapolate(Writer& writer, const Scheme& scheme, const std::vector<std::si
     close_extrapolation(writer, scheme);
 }
 
-std::string predict_text(const Scheme& scheme) {
+std::string prediction_of_velocities(const Scheme& scheme) {
     const std::vector<std::size_t> unknown = coupled_block(scheme).of(Kind::Lp);
     Writer writer(1);
     open_predict(writer, scheme, "forces");
@@ -264,7 +267,7 @@ std::string predict_text(const Scheme& scheme) {
 
 // ---- constants, members ----
 
-std::string members_text(const Scheme& scheme) {
+std::string members_of_velocities(const Scheme& scheme) {
     Writer writer(1);
     writer.line("System system_;");
     if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
@@ -330,11 +333,11 @@ ImplicitParts velocity_parts(const Scheme& scheme, const SceneWishes& wishes) {
     ImplicitParts parts;
     parts.format = 4;
     parts.runtime = {"velocity_stages.hpp"};
-    parts.steps = steps_text(scheme);
+    parts.steps = steps_of_velocities(scheme);
     parts.constants = velocity_constants(scheme, wishes);
-    parts.predict = predict_text(scheme);
-    parts.coupled = coupled_text(scheme);
-    parts.members = members_text(scheme);
+    parts.predict = prediction_of_velocities(scheme);
+    parts.coupled = coupled_velocities(scheme);
+    parts.members = members_of_velocities(scheme);
     if (wishes.curve) {
         parts.curve = curve_text(scheme, *wishes.curve, increment_of_step(*scheme.velocity_form),
                                  [](std::size_t i) { return fmt::format("s_.W[{}][k]", i); });

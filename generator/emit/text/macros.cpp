@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 30> families{
 };
 
 /// Each with a blank behind it.
-constexpr std::string_view names =
+constexpr std::string_view standard_names =
     "ADJ_ESTERROR ADJ_FREQUENCY ADJ_MAXERROR ADJ_MICRO ADJ_NANO ADJ_OFFSET "
     "ADJ_OFFSET_SINGLESHOT ADJ_OFFSET_SS_READ ADJ_SETOFFSET ADJ_STATUS ADJ_TAI ADJ_TICK "
     "ADJ_TIMECONST AIO_PRIO_DELTA_MAX BC_BASE_MAX BC_DIM_MAX BC_SCALE_MAX BC_STRING_MAX "
@@ -152,8 +152,9 @@ bool is_macro(std::string_view name) {
     const auto begins_name = [&](std::string_view family) {
         return name.substr(0, family.size()) == family;
     };
-    return std::any_of(families.begin(), families.end(), begins_name) || is_in(names, name) ||
-           is_in(elsewhere, name) || is_in(constants, without_format(name));
+    return std::any_of(families.begin(), families.end(), begins_name) ||
+           is_in(standard_names, name) || is_in(elsewhere, name) ||
+           is_in(constants, without_format(name));
 }
 
 }  // namespace hvi::gen

@@ -14,15 +14,15 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr Precision bits = 256;
+constexpr Precision working_bits = 256;
 
 /// A matrix of Arb, as long as it lives.
-class Complex {
+class ComplexMatrix {
 public:
-    Complex(slong rows, slong columns) { acb_mat_init(matrix_, rows, columns); }
-    Complex(const Complex&) = delete;
-    Complex& operator=(const Complex&) = delete;
-    ~Complex() { acb_mat_clear(matrix_); }
+    ComplexMatrix(slong rows, slong columns) { acb_mat_init(matrix_, rows, columns); }
+    ComplexMatrix(const ComplexMatrix&) = delete;
+    ComplexMatrix& operator=(const ComplexMatrix&) = delete;
+    ~ComplexMatrix() { acb_mat_clear(matrix_); }
 
     [[nodiscard]] acb_mat_struct* get() { return matrix_; }
     [[nodiscard]] acb_ptr at(slong i, slong j) { return acb_mat_entry(matrix_, i, j); }
@@ -31,12 +31,12 @@ private:
     acb_mat_t matrix_;
 };
 
-class Real {
+class RealMatrix {
 public:
-    explicit Real(slong size) { arb_mat_init(matrix_, size, size); }
-    Real(const Real&) = delete;
-    Real& operator=(const Real&) = delete;
-    ~Real() { arb_mat_clear(matrix_); }
+    explicit RealMatrix(slong size) { arb_mat_init(matrix_, size, size); }
+    RealMatrix(const RealMatrix&) = delete;
+    RealMatrix& operator=(const RealMatrix&) = delete;
+    ~RealMatrix() { arb_mat_clear(matrix_); }
 
     [[nodiscard]] arb_mat_struct* get() { return matrix_; }
     [[nodiscard]] arb_ptr at(slong i, slong j) { return arb_mat_entry(matrix_, i, j); }
@@ -46,7 +46,9 @@ private:
 };
 
 double middle(arb_srcptr ball) {
-    if (arb_contains_zero(ball) != 0) { return 0; }  // else the last bits of the middle would show
+    if (arb_contains_zero(ball) != 0) {
+        return 0;
+    }  // else the last working_bits of the middle would show
     return arf_get_d(arb_midref(ball), ARF_RND_NEAR);
 }
 
@@ -55,36 +57,37 @@ double size_of(acb_srcptr value) {
 }
 
 /// False where the eigenvalues are not isolated.
-bool eigenvalues(acb_ptr values, Complex& vectors, const NumberMatrix& C) {
+bool eigenvalues(acb_ptr values, ComplexMatrix& vectors, const NumberMatrix& C) {
     const auto n = static_cast<slong>(C.size());
-    Complex matrix(n, n), approximate_vectors(n, n);
+    ComplexMatrix matrix(n, n), approximate_vectors(n, n);
     for (slong i = 0; i < n; ++i) {
         for (slong j = 0; j < n; ++j) {
             const Number& entry = C[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-            acb_set_arb(matrix.at(i, j), enclosure(entry, bits).get());
+            acb_set_arb(matrix.at(i, j), enclosure(entry, working_bits).get());
         }
     }
     acb_ptr approximate = _acb_vec_init(n);
     acb_mat_approx_eig_qr(approximate, nullptr, approximate_vectors.get(), matrix.get(), nullptr, 0,
-                          bits);
-    const bool simple = acb_mat_eig_simple(values, nullptr, vectors.get(), matrix.get(),
-                                           approximate, approximate_vectors.get(), bits) != 0;
+                          working_bits);
+    const bool simple =
+        acb_mat_eig_simple(values, nullptr, vectors.get(), matrix.get(), approximate,
+                           approximate_vectors.get(), working_bits) != 0;
     _acb_vec_clear(approximate, n);
     return simple;
 }
 
 /// NOTE: to a first component, among those of nearly the largest size, that is 1: the vector that
 /// was found may be any multiple.
-void normalise(Complex& vectors, slong column, slong n) {
+void normalise(ComplexMatrix& vectors, slong column, slong n) {
     double largest = 0;
     for (slong i = 0; i < n; ++i) { largest = std::max(largest, size_of(vectors.at(i, column))); }
     slong first = 0;
     while (size_of(vectors.at(first, column)) < 0.9 * largest) { ++first; }
     acb_t factor;
     acb_init(factor);
-    acb_inv(factor, vectors.at(first, column), bits);
+    acb_inv(factor, vectors.at(first, column), working_bits);
     for (slong i = 0; i < n; ++i) {
-        acb_mul(vectors.at(i, column), vectors.at(i, column), factor, bits);
+        acb_mul(vectors.at(i, column), vectors.at(i, column), factor, working_bits);
     }
     acb_clear(factor);
 }
@@ -112,7 +115,7 @@ std::vector<Place> places(acb_srcptr values, slong n) {
     return result;
 }
 
-std::vector<std::vector<double>> doubles(Real& matrix, slong n) {
+std::vector<std::vector<double>> doubles(RealMatrix& matrix, slong n) {
     std::vector<std::vector<double>> rows(static_cast<std::size_t>(n));
     for (slong i = 0; i < n; ++i) {
         for (slong j = 0; j < n; ++j) {
@@ -133,9 +136,9 @@ bool all_finite(const RealModes& modes) {
 
 /// Columns: the vector of a real eigenvalue, real and imaginary part of that of a pair. C (u + iv)
 /// = (alpha + i beta)(u + iv) is C u = alpha u - beta v, C v = beta u + alpha v.
-std::optional<RealModes> modes_of(acb_srcptr values, Complex& vectors, slong n) {
+std::optional<RealModes> modes_of(acb_srcptr values, ComplexMatrix& vectors, slong n) {
     RealModes modes;
-    Real from(n), to(n);
+    RealMatrix from(n), to(n);
     slong column = 0;
     const std::vector<Place> all = places(values, n);
     const auto columns =
@@ -155,7 +158,7 @@ std::optional<RealModes> modes_of(acb_srcptr values, Complex& vectors, slong n) 
         modes.real_parts.push_back(place.real);
         if (!place.is_real) { modes.imaginary_parts.push_back(place.imaginary); }
     }
-    if (arb_mat_inv(to.get(), from.get(), bits) == 0) { return std::nullopt; }
+    if (arb_mat_inv(to.get(), from.get(), working_bits) == 0) { return std::nullopt; }
     modes.from = doubles(from, n);
     modes.to = doubles(to, n);
     return all_finite(modes) ? std::optional(modes) : std::nullopt;
@@ -166,7 +169,7 @@ std::optional<RealModes> modes_of(acb_srcptr values, Complex& vectors, slong n) 
 std::optional<RealModes> real_modes(const NumberMatrix& C) {
     const auto n = static_cast<slong>(C.size());
     acb_ptr values = _acb_vec_init(n);
-    Complex vectors(n, n);
+    ComplexMatrix vectors(n, n);
     std::optional<RealModes> modes;
     if (eigenvalues(values, vectors, C)) { modes = modes_of(values, vectors, n); }
     _acb_vec_clear(values, n);

@@ -9,6 +9,8 @@ namespace hvi::gen {
 
 namespace {
 
+using Wave = ExactTerm::Wave;
+
 Jet jet_of(const Ball& constant) { return {ComplexBall(constant), {}, false}; }
 
 void multiply(Jet& left, const Jet& right, Precision bits) {
@@ -272,7 +274,6 @@ BallFunction compile(const Factor& factor, Precision bits) {
 }
 
 BallFunction compile(const ExactTerm& term, Precision bits) {
-    using Wave = ExactTerm::Wave;
     HVI_CHECK(!term.step);
     std::vector<BallFunction> factors;
     if (!term.rate.is_zero()) factors.push_back(of_multiple("exp", term.rate, bits));

@@ -13,7 +13,7 @@ namespace {
 
 using NumberSeries = std::vector<Number>;
 
-NumberSeries product(const NumberSeries& a, const NumberSeries& b) {
+NumberSeries truncated_product(const NumberSeries& a, const NumberSeries& b) {
     NumberSeries result(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (is_exactly(a[i], 0)) { continue; }
@@ -91,9 +91,9 @@ bool vanishes_at_zero(const EntireFunction& function, const EntireGenerators& ge
             auto& known = powers_of[v];
             if (known.empty()) { known.push_back(variables[v]); }
             while (known.size() < powers[v]) {
-                known.push_back(product(known.back(), known.front()));
+                known.push_back(truncated_product(known.back(), known.front()));
             }
-            if (powers[v] > 0) { summand = product(summand, known[powers[v] - 1]); }
+            if (powers[v] > 0) { summand = truncated_product(summand, known[powers[v] - 1]); }
         }
         for (std::size_t j = 0; j < order; ++j) { sum[j] = sum[j] + summand[j]; }
     }

@@ -11,10 +11,8 @@ namespace hvi::gen {
 
 namespace {
 
-bool equal(const Number& left, const Number& right) { return (left - right).is_zero(); }
-
 bool same_line(const LinearPower& left, const LinearPower& right) {
-    return left.sign == right.sign && equal(left.offset, right.offset);
+    return left.sign == right.sign && are_equal(left.offset, right.offset);
 }
 
 bool same_kind(const LinearPower& left, const LinearPower& right) {
@@ -24,7 +22,7 @@ bool same_kind(const LinearPower& left, const LinearPower& right) {
 bool same_kind(const Pole& left, const Pole& right) {
     return left.order == right.order &&
            std::equal(left.polynomial.begin(), left.polynomial.end(), right.polynomial.begin(),
-                      right.polynomial.end(), equal);
+                      right.polynomial.end(), are_equal);
 }
 
 bool same_kind(const Power& left, const Power& right) {
@@ -116,6 +114,8 @@ std::vector<ExactTerm> normal_terms(const ExactTerm& term, const Pole& factor) {
 }
 
 }  // namespace
+
+bool are_equal(const Number& left, const Number& right) { return (left - right).is_zero(); }
 
 std::optional<Pole> as_pole(const Factor& factor) {
     if (const auto* pole = std::get_if<Pole>(&factor.what)) return *pole;

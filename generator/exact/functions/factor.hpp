@@ -12,6 +12,9 @@
 
 namespace hvi::gen {
 
+/// Whether two numbers are proved to be equal.
+[[nodiscard]] bool are_equal(const Number& left, const Number& right);
+
 /// L^exponent * log(L)^logs with the line L = offset + sign*tau, not negative on the domain:
 /// square and other roots, logarithms, and the powers of 1/L.
 struct LinearPower {

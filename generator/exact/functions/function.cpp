@@ -14,8 +14,6 @@ namespace {
 
 using Wave = ExactTerm::Wave;
 
-bool equal(const Number& left, const Number& right) { return (left - right).is_zero(); }
-
 /// Numbers with free parameters have no enclosures, and so no sum or product with those that have
 /// nothing else.
 void check_together(const Number& left, const Number& right) {
@@ -138,7 +136,7 @@ std::vector<ExactTerm> product_of_waves(const ExactTerm& a, const ExactTerm& b) 
 
 bool same_step(const ExactTerm& left, const ExactTerm& right) {
     if (left.step.has_value() != right.step.has_value()) return false;
-    return !left.step || equal(*left.step, *right.step);
+    return !left.step || are_equal(*left.step, *right.step);
 }
 
 bool same_factor(const ExactTerm& left, const ExactTerm& right) {
@@ -153,9 +151,9 @@ bool ExactTerm::is_monomial() const {
 }
 
 bool same_shape(const ExactTerm& left, const ExactTerm& right) {
-    return left.power == right.power && left.wave == right.wave && equal(left.rate, right.rate) &&
-           equal(left.frequency, right.frequency) && same_step(left, right) &&
-           same_factor(left, right);
+    return left.power == right.power && left.wave == right.wave &&
+           are_equal(left.rate, right.rate) && are_equal(left.frequency, right.frequency) &&
+           same_step(left, right) && same_factor(left, right);
 }
 
 bool known_same(const ExactFunction& left, const ExactFunction& right) {

@@ -8,6 +8,8 @@ namespace hvi::gen {
 
 namespace {
 
+using Wave = ExactTerm::Wave;
+
 /// tau -> end - tau.
 class Mirror {
 public:
@@ -31,7 +33,6 @@ private:
     }
 
     [[nodiscard]] ExactFunction wave(const ExactTerm& term) const {
-        using Wave = ExactTerm::Wave;
         if (term.wave == Wave::none) return ExactFunction(Number(1));
         const ExactFunction cos(ground_.cos(term.frequency * end_));
         const ExactFunction sin(ground_.sin(term.frequency * end_));

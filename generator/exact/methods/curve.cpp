@@ -13,8 +13,6 @@ namespace hvi::gen {
 
 namespace {
 
-Place whole(const List& list) { return list.place({0, list.source->text.size()}); }
-
 Number whole_number(std::size_t n) { return {static_cast<long>(n)}; }
 
 /// The integral of polynomial * tau^power over [0,1].
@@ -132,7 +130,7 @@ Curve curve(const Method& method, const Derivation& derivation) {
     if (!tableau.parameters.empty()) {
         throw InputError("--dense for a method with a free parameter is announced, but not built "
                          "yet",
-                         whole(method.basis), "give the parameter a value with --param");
+                         whole(method.basis.source), "give the parameter a value with --param");
     }
     const auto psi = basis_functions(method.basis, tableau.c, derivation.ground);
     const bool is_polynomial = std::all_of(psi.begin(), psi.end(), [](const auto& function) {

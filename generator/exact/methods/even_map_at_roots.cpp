@@ -31,8 +31,8 @@ RationalMatrix moments(const RationalPolynomial& P) {
 /// A basis g_0 .. g_(s-1) of the polynomials of degree less than s, and its integrals over [0, tau]
 /// and [tau, 1]: rows of coefficients. NOTE: for Legendre's polynomials G below is nearly diagonal
 /// and S nearly tridiagonal, with short entries.
-struct Basis {
-    explicit Basis(std::size_t s) : g(s, s + 1), from_zero(s, s + 1), to_one(s, s + 1) {
+struct LegendreBasis {
+    explicit LegendreBasis(std::size_t s) : g(s, s + 1), from_zero(s, s + 1), to_one(s, s + 1) {
         for (std::size_t k = 0; k < s; ++k) {
             const RationalPolynomial polynomial =
                 legendre(static_cast<unsigned>(k)).at_affine(2, -1);
@@ -69,7 +69,7 @@ private:
 EvenMap even_map(const RationalPolynomial& P) {
     const auto s = static_cast<std::size_t>(P.degree());
     const RationalMatrix H = moments(P);
-    const Basis basis(s);
+    const LegendreBasis basis(s);
     const RationalMatrix to_one = transpose(basis.to_one);
     RationalMatrix e(s + 1, 1);  // the function 1
     fmpq_one(e.entry(0, 0));

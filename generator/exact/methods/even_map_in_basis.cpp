@@ -12,21 +12,21 @@ namespace hvi::gen {
 namespace {
 
 /// NumberPolynomials as a ring.
-struct Entry {
+struct PolynomialEntry {
     NumberPolynomial polynomial;
 
-    Entry() = default;
-    explicit Entry(long constant) : polynomial{Number(constant)} {}
-    explicit Entry(NumberPolynomial value) : polynomial(std::move(value)) {}
+    PolynomialEntry() = default;
+    explicit PolynomialEntry(long constant) : polynomial{Number(constant)} {}
+    explicit PolynomialEntry(NumberPolynomial value) : polynomial(std::move(value)) {}
 
-    friend Entry operator+(const Entry& a, const Entry& b) {
-        return Entry(sum(a.polynomial, b.polynomial));
+    friend PolynomialEntry operator+(const PolynomialEntry& a, const PolynomialEntry& b) {
+        return PolynomialEntry(sum(a.polynomial, b.polynomial));
     }
-    friend Entry operator-(const Entry& a, const Entry& b) {
-        return Entry(sum(a.polynomial, scaled(b.polynomial, Number(-1))));
+    friend PolynomialEntry operator-(const PolynomialEntry& a, const PolynomialEntry& b) {
+        return PolynomialEntry(sum(a.polynomial, scaled(b.polynomial, Number(-1))));
     }
-    friend Entry operator*(const Entry& a, const Entry& b) {
-        return Entry(product(a.polynomial, b.polynomial));
+    friend PolynomialEntry operator*(const PolynomialEntry& a, const PolynomialEntry& b) {
+        return PolynomialEntry(product(a.polynomial, b.polynomial));
     }
 };
 
@@ -37,14 +37,14 @@ struct Entry {
 ///     <A~ x, y> = (b.x)(b.y) - <x, A y>,
 ///
 /// so that G (1 + t A~ A) = G + t (B m^T - N), where m_j = b.Psi_j and N_ij = <Psi_i, Psi_j>.
-struct Rule {
+struct RuleOfProducts {
     NumberVector B;    ///< b.psi_i
     NumberVector m;    ///< b.Psi_i
     NumberMatrix G;    ///< <psi_i, psi_j>
     NumberMatrix BmN;  ///< B m^T - N
 };
 
-Rule rule_of(const Tableau& tableau) {
+RuleOfProducts rule_of(const Tableau& tableau) {
     const NumberMatrix& psi = tableau.M;
     const NumberMatrix Psi = transpose(tableau.A_psi);
     const auto weighted = [&](NumberMatrix functions) {
@@ -53,7 +53,7 @@ Rule rule_of(const Tableau& tableau) {
         }
         return transpose(functions);
     };
-    Rule rule{tableau.B, Psi * tableau.b, psi * weighted(psi), {}};
+    RuleOfProducts rule{tableau.B, Psi * tableau.b, psi * weighted(psi), {}};
     const NumberMatrix N = Psi * weighted(Psi);
     for (std::size_t i = 0; i < tableau.stages(); ++i) {
         NumberVector& row = rule.BmN.emplace_back();
@@ -65,7 +65,7 @@ Rule rule_of(const Tableau& tableau) {
 }
 
 /// x^T adjugate y
-NumberPolynomial form(const NumberVector& x, const SquareMatrix<Entry>& adjugate,
+NumberPolynomial form(const NumberVector& x, const SquareMatrix<PolynomialEntry>& adjugate,
                       const NumberVector& y) {
     NumberPolynomial result;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -79,19 +79,19 @@ NumberPolynomial form(const NumberVector& x, const SquareMatrix<Entry>& adjugate
 }  // namespace
 
 std::size_t term_count_in_basis(const Tableau& tableau) {
-    const Rule rule = rule_of(tableau);
+    const RuleOfProducts rule = rule_of(tableau);
     return term_count(rule.G) + term_count(rule.BmN);
 }
 
 // As by_stages: P = (1 + t A~ A)^-1 (p 1 - z omega q c~), where G 1 = B and G c~ = B - m.
 EvenMap even_map_in_basis(const Tableau& tableau) {
     const std::size_t s = tableau.stages();
-    const Rule rule = rule_of(tableau);
+    const RuleOfProducts rule = rule_of(tableau);
     NumberMatrix all = beside(rule.G, rule.BmN);
     all.push_back(rule.B);
     all.push_back(rule.m);
     const Number scale = common_denominator(all);
-    SquareMatrix<Entry> pencil(s);
+    SquareMatrix<PolynomialEntry> pencil(s);
     for (std::size_t i = 0; i < s; ++i) {
         for (std::size_t j = 0; j < s; ++j) {
             pencil[i].emplace_back(NumberPolynomial{rule.G[i][j] * scale, rule.BmN[i][j] * scale});

@@ -35,22 +35,20 @@ Ingredients ingredients(const Method& method, Ground ground) {
     return {std::move(ground), std::move(psi), std::move(nodes)};
 }
 
-Place whole(const List& list) { return list.place({0, list.source->text.size()}); }
-
 void check_counts(const Method& method, const Ingredients& given) {
     const std::size_t functions = given.psi.size();
     const std::size_t nodes = given.nodes.c.size();
     if (nodes < functions) {
         throw MathError("fewer nodes (" + std::to_string(nodes) + ") than basis functions (" +
                             std::to_string(functions) + ")",
-                        whole(method.nodes), "every function needs a node of its own");
+                        whole(method.nodes.source), "every function needs a node of its own");
     }
     if (method.weights || nodes > functions) {
         throw InputError(
             "the general Galerkin form (4.6), with " +
                 std::string(method.weights ? "its own weights" : "more nodes than functions") +
                 ", is to come",
-            whole(method.weights ? *method.weights : method.nodes),
+            whole((method.weights ? *method.weights : method.nodes).source),
             "give as many nodes as basis functions, and no weights");
     }
 }
@@ -121,10 +119,10 @@ void check_constants(const Method& method, const std::vector<BasisFunction>& psi
     if (combination && !combination->back().is_zero()) return;
     if (!has_independent_terms(psi) && !proved_independent_of_one(psi)) {
         throw MathError("cannot decide whether constants are in the span of the basis",
-                        whole(method.basis), "write the basis with the function 1 in it");
+                        whole(method.basis.source), "write the basis with the function 1 in it");
     }
     throw MathError("constants are not in the span of the basis, so the method is not consistent",
-                    whole(method.basis), "add the function 1");
+                    whole(method.basis.source), "add the function 1");
 }
 
 /// M^-1 and b by interpolation, for polynomials over Q at all the roots of one.
@@ -148,14 +146,14 @@ ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredie
             if (!(given.nodes.c[i] - given.nodes.c[j]).is_zero()) continue;
             throw MathError("M is singular: nodes " + std::to_string(i + 1) + " and " +
                                 std::to_string(j + 1) + " are equal",
-                            whole(method.nodes), "the nodes must be distinct");
+                            whole(method.nodes.source), "the nodes must be distinct");
         }
     }
     const auto combination = left_null_vector(M);
     HVI_CHECK(combination);
     throw MathError("M is singular: " + combination_text(*combination, given.psi) +
                         " vanishes at all nodes",
-                    whole(method.nodes), "choose other nodes, or other functions");
+                    whole(method.nodes.source), "choose other nodes, or other functions");
 }
 
 /// Numbers with free parameters have no enclosures, and so no sum with those that have nothing
@@ -177,7 +175,7 @@ void check_parameters(const Tableau& tableau, const Method& method) {
     if (parameters && enclosed) {
         throw InputError("a method with a free parameter and with numbers that have no closed form "
                          "is not built yet",
-                         whole(method.basis), "give the parameter a value with --param");
+                         whole(method.basis.source), "give the parameter a value with --param");
     }
 }
 
@@ -260,7 +258,7 @@ void check_weights(const Tableau& tableau, const Method& method) {
         if (!tableau.b[i].is_zero()) continue;
         throw MathError("the weight of " + node_text(tableau.c, i) +
                             ", is zero, and step 5 divides by it",
-                        whole(method.nodes),
+                        whole(method.nodes.source),
                         "the general Galerkin form with chosen --weights, which is to come, can "
                         "have such nodes");
     }
@@ -370,7 +368,7 @@ Derivation derive_on(const Ground& ground, const Method& method) {
     try {
         return {derive(method, given), given.ground};
     } catch (const TooLarge& error) {
-        throw MathError(error.what(), whole(method.basis), error.help());
+        throw MathError(error.what(), whole(method.basis.source), error.help());
     }
 }
 
@@ -385,7 +383,7 @@ Routes both_routes(const Method& method) {
         Routes routes{{tableau.b, tableau.A}, {}};
         std::vector<BasisFunction> phi;
         for (const NumberVector& row : tableau.M_inverse) {
-            phi.push_back({Expression(), combine(row, given.psi), whole(method.basis)});
+            phi.push_back({Expression(), combine(row, given.psi), whole(method.basis.source)});
         }
         routes.by_integration.b = integrals(phi, Number(1), given.ground);
         for (const Number& node : tableau.c) {
