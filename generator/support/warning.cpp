@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include <mutex>
+#include <set>
 #include <string_view>
 
 #include "generator/support/error.hpp"
@@ -12,6 +14,10 @@ namespace hvi::gen {
 void warn(const std::string& what, const std::string& help) {
     std::string text = message(EnvironmentError(what, help));
     text.replace(0, std::string_view("error").size(), "warning");
+    static std::mutex saying;
+    static std::set<std::string> said;
+    const std::lock_guard lock(saying);
+    if (!said.insert(text).second) return;
     // One write, so that it is not mixed with others; if nobody can read it, so be it.
     (void)!::write(STDERR_FILENO, text.data(), text.size());
 }

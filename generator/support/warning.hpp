@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// Prints `warning: WHAT` and `help: WHAT WOULD HELP`, shown as errors are. Several threads may
-/// call it.
+/// Prints `warning: WHAT` and `help: WHAT WOULD HELP`, shown as errors are, the first time that it
+/// is called with these words. Several threads may call it.
 void warn(const std::string& what, const std::string& help = {});
 
 }  // namespace hvi::gen

@@ -78,9 +78,9 @@ Directory::~Directory() {
     fs::remove_all(path_, ignored);
 }
 
-std::vector<std::string> Directory::names() const {
+std::vector<std::string> names_in(const fs::path& directory) {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(path_))
+    for (const auto& entry : fs::directory_iterator(directory))
         names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     return names;

@@ -21,6 +21,9 @@ struct Outcome {
 /// Runs a line of shell in which `hvi-gen` is the program: for redirections.
 [[nodiscard]] Outcome shell(const std::string& line, const std::filesystem::path& directory = ".");
 
+/// The names of what is in a directory, sorted.
+[[nodiscard]] std::vector<std::string> names_in(const std::filesystem::path& directory);
+
 /// A new directory, removed with all that is in it at the end of the scope.
 class Directory {
 public:
@@ -33,7 +36,7 @@ public:
     [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
         return path_ / name;
     }
-    [[nodiscard]] std::vector<std::string> names() const;  ///< of what is in it, sorted
+    [[nodiscard]] std::vector<std::string> names() const { return names_in(path_); }
 
 private:
     std::filesystem::path path_;

@@ -69,3 +69,12 @@ TEST_CASE("what is left of the time behind the last step is exactly nothing, or 
     CHECK(count("-3/10", "-2").left == -0.2);
     CHECK(count("m[2]", "m[2]*7 + w/10^40").left == Approx(1e-40 / 3));
 }
+
+TEST_CASE("times that no double is near") {
+    CHECK(count("10^-300", "10^-299").count == 10);
+    CHECK(count("10^299", "10^300").count == 10);
+    CHECK_THROWS_AS(count("10^400", "10^400"), MathError);
+    CHECK_THROWS_AS(count("10^300", "10^310"), MathError);
+    CHECK_THROWS_AS(count("10^400", "20"), MathError);
+    CHECK_THROWS_AS(count("10^-400", "10^-399"), MathError);
+}

@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -23,14 +22,6 @@ mode_t mode_of(const fs::path& path) {
     struct stat found {};
     REQUIRE(::lstat(path.c_str(), &found) == 0);
     return found.st_mode & 07777U;
-}
-
-std::vector<std::string> names_in(const fs::path& directory) {
-    std::vector<std::string> names;
-    for (const auto& each : fs::directory_iterator(directory))
-        names.push_back(each.path().filename());
-    std::sort(names.begin(), names.end());
-    return names;
 }
 
 /// The only entry of a cache.
@@ -114,6 +105,17 @@ TEST_CASE("a link above the cache is no harm, but where it leads is looked at") 
     is_used(compiler, "$run");
     ::chmod((compiler.directory / "open").c_str(), 0777);
     is_refused(compiler, "$run", "/open");
+}
+
+TEST_CASE("a cache that is refused twice is spoken of once") {
+    const PretendedCompiler compiler;
+    fs::create_directory(compiler.directory / "cache");
+    fs::create_directory_symlink("elsewhere", compiler.directory / "cache/hvi-gen");
+    const Outcome outcome = compiler.run("$run --accuracy 1e-3");
+    INFO(outcome.err);
+    const std::string warning = "warning: compiled programs are not kept in ";
+    CHECK(outcome.err.find(warning) == 0);
+    CHECK(outcome.err.rfind(warning) == 0);
 }
 
 TEST_CASE("a cache that others could only read becomes private") {

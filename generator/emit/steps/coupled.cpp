@@ -48,7 +48,9 @@ std::string slopes(const std::vector<std::size_t>& indices, std::string_view let
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
     for (const std::size_t i : indices) {
         writer.line("system.{}", evaluate(i));
-        writer.open(loop_of_struct).line("s.{}[{}][k] = {} * slope[k];", letter, i, factor(i)).close();
+        writer.open(loop_of_struct)
+            .line("s.{}[{}][k] = {} * slope[k];", letter, i, factor(i))
+            .close();
     }
     return writer.str();
 }

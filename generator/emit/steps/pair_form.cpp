@@ -103,7 +103,9 @@ void evaluate_slope(Writer& writer, const Scheme& scheme, const StageNode& node)
     if (!is_kept(scheme, node)) {
         writer.line("system_.{}", is_force ? evaluate_force(scheme, node.index, "s_")
                                            : evaluate_velocity(scheme, node.index, "s_"));
-        writer.open(loop_of_step).line("s_.{}[{}][k] = {} * slope[k];", letter, node.index, factor).close();
+        writer.open(loop_of_step)
+            .line("s_.{}[{}][k] = {} * slope[k];", letter, node.index, factor)
+            .close();
         return;
     }
     const std::string_view slope = is_force ? "force_" : "velocity_";
@@ -111,7 +113,9 @@ void evaluate_slope(Writer& writer, const Scheme& scheme, const StageNode& node)
         writer.line("system_.{}(s_.at.{}, {}{});", is_force ? "dHdq" : "dHdp", is_force ? "q" : "p",
                     is_force ? stage_time(scheme, node.index, "s_") : "", slope);
     }
-    writer.open(loop_of_step).line("s_.{}[{}][k] = {} * {}[k];", letter, node.index, factor, slope).close();
+    writer.open(loop_of_step)
+        .line("s_.{}[{}][k] = {} * {}[k];", letter, node.index, factor, slope)
+        .close();
 }
 
 void begin_kept(Writer& writer, bool keeps, std::string_view gradient, std::string_view y,

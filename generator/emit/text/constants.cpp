@@ -55,8 +55,9 @@ void check_range(const Constant& constant) {
         const auto& value = constant.value[f];
         const bool missing = !value && formats[f].bits != 24;
         if (missing || (value && !value->is_zero() && value->leading() < least)) {
-            throw MathError(fmt::format("{} = {} is beyond the range of coefficients",
-                                        constant.name, constant.exact));
+            const std::string value =
+                constant.name == constant.exact ? "" : " = " + constant.exact;
+            throw MathError(constant.name + value + " is beyond the range of coefficients");
         }
     }
 }

@@ -32,10 +32,21 @@ Number value_of(const NamedExpression& what, const Ground& ground) {
     return evaluate_number(what.expression, what.place.source, ground);
 }
 
+/// Throws MathError for a time that is no double other than 0 and infinity.
+double nearest_time(const Number& time, const Place& place) {
+    const double nearest = time.nearest_double();
+    if (!std::isfinite(nearest) || (nearest == 0 && time.sign() != 0))
+        throw MathError("this time is beyond the range of doubles", place,
+                        "choose other units of time");
+    return nearest;
+}
+
 Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExpression& until) {
     const Number h = value_of(step, ground);
     const Number end = value_of(until, ground);
     if (h.sign() == 0) throw MathError("the step has the size 0", step.place);
+    const double size = nearest_time(h, step.place);
+    nearest_time(end, until.place);
     const Number quotient = end / h;
     if (quotient.sign() < 0)
         throw MathError("steps of this size lead away from the end of the run", step.place,
@@ -44,7 +55,7 @@ Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExp
         throw MathError("these are more than 10^15 steps", step.place);
     const std::int64_t count = floor(quotient);
     const Number left = end - Number(static_cast<long>(count)) * h;
-    return {h.nearest_double(), count, left.sign() == 0 ? 0 : left.nearest_double()};
+    return {size, count, left.sign() == 0 ? 0 : left.nearest_double()};
 }
 
 }  // namespace
@@ -57,7 +68,7 @@ Steps steps_until(const Scene& scene, const NamedExpression& step, const NamedEx
 
 double nearest_value(const Scene& scene, const NamedExpression& what) {
     return on_new_ground([&](const Ground& ground) {
-        return value_of(what, with_parameters(ground, scene)).nearest_double();
+        return nearest_time(value_of(what, with_parameters(ground, scene)), what.place);
     });
 }
 

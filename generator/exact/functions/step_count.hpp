@@ -17,8 +17,9 @@ struct Steps {
 
 /// Decided exactly: 200 is 4000 steps of 1/20, although 200/0.05 in doubles is another number.
 /// `step` and `until` may depend on the scene's parameters, which have their values. Throws
-/// MathError with its place for a step of size zero, one that leads away from the end, and one of
-/// which there would be more than 10^15, and as evaluate_number() does.
+/// MathError with its place for a step of size zero, one that leads away from the end, one of which
+/// there would be more than 10^15, and times beyond the range of doubles; and as evaluate_number()
+/// does.
 [[nodiscard]] Steps steps_until(const Scene& scene, const NamedExpression& step,
                                 const NamedExpression& until);
 
