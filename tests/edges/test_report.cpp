@@ -20,7 +20,8 @@ namespace {
 /// A compiler that takes less time, of programs that take a little more; `edit` is a line of shell
 /// before it.
 std::string compiler(const Directory& directory, const std::string& edit) {
-    write(directory / "cxx", "#!/bin/sh\n" + edit + "\nexec c++ \"$@\" -O1\n");
+    write(directory / "cxx",
+          "#!/bin/sh\n" + edit + "\nexec " + compiler_of_tests() + " \"$@\" -O1\n");
     std::filesystem::permissions(directory / "cxx", std::filesystem::perms::owner_all);
     return "CXX=./cxx XDG_CACHE_HOME=" + (directory / "cache").string() + " ";
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <string>
 
 #include "tests/cli/program.hpp"
 
@@ -15,6 +16,12 @@ inline void use_cache() {
         Cache() { ::setenv("XDG_CACHE_HOME", directory.path().c_str(), 1); }
     };
     static const Cache cache;
+}
+
+/// The compiler that the tests were given, for a script around it.
+inline std::string compiler_of_tests() {
+    const char* named = std::getenv("CXX");
+    return named == nullptr ? "c++" : named;
 }
 
 }  // namespace hvi::test

@@ -148,8 +148,8 @@ TEST_CASE("peers take a quadratic H that is not separable, with explicit time") 
 TEST_CASE("a library that is not installed is left out, and the report says so") {
     use_cache();
     const Directory directory;
-    write(directory / "cxx",
-          "#!/bin/sh\ngrep -q boost main.cpp 2> /dev/null && exit 1\nexec c++ \"$@\"\n");
+    write(directory / "cxx", "#!/bin/sh\ngrep -q boost main.cpp 2> /dev/null && exit 1\nexec " +
+                                 compiler_of_tests() + " \"$@\"\n");
     std::filesystem::permissions(directory / "cxx", std::filesystem::perms::owner_all);
     write(directory / "skew.toml",
           "name = \"skew\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"

@@ -25,8 +25,8 @@ std::vector<double> numbers_of(const std::string& row) {
 
 /// A compiler that notes how it is called.
 std::string noting_compiler(const Directory& directory) {
-    write(directory / "cxx",
-          "#!/bin/sh\necho \"$*\" >> '" + (directory / "calls").string() + "'\nexec c++ \"$@\"\n");
+    write(directory / "cxx", "#!/bin/sh\necho \"$*\" >> '" + (directory / "calls").string() +
+                                 "'\nexec " + compiler_of_tests() + " \"$@\"\n");
     std::filesystem::permissions(directory / "cxx", std::filesystem::perms::owner_all);
     return "CXX=./cxx ";
 }
