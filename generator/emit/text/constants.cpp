@@ -55,8 +55,7 @@ void check_range(const Constant& constant) {
         const auto& value = constant.value[f];
         const bool missing = !value && formats[f].bits != 24;
         if (missing || (value && !value->is_zero() && value->leading() < least)) {
-            const std::string exact =
-                constant.name == constant.exact ? "" : " = " + constant.exact;
+            const std::string exact = constant.name == constant.exact ? "" : " = " + constant.exact;
             throw MathError(constant.name + exact + " is beyond the range of coefficients");
         }
     }
