@@ -17,7 +17,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr const char* chain_scene = "fpu";
-constexpr double chain_step = 1.0 / 32;  // omega = z/h is then exact
+constexpr double chain_step = 1.0 / 32;  // h; omega = z/h is then exact
 constexpr long chain_steps = 256;
 constexpr std::size_t springs = 3;
 

@@ -17,7 +17,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr const char* oscillator_scene = "harmonic-oscillator";
-constexpr double oscillator_step = 1.0 / 16;  // omega = z/h is then exact
+constexpr double oscillator_step = 1.0 / 16;  // h; omega = z/h is then exact
 
 /// One run from (omega q, p) = (1, 1/2).
 struct Orbit : Advance {

@@ -32,7 +32,7 @@ Number value_of(const NamedExpression& what, const Ground& ground) {
     return evaluate_number(what.expression, what.place.source, ground);
 }
 
-/// Throws MathError for a time that is no double other than 0 and infinity.
+/// The double nearest to a time. Throws MathError where that is infinite, or 0 and the time is not.
 double nearest_time(const Number& time, const Place& place) {
     const double nearest = time.nearest_double();
     if (!std::isfinite(nearest) || (nearest == 0 && time.sign() != 0))
