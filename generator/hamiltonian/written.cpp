@@ -103,11 +103,11 @@ auto sort_key(const Term& term) {
     return std::tuple(!polynomial, polynomial.value_or(0), variables, key(term));
 }
 
-/// Equal terms collected, and sorted.
+/// Equal terms collected, and sorted. NOTE: try_emplace moves from a term only where it is new.
 Terms collected(Terms terms) {
     std::map<decltype(sort_key(terms.front())), Term> sums;
     for (Term& term : terms) {
-        const auto [position, is_new] = sums.try_emplace(sort_key(term), term);
+        const auto [position, is_new] = sums.try_emplace(sort_key(term), std::move(term));
         if (!is_new) { position->second.coefficient += term.coefficient; }
     }
     Terms result;

@@ -153,20 +153,6 @@ int most_iterations_of_fresh_steps() {
     return most;
 }
 
-/// The mean energy error over the last tenth of a run.
-template <class Stepper>
-double late_energy_error(double h, int steps) {
-    Stepper stepper;
-    auto x = Stepper::initial();
-    const double energy = stepper.energy(x);
-    double sum = 0;
-    for (int i = 0; i < steps; ++i) {
-        if (!stepper.step(x, h).ok()) { return std::numeric_limits<double>::infinity(); }
-        if (i >= steps - steps / 10) { sum += stepper.energy(x) / energy - 1; }
-    }
-    return sum / (steps / 10);
-}
-
 }  // namespace
 
 TEST_CASE("Newton's method ends where fixed points do") {
@@ -246,9 +232,6 @@ TEST_CASE("first-order corrections end where fixed points do, with fewer evaluat
     TaylorFpu::State y = TaylorFpu::initial();
     const double expected = iterations_per_step(fixed, x, 0.02, 1000);
     CHECK(iterations_per_step(taylor, y, 0.02, 1000) < 0.83 * expected);
-
-    CHECK(std::abs(late_energy_error<TaylorKepler>(0.05, 100000) -
-                   late_energy_error<FixedKepler>(0.05, 100000)) < 2e-13);
 }
 
 TEST_CASE("a stiff step agrees with that of hvi::Newton for any H") {
@@ -370,13 +353,6 @@ TEST_CASE("the first correction needs H near the start alone") {
     const double energy = stepper.energy(x);
     CHECK(iterations_per_step(stepper, x, 0.1, 200) <= 8);
     CHECK(stepper.energy(x) == Approx(energy).epsilon(1e-3));
-}
-
-TEST_CASE("the energy does not drift with decoupled equations either") {
-    const double h = 0.05;
-    const int steps = 100000;
-    CHECK(std::abs(late_energy_error<NewtonKepler>(h, steps) -
-                   late_energy_error<FixedKepler>(h, steps)) < 2e-13);
 }
 
 TEST_CASE("stiff springs: omega h up to 1e7") {

@@ -19,6 +19,23 @@ Ball value_of(const Parameter& parameter) {
     } catch (const MathError& error) { throw no_value(parameter, error.what(), error.place()); }
 }
 
+/// Throws MathError where a value is larger than doubles, or smaller than what is written as a sum
+/// of them (2^-900), and not 0.
+void check_range(const Ball& value, const std::string& name, const Place& place) {
+    Ball one, size, infinite_from, least;
+    arb_set_si(one.get(), 1);
+    arb_abs(size.get(), value.get());
+    arb_mul_2exp_si(infinite_from.get(), one.get(), 54);  // 2^1024 less half of a last place
+    arb_sub(infinite_from.get(), infinite_from.get(), one.get(), 64);
+    arb_mul_2exp_si(infinite_from.get(), infinite_from.get(), 1024 - 54);
+    arb_mul_2exp_si(least.get(), one.get(), -900);
+    const bool is_large = arb_ge(size.get(), infinite_from.get()) != 0;
+    const bool is_small = arb_lt(size.get(), least.get()) != 0;
+    if (is_large || (is_small && arb_contains_zero(value.get()) == 0))
+        throw MathError("the value of `" + name + "` is beyond the range of coefficients", place,
+                        "choose other units");
+}
+
 }  // namespace
 
 Number exact_value(const Parameter& parameter, const Ground& ground) {
@@ -42,13 +59,15 @@ void check_start(const Scene& scene) {
     const SymbolValues values = parameter_values(scene);
     for (const Parameter& parameter : scene.parameters) {
         on_new_ground([&](const Ground& ground) { return exact_value(parameter, ground); });
+        check_range(values.at(parameter.name), parameter.name,
+                    {parameter.source, parameter.value.range});
     }
     if (scene.initial.empty()) { return; }
     const auto look = [](const NamedExpression& what, const SymbolValues& at) {
         return value_at(what.expression, at, what.place.source);
     };
+    SymbolValues start = values;
     try {
-        SymbolValues start = values;
         for (const NamedExpression& initial : scene.initial) {
             start[initial.name] = look(initial, values);
         }
@@ -59,6 +78,8 @@ void check_start(const Scene& scene) {
         throw MathError(std::string("where the scene begins there is ") + error.what(),
                         error.place(), "mend the initial data, or the values of parameters");
     }
+    for (const NamedExpression& initial : scene.initial)
+        check_range(start.at(initial.name), initial.name, initial.place);
 }
 
 std::vector<double> exact_state(const Scene& scene, double time) {

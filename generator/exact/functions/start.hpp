@@ -17,7 +17,8 @@ namespace hvi::gen {
 /// Throws MathError, with its place, where one has no value.
 [[nodiscard]] SymbolValues parameter_values(const Scene& scene);
 
-/// Throws as exact_value() does, and MathError, with its place, where an initial value, or H or an
+/// Throws as exact_value() does, and MathError, with its place, where the value of a parameter or
+/// an initial value is provably beyond the range of coefficients, or an initial value, or H or an
 /// invariant at the start, is provably no real number: the root of a negative number, a division by
 /// a mass of zero, two bodies at one place. Looks at parameters alone where the scene has no
 /// initial data.

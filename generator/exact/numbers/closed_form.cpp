@@ -66,20 +66,47 @@ void append_cosines_and_sines(std::vector<Expression>& factors, const Monomial& 
     }
 }
 
-/// Orders the factors of a product: symbols and their powers, then functions, each by its text.
-void sort_factors(std::vector<Expression>& factors) {
-    using Key = std::tuple<bool, std::string, std::string>;
-    std::vector<std::pair<Key, Expression>> keyed;
+/// A factor of a product with what decides where it stands: symbols and their powers come first,
+/// then functions, each by its text.
+struct PlacedFactor {
+    std::tuple<bool, std::string, std::string> place;
+    Expression factor;
+};
+
+std::vector<PlacedFactor> with_places(std::vector<Expression> factors) {
+    std::vector<PlacedFactor> placed;
     for (Expression& factor : factors) {
         const bool is_power = factor.kind == Expression::Kind::power;
         const Expression& base = is_power ? factor.arguments[0] : factor;
-        Key key(base.kind == Expression::Kind::call, to_text(base), to_text(factor));
-        keyed.emplace_back(std::move(key), std::move(factor));
+        std::tuple place(base.kind == Expression::Kind::call, to_text(base), to_text(factor));
+        placed.push_back({std::move(place), std::move(factor)});
     }
-    std::sort(keyed.begin(), keyed.end(),
-              [](const auto& left, const auto& right) { return left.first < right.first; });
-    factors.clear();
-    for (auto& [key, factor] : keyed) { factors.push_back(std::move(factor)); }
+    return placed;
+}
+
+/// The factors of both in their places.
+std::vector<Expression> in_order(const std::vector<PlacedFactor>& some,
+                                 const std::vector<PlacedFactor>& others) {
+    std::vector<const PlacedFactor*> ordered;
+    for (const PlacedFactor& factor : some) { ordered.push_back(&factor); }
+    for (const PlacedFactor& factor : others) { ordered.push_back(&factor); }
+    std::sort(ordered.begin(), ordered.end(),
+              [](const auto* left, const auto* right) { return left->place < right->place; });
+    std::vector<Expression> factors;
+    for (const PlacedFactor* each : ordered) { factors.push_back(each->factor); }
+    return factors;
+}
+
+/// The algebraic part of a term: a rational number, and factors.
+struct AlgebraicPart {
+    numeric number;
+    std::vector<PlacedFactor> factors;
+};
+
+AlgebraicPart algebraic_part(const Monomial& monomial, const Field* field) {
+    Radicals roots = radicals(monomial, field);
+    append_cosines_and_sines(roots.factors, monomial, field);
+    return {roots.factor, with_places(std::move(roots.factors))};
 }
 
 /// Makes expressions of terms. What a product of generators looks like is asked for many times, and
@@ -103,14 +130,14 @@ public:
     [[nodiscard]] Expression quotient(const WrittenFraction& fraction);
 
 private:
-    [[nodiscard]] const Radicals& roots(const Monomial& monomial) {
-        const auto [position, is_new] = roots_.try_emplace(monomial);
-        if (is_new) { position->second = radicals(monomial, field_); }
+    [[nodiscard]] const AlgebraicPart& algebraic(const Monomial& monomial) {
+        const auto [position, is_new] = algebraic_.try_emplace(monomial);
+        if (is_new) { position->second = algebraic_part(monomial, field_); }
         return position->second;
     }
-    [[nodiscard]] const std::vector<Expression>& transcendentals(const std::vector<int>& powers) {
-        const auto [position, is_new] = transcendentals_.try_emplace(powers);
-        if (is_new) { position->second = transcendental_factors(powers, field_); }
+    [[nodiscard]] const std::vector<PlacedFactor>& transcendental(const std::vector<int>& powers) {
+        const auto [position, is_new] = transcendental_.try_emplace(powers);
+        if (is_new) { position->second = with_places(transcendental_factors(powers, field_)); }
         return position->second;
     }
     [[nodiscard]] Expression line(const WrittenFraction& fraction) {
@@ -119,14 +146,14 @@ private:
     }
 
     const Field* field_;
-    std::map<Monomial, Radicals> roots_;
-    std::map<std::vector<int>, std::vector<Expression>> transcendentals_;
+    std::map<Monomial, AlgebraicPart> algebraic_;
+    std::map<std::vector<int>, std::vector<PlacedFactor>> transcendental_;
 };
 
 Expression Writer::term(const WrittenTerm& term, const numeric& denominator,
                         const std::vector<int>& divided_by) {
-    const Radicals& radicals = roots(term.monomial);
-    const numeric coefficient = term.coefficient * radicals.factor / denominator;
+    const AlgebraicPart& roots = algebraic(term.monomial);
+    const numeric coefficient = term.coefficient * roots.number / denominator;
     std::vector<int> powers = term.powers;
     std::vector<int> below(powers.size());
     for (std::size_t i = 0; i < powers.size(); ++i) {
@@ -134,15 +161,13 @@ Expression Writer::term(const WrittenTerm& term, const numeric& denominator,
         powers[i] = std::max(power, 0);
         below[i] = std::max(-power, 0);
     }
-    std::vector<Expression> factors = transcendentals(powers);
-    factors.insert(factors.end(), radicals.factors.begin(), radicals.factors.end());
-    append_cosines_and_sines(factors, term.monomial, field_);
-    sort_factors(factors);
+    std::vector<Expression> factors = in_order(transcendental(powers), roots.factors);
     const numeric numerator = GiNaC::abs(coefficient.numer());
     if (!numerator.is_equal(1) || factors.empty()) {
         factors.insert(factors.begin(), integer_form(numerator));
     }
-    std::vector<Expression> divisors = transcendentals(below);
+    std::vector<Expression> divisors;
+    for (const PlacedFactor& each : transcendental(below)) { divisors.push_back(each.factor); }
     if (!coefficient.denom().is_equal(1)) {
         divisors.insert(divisors.begin(), integer_form(coefficient.denom()));
     }
