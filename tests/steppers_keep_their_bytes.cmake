@@ -1,0 +1,34 @@
+# Compares the headers of steppers that hvi-gen has WRITTEN for the tests with what they were when LIST
+# was: a line of SHA-256 and name for each. Which files of the runtime a header includes, and which
+# version wrote it, does not count. Where a change of bytes is meant, look at the difference and write
+# LIST anew by -D RENEW=ON.
+# SPDX-License-Identifier: GPL-2.0-or-later
+
+file(GLOB_RECURSE headers LIST_DIRECTORIES OFF RELATIVE "${WRITTEN}" "${WRITTEN}/*.hpp")
+list(SORT headers)
+set(current)
+foreach(header IN LISTS headers)
+    file(READ "${WRITTEN}/${header}" text)
+    string(REGEX REPLACE "\n#include [^\n]*" "" text "${text}")
+    string(REGEX REPLACE "^// Written by hvi-gen [^\n]*\n" "" text "${text}")
+    string(SHA256 digest "${text}")
+    string(REGEX MATCH "/(.*)" name "${header}")
+    list(APPEND current "${digest}  ${CMAKE_MATCH_1}")
+endforeach()
+if(RENEW)
+    list(JOIN current "\n" text)
+    file(WRITE "${LIST}" "${text}\n")
+    return()
+endif()
+
+file(STRINGS "${LIST}" expected)
+set(gone ${expected})
+list(REMOVE_ITEM gone ${current})
+list(REMOVE_ITEM current ${expected})
+if(gone OR current)
+    list(TRANSFORM gone PREPEND "\n  - ")
+    list(TRANSFORM current PREPEND "\n  + ")
+    list(JOIN gone "" gone)
+    list(JOIN current "" current)
+    message(FATAL_ERROR "steppers are not what they were:${gone}${current}")
+endif()
