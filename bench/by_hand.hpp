@@ -5,7 +5,7 @@
 #include <cfloat>
 #include <cmath>
 
-#include <hvi/compensated.hpp>
+#include <hvi/detail/numbers/compensated.hpp>
 
 #include "problems.hpp"
 

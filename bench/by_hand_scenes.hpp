@@ -11,9 +11,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include <hvi/compensated.hpp>
+#include <hvi/detail/coefficients/weights.hpp>
+#include <hvi/detail/numbers/compensated.hpp>
 #include <hvi/state.hpp>
-#include <hvi/weights.hpp>
 
 #include "nystroem.hpp"
 

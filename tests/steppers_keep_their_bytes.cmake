@@ -1,6 +1,6 @@
 # Compares the headers of steppers that hvi-gen has WRITTEN for the tests with what they were when LIST
-# was: a line of SHA-256 and name for each. Which files of the runtime a header includes, and which
-# version wrote it, does not count. Where a change of bytes is meant, look at the difference and write
+# was: a line of SHA-256 and name for each. Which files of the runtime a header includes, of which
+# format, and which version wrote it, does not count. Where a change of bytes is meant, look at the difference and write
 # LIST anew by -D RENEW=ON.
 # SPDX-License-Identifier: GPL-2.0-or-later
 
@@ -10,6 +10,7 @@ set(current)
 foreach(header IN LISTS headers)
     file(READ "${WRITTEN}/${header}" text)
     string(REGEX REPLACE "\n#include [^\n]*" "" text "${text}")
+    string(REGEX REPLACE "supports_format.[0-9]+." "" text "${text}")
     string(REGEX REPLACE "^// Written by hvi-gen [^\n]*\n" "" text "${text}")
     string(SHA256 digest "${text}")
     string(REGEX MATCH "/(.*)" name "${header}")

@@ -18,7 +18,7 @@ namespace {
 /// NOTE: a scene is read with a method, whose symbols its own must not be; this one has none.
 Scene scene_of(const AccuracyQuestion& question) {
     MethodOptions any;
-    any.name = "gauss:2";
+    any.name = given("--method", "gauss:2");
     any.parameters = question.parameters;
     return read_scene(any, question.system).scene;
 }

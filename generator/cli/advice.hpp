@@ -13,9 +13,9 @@ namespace hvi::gen {
 
 /// What `--accuracy` is asked of.
 struct AccuracyQuestion {
-    std::vector<std::string> parameters;  ///< of the scene: `mu=2`
-    SystemOptions system;                 ///< a scene
-    std::optional<std::string> until;     ///< in place of the scene's
+    std::vector<Given> parameters;  ///< of the scene: `mu=2`
+    SystemOptions system;           ///< a scene
+    Given until;                    ///< in place of the scene's
     double accuracy = 0;
     bool has_curve = false;  ///< of the steps, which compositions have not
 };

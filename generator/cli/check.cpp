@@ -5,15 +5,14 @@
 #include "generator/render/certificate.hpp"
 #include "generator/render/stability_svg.hpp"
 #include "generator/support/error.hpp"
-#include "generator/support/option_place.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-std::string plot(const Certificate& certificate, const std::filesystem::path& file) {
-    const Place place = option_place("--plot", file.string());
+std::string plot(const Certificate& certificate, const Given& file) {
+    const Place place = whole(file);
     if (!certificate.oscillator) {
         throw MathError("there is no picture of coefficients that are too long, or known to some "
                         "digits only",
@@ -31,7 +30,7 @@ std::string plot(const Certificate& certificate, const std::filesystem::path& fi
 void write(const CheckOptions& options, const Certificate& certificate, const auto& whole) {
     const Progress::Stage stage("writing the certificate");
     const bool as_json = options.format == CheckOptions::Format::json;
-    if (options.plot) { write_result(*options.plot, plot(certificate, *options.plot)); }
+    if (options.plot) { write_result(options.plot->text, plot(certificate, options.plot)); }
     write_result(options.output, as_json ? render_json(whole) : render_text(whole));
 }
 

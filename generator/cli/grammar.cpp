@@ -131,7 +131,8 @@ void describe(CLI::App& app) {
     add_value(report, "-o,--output", "DIR", "Write to this directory (report)");
 
     CLI::App& list = *app.add_subcommand("list", "Print what can be named");
-    add_value(list, "TOPIC", "TOPIC", "bases, nodes, methods or scenes; all when not given");
+    add_value(list, "TOPIC", "TOPIC",
+              "bases, nodes, methods, scenes or functions; all when not given");
 
     for (CLI::App* command : app.get_subcommands(nullptr)) command->allow_extras();
 }

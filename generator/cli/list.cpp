@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/cli/commands.hpp"
+#include "generator/expr/functions.hpp"
 #include "generator/read/catalogue.hpp"
 #include "generator/read/scene.hpp"
 
@@ -78,6 +79,28 @@ std::string scene_table() {
     return table("Scenes: SCENE, as in hvi-gen scheme --method gauss:2 pendulum", rows);
 }
 
+std::string_view text(RealDomain domain) {
+    switch (domain) {
+    case RealDomain::everywhere: return "";
+    case RealDomain::positive: return "x > 0";
+    case RealDomain::not_negative: return "x >= 0";
+    case RealDomain::up_to_one: return "-1 <= x <= 1";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string function_table() {
+    Rows rows;
+    for (const Function& function : functions()) {
+        if (is_of_lists(function.name)) continue;
+        rows.push_back({fmt::format("y = {}(x)", function.name),
+                        fmt::format("y' = {}", function.derivative),
+                        std::string(text(function.domain))});
+    }
+    return table("Functions: in H, in basis functions and in numbers", rows);
+}
+
 }  // namespace
 
 void run(const ListOptions& options) {
@@ -90,8 +113,11 @@ void run(const ListOptions& options) {
         text = methods();
     else if (options.topic == "scenes")
         text = scene_table();
+    else if (options.topic == "functions")
+        text = function_table();
     else
-        text = bases() + "\n" + nodes() + "\n" + methods() + "\n" + scene_table();
+        text = bases() + "\n" + nodes() + "\n" + methods() + "\n" + scene_table() + "\n" +
+               function_table();
     write_result({}, text);
 }
 

@@ -10,44 +10,28 @@
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/scene.hpp"
-#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-std::shared_ptr<const Source> source(const std::string& option, const std::string& value) {
-    return std::make_shared<const Source>(Source{option, value});
-}
-
 Method read_method(const MethodOptions& options) {
-    if (options.name) return named_method(source("--method", *options.name));
-    if (options.file) return method_from_file(*options.file);
-    const auto weights = options.weights ? source("--weights", *options.weights) : nullptr;
-    return method_from_text(source("--basis", *options.basis), source("--nodes", *options.nodes),
-                            weights);
+    if (options.name) return named_method(options.name);
+    if (options.file) return method_from_file(options.file->text);
+    return method_from_text(options.basis, options.nodes, options.weights);
 }
 
 /// Without the values of parameters.
 Hamiltonian read_hamiltonian(const SystemOptions& options) {
-    const auto names = [](const std::string& option, const std::optional<std::string>& value) {
-        return value ? source(option, *value) : nullptr;
-    };
-    return hamiltonian_from_text(source("--hamiltonian", *options.hamiltonian),
-                                 names("--coordinates", options.coordinates),
-                                 names("--momenta", options.momenta));
-}
-
-Scene read_scene(const std::string& name_or_file) {
-    return find_scene(name_or_file, {source("SCENE", name_or_file), {0, name_or_file.size()}});
+    return hamiltonian_from_text(options.hamiltonian, options.coordinates, options.momenta);
 }
 
 /// Calls `set` for what each `--param` says.
 template <class Set>
-void set_parameters(const std::vector<std::string>& assignments, Set set) {
+void set_parameters(const std::vector<Given>& assignments, Set set) {
     std::set<std::string> names;
-    for (const std::string& assignment : assignments) {
-        Parameter parameter = parse_parameter(source("--param", assignment));
+    for (const Given& assignment : assignments) {
+        Parameter parameter = parse_parameter(assignment);
         if (!names.insert(parameter.name).second)
             throw InputError("`" + parameter.name + "` is given a value twice", parameter.place);
         set(std::move(parameter));
@@ -82,7 +66,7 @@ System read_system(const MethodOptions& options, const SystemOptions& system) {
         });
         return {std::move(method), std::move(hamiltonian)};
     }
-    Scene scene = read_scene(*system.scene);
+    Scene scene = find_scene(system.scene);
     check_together(method, scene.hamiltonian);
     set_parameters(options.parameters, [&](Parameter parameter) {
         set_parameter(method, scene, std::move(parameter));
@@ -106,8 +90,7 @@ Method method_for(const MethodOptions& options, const Scene& scene) {
     const bool is_given = options.name || options.basis || options.file;
     if (is_given) return read_method(options);
     if (scene.run.method == nullptr)
-        throw InputError("no method is given, and the scene names none",
-                         option_place("SCENE", scene.hamiltonian.origin),
+        throw InputError("no method is given, and the scene names none", scene.place,
                          "for example --method gauss:4");
     return named_method(scene.run.method);
 }
@@ -131,7 +114,7 @@ bool has_parameter(const Method& method, const std::string& name) {
 }  // namespace
 
 MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system) {
-    Scene scene = system.scene ? read_scene(*system.scene) : scene_of(read_hamiltonian(system));
+    Scene scene = system.scene ? find_scene(system.scene) : scene_of(read_hamiltonian(system));
     Method method = method_for(options, scene);
     check_together(method, scene.hamiltonian);
     std::string defaults;

@@ -21,7 +21,8 @@ namespace {
 /// Options that stand in place of a scene.
 constexpr std::array hamiltonian_options = {"--hamiltonian", "--coordinates", "--momenta"};
 
-const std::vector<std::string_view> topics = {"", "bases", "nodes", "methods", "scenes"};
+const std::vector<std::string_view> topics = {"",        "bases",  "nodes",
+                                              "methods", "scenes", "functions"};
 
 const OptionGroups forms_of_method{
     {"--method"}, {"--basis", "--nodes", "--weights"}, {"--method-file"}};
@@ -35,7 +36,7 @@ MethodOptions method_options(const Words& words, const CommandLine& line) {
     method.nodes = words.value("--nodes");
     method.weights = words.value("--weights");
     method.file = words.value("--method-file");
-    method.parameters = words.values("--param");
+    method.parameters = words.texts("--param");
     if (!method.name && !method.basis && !method.nodes && !method.weights && !method.file)
         throw InputError("no method is given", line.end(), "for example --method gauss:2");
     if (method.weights && !method.basis)
@@ -47,12 +48,17 @@ MethodOptions method_options(const Words& words, const CommandLine& line) {
     return method;
 }
 
-std::optional<std::filesystem::path> file_option(const Words& words, const std::string& option) {
-    const auto file = words.value(option);
-    if (file && file->empty()) {
+Given given_file(const Words& words, const std::string& option) {
+    Given file = words.value(option);
+    if (file && file->text.empty()) {
         throw InputError(option + " needs the name of a file", words.place(option));
     }
     return file;
+}
+
+std::optional<std::filesystem::path> file_option(const Words& words, const std::string& option) {
+    const Given file = given_file(words, option);
+    return file ? std::optional<std::filesystem::path>(file->text) : std::nullopt;
 }
 
 TableauOptions tableau_options(const Words& words, const CommandLine& line) {
@@ -72,13 +78,13 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
     words.one_form_of(forms);
     options.tableau = file_option(words, "--tableau");
     if (options.tableau) {
-        options.method.parameters = words.values("--param");
+        options.method.parameters = words.texts("--param");
     } else {
         options.method = method_options(words, line);
     }
     options.max_order = words.number("--max-order", 1, most_vertices).value_or(options.max_order);
     options.format = static_cast<CheckOptions::Format>(words.choice("--format", {"text", "json"}));
-    options.plot = file_option(words, "--plot");
+    options.plot = given_file(words, "--plot");
     options.output = file_option(words, "--output");
     return options;
 }
@@ -91,7 +97,7 @@ std::optional<SystemOptions> system_options(const Words& words, const CommandLin
         for (const char* option : hamiltonian_options)
             if (!words.values(option).empty())
                 throw InputError("a scene and " + std::string(option) + " exclude each other",
-                                 line.place({*system.scene}), "leave one of them out");
+                                 line.place({system.scene->text}), "leave one of them out");
     }
     system.hamiltonian = words.value("--hamiltonian");
     system.coordinates = words.value("--coordinates");
@@ -138,7 +144,7 @@ void check_system_flags(const Words& words, const StepperOptions& options) {
 MethodOptions method_beside_scene(const Words& words, const CommandLine& line) {
     if (names_method(words)) return method_options(words, line);
     MethodOptions of_scene;
-    of_scene.parameters = words.values("--param");
+    of_scene.parameters = words.texts("--param");
     return of_scene;
 }
 
@@ -148,21 +154,27 @@ Solver solver_option(const Words& words) {
     return solvers.at(words.choice("--solver", {"auto", "fixed-point", "newton", "newton-taylor"}));
 }
 
-Lanes lanes_option(const Words& words) {
+std::optional<Place> place_of_value(const Words& words, const std::string& option) {
+    const Given text = words.value(option);
+    return text ? std::optional(whole(text)) : std::nullopt;
+}
+
+Wish<Lanes> lanes_option(const Words& words) {
     constexpr std::array lanes{Lanes::automatic, Lanes::stages, Lanes::none};
-    return lanes.at(words.choice("--lanes", {"auto", "stages", "none"}));
+    return {lanes.at(words.choice("--lanes", {"auto", "stages", "none"})),
+            place_of_value(words, "--lanes")};
 }
 
 /// What a stepper may be, and a run, of one trajectory, not.
-Lanes lanes_of_stepper(const Words& words) {
+Wish<Lanes> lanes_of_stepper(const Words& words) {
     constexpr std::array lanes{Lanes::automatic, Lanes::stages, Lanes::ensemble, Lanes::none};
-    return lanes.at(words.choice("--lanes", {"auto", "stages", "ensemble", "none"}));
+    return {lanes.at(words.choice("--lanes", {"auto", "stages", "ensemble", "none"})),
+            place_of_value(words, "--lanes")};
 }
 
 std::optional<Composition> composition_option(const Words& words) {
-    const auto name = words.value("--compose");
-    if (!name) return {};
-    return named_composition(std::make_shared<const Source>(Source{"--compose", *name}));
+    const Given name = words.value("--compose");
+    return name ? std::optional(named_composition(name)) : std::nullopt;
 }
 
 /// What is left to it is not to be given.
@@ -248,12 +260,12 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
 
 ReportOptions report_options(const Words& words, const CommandLine& line) {
     ReportOptions options;
-    options.scenes = words.values("SCENE");
+    options.scenes = words.texts("SCENE");
     const bool has_scenes = !options.scenes.empty(), edges = words.flag("--edges");
     options.peers = words.flag("--peers");
     options.methods = words.value("--methods");
     options.steps = words.value("--steps");
-    if (options.steps == "auto") options.steps.reset();
+    if (options.steps && options.steps->text == "auto") options.steps.reset();
     options.until = words.value("--until");
     const Only only(words, {"html", "json", "csv", "svg"},
                     {"work", "rejections", "stiff", "extreme", "long", "symplecticity"});

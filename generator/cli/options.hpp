@@ -9,18 +9,14 @@
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
-#include "generator/emit/steps/scene_stepper.hpp"
+#include "generator/pipeline/stepper.hpp"
 
 namespace hvi::gen {
 
 /// METHOD, as text: exactly one of `name`, `file`, and `basis` with `nodes` and perhaps `weights`.
 struct MethodOptions {
-    std::optional<std::string> name;
-    std::optional<std::string> basis;
-    std::optional<std::string> nodes;
-    std::optional<std::string> weights;
-    std::optional<std::string> file;
-    std::vector<std::string> parameters;  ///< `w=2`
+    Given name, basis, nodes, weights, file;
+    std::vector<Given> parameters;  ///< `w=2`
 };
 
 struct TableauOptions {
@@ -39,15 +35,14 @@ struct CheckOptions {
     std::optional<std::filesystem::path> tableau;  ///< a file in place of a method
     int max_order = 8;
     Format format = Format::text;
-    std::optional<std::filesystem::path> plot;  ///< an SVG of trace/2
+    Given plot;  ///< the file of an SVG of trace/2
     std::optional<std::filesystem::path> output;
 };
 
 /// A Hamiltonian, as text: `scene`, or `hamiltonian` with both names or none.
 struct SystemOptions {
-    std::optional<std::string> scene;  ///< the name of one, or a file
-    std::optional<std::string> hamiltonian;
-    std::optional<std::string> coordinates, momenta;
+    Given scene;  ///< the name of one, or a file
+    Given hamiltonian, coordinates, momenta;
 };
 
 struct StepperOptions {
@@ -56,7 +51,7 @@ struct StepperOptions {
     bool separable = false;               ///< for H = T(p) + U(q) of such a class
     StepperWishes wishes;                 ///< of a system, but for the name of the class
     std::optional<double> accuracy;       ///< in place of a method
-    std::optional<std::string> until;     ///< the time of that, in place of the scene's
+    Given until;                          ///< the time of that, in place of the scene's
     bool explain = false;  ///< say on standard error what is solved and what left out
     std::optional<std::filesystem::path> output;
 };
@@ -65,10 +60,10 @@ struct RunOptions {
     MethodOptions method;  ///< empty where the scene is to name it
     SystemOptions system;  ///< a scene
     Solver solver = Solver::automatic;
-    Lanes lanes = Lanes::automatic;
+    Wish<Lanes> lanes = {Lanes::automatic};
     std::optional<Composition> composition;
-    std::optional<double> accuracy;          ///< in place of a method and a step
-    std::optional<std::string> step, until;  ///< in place of those of the scene
+    std::optional<double> accuracy;  ///< in place of a method and a step
+    Given step, until;               ///< in place of those of the scene
     bool table = true, picture = true, summary = true;
     std::optional<std::filesystem::path> output;  ///< a directory
 };
@@ -82,12 +77,12 @@ struct ReportParts {
 };
 
 struct ReportOptions {
-    std::vector<std::string> scenes;     ///< names or files
-    std::optional<std::string> methods;  ///< names between commas
-    std::optional<std::string> steps;    ///< sizes between commas; chosen where there are none
-    std::optional<std::string> until;    ///< in place of the scenes'
-    bool peers = false;                  ///< integrators of other libraries too
-    ReportParts parts;                   ///< work only where there are scenes
+    std::vector<Given> scenes;  ///< names or files
+    Given methods;              ///< names between commas
+    Given steps;                ///< sizes between commas; chosen where there are none
+    Given until;                ///< in place of the scenes'
+    bool peers = false;         ///< integrators of other libraries too
+    ReportParts parts;          ///< work only where there are scenes
     bool html = true, json = true, csv = true, svg = true;
     std::optional<std::filesystem::path> output;  ///< a directory
 };
@@ -103,7 +98,7 @@ struct SchemeOptions {
 };
 
 struct ListOptions {
-    std::string topic;  ///< `bases`, `nodes`, `methods`, `scenes`, or empty for all of them
+    std::string topic;  ///< `bases`, `nodes`, `methods`, `scenes`, `functions`, or empty for all
 };
 
 /// `--help` or `--version`: the text to print.

@@ -33,15 +33,14 @@ struct Subject {
     std::vector<double> steps;
 };
 
-Subject subject(const std::string& name, const ReportOptions& options) {
-    Scene scene =
-        find_scene(name, {std::make_shared<const Source>(Source{"SCENE", name}), {0, name.size()}});
+Subject subject(const Given& name, const ReportOptions& options) {
+    Scene scene = find_scene(name);
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
-    const NamedExpression step = wish(scene, {}, scene.run.step, "step");
+    const NamedExpression step = wish(scene, nullptr, scene.run.step, "step");
     Subject result{scene, nearest_value(scene, until), 0, {}};
     result.first_count = std::max<std::int64_t>(1, steps_until(scene, step, until).count);
     if (!options.steps) return result;
-    for (const auto& item : list_items("--steps", *options.steps)) {
+    for (const auto& item : list_items(options.steps)) {
         const NamedExpression h = expression_of_parameters(scene, "step", item);
         static_cast<void>(steps_until(scene, h, until));  // it leads there
         result.steps.push_back(nearest_value(scene, h));
@@ -161,10 +160,10 @@ void check_edges(const Report& report, const fs::path& directory) {
 void run(const ReportOptions& options) {
     const std::string usual_methods = options.scenes.empty() ? usual_at_edges : usual_on_scenes;
     StudyWishes wishes;
-    for (const auto& name : list_items("--methods", options.methods.value_or(usual_methods)))
-        wishes.methods.push_back(composed_method(name));
+    const Given methods = options.methods ? options.methods : given("--methods", usual_methods);
+    for (const Given& name : list_items(methods)) wishes.methods.push_back(composed_method(name));
     std::vector<Subject> subjects;
-    for (const std::string& scene : options.scenes) subjects.push_back(subject(scene, options));
+    for (const Given& scene : options.scenes) subjects.push_back(subject(scene, options));
 
     const InterruptionsHeld held;
     Builds builds(find_compiler());

@@ -194,7 +194,7 @@ WishedRun advised_run(const RunOptions& options) {
     const AdvisedOptions advice =
         advised({options.method.parameters, options.system, options.until, *options.accuracy});
     MethodOptions method_options = options.method;
-    method_options.name = advice.method;
+    method_options.name = given("--method", advice.method);
     const auto [method, scene] = read_scene(method_options, options.system);
     return {scene_stepper(method, scene, simulation_wishes(advice.solver, advice.composition)),
             advice.steps};

@@ -7,21 +7,16 @@
 #include <system_error>
 
 #include "generator/support/error.hpp"
-#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 
-NamedExpression wish(const Scene& scene, const std::optional<std::string>& given,
+NamedExpression wish(const Scene& scene, const Given& given,
                      const std::optional<NamedExpression>& of_scene, const std::string& name) {
-    const std::string option = "--" + name;
-    if (given)
-        return expression_of_parameters(scene, name,
-                                        std::make_shared<const Source>(Source{option, *given}));
+    if (given) return expression_of_parameters(scene, name, given);
     if (of_scene) return *of_scene;
     throw InputError(
-        fmt::format("the scene does not say `{}`", name),
-        option_place("SCENE", scene.hamiltonian.origin),
-        fmt::format("give {} 1/10, or a section [run] with {} = \"1/10\"", option, name));
+        fmt::format("the scene does not say `{}`", name), scene.place,
+        fmt::format("give --{} 1/10, or a section [run] with {} = \"1/10\"", name, name));
 }
 
 std::string duration(double seconds) {

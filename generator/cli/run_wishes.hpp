@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 /// `step` or `until`: what the command line says, else the scene. Throws InputError where neither
 /// does.
-[[nodiscard]] NamedExpression wish(const Scene& scene, const std::optional<std::string>& given,
+[[nodiscard]] NamedExpression wish(const Scene& scene, const Given& given,
                                    const std::optional<NamedExpression>& of_scene,
                                    const std::string& name);
 

@@ -15,10 +15,9 @@
 
 namespace hvi::gen {
 
-/// The items between the commas of an option's value, without blanks around them; the name of each
-/// source is the option. Throws InputError where one is missing.
-[[nodiscard]] std::vector<std::shared_ptr<const Source>> list_items(const std::string& option,
-                                                                    const std::string& list);
+/// The items between the commas of a list, without blanks around them; the name of each source is
+/// that of the list. Throws InputError where one is missing.
+[[nodiscard]] std::vector<Given> list_items(const Given& list);
 
 using OptionGroups = std::vector<std::vector<std::string>>;
 
@@ -39,8 +38,11 @@ public:
         return command_.get_option(option)->results();
     }
 
-    /// The value of an option that can be given once.
-    [[nodiscard]] std::optional<std::string> value(const std::string& option) const;
+    /// The same as texts of the option.
+    [[nodiscard]] std::vector<Given> texts(const std::string& option) const;
+
+    /// The value of an option that can be given once, or null.
+    [[nodiscard]] Given value(const std::string& option) const;
 
     [[nodiscard]] bool flag(const std::string& option) const;
 

@@ -2,16 +2,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
 #   cmake -D OUTPUT=embedded.cpp -D HEADER=generator/emit/text/embedded.hpp -D FUNCTION=embedded_templates
-#       -D "FILES=a.hpp.in;b.hpp" -P embed.cmake
+#       -D "FILES=templates/a.hpp.in;src/hvi/b.hpp" -D ROOT=checkout -P embed.cmake
 #
-# A file is known by its last name. Raw string literals end where MSVC's limit of 16 kB ends; the
+# A file is known by its path in src/, templates/ or examples/scenes/. Raw string literals end where MSVC's limit of 16 kB ends; the
 # pieces are put together by the compiler.
 
 set(entries "")
 foreach(file IN LISTS FILES)
-    cmake_path(GET file FILENAME name)
+    string(REGEX REPLACE "^(src|templates|examples/scenes)/" "" name "${file}")
     # NOTE: a list would lose the brackets and semicolons of C++, so the text stays one string.
-    file(READ "${file}" text)
+    file(READ "${ROOT}/${file}" text)
     string(LENGTH "${text}" length)
     string(APPEND entries "        {\"${name}\",\n")
     set(begin 0)

@@ -40,10 +40,7 @@ std::string failure_of(int status) {
 
 }  // namespace
 
-Scene edge_scene(const std::string& name) {
-    return find_scene(name,
-                      {std::make_shared<const Source>(Source{"SCENE", name}), {0, name.size()}});
-}
+Scene edge_scene(const std::string& name) { return find_scene(given("SCENE", name)); }
 
 double usual_step(const Scene& scene) {
     HVI_CHECK(scene.run.step.has_value());

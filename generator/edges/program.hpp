@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/emit/steps/scene_stepper.hpp"
+#include "generator/pipeline/stepper.hpp"
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/simulate/answers.hpp"

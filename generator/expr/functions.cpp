@@ -9,22 +9,14 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::array<Function, 14> table{{
-    {"sqrt", 1, "\\sqrt"},
-    {"exp", 1, "\\exp"},
-    {"log", 1, "\\log"},
-    {"sin", 1, "\\sin"},
-    {"cos", 1, "\\cos"},
-    {"tan", 1, "\\tan"},
-    {"asin", 1, "\\arcsin"},
-    {"acos", 1, "\\arccos"},
-    {"atan", 1, "\\arctan"},
-    {"sinh", 1, "\\sinh"},
-    {"cosh", 1, "\\cosh"},
-    {"tanh", 1, "\\tanh"},
-    {"roots", 1, "\\operatorname{roots}"},
-    {"bspline", 2, "\\operatorname{bspline}"},
-}};
+constexpr std::array table{
+#define HVI_FUNCTION(name, latex, domain, cuts, parity, derivative)                                \
+    Function{#name, 1, latex, RealDomain::domain, Cuts::cuts, Parity::parity, derivative},
+#include "generator/expr/functions.def"
+#undef HVI_FUNCTION
+    Function{"roots", 1, "\\operatorname{roots}"},
+    Function{"bspline", 2, "\\operatorname{bspline}"},
+};
 
 }  // namespace
 

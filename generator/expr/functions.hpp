@@ -8,11 +8,23 @@
 
 namespace hvi::gen {
 
-/// A function by its name in texts, how many arguments it takes, and its name in LaTeX.
+/// Where a function of one argument has a real value.
+enum class RealDomain { everywhere, positive, not_negative, up_to_one };
+
+/// Where in the complex plane it is not analytic, poles apart.
+enum class Cuts { nowhere, not_positive, real_beyond_one, imaginary_beyond_one };
+
+enum class Parity { neither, even, odd };
+
+/// A function by its name in texts; see functions.def.
 struct Function {
     std::string_view name;
     std::size_t arguments;
     std::string_view latex;
+    RealDomain domain = RealDomain::everywhere;
+    Cuts cuts = Cuts::nowhere;
+    Parity parity = Parity::neither;
+    std::string_view derivative = "";  ///< of x and of the value y; empty for those of lists
 };
 
 /// All functions, the common ones first: the order in which messages list them.

@@ -3,7 +3,6 @@
 #include "generator/hamiltonian/algebra.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -60,24 +59,9 @@ double digits_in(const ex& expression) {
     return most;
 }
 
+/// NOTE: GiNaC calls the functions of expr/functions.def as we do.
 ex applied(const std::string& function, const ex& argument) {
-    static const std::array<std::pair<std::string_view, ex (*)(const ex&)>, 11> functions{{
-        {"exp", [](const ex& x) -> ex { return GiNaC::exp(x); }},
-        {"log", [](const ex& x) -> ex { return GiNaC::log(x); }},
-        {"sin", [](const ex& x) -> ex { return GiNaC::sin(x); }},
-        {"cos", [](const ex& x) -> ex { return GiNaC::cos(x); }},
-        {"tan", [](const ex& x) -> ex { return GiNaC::tan(x); }},
-        {"asin", [](const ex& x) -> ex { return GiNaC::asin(x); }},
-        {"acos", [](const ex& x) -> ex { return GiNaC::acos(x); }},
-        {"atan", [](const ex& x) -> ex { return GiNaC::atan(x); }},
-        {"sinh", [](const ex& x) -> ex { return GiNaC::sinh(x); }},
-        {"cosh", [](const ex& x) -> ex { return GiNaC::cosh(x); }},
-        {"tanh", [](const ex& x) -> ex { return GiNaC::tanh(x); }},
-    }};
-    const auto* found = std::find_if(functions.begin(), functions.end(),
-                                     [&](const auto& entry) { return entry.first == function; });
-    HVI_CHECK(found != functions.end());
-    return found->second(argument);
+    return GiNaC::function(GiNaC::function::find_function(function, 1), argument);
 }
 
 /// Whether no symbol but pi and e occurs.

@@ -2,32 +2,32 @@
 #include "generator/lower/derivative.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
+
+#include "generator/expr/functions.hpp"
+#include "generator/lower/lower.hpp"
+#include "generator/read/parse.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
+std::map<std::string, Expression, std::less<>> derivatives_of_functions() {
+    std::map<std::string, Expression, std::less<>> derivatives;
+    for (const Function& function : functions()) {
+        if (function.derivative.empty()) { continue; }
+        derivatives.emplace(function.name, parse_expression(given(
+                                               "functions.def", std::string(function.derivative))));
+    }
+    return derivatives;
+}
+
 /// The derivative of a function of one argument; `value` is what it is there.
 Scaled derivative(Graph& graph, const std::string& function, const Scaled& argument,
                   const Scaled& value) {
-    const auto square = [&](const Scaled& a) { return graph.product(a, a); };
-    const auto one_and = [&](long sign, const Scaled& a) {
-        return graph.sum({graph.number(1), graph.times({sign, 1}, a)});
-    };
-    if (function == "sin") { return graph.call("cos", argument); }
-    if (function == "cos") { return graph.times({-1, 1}, graph.call("sin", argument)); }
-    if (function == "tan") { return one_and(1, square(value)); }
-    if (function == "exp") { return value; }
-    if (function == "log") { return graph.inverse(argument); }
-    if (function == "asin") { return graph.half_power(one_and(-1, square(argument)), -1); }
-    if (function == "acos") {
-        return graph.times({-1, 1}, graph.half_power(one_and(-1, square(argument)), -1));
-    }
-    if (function == "atan") { return graph.inverse(one_and(1, square(argument))); }
-    if (function == "sinh") { return graph.call("cosh", argument); }
-    if (function == "cosh") { return graph.call("sinh", argument); }
-    HVI_CHECK(function == "tanh");
-    return one_and(-1, square(value));
+    static const auto derivatives = derivatives_of_functions();
+    return lower(graph, derivatives.at(function), {{"x", argument}, {"y", value}}, nullptr);
 }
 
 /// Goes down from f, and gives each node's share to its arguments.

@@ -14,7 +14,6 @@
 #include "generator/plan/stage_graph.hpp"
 #include "generator/plan/starting_values.hpp"
 #include "generator/plan/velocity_form.hpp"
-#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -309,7 +308,8 @@ void note_zeros(Scheme& scheme) {
     }
 }
 
-void set_from_parameter(Scheme& scheme, const Tableau& tableau) {
+void set_from_parameter(Scheme& scheme, const Tableau& tableau,
+                        const std::optional<hvi::gen::Place>& method) {
     const auto depends = [](const NumberVector& numbers) {
         return std::any_of(numbers.begin(), numbers.end(),
                            [](const Number& number) { return number.has_parameters(); });
@@ -352,7 +352,7 @@ void set_from_parameter(Scheme& scheme, const Tableau& tableau) {
         from.numbers = parametric(tableau.b, others);
     } catch (const InputError& error) {
         if (error.place()) { throw; }
-        throw InputError(error.what(), option_place("METHOD", tableau.origin), error.help());
+        throw InputError(error.what(), method, error.help());
     }
     scheme.from_parameter = std::move(from);
     note_zeros(scheme);
@@ -378,7 +378,7 @@ Scheme plan(const Tableau& tableau, const PlanOptions& options) {
     set_sums(scheme, options);
     set_kept(scheme);
     if (options.depends_on_time) { set_times(scheme); }
-    set_from_parameter(scheme, tableau);
+    set_from_parameter(scheme, tableau, options.method);
     // NOTE: trajectories side by side differ in how stiff H is for them, and are all iterated.
     const bool is_ensemble = options.lanes == Lanes::ensemble;
     const Solver solver =

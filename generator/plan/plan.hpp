@@ -22,6 +22,7 @@ struct PlanOptions {
     Solver solver = Solver::of_user;              ///< what is wished for
     Lanes lanes = Lanes::none;                    ///< the same
     std::optional<Composition> composition = {};  ///< a step is made of several of the method
+    std::optional<Place> method = {};             ///< where it was given, for errors
 };
 
 /// Throws InputError when the tableau has free parameters in places that parametric() refuses.

@@ -30,10 +30,7 @@ using Files = std::map<std::string, std::string_view>;  // by their paths in the
 Files files_of(const ProgramText& text) {
     Files files{{"main.cpp", text.main}};
     for (const auto& [name, content] : text.headers) files.emplace(name, content);
-    for (const EmbeddedFile& file : embedded_runtime())
-        files.emplace("hvi/" + std::string(file.name), file.text);
-    for (const EmbeddedFile& file : embedded_drivers())
-        files.emplace("driver/" + std::string(file.name), file.text);
+    for (const EmbeddedFile& file : embedded_headers()) files.emplace(file.name, file.text);
     return files;
 }
 

@@ -8,10 +8,7 @@
 
 namespace hvi::gen {
 
-/// The headers of src/hvi.
-[[nodiscard]] std::span<const EmbeddedFile> embedded_runtime();
-
-/// The headers of src/driver.
-[[nodiscard]] std::span<const EmbeddedFile> embedded_drivers();
+/// The headers of src/hvi and src/driver, by their paths in src/.
+[[nodiscard]] std::span<const EmbeddedFile> embedded_headers();
 
 }  // namespace hvi::gen

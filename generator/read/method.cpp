@@ -111,6 +111,7 @@ Method named_method(std::shared_ptr<const Source> source) {
     }
     Method method = entry != nullptr ? single_method(*entry) : family_method(source);
     method.origin = "--method " + method.name;
+    method.place = whole(source);
     return method;
 }
 
@@ -136,6 +137,7 @@ Method method_from_lists(List basis, List nodes, std::optional<List> weights) {
     method.basis = std::move(basis);
     method.nodes = std::move(nodes);
     method.weights = std::move(weights);
+    method.place = whole(method.basis.source);
     if (parameter_names(method).size() > most_parameters)
         throw InputError(fmt::format("there are more than {} parameters", most_parameters),
                          whole(method.basis.source));

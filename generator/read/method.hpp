@@ -36,6 +36,7 @@ struct Method {
     List nodes;
     std::optional<List> weights;
     std::vector<Parameter> parameters;  ///< each a symbol of the method, no name twice
+    std::optional<Place> place;         ///< of its name, or of its basis, for errors
 };
 
 /// The method called so: `gauss:3`, or one of `named_methods()`. Throws InputError for an unknown

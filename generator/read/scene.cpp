@@ -27,27 +27,32 @@ std::vector<std::string> parameter_names(const Scene& scene) {
     return names;
 }
 
-[[noreturn]] void refuse_unknown(const std::string& name, const Place& place) {
+[[noreturn]] void refuse_unknown(const Given& given) {
+    const std::string& name = given->text;
     std::vector<std::string_view> names;
     for (const EmbeddedFile& file : embedded_scenes()) names.push_back(name_of(file));
     throw InputError(
-        fmt::format("there is no scene and no file `{}`", name), place,
+        fmt::format("there is no scene and no file `{}`", name), whole(given),
         did_you_mean(name, names, "`hvi-gen list scenes` shows those that come with the program"));
 }
 
 }  // namespace
 
-Scene find_scene(const std::string& name_or_file, const Place& place) {
+Scene find_scene(const Given& name_or_file) {
+    const std::string& name = name_or_file->text;
     for (const EmbeddedFile& file : embedded_scenes()) {
-        if (name_of(file) != name_or_file) continue;
+        if (name_of(file) != name) continue;
         Scene scene = scene_from_toml({std::string(file.name), std::string(file.text)});
-        scene.hamiltonian.origin = name_or_file;
+        scene.hamiltonian.origin = name;
+        scene.place = whole(name_or_file);
         return scene;
     }
     std::error_code ignored;
-    const auto status = std::filesystem::status(name_or_file, ignored);
-    if (status.type() == std::filesystem::file_type::not_found) refuse_unknown(name_or_file, place);
-    return scene_from_file(name_or_file);
+    const auto status = std::filesystem::status(name, ignored);
+    if (status.type() == std::filesystem::file_type::not_found) refuse_unknown(name_or_file);
+    Scene scene = scene_from_file(name);
+    scene.place = whole(name_or_file);
+    return scene;
 }
 
 std::vector<SceneEntry> scenes() {

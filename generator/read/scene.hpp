@@ -39,6 +39,7 @@ struct Scene {
     std::vector<NamedExpression> initial;     ///< of the coordinates, then of the momenta
     std::vector<NamedExpression> exact;       ///< the same, as functions of t; or empty
     RunWishes run;
+    std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
 };
 
 /// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
@@ -50,7 +51,7 @@ struct Scene {
 
 /// The scene that the command line names: one that comes with the program (`kepler`), else that of
 /// the file. Throws InputError, with what may have been meant, where there is neither.
-[[nodiscard]] Scene find_scene(const std::string& name_or_file, const Place& place);
+[[nodiscard]] Scene find_scene(const Given& name_or_file);
 
 /// Names and descriptions of the scenes that come with the program, by name.
 struct SceneEntry {

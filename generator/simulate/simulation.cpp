@@ -5,7 +5,6 @@
 
 #include "generator/emit/text/text.hpp"
 #include "generator/support/error.hpp"
-#include "generator/support/option_place.hpp"
 
 namespace hvi::gen {
 
@@ -48,8 +47,7 @@ void check_simulation(const SceneStepper& stepper) {
     for (const Parameter& parameter : stepper.lowered.scene.parameters)
         if (parameter.name == name) return;
     throw InputError(fmt::format("the parameter `{}` of the method has no value", name),
-                     option_place("METHOD", stepper.tableau.origin),
-                     fmt::format("give it one: --param {}=1", name));
+                     stepper.method_place, fmt::format("give it one: --param {}=1", name));
 }
 
 StepperWishes simulation_wishes(Solver solver, std::optional<Composition> composition) {

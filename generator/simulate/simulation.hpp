@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/emit/steps/scene_stepper.hpp"
+#include "generator/pipeline/stepper.hpp"
 #include "generator/exact/functions/step_count.hpp"
 #include "generator/program/cache.hpp"
 #include "generator/simulate/answers.hpp"

@@ -26,9 +26,7 @@ constexpr const char* explicit_methods[] = {"stormer-verlet", "stormer-verlet-yo
                                             "stormer-verlet-kahan-li:8"};
 constexpr const char* implicit_methods[] = {"gauss:2", "gauss:3", "gauss:4", "gauss:6", "gauss:8"};
 
-ComposedMethod named(const char* name) {
-    return composed_method(std::make_shared<const Source>(Source{"--accuracy", name}));
-}
+ComposedMethod named(const char* name) { return composed_method(given("--accuracy", name)); }
 
 /// Those that solve nothing first, where there are any. Of a quadratic H the steps are a matrix,
 /// which fixed points would not be.

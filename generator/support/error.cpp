@@ -163,6 +163,10 @@ std::string place_lines(const Place& whole) {
 
 }  // namespace
 
+Given given(std::string name, std::string text) {
+    return std::make_shared<const Source>(Source{std::move(name), std::move(text)});
+}
+
 Place whole(std::shared_ptr<const Source> source) {
     const std::size_t size = source->text.size();
     return {std::move(source), {0, size}};

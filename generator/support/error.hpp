@@ -39,6 +39,12 @@ struct Place {
     Range range;
 };
 
+/// What the user gave for an option, whose name is that of the source; null where nothing was
+/// given.
+using Given = std::shared_ptr<const Source>;
+
+[[nodiscard]] Given given(std::string name, std::string text);
+
 /// All of a text that the user gave.
 [[nodiscard]] Place whole(std::shared_ptr<const Source> source);
 

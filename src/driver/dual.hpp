@@ -11,10 +11,10 @@
 #include <type_traits>
 #include <vector>
 
-#include <hvi/arithmetic.hpp>
-#include <hvi/dense.hpp>
-#include <hvi/math.hpp>
-#include <hvi/scalar.hpp>
+#include <hvi/detail/linear/dense.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/numbers/math.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
 
 namespace hvi::driver {
 

@@ -12,7 +12,7 @@
 
 #include <driver/edge_main.hpp>
 #include <driver/equations.hpp>
-#include <hvi/compensated.hpp>
+#include <hvi/detail/numbers/compensated.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver::naive {

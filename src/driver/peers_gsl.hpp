@@ -13,8 +13,8 @@
 #include <driver/equations.hpp>
 #include <driver/peer.hpp>
 #include <gsl/gsl_odeiv2.h>
+#include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
-#include <hvi/system.hpp>
 
 namespace hvi::driver::gsl {
 

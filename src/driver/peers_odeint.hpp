@@ -19,7 +19,7 @@
 #include <driver/cost.hpp>
 #include <driver/equations.hpp>
 #include <driver/peer.hpp>
-#include <hvi/system.hpp>
+#include <hvi/detail/stages/system.hpp>
 
 namespace hvi::driver::odeint {
 

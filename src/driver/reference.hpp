@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <driver/answer.hpp>
-#include <hvi/scalar.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {

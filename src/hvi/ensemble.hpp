@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include <hvi/trajectories.hpp>
+#include <hvi/detail/trajectories/trajectories.hpp>
 
 namespace hvi {
 

@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <hvi/arithmetic.hpp>
-#include <hvi/joint_slopes.hpp>
-#include <hvi/round_off.hpp>
-#include <hvi/scalar.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/solvers/joint_slopes.hpp>
+#include <hvi/detail/solvers/round_off.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <hvi/arithmetic.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi {

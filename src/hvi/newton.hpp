@@ -7,10 +7,10 @@
 #include <utility>
 
 #include <Eigen/Dense>
-#include <hvi/newton_loop.hpp>
-#include <hvi/newton_pairs.hpp>
+#include <hvi/detail/solvers/newton_loop.hpp>
+#include <hvi/detail/solvers/newton_pairs.hpp>
+#include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
-#include <hvi/system.hpp>
 
 namespace hvi {
 namespace detail {

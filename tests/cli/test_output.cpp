@@ -69,13 +69,28 @@ TEST_CASE("the same input gives the same bytes") {
 
 TEST_CASE("all of list is its parts") {
     const std::string all = same_every_time({"list"});
-    for (const std::string topic : {"bases", "nodes", "methods", "scenes"})
+    for (const std::string topic : {"bases", "nodes", "methods", "scenes", "functions"})
         CHECK(all.find(same_every_time({"list", topic})) != std::string::npos);
-    for (const std::string name :
-         {"monomials:S", "trig:S", "bspline(k,i)", "gauss:S", "lobatto:S", "radau-left:S",
-          "radau-right:S", "newton-cotes:S", "newton-cotes-open:S", "chebyshev:S",
-          "clenshaw-curtis:S", "fejer:S", "roots(P(tau))", "symplectic-euler", "midpoint",
-          "adjoint-symplectic-euler", "stormer-verlet", "trig3"})
+    for (const std::string name : {"monomials:S",
+                                   "trig:S",
+                                   "bspline(k,i)",
+                                   "gauss:S",
+                                   "lobatto:S",
+                                   "radau-left:S",
+                                   "radau-right:S",
+                                   "newton-cotes:S",
+                                   "newton-cotes-open:S",
+                                   "chebyshev:S",
+                                   "clenshaw-curtis:S",
+                                   "fejer:S",
+                                   "roots(P(tau))",
+                                   "symplectic-euler",
+                                   "midpoint",
+                                   "adjoint-symplectic-euler",
+                                   "stormer-verlet",
+                                   "trig3",
+                                   "y = sqrt(x)",
+                                   "y = tanh(x)"})
         CHECK(all.find("  " + name) != std::string::npos);
 }
 

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 #include <driver/dual.hpp>
-#include <hvi/compensated.hpp>
+#include <hvi/detail/numbers/compensated.hpp>
 
 #include "tests/edges/epsilon.hpp"
 

@@ -11,9 +11,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Scene embedded_scene(const std::string& name) {
-    return find_scene(name, {std::make_shared<const Source>(Source{"SCENE", name}), {0, 0}});
-}
+Scene embedded_scene(const std::string& name) { return find_scene(given("SCENE", name)); }
 
 Scene of_one_spring(const std::string& hamiltonian) {
     return scene_from_toml(

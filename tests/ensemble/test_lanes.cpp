@@ -6,8 +6,8 @@
 #include <random>
 
 #include <catch2/catch.hpp>
-#include <hvi/lane_math.hpp>
-#include <hvi/lanes.hpp>
+#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lanes.hpp>
 
 namespace {
 

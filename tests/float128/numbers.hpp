@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include <hvi/arithmetic.hpp>
-#include <hvi/math.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/numbers/math.hpp>
 
 namespace float128 {
 

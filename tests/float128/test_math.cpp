@@ -1,5 +1,5 @@
-// The functions of <hvi/math.hpp>, and the constants of a scene, against decimals of mpmath.
-// SPDX-License-Identifier: GPL-2.0-or-later
+// The functions of <hvi/detail/numbers/math.hpp>, and the constants of a scene, against decimals of
+// mpmath. SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <limits>
 #include <string>

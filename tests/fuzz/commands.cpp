@@ -117,7 +117,7 @@ void carry_out(const TableauOptions& options) {
 }
 
 void carry_out(CheckOptions options) {
-    if (options.plot) options.plot = path_of("PLOT");
+    if (options.plot) options.plot = given("--plot", path_of("PLOT"));
     const std::string text = result(options);
     if (options.format == CheckOptions::Format::json) check_json(text);
 }

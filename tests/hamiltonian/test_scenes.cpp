@@ -11,9 +11,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Scene scene(const std::string& name) {
-    return find_scene(name, {source(name, "SCENE"), {0, name.size()}});
-}
+Scene scene(const std::string& name) { return find_scene(source(name, "SCENE")); }
 
 /// The values of the parameters, and a time.
 Point given(const Scene& scene, Real time) {

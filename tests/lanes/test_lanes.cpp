@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
-#include <hvi/lane_math.hpp>
-#include <hvi/lane_tables.hpp>
-#include <hvi/lanes.hpp>
+#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_tables.hpp>
+#include <hvi/detail/lanes/lanes.hpp>
 
 namespace {
 

@@ -6,8 +6,8 @@
 
 #include <limits>
 
-#include <hvi/arithmetic.hpp>
-#include <hvi/pair.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/numbers/pair.hpp>
 
 namespace parameter {
 

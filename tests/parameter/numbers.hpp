@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include <hvi/arithmetic.hpp>
-#include <hvi/pair.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/numbers/pair.hpp>
 
 #include "tests/scalars/scalars.hpp"
 

@@ -1,7 +1,7 @@
 // See test_steps.cpp: the copy of the runtime in a header without a solver comes after the runtime
 // itself here, and before it there.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <hvi/parameter.hpp>
+#include <hvi/detail/coefficients/parameter.hpp>
 
 #include "parameter/cosine_separable.hpp"
 #include "tests/run/systems.hpp"

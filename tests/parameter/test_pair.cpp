@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <catch2/catch.hpp>
-#include <hvi/pair.hpp>
+#include <hvi/detail/numbers/pair.hpp>
 
 #include "ball.hpp"
 #include "numbers.hpp"

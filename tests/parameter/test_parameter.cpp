@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <catch2/catch.hpp>
-#include <hvi/parameter.hpp>
+#include <hvi/detail/coefficients/parameter.hpp>
 
 #include "ball.hpp"
 #include "numbers.hpp"

@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include <catch2/catch.hpp>
-#include <hvi/pair.hpp>
-#include <hvi/series.hpp>
+#include <hvi/detail/coefficients/series.hpp>
+#include <hvi/detail/numbers/pair.hpp>
 
 #include "ball.hpp"
 #include "numbers.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
-#include <hvi/coefficients.hpp>
+#include <hvi/detail/coefficients/coefficients.hpp>
 
 #include "ball.hpp"
 #include "numbers.hpp"

@@ -77,8 +77,6 @@ inline Names lines(const std::vector<NamedExpression>& values) {
     return result;
 }
 
-inline Scene embedded(const std::string& name) {
-    return find_scene(name, {source(name, "SCENE"), {0, name.size()}});
-}
+inline Scene embedded(const std::string& name) { return find_scene(source(name, "SCENE")); }
 
 }  // namespace hvi::gen

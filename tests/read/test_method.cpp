@@ -11,7 +11,7 @@ namespace {
 
 Method named(const std::string& name) { return named_method(source(name, "--method")); }
 
-Method given(const std::string& basis, const std::string& nodes) {
+Method of_lists(const std::string& basis, const std::string& nodes) {
     return method_from_text(source(basis, "--basis"), source(nodes, "--nodes"));
 }
 
@@ -20,7 +20,7 @@ Refusal refused_method(const std::string& name) {
 }
 
 Refusal refused_method(const std::string& basis, const std::string& nodes) {
-    return refusal([&] { return given(basis, nodes); });
+    return refusal([&] { return of_lists(basis, nodes); });
 }
 
 Refusal refused_parameter(const std::string& text) {
@@ -52,7 +52,7 @@ TEST_CASE("the named methods of Examples 4.4 to 4.6") {
         const Method method = named(name);
         CHECK(method.name == name);
         CHECK(method.origin == "--method " + name);
-        const Method other = given(basis, nodes);
+        const Method other = of_lists(basis, nodes);
         REQUIRE(method.nodes.items.size() == other.nodes.items.size());
         for (std::size_t k = 0; k < other.nodes.items.size(); ++k) {
             CHECK(item(method.basis, k) == item(other.basis, k));
@@ -74,7 +74,7 @@ TEST_CASE("every entry of the catalogue can be read") {
                   .status == 2);
     }
     for (const FamilyEntry& entry : basis_families())
-        CHECK(given(std::string(entry.name) + ":64", "0").basis.items.size() == 1);
+        CHECK(of_lists(std::string(entry.name) + ":64", "0").basis.items.size() == 1);
     for (const MethodEntry& entry : named_methods())
         CHECK(named(std::string(entry.name)).name == entry.name);
 }
@@ -115,7 +115,7 @@ TEST_CASE("Chebyshev nodes that are not real are a matter of mathematics") {
 }
 
 TEST_CASE("basis functions and nodes by text") {
-    const Method method = given("1, cos( 0.5*tau )", "radau-left:2, roots(tau^2-1/3)");
+    const Method method = of_lists("1, cos( 0.5*tau )", "radau-left:2, roots(tau^2-1/3)");
     CHECK(method.name.empty());
     CHECK(method.origin == "--basis \"1, cos(tau/2)\" --nodes \"radau-left:2, roots(tau^2-1/3)\"");
     const Method weighted =
@@ -161,13 +161,13 @@ TEST_CASE("there are limits to what a method has") {
 }
 
 TEST_CASE("parameters are the symbols that are left") {
-    const Method method = given("1, cos(w*tau), e^(-a*pi)", "0, c, roots(tau-b)");
+    const Method method = of_lists("1, cos(w*tau), e^(-a*pi)", "0, c, roots(tau-b)");
     CHECK(parameter_names(method) == std::vector<std::string>{"a", "b", "c", "w"});
     CHECK(parameter_names(named("trig3")).empty());
 }
 
 TEST_CASE("a value is given to a parameter") {
-    Method method = given("1, cos(w*tau)", "0, 1");
+    Method method = of_lists("1, cos(w*tau)", "0, 1");
     set_parameter(method, parse_parameter(source("w=2")));
     set_parameter(method, parse_parameter(source(" w = 2*pi ")));
     REQUIRE(method.parameters.size() == 1);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
-#include <hvi/automatic.hpp>
+#include <hvi/detail/solvers/automatic.hpp>
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include <catch2/catch.hpp>
-#include <hvi/coefficients.hpp>
-#include <hvi/compensated.hpp>
+#include <hvi/detail/coefficients/coefficients.hpp>
+#include <hvi/detail/numbers/compensated.hpp>
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <catch2/catch.hpp>
-#include <hvi/round_off.hpp>
+#include <hvi/detail/solvers/round_off.hpp>
 
 #include "systems.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include <hvi/arithmetic.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/state.hpp>
 
 namespace scalars {

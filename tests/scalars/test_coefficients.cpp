@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <hvi/detail/coefficients/rounded.hpp>
 #include <hvi/generated/chebyshev_3.hpp>
 #include <hvi/generated/gauss_2.hpp>
 #include <hvi/generated/gauss_2_separable.hpp>
@@ -15,7 +16,6 @@
 #include <hvi/generated/lobatto_3_separable.hpp>
 #include <hvi/generated/lobatto_4.hpp>
 #include <hvi/generated/trig3.hpp>
-#include <hvi/rounded.hpp>
 
 #include "decimals.hpp"
 #include "scalars.hpp"

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include <hvi/linear_stages.hpp>
+#include <hvi/detail/linear/linear_stages.hpp>
 #include <scene/double_pendulum.hpp>
 #include <scene/fpu.hpp>
 #include <scene/harmonic_oscillator.hpp>

@@ -46,19 +46,13 @@
 #include <cstddef>
 #include <utility>
 
-#include <hvi/arithmetic.hpp>
-#include <hvi/coefficients.hpp>
+#include <hvi/detail/stages/stages.hpp>
+#include <hvi/detail/stepper.hpp>
 #include <hvi/fixed_point.hpp>
-#include <hvi/rounded.hpp>
-#include <hvi/scalar.hpp>
-#include <hvi/stages.hpp>
-#include <hvi/state.hpp>
-#include <hvi/system.hpp>
-#include <hvi/version.hpp>
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(2),
+static_assert(hvi::supports_format(11),
               "this header is for another version of hvi: write it again with hvi-gen");
 
 /// For H(q, p) = T(p) + U(q). `System` names its `Vector`, std::array<double, n> or one of Eigen,

@@ -7,6 +7,7 @@
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/system_part.hpp"
 #include "generator/support/error.hpp"
+#include "src/hvi/version.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -21,14 +22,15 @@ struct EnsembleParts {
 
 EnsembleParts explicit_parts(const Scheme& scheme, std::size_t dimension) {
     EnsembleParts parts;
-    parts.runtime = {"trajectories.hpp"};
+    parts.runtime = {"detail/trajectories/trajectories"};
     parts.carried = keeps(scheme) ? "SlopeCarried" : "NothingCarried";
     parts.step = ensemble_moves_text(scheme, dimension);
     parts.constants = weights_text(scheme);
     Writer members(1);
     members.line("System system_;");
     if (scheme.keeps_remainder) {
-        parts.runtime.insert(parts.runtime.end(), {"trajectory_sums.hpp", "weights.hpp"});
+        parts.runtime.insert(parts.runtime.end(), {"detail/coefficients/weights",
+                                                   "detail/trajectories/trajectory_sums"});
         parts.carried = keeps(scheme) ? "RemaindersAndSlopeCarried" : "RemaindersCarried";
         parts.reset = "sums_.forget();";
         members.line("hvi::detail::TrajectorySums<State> sums_;")
@@ -172,7 +174,7 @@ EnsembleParts implicit_parts(const Scheme& scheme) {
     HVI_CHECK(scheme.blocks.size() == 1);
     const std::string about = unknowns(scheme.blocks.front());
     EnsembleParts parts;
-    parts.runtime = {"lane_sweeps.hpp", "trajectories.hpp", "trajectory_stages.hpp"};
+    parts.runtime = {"detail/trajectories/trajectory_stages"};
     parts.carried = "RemaindersCarried";
     parts.reset = "s_.forget();";
     if (scheme.velocity_form) {
@@ -202,13 +204,6 @@ std::string state_type(const Scheme& scheme, std::string_view carried) {
                        scheme.depends_on_time ? ", Trajectory" : "");
 }
 
-std::string format(const Scheme& scheme) {
-    return scheme.keeps_remainder                           ? "10"
-           : scheme.is_explicit() || scheme.depends_on_time ? "9"
-           : scheme.has_joint_slopes                        ? "8"
-                                                            : "7";
-}
-
 }  // namespace
 
 std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
@@ -220,7 +215,7 @@ std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
                               : implicit_parts(scheme);
     Holes holes = holes_of(system);
     holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
-                      {"format", format(scheme)},
+                      {"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
                       {"trajectory", system.state},
                       {"state", state_type(scheme, parts.carried)},

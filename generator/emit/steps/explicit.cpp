@@ -124,10 +124,10 @@ std::string fits_text(const Scheme& scheme) {
     return writer.str();
 }
 
-/// A file of the runtime as part of the header, which then has what that file includes of hvi.
+/// A header of the runtime as part of this one, which then has what that includes of hvi.
 std::string copy_of(std::string_view name) {
     std::string text;
-    std::istringstream file{std::string(embedded_template(name))};
+    std::istringstream file{std::string(embedded_template(fmt::format("hvi/{}.hpp", name)))};
     for (std::string line; std::getline(file, line);) {
         if (line.rfind("#include <hvi/", 0) != 0) { text += line + '\n'; }
     }
@@ -135,18 +135,21 @@ std::string copy_of(std::string_view name) {
 }
 
 std::string support(const Scheme& scheme, const SceneWishes& wishes, bool with_rounded) {
-    std::vector<std::string_view> names{"state.hpp", "scalar.hpp"};
-    if (wishes.float128) { names.push_back("math.hpp"); }
-    if (with_rounded) { names.push_back("rounded.hpp"); }
-    names.push_back("system.hpp");
+    std::vector<std::string_view> names{"state", "detail/numbers/scalar"};
+    if (wishes.float128) { names.push_back("detail/numbers/math"); }
+    if (with_rounded) { names.push_back("detail/coefficients/rounded"); }
+    names.push_back("detail/stages/system");
     if (scheme.from_parameter || scheme.depends_on_time || scheme.keeps_remainder) {
-        names.insert(names.end(), {"arithmetic.hpp", "compensated.hpp"});
+        names.insert(names.end(), {"detail/numbers/arithmetic", "detail/numbers/compensated"});
     }
     if (scheme.from_parameter) {
-        names.insert(names.end(), {"pair.hpp", "series.hpp", "parameter.hpp"});
+        names.insert(names.end(), {"detail/numbers/pair", "detail/coefficients/series",
+                                   "detail/coefficients/parameter"});
     }
-    if (scheme.depends_on_time) { names.push_back("clock.hpp"); }
-    if (scheme.keeps_remainder) { names.insert(names.end(), {"step_sums.hpp", "weights.hpp"}); }
+    if (scheme.depends_on_time) { names.push_back("detail/stages/clock"); }
+    if (scheme.keeps_remainder) {
+        names.insert(names.end(), {"detail/stages/step_sums", "detail/coefficients/weights"});
+    }
     std::string text;
     for (const std::string_view name : names) {
         text += (text.empty() ? "" : "\n") + copy_of(name);

@@ -39,8 +39,8 @@ struct MoveNames {
 [[nodiscard]] std::string change(const Scheme& scheme, const Move& move, std::string_view k);
 [[nodiscard]] std::string evaluation(const Scheme& scheme, const Move& move, std::string_view at);
 
-/// The moves where increments are summed apart, see src/hvi/step_sums.hpp, and the vectors that
-/// they compute in and leave nothing in.
+/// The moves where increments are summed apart, see src/hvi/detail/stages/step_sums.hpp, and the
+/// vectors that they compute in and leave nothing in.
 [[nodiscard]] std::string compensated_moves_text(const Scheme& scheme);
 [[nodiscard]] std::vector<std::string> compensated_scratch(const Scheme& scheme);
 

@@ -78,7 +78,8 @@ namespace hvi::gen {
 [[nodiscard]] std::string velocity_factor(const Scheme& scheme, std::size_t j, std::string_view s);
 [[nodiscard]] std::string force_factor(const Scheme& scheme, std::size_t i, std::string_view s);
 
-/// Whether the products of h and the weights are rounded, together; see src/hvi/weights.hpp.
+/// Whether the products of h and the weights are rounded, together; see
+/// src/hvi/detail/coefficients/weights.hpp.
 [[nodiscard]] bool rounds_weights(const Scheme& scheme);
 
 }  // namespace hvi::gen

@@ -11,7 +11,6 @@ namespace hvi::gen {
 
 /// See templates/implicit.hpp.in.
 struct ImplicitParts {
-    int format = 0;                    ///< of the calls into the runtime; see src/hvi/version.hpp
     std::vector<std::string> runtime;  ///< headers of hvi that not every one includes
     std::string steps, constants, predict, coupled, members;
     std::string curve;  ///< empty where none is asked for

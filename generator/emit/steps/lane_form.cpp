@@ -91,7 +91,7 @@ ImplicitParts velocity_lane_parts(const Scheme& scheme, const SceneWishes& wishe
     constants.line("static constexpr hvi::detail::VelocityTable<Scalar, stages> cn_lanes{{c, n}};");
     columns_of_extrapolation(constants, scheme);
     ImplicitParts parts;
-    parts.runtime = {"velocity_lanes.hpp"};
+    parts.runtime = {"detail/lanes/velocity_lanes"};
     parts.steps = steps_of_lanes(
         scheme, {"system_.dHdp(s_.at.p, s_.velocity);", "s_.drift_freely(cn_lanes);"}, "cn_lanes");
     parts.constants = constants.str();
@@ -171,7 +171,7 @@ ImplicitParts pair_lane_parts(const Scheme& scheme, const SceneWishes& wishes) {
     if (!scheme.one_tableau()) { columns(constants, "mt"); }
     columns_of_extrapolation(constants, scheme);
     ImplicitParts parts;
-    parts.runtime = {"stage_lanes.hpp"};
+    parts.runtime = {"detail/lanes/stage_lanes"};
     parts.steps = steps_of_lanes(scheme, {}, "");
     parts.constants = constants.str();
     parts.predict = pair_predict_text(scheme);

@@ -3,6 +3,7 @@
 #include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/system_part.hpp"
+#include "src/hvi/version.hpp"
 
 namespace hvi::gen {
 
@@ -25,13 +26,14 @@ std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const Emit
     const SystemPart system = system_part(tableau, scheme, options);
     const LoweredScene& scene = *options.scene;
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
-                      {"format", "5"},
-                      {"math", options.wishes.float128 ? "#include <hvi/math.hpp>" : ""},
-                      {"constants", with_rounding(coefficients_text(scheme))},
-                      {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme), weights_q(scheme),
-                                             weights_p(scheme))},
-                      {"n", std::to_string(scene.system.degrees_of_freedom())}});
+    holes.merge(
+        Holes{{"banner", banner(tableau, scheme, options)},
+              {"format", std::to_string(hvi::runtime_format)},
+              {"math", options.wishes.float128 ? "#include <hvi/detail/numbers/math.hpp>" : ""},
+              {"constants", with_rounding(coefficients_text(scheme))},
+              {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme), weights_q(scheme),
+                                     weights_p(scheme))},
+              {"n", std::to_string(scene.system.degrees_of_freedom())}});
     if (!scheme.is_sheared) { return fill("increments.hpp.in", holes); }
     holes["shifted"] = has_linear_part(scene.structure) ? "true" : "false";
     holes.merge(words_for_numbers(options.wishes));

@@ -319,9 +319,8 @@ std::string pair_constants(const Scheme& scheme, const SceneWishes& wishes) {
 
 ImplicitParts pair_parts(const Scheme& scheme, const SceneWishes& wishes) {
     ImplicitParts parts;
-    parts.format = scheme.depends_on_time ? 4 : scheme.from_parameter ? 3 : 2;
-    parts.runtime = {"stages.hpp"};
-    if (scheme.from_parameter) { parts.runtime.push_back("parameter.hpp"); }
+    parts.runtime = {"detail/stages/stages"};
+    if (scheme.from_parameter) { parts.runtime.push_back("detail/coefficients/parameter"); }
     parts.steps = steps_of_pairs(scheme);
     parts.constants = pair_constants(scheme, wishes);
     parts.predict = prediction_of_pairs(scheme);

@@ -331,8 +331,7 @@ std::string velocity_constants(const Scheme& scheme, const SceneWishes& wishes) 
 ImplicitParts velocity_parts(const Scheme& scheme, const SceneWishes& wishes) {
     HVI_CHECK(scheme.velocity_form && scheme.coupled_blocks() == 1);
     ImplicitParts parts;
-    parts.format = 4;
-    parts.runtime = {"velocity_stages.hpp"};
+    parts.runtime = {"detail/stages/velocity_stages"};
     parts.steps = steps_of_velocities(scheme);
     parts.constants = velocity_constants(scheme, wishes);
     parts.predict = prediction_of_velocities(scheme);

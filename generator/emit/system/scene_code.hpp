@@ -23,7 +23,7 @@ struct SceneWishes {
     std::optional<Curve> curve;  ///< of the last step, as a member
 };
 
-/// The namespace of the functions that it calls: `std`, or that of src/hvi/math.hpp.
+/// The namespace of the functions that it calls: `std`, or that of src/hvi/detail/numbers/math.hpp.
 [[nodiscard]] std::string_view library(const SceneWishes& wishes);
 
 /// Throws InputError where an invariant that is asked for is called as something else that each

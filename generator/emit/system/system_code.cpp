@@ -17,9 +17,10 @@ constexpr std::string_view vector_type(bool are_lanes) { return are_lanes ? "Val
 
 /// The names of what evaluations find: variables, members for what is made of parameters, and
 /// constants.
-class Given {
+class GivenNodes {
 public:
-    explicit Given(const LoweredScene& lowered) : lowered_(lowered), graph_(lowered.system.graph) {
+    explicit GivenNodes(const LoweredScene& lowered)
+        : lowered_(lowered), graph_(lowered.system.graph) {
         const auto variables = [&](const std::vector<Node>& nodes, std::string_view letter) {
             for (std::size_t k = 0; k < nodes.size(); ++k) {
                 names_[nodes[k]] = fmt::format("{}[{}]", letter, k);
@@ -339,7 +340,7 @@ bool uses_parameters(const LoweredScene& lowered, const Kernel& kernel) {
                        [&](Node node) { return names.count(node) != 0; });
 }
 
-void write_constructor(Writer& writer, const LoweredScene& lowered, const Given& given,
+void write_constructor(Writer& writer, const LoweredScene& lowered, const GivenNodes& given,
                        std::string_view library) {
     const Kernel setup = given.setup();
     writer.open("constexpr explicit System({}) {{",
@@ -352,7 +353,7 @@ void write_constructor(Writer& writer, const LoweredScene& lowered, const Given&
     writer.close();
 }
 
-void write_begin(Writer& writer, const LoweredScene& lowered, const Given& given,
+void write_begin(Writer& writer, const LoweredScene& lowered, const GivenNodes& given,
                  const Kernel& initial, std::string_view library) {
     writer.open("static constexpr void begin({}, Vector& q, Vector& p) {{",
                 argument(uses_parameters(lowered, initial), "const Parameters& parameters"));
@@ -365,7 +366,7 @@ void write_begin(Writer& writer, const LoweredScene& lowered, const Given& given
     writer.close();
 }
 
-std::string data_text(const LoweredScene& lowered, const Given& given) {
+std::string data_text(const LoweredScene& lowered, const GivenNodes& given) {
     Writer writer(1);
     for (std::size_t i = 0; i < given.constants().size(); ++i) {
         const Expression& value = lowered.system.graph.at(given.constants()[i]).constant;
@@ -401,7 +402,7 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
                         const Scheme& scheme) {
     const std::vector<Function> all = functions(lowered, wishes, scheme);
     const Kernel initial = kernel_of_inputs(lowered.system.graph, lowered.initial);
-    Given given(lowered);
+    GivenNodes given(lowered);
     for (const Function& function : all) { given.name(function.kernel, function.names); }
     // NOTE: what computes members and initial data is given parameters, which have names, and
     // constants, which get theirs here.

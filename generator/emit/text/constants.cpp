@@ -36,7 +36,7 @@ bool is_the_same_in_all(const Rounded& value) {
 /// Of few bits, or bits that tell a reader nothing.
 std::string hexadecimal(double value) { return value == 0.0 ? "0.0" : fmt::format("{:a}", value); }
 
-/// See src/hvi/rounded.hpp.
+/// See src/hvi/detail/coefficients/rounded.hpp.
 std::string text_of(const Rounded& value) {
     const Dyadic& hi = of(value, 53);
     if (is_the_same_in_all(value)) { return fmt::format("Scalar({})", literal(hi.to_double())); }

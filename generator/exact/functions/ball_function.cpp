@@ -4,6 +4,8 @@
 #include <map>
 
 #include "generator/exact/numbers/number_value.hpp"
+#include "generator/expr/functions.hpp"
+#include "generator/read/parse.hpp"
 
 namespace hvi::gen {
 
@@ -102,23 +104,6 @@ Jet power(const Jet& base, const Ratio& exponent, bool analytic, Precision bits)
                                  : fractional_power(base, exponent, analytic, bits);
 }
 
-using AcbFunction = void (*)(acb_t, const acb_t, slong);
-
-/// f' from z and f(z).
-using Derivative = void (*)(acb_t, const acb_t, const acb_t, slong);
-
-/// 1 + sign x^2
-void one_plus_square(acb_t result, const acb_t x, int sign, Precision bits) {
-    acb_sqr(result, x, bits);
-    if (sign < 0) acb_neg(result, result);
-    acb_add_si(result, result, 1, bits);
-}
-
-void arcsine_derivative(acb_t result, const acb_t z, const acb_t /*value*/, slong bits) {
-    one_plus_square(result, z, -1, bits);
-    acb_rsqrt(result, result, bits);
-}
-
 bool on_real_cuts(const acb_t z) {
     if (!arb_contains_zero(acb_imagref(z))) return false;
     arb_t one;
@@ -139,51 +124,90 @@ bool on_imaginary_cuts(const acb_t z) {
     return on_real_cuts(turned.get());
 }
 
-bool never(const acb_t /*z*/) { return false; }
+bool touches(Cuts cuts, const acb_t z) {
+    switch (cuts) {
+    case Cuts::nowhere: return false;
+    case Cuts::not_positive: return touches_cut(z);
+    case Cuts::real_beyond_one: return on_real_cuts(z);
+    case Cuts::imaginary_beyond_one: return on_imaginary_cuts(z);
+    }
+    HVI_CHECK(false);
+    return true;
+}
 
+/// One of expr/functions.def.
 struct Elementary {
-    AcbFunction value;
-    Derivative derivative;
-    bool (*touches_cut)(const acb_t) = never;
+    void (*value)(acb_t, const acb_t, slong);
+    Cuts cuts;
+    Expression derivative;  ///< of x and of the value y
 };
 
-const std::map<std::string, Elementary>& elementary_functions() {
-    static const std::map<std::string, Elementary> table{
-        {"exp", {acb_exp, [](acb_t r, const acb_t, const acb_t f, slong) { acb_set(r, f); }}},
-        {"log",
-         {acb_log, [](acb_t r, const acb_t z, const acb_t, slong bits) { acb_inv(r, z, bits); },
-          touches_cut}},
-        {"sin",
-         {acb_sin, [](acb_t r, const acb_t z, const acb_t, slong bits) { acb_cos(r, z, bits); }}},
-        {"cos",
-         {acb_cos,
-          [](acb_t r, const acb_t z, const acb_t, slong bits) {
-              acb_sin(r, z, bits);
-              acb_neg(r, r);
-          }}},
-        {"tan",
-         {acb_tan,
-          [](acb_t r, const acb_t, const acb_t f, slong bits) { one_plus_square(r, f, 1, bits); }}},
-        {"tanh",
-         {acb_tanh, [](acb_t r, const acb_t, const acb_t f,
-                       slong bits) { one_plus_square(r, f, -1, bits); }}},
-        {"asin", {acb_asin, arcsine_derivative, on_real_cuts}},
-        {"acos",
-         {acb_acos,
-          [](acb_t r, const acb_t z, const acb_t f, slong bits) {
-              arcsine_derivative(r, z, f, bits);
-              acb_neg(r, r);
-          },
-          on_real_cuts}},
-        {"atan",
-         {acb_atan,
-          [](acb_t r, const acb_t z, const acb_t, slong bits) {
-              one_plus_square(r, z, 1, bits);
-              acb_inv(r, r, bits);
-          },
-          on_imaginary_cuts}},
+const std::map<std::string_view, Elementary>& elementary_functions() {
+    static const std::map<std::string_view, Elementary> table{
+#define HVI_FUNCTION(name, latex, domain, cuts, parity, derivative)                                \
+    {#name, {acb_##name, Cuts::cuts, parse_expression(given("functions.def", derivative))}},
+#include "generator/expr/functions.def"
+#undef HVI_FUNCTION
     };
     return table;
+}
+
+/// The value of a derivative of the table.
+class DerivativeValue {
+public:
+    DerivativeValue(const ComplexBall& x, const ComplexBall& y, Precision bits)
+        : x_(x), y_(y), bits_(bits) {}
+
+    [[nodiscard]] ComplexBall operator()(const Expression& expression) const {
+        using Kind = Expression::Kind;
+        const std::vector<Expression>& arguments = expression.arguments;
+        ComplexBall result;
+        switch (expression.kind) {
+        case Kind::number:
+            arb_set(
+                acb_realref(result.get()),
+                ball_of_rational(expression.numerator + "/" + expression.denominator, bits_).get());
+            break;
+        case Kind::symbol: return expression.name == "x" ? x_ : y_;
+        case Kind::sum:
+            for (const Expression& term : arguments) {
+                acb_add(result.get(), result.get(), (*this)(term).get(), bits_);
+            }
+            break;
+        case Kind::product:
+            acb_one(result.get());
+            for (const Expression& factor : arguments) {
+                acb_mul(result.get(), result.get(), (*this)(factor).get(), bits_);
+            }
+            break;
+        case Kind::negation: acb_neg(result.get(), (*this)(arguments[0]).get()); break;
+        case Kind::reciprocal: acb_inv(result.get(), (*this)(arguments[0]).get(), bits_); break;
+        case Kind::power:
+            acb_pow(result.get(), (*this)(arguments[0]).get(), (*this)(arguments[1]).get(), bits_);
+            break;
+        case Kind::call:
+            elementary_functions()
+                .at(expression.name)
+                .value(result.get(), (*this)(arguments[0]).get(), bits_);
+            break;
+        }
+        return result;
+    }
+
+private:
+    const ComplexBall& x_;
+    const ComplexBall& y_;
+    Precision bits_;
+};
+
+Jet called(const Elementary& function, const Jet& argument, Precision bits) {
+    ComplexBall value;
+    ComplexBall derivative;
+    function.value(value.get(), argument.value.get(), bits);
+    if (argument.has_slope) {
+        derivative = DerivativeValue(argument.value, value, bits)(function.derivative);
+    }
+    return chain(std::move(value), std::move(derivative), argument, bits);
 }
 
 BallFunction compile_kind(const LinearPower& factor, Precision bits) {
@@ -225,17 +249,12 @@ BallFunction compile_kind(const Call& factor, Precision bits) {
     return
         [inner = compile(factor.argument, bits), &function, bits](const Jet& tau, bool analytic) {
             const Jet argument = inner(tau, analytic);
-            ComplexBall value;
-            ComplexBall derivative;
-            if (analytic && function.touches_cut(argument.value.get())) {
-                acb_indeterminate(value.get());
-                return Jet{value, value, argument.has_slope};
+            if (analytic && touches(function.cuts, argument.value.get())) {
+                ComplexBall unknown;
+                acb_indeterminate(unknown.get());
+                return Jet{unknown, unknown, argument.has_slope};
             }
-            function.value(value.get(), argument.value.get(), bits);
-            if (argument.has_slope) {
-                function.derivative(derivative.get(), argument.value.get(), value.get(), bits);
-            }
-            return chain(std::move(value), std::move(derivative), argument, bits);
+            return called(function, argument, bits);
         };
 }
 
@@ -257,13 +276,7 @@ BallFunction of_multiple(const char* name, const Number& slope, Precision bits) 
     return [slope = enclosure(slope, bits), &function, bits](const Jet& tau, bool /*analytic*/) {
         Jet argument = tau;
         scale(argument, slope, bits);
-        ComplexBall value;
-        ComplexBall derivative;
-        function.value(value.get(), argument.value.get(), bits);
-        if (tau.has_slope) {
-            function.derivative(derivative.get(), argument.value.get(), value.get(), bits);
-        }
-        return chain(std::move(value), std::move(derivative), argument, bits);
+        return called(function, argument, bits);
     };
 }
 

@@ -5,6 +5,7 @@
 
 #include "generator/exact/functions/elementary.hpp"
 #include "generator/exact/numbers/number_value.hpp"
+#include "generator/expr/functions.hpp"
 #include "generator/read/names.hpp"
 
 namespace hvi::gen {
@@ -256,12 +257,10 @@ ExactFunction call_of(const std::string& name, const ExactFunction& argument) {
         const bool is_linear = terms.size() == 1 && terms[0].is_monomial() && terms[0].power == 1;
         if (is_linear) return ExactFunction::exponential(terms[0].coefficient);
     }
-    const bool even = name == "cos";
-    const bool odd =
-        name == "sin" || name == "tan" || name == "tanh" || name == "asin" || name == "atan";
-    if ((even || odd) && is_negative(argument)) {
+    const Parity parity = find_function(name)->parity;
+    if (parity != Parity::neither && is_negative(argument)) {
         const ExactFunction opposite = ExactFunction(Number(-1)) * argument;
-        return ExactFunction(Number(even ? 1 : -1)) *
+        return ExactFunction(Number(parity == Parity::even ? 1 : -1)) *
                ExactFunction(make_factor(Call{name, opposite}));
     }
     return ExactFunction(make_factor(Call{name, argument}));

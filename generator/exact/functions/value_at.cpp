@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/functions/value_at.hpp"
 
-#include <algorithm>
-#include <array>
-#include <functional>
 #include <string_view>
 
+#include "generator/expr/functions.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -23,20 +21,16 @@ Ball integer(long value) {
     return result;
 }
 
-/// Where a function has no real value, what is said then, and how it is computed.
-struct RealFunction {
-    std::string_view name;
-    std::function<bool(const Ball&)> has_no_value;
-    std::string_view fault;
-    std::function<void(arb_ptr, arb_srcptr)> compute;
-};
+using RealFunction = void (*)(arb_t, const arb_t, slong);
 
-template <void function(arb_t, const arb_t, slong)>
-void compute(arb_ptr result, arb_srcptr x) {
-    function(result, x, bits);
+RealFunction real_function(std::string_view name) {
+    static const std::map<std::string_view, RealFunction> table{
+#define HVI_FUNCTION(name, ...) {#name, arb_##name},
+#include "generator/expr/functions.def"
+#undef HVI_FUNCTION
+    };
+    return table.at(name);
 }
-
-bool nowhere(const Ball&) { return false; }
 
 bool is_beyond_one(const Ball& x) {
     Ball size;
@@ -44,25 +38,21 @@ bool is_beyond_one(const Ball& x) {
     return arb_gt(size.get(), integer(1).get()) != 0;
 }
 
-const std::array<RealFunction, 12>& real_functions() {
-    constexpr std::string_view no_angle = "an arcsine or arccosine of a number beyond 1";
-    static const std::array<RealFunction, 12> table{{
-        {"sqrt", [](const Ball& x) { return x.sign() < 0; }, "the square root of a negative number",
-         compute<arb_sqrt>},
-        {"log", [](const Ball& x) { return x.sign() < 0 || is_zero(x); },
-         "the logarithm of a number that is not positive", compute<arb_log>},
-        {"asin", is_beyond_one, no_angle, compute<arb_asin>},
-        {"acos", is_beyond_one, no_angle, compute<arb_acos>},
-        {"exp", nowhere, "", compute<arb_exp>},
-        {"sin", nowhere, "", compute<arb_sin>},
-        {"cos", nowhere, "", compute<arb_cos>},
-        {"tan", nowhere, "", compute<arb_tan>},
-        {"atan", nowhere, "", compute<arb_atan>},
-        {"sinh", nowhere, "", compute<arb_sinh>},
-        {"cosh", nowhere, "", compute<arb_cosh>},
-        {"tanh", nowhere, "", compute<arb_tanh>},
-    }};
-    return table;
+/// What is wrong with an argument, as far as is proved; or nothing.
+std::string_view fault(RealDomain domain, const Ball& x) {
+    switch (domain) {
+    case RealDomain::everywhere: break;
+    case RealDomain::not_negative:
+        if (x.sign() < 0) { return "the square root of a negative number"; }
+        break;
+    case RealDomain::positive:
+        if (x.sign() < 0 || is_zero(x)) { return "the logarithm of a number that is not positive"; }
+        break;
+    case RealDomain::up_to_one:
+        if (is_beyond_one(x)) { return "an arcsine or arccosine of a number beyond 1"; }
+        break;
+    }
+    return {};
 }
 
 class Evaluation {
@@ -139,16 +129,13 @@ private:
     }
 
     [[nodiscard]] Ball call(const Expression& expression) const {
-        const auto& functions = real_functions();
-        const auto found =
-            std::find_if(functions.begin(), functions.end(), [&](const RealFunction& function) {
-                return function.name == expression.name;
-            });
-        HVI_CHECK(found != functions.end());
+        const Function* const function = find_function(expression.name);
+        HVI_CHECK(function != nullptr);
         const Ball argument = (*this)(expression.arguments.front());
-        if (found->has_no_value(argument)) { refuse(expression, found->fault); }
+        const std::string_view wrong = fault(function->domain, argument);
+        if (!wrong.empty()) { refuse(expression, wrong); }
         Ball result;
-        found->compute(result.get(), argument.get());
+        real_function(function->name)(result.get(), argument.get(), bits);
         return result;
     }
 

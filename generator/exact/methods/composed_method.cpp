@@ -59,7 +59,8 @@ ComposedMethod composed_method(const std::shared_ptr<const Source>& name) {
     if (begin == end) return {named_method(name)};
     ComposedMethod result{named_method(part(*name, 0, begin - 1)),
                           named_composition(part(*name, begin, end))};
-    check_composition(*result.composition, derive(result.method), Place{name, {0, end}});
+    result.composition->place = whole(name);
+    check_composition(*result.composition, derive(result.method));
     return result;
 }
 

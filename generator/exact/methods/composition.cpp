@@ -139,7 +139,8 @@ std::string composed_name(const std::string& method,
     return method.empty() ? composition->name : method + "-" + composition->name;
 }
 
-void check_composition(const Composition& composition, const Tableau& tableau, const Place& place) {
+void check_composition(const Composition& composition, const Tableau& tableau) {
+    const Place& place = composition.place;
     if (!tableau.parameters.empty()) {
         throw InputError("compositions of methods with a free parameter are not built", place,
                          "give it a value: --param " + tableau.parameters.front() + "=1");
@@ -159,11 +160,10 @@ void check_composition(const Composition& composition, const Tableau& tableau, c
 Composition named_composition(const std::shared_ptr<const Source>& name) {
     for (const Entry& entry : entries()) {
         if (entry.name == name->text) {
-            return {name->text, entry.order, entry.with_adjoint, steps(entry)};
+            return {name->text, entry.order, entry.with_adjoint, steps(entry), whole(name)};
         }
     }
-    throw InputError("there is no composition `" + name->text + "`",
-                     Place{name, {0, name->text.size()}},
+    throw InputError("there is no composition `" + name->text + "`", whole(name),
                      did_you_mean(name->text, composition_names(),
                                   "yoshida:4, yoshida:6, yoshida:8, suzuki:4, blanes-moan:6 or "
                                   "kahan-li:8"));

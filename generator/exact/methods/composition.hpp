@@ -22,6 +22,7 @@ struct Composition {
     /// Every second step is one of the adjoint; then the method need not be its own.
     bool with_adjoint;
     NumberVector steps;  ///< gamma_1, ..., gamma_k: decimals of 50 digits and more
+    Place place;         ///< where it is named, for errors
 };
 
 [[nodiscard]] std::vector<std::string_view> composition_names();
@@ -31,9 +32,8 @@ struct Composition {
                                         const std::optional<Composition>& composition);
 
 /// Throws MathError where the method would have to be its own adjoint, and InputError where it has
-/// a free parameter, or too many stages to plan so many steps as one; with `place`, where it is
-/// asked for.
-void check_composition(const Composition& composition, const Tableau& tableau, const Place& place);
+/// a free parameter, or too many stages to plan so many steps as one.
+void check_composition(const Composition& composition, const Tableau& tableau);
 
 /// Throws InputError, with what may have been meant.
 [[nodiscard]] Composition named_composition(const std::shared_ptr<const Source>& name);

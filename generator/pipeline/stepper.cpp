@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/pipeline/stepper.hpp"
+
+#include "generator/emit/steps/emit.hpp"
+#include "generator/emit/text/names.hpp"
+#include "generator/exact/functions/start.hpp"
+#include "generator/exact/methods/galerkin.hpp"
+#include "generator/lower/joint_gradient.hpp"
+#include "generator/plan/lanes.hpp"
+#include "generator/plan/plan.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The command that writes the same header again, wherever to.
+std::string command(const Tableau& tableau, const MethodWishes& wishes) {
+    std::string text = "hvi-gen stepper " + tableau.origin;
+    if (wishes.separable) text += " --separable";
+    if (wishes.composition) text += " --compose " + wishes.composition->name;
+    if (wishes.class_name) text += " --name " + wishes.class_name->text;
+    return text;
+}
+
+std::string command(const Tableau& tableau, const Scene& scene, const StepperWishes& wishes) {
+    std::string text = "hvi-gen stepper " + tableau.origin + " " + scene.hamiltonian.origin;
+    if (wishes.solver == Solver::fixed_point) text += " --solver fixed-point";
+    if (wishes.solver == Solver::newton) text += " --solver newton";
+    if (wishes.solver == Solver::newton_taylor) text += " --solver newton-taylor";
+    const Lanes lanes = wishes.lanes.choice;
+    if (lanes == Lanes::stages) text += " --lanes stages";
+    if (lanes == Lanes::ensemble) text += " --lanes ensemble";
+    if (lanes == Lanes::none) text += " --lanes none";
+    if (wishes.composition) text += " --compose " + wishes.composition->name;
+    if (wishes.energy) text += " --energy";
+    if (wishes.invariants) text += " --invariants";
+    if (wishes.evaluations) text += " --evaluations";
+    if (wishes.float128) text += " --float128";
+    if (wishes.dense) text += " --dense";
+    if (wishes.class_name) text += " --name " + wishes.class_name->text;
+    return text;
+}
+
+/// What is wished for and not built.
+void check_solver(const Scheme& scheme, const Scene& scene) {
+    if (scheme.is_explicit() || scheme.velocity_form) return;
+    const Source& H = *scene.hamiltonian.source;
+    const Place place{scene.hamiltonian.source, {0, H.text.size()}};
+    if (scheme.solver == Solver::newton_taylor)
+        throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
+                         "quadratic T",
+                         place, "--solver newton takes any H");
+}
+
+void check_lanes(const Scheme& scheme, const Wish<Lanes>& wished) {
+    if (wished.choice != Lanes::stages) return;
+    const std::string obstacle = obstacle_to_stage_lanes(scheme);
+    if (obstacle.empty()) return;
+    throw InputError("no lanes for the stages of this method on this H: " + obstacle, wished.place,
+                     "without --lanes they are used where they can be");
+}
+
+/// An ensemble, and what is not built for it.
+void check_ensemble(const Scheme& scheme, const StepperWishes& wishes) {
+    if (wishes.lanes.choice != Lanes::ensemble) return;
+    const std::optional<Place>& place = wishes.lanes.place;
+    const auto refuse = [&](bool is_wished, const char* flag, const char* reason) {
+        if (is_wished)
+            throw InputError(std::string(flag) + " is not built for ensembles: " + reason, place,
+                             "without --lanes ensemble there is a stepper of one trajectory");
+    };
+    refuse(wishes.dense, "--dense", "trajectories take all their steps at once");
+    refuse(wishes.float128, "--float128", "no processor computes several of these at once");
+    refuse(wishes.evaluations, "--evaluations", "one evaluation serves several trajectories");
+    const std::string obstacle = obstacle_to_ensemble(scheme);
+    if (!obstacle.empty())
+        throw InputError("no ensembles of this method on this H: " + obstacle, place,
+                         "they are built for explicit methods, as stormer-verlet and its "
+                         "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
+}
+
+/// The method, and the curve of its steps where that is asked for.
+struct MethodAndCurve {
+    Tableau tableau;
+    std::optional<Curve> curve;
+};
+
+MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
+    MethodAndCurve result = on_new_ground([&](const Ground& ground) {
+        const Derivation derivation = derive_on(ground, method);
+        return MethodAndCurve{derivation.tableau, wishes.dense
+                                                      ? std::optional(curve(method, derivation))
+                                                      : std::nullopt};
+    });
+    if (!wishes.composition) return result;
+    check_composition(*wishes.composition, result.tableau);
+    if (wishes.dense)
+        throw InputError("--dense is not built for compositions, whose steps have no one curve",
+                         wishes.composition->place);
+    return result;
+}
+
+Scheme planned(const Tableau& tableau, const LoweredScene& lowered, const Method& method,
+               const StepperWishes& wishes) {
+    const Structure& structure = lowered.structure;
+    Scheme scheme = plan(tableau, {.separable = structure.is_separable,
+                                   .depends_on_time = lowered.system.time.has_value(),
+                                   .kinetic_is_quadratic = structure.kinetic_is_quadratic,
+                                   .is_quadratic = structure.is_quadratic,
+                                   .is_degenerate = is_degenerate(structure),
+                                   .joint_gradient_pays = joint_gradient_pays(lowered.system),
+                                   .degrees_of_freedom = lowered.system.degrees_of_freedom(),
+                                   .has_curve = wishes.dense,
+                                   .solver = wishes.solver,
+                                   .lanes = wishes.lanes.choice,
+                                   .composition = wishes.composition,
+                                   .method = method.place});
+    check_solver(scheme, lowered.scene);
+    check_lanes(scheme, wishes.lanes);
+    check_ensemble(scheme, wishes);
+    return scheme;
+}
+
+std::string name_of_class(const Given& wished, const std::string& otherwise) {
+    return wished ? wished->text : class_name(otherwise);
+}
+
+}  // namespace
+
+MethodStepper method_stepper(const Method& method, const MethodWishes& wishes) {
+    Tableau tableau = derive(method);
+    if (wishes.composition) check_composition(*wishes.composition, tableau);
+    Scheme scheme = plan(
+        tableau,
+        {.separable = wishes.separable, .composition = wishes.composition, .method = method.place});
+    const std::string name =
+        name_of_class(wishes.class_name, composed_name(tableau.name, wishes.composition));
+    std::string header =
+        emit(tableau, scheme, {.class_name = name, .command = command(tableau, wishes)});
+    return {std::move(tableau), std::move(scheme), std::move(header)};
+}
+
+SceneStepper scene_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes) {
+    SceneWishes members{wishes.energy, wishes.invariants, wishes.evaluations, wishes.float128, {}};
+    check_members(scene, members);
+    check_start(scene);
+    auto [tableau, curve] = derived(method, wishes);
+    members.curve = std::move(curve);
+    LoweredScene lowered = hvi::gen::lowered(scene);
+    Scheme scheme = planned(tableau, lowered, method, wishes);
+    std::string method_name = composed_name(tableau.name, wishes.composition);
+    std::string name = name_of_class(
+        wishes.class_name, scene.name.empty() ? method_name : scene.name + "-" + method_name);
+    std::string header = emit(tableau, scheme,
+                              {.class_name = name,
+                               .command = command(tableau, scene, wishes),
+                               .scene = &lowered,
+                               .wishes = members});
+    return {std::move(tableau), std::move(method_name), method.place,     std::move(lowered),
+            std::move(scheme),  std::move(name),        std::move(header)};
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,55 @@
+// From a method, and a Hamiltonian or none, to a C++ header: the whole way.
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+//     text ──read──▶ Method, Scene ──derive──▶ Tableau ──plan──▶ Scheme ──emit──▶ header
+//                          └────────lower────▶ LoweredScene ──┘──────────────┘
+//
+// read    generator/read            texts to what they say, with the place of every word
+// derive  generator/exact/methods   a method to its exact coefficients; nothing is rounded
+// lower   generator/lower           H, its derivatives and its structure as one graph without GiNaC
+// plan    generator/plan            what a step solves, evaluates, keeps and leaves out, and why
+// emit    generator/emit            these decisions as text; coefficients are rounded here
+//
+// Each is a function of what stands before it alone, and none looks back. Reading is the business
+// of the command line; the others are called here, and what was wished for and cannot be had is
+// refused between them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/exact/methods/tableau.hpp"
+#include "generator/lower/lowered_scene.hpp"
+#include "generator/pipeline/wishes.hpp"
+#include "generator/read/scene.hpp"
+
+namespace hvi::gen {
+
+/// A stepper for a class of the user, and what was found on the way to it.
+struct MethodStepper {
+    Tableau tableau;
+    Scheme scheme;
+    std::string header;
+};
+
+/// The command line `hvi-gen stepper ...` that writes the same header is quoted in it. Throws
+/// InputError and MathError as check_composition() and the derivation do.
+[[nodiscard]] MethodStepper method_stepper(const Method& method, const MethodWishes& wishes);
+
+/// A stepper of a scene, and what was found on the way to it.
+struct SceneStepper {
+    Tableau tableau;
+    std::string method_name;  ///< `stormer-verlet-yoshida:6`; empty where the method has no name
+    std::optional<Place> method_place;  ///< for errors
+    LoweredScene lowered;
+    Scheme scheme;
+    std::string class_name;
+    std::string header;
+};
+
+/// The same. Throws InputError and MathError also for a scene that cannot start, an invariant that
+/// cannot be a member, and a solver that is not built for this H. Preconditions: those of lower().
+[[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
+                                         const StepperWishes& wishes);
+
+}  // namespace hvi::gen

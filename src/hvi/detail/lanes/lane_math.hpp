@@ -1,0 +1,104 @@
+// Functions of numbers side by side.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: the runtime calls none of them. Headers of scenes do, as hvi::math::sin(x), of one number
+// and of several, and find them by what they include.
+#pragma once
+
+#include <cstddef>
+
+#include <hvi/detail/lanes/lanes.hpp>
+#include <hvi/detail/lanes/register_trigonometry.hpp>
+#include <hvi/detail/lanes/registers.hpp>
+#include <hvi/detail/numbers/math.hpp>
+
+namespace hvi {
+
+// NOTE: functions of a register are found by its type. What comes out in a lane depends on that
+// lane alone.
+namespace math {
+
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> acos(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) { return acos(a); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> asin(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) { return asin(a); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> atan(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) { return atan(a); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> cos(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) { return detail::cos_of(a); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> cosh(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) {
+        return detail::exponential(a, [](const auto& b) { return cosh(b); });
+    });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> exp(const Lanes<Number, count>& x) {
+    return x.map(
+        [](const auto& a) { return detail::exponential(a, [](const auto& b) { return exp(b); }); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> expm1(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) {
+        return detail::exponential(a, [](const auto& b) { return expm1(b); });
+    });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> log(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) { return log(a); });
+}
+/// NOTE: one by one. That of xsimd is exp(y log(x)), off by as many units in the last place as that
+/// exponent is large.
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> pow(const Lanes<Number, count>& x,
+                                       const Lanes<Number, count>& y) {
+    typename Lanes<Number, count>::Row base, exponent;
+    x.store(base);
+    y.store(exponent);
+    for (std::size_t i = 0; i < count; ++i) { base.set(i, pow(base[i], exponent[i])); }
+    return base;
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> pow(const Lanes<Number, count>& x, const Number& y) {
+    return pow(x, Lanes<Number, count>(y));
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> pow(const Number& x, const Lanes<Number, count>& y) {
+    return pow(Lanes<Number, count>(x), y);
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> sin(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) { return detail::sin_of(a); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> sinh(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) {
+        return detail::exponential(a, [](const auto& b) { return sinh(b); });
+    });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> sqrt(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) { return sqrt(a); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> tan(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) { return detail::tan_of(a); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> tanh(const Lanes<Number, count>& x) {
+    return x.map([](const auto& a) {
+        return detail::exponential(a, [](const auto& b) { return tanh(b); });
+    });
+}
+
+}  // namespace math
+
+}  // namespace hvi

@@ -1,0 +1,151 @@
+// The stages of an implicit stepper, side by side.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include <hvi/detail/coefficients/weights.hpp>
+#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_tables.hpp>
+#include <hvi/detail/lanes/lanes.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/stages/step_memory.hpp>
+#include <hvi/detail/stages/system.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi::detail {
+
+/// Stages whose stages are lanes: there is a row of them for each component. The functions that
+/// take coefficients take the columns of m or of mt.
+///
+/// NOTE: what sweeps call is inlined, as no register of this size lives through a call.
+template <class Vector, std::size_t stages>
+struct StageLanes : StepMemory<Vector> {
+    using Scalar = ScalarOf<Vector>;
+    using Lane = Lanes<Scalar, stages>;
+    using Row = typename Lane::Row;
+    using Matrix = LaneMatrix<Scalar, stages>;
+    static constexpr std::size_t dimension = fixed_size<Vector>();
+
+    LaneRows<Scalar, stages, dimension> Q{}, P{}, Lq{}, Lp{};
+    Row hb{};  ///< h b_j; see weigh()
+
+    /// Sets hb.
+    void weigh(const Scalar (&b)[stages]) {
+        if (this->h == weighed_) { return; }
+        hb = lane_row(weights_of_step(this->h, b));
+        weighed_ = this->h;
+    }
+
+    /// Starting values: slopes as at the start of the step.
+    void predict_q(const Vector& gradient) { fill(Lq, gradient, Lane(hb)); }
+    void predict_p(const Vector& gradient) { fill(Lp, gradient, -Lane(hb)); }
+
+    /// Starting values of those of the last step, or of two.
+    template <class... Before>
+    void extrapolate_q(const Matrix& N, Before&&... before) {
+        extrapolate(Lq, N, before...);
+    }
+    template <class... Before>
+    void extrapolate_p(const Matrix& N, Before&&... before) {
+        extrapolate(Lp, N, before...);
+    }
+
+    /// Q_i = q + (e_q + sum_j m_ij Lq_j).
+    [[gnu::always_inline]] void positions(const Matrix& m) {
+        stage_values(m, Lq, this->at.q, this->remainder.q, Q, this->change.q);
+    }
+
+    /// P_j = p + (e_p + sum_i mt_ji Lp_i).
+    [[gnu::always_inline]] void momenta(const Matrix& mt) {
+        stage_values(mt, Lp, this->at.p, this->remainder.p, P, this->change.p);
+    }
+
+    /// Lq_j = h b_j dH/dp, of what `dHdp(out)` puts out.
+    template <class Gradient>
+    [[gnu::always_inline]] void velocities(Gradient dHdp) {
+        evaluate(dHdp, Lane(hb), Lq);
+    }
+
+    /// Lp_i = -h b_i dH/dq, of what `dHdq(out)` puts out.
+    template <class Gradient>
+    [[gnu::always_inline]] void forces(Gradient dHdq) {
+        evaluate(dHdq, -Lane(hb), Lp);
+    }
+
+    /// Both, of what `gradient(dHdq, dHdp)` puts out.
+    template <class Gradient>
+    [[gnu::always_inline]] void slopes(Gradient gradient) {
+        LaneVector<Scalar, stages, dimension> dHdq, dHdp;
+        gradient(dHdq, dHdp);
+        store_scaled(-Lane(hb), dHdq, Lp);
+        store_scaled(Lane(hb), dHdp, Lq);
+    }
+
+    /// Moves `at` to the end of the step.
+    void advance() {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            this->add(detail::at(this->at.q, k), detail::at(this->remainder.q, k), increment_q(k));
+            this->add(detail::at(this->at.p, k), detail::at(this->remainder.p, k),
+                      sum_of_lanes(Lane(Lp[k])));
+        }
+    }
+
+    /// sum_j Lq_j.
+    [[nodiscard]] Scalar increment_q(std::size_t k) const { return sum_of_lanes(Lane(Lq[k])); }
+
+    /// What the rounding of component k of Q is to be compared with, and of P.
+    [[nodiscard]] Scalar size_q(std::size_t k) const {
+        return detail::abs(detail::at(this->at.q, k)) + sum(abs(Lane(Q[k])) + abs(Lane(Lq[k])));
+    }
+    [[nodiscard]] Scalar size_p(std::size_t k) const {
+        return detail::abs(detail::at(this->at.p, k)) + sum(abs(Lane(P[k])) + abs(Lane(Lp[k])));
+    }
+
+    // ---- one stage, for Newton's method; see Stages ----
+
+    [[nodiscard]] Vector position(std::size_t i) const { return lane_of<Vector>(Q, i); }
+    [[nodiscard]] Vector momentum(std::size_t j) const { return lane_of<Vector>(P, j); }
+    [[nodiscard]] Scalar slope_q(std::size_t j, std::size_t k) const { return Lq[k][j]; }
+    [[nodiscard]] Scalar slope_p(std::size_t i, std::size_t k) const { return Lp[k][i]; }
+    void set_slope_q(std::size_t j, std::size_t k, Scalar value) { Lq[k].set(j, value); }
+    void set_slope_p(std::size_t i, std::size_t k, Scalar value) { Lp[k].set(i, value); }
+
+private:
+    using Rows = LaneRows<Scalar, stages, dimension>;
+
+    static void fill(Rows& rows, const Vector& gradient, const Lane& factor) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            (factor * detail::at(gradient, k)).store(rows[k]);
+        }
+    }
+
+    [[gnu::always_inline]] static void stage_values(const Matrix& m, const Rows& slopes,
+                                                    const Vector& start, const Vector& cut_off,
+                                                    Rows& values, Vector& changes) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const Lane value =
+                detail::at(start, k) + product(m, slopes[k], Lane(detail::at(cut_off, k)));
+            detail::at(changes, k) = sum(abs(value - Lane(values[k])));
+            value.store(values[k]);
+        }
+    }
+
+    template <class Gradient>
+    [[gnu::always_inline]] static void evaluate(Gradient gradient, const Lane& factor,
+                                                Rows& slopes) {
+        LaneVector<Scalar, stages, dimension> out;
+        gradient(out);
+        store_scaled(factor, out, slopes);
+    }
+
+    [[gnu::always_inline]] static void
+    store_scaled(const Lane& factor, const LaneVector<Scalar, stages, dimension>& gradient,
+                 Rows& slopes) {
+        for (std::size_t k = 0; k < dimension; ++k) { (factor * gradient[k]).store(slopes[k]); }
+    }
+
+    Scalar weighed_ = 0;  ///< the step size of hb
+};
+
+}  // namespace hvi::detail

@@ -1,0 +1,146 @@
+// The stages of an implicit stepper for quadratic kinetic energy, side by side.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include <hvi/detail/coefficients/weights.hpp>
+#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_tables.hpp>
+#include <hvi/detail/lanes/lanes.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/stages/step_memory.hpp>
+#include <hvi/detail/stages/system.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi::detail {
+
+/// The coefficients of VelocityStages for lanes.
+template <class Scalar, std::size_t stages>
+struct VelocityTable {
+    LaneRow<Scalar, stages> c;
+    LaneMatrix<Scalar, stages> n;
+    LaneRow<Scalar, stages> left;  ///< 1 - c_j
+
+    constexpr VelocityTable(const Scalar (&times)[stages],
+                            const Scalar (&coefficients)[stages][stages])
+        : c(lane_row(times)), n(lane_columns(coefficients)), left{} {
+        for (std::size_t j = 0; j < stages; ++j) { left.set(j, 1 - times[j]); }
+    }
+};
+
+/// VelocityStages whose stages are lanes: there is a row of them for each component.
+///
+/// NOTE: what sweeps call is inlined, as no register of this size lives through a call.
+template <class Vector, std::size_t stages>
+struct VelocityLanes : StepMemory<Vector> {
+    using Scalar = ScalarOf<Vector>;
+    using Lane = Lanes<Scalar, stages>;
+    using Row = typename Lane::Row;
+    using Table = VelocityTable<Scalar, stages>;
+    static constexpr std::size_t dimension = fixed_size<Vector>();
+
+    LaneRows<Scalar, stages, dimension> Q{}, Lp{}, W{};
+    LaneRows<Scalar, stages, dimension> drifted{};  ///< e_q + h c_i v
+    Vector velocity{};                              ///< v
+    Row hb{};                                       ///< h b_j; see weigh()
+
+    /// Sets hb.
+    void weigh(const Scalar (&b)[stages]) {
+        if (this->h == weighed_) { return; }
+        hb = lane_row(weights_of_step(this->h, b));
+        weighed_ = this->h;
+    }
+
+    /// Sets `drifted`.
+    void drift_freely(const Table& table) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const Scalar hv = this->h * detail::at(velocity, k);
+            (detail::at(this->remainder.q, k) + Lane(table.c) * hv).store(drifted[k]);
+        }
+    }
+
+    /// Starting values: forces as at the start of the step, where dH/dq is `gradient`.
+    template <class System>
+    void predict(const System& system, const Vector& gradient) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            (-(Lane(hb) * detail::at(gradient, k))).store(Lp[k]);
+        }
+        drifts(system);
+    }
+
+    /// Starting values of those of the last step, or of two.
+    template <class... Before>
+    void extrapolate(const LaneMatrix<Scalar, stages>& N, Before&&... before) {
+        detail::extrapolate(W, N, before...);
+    }
+
+    /// Q_i = q + (e_q + h c_i v + sum_j n_ij W_j).
+    [[gnu::always_inline]] void positions(const Table& table) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const Lane place = detail::at(this->at.q, k) + product(table.n, W[k], Lane(drifted[k]));
+            detail::at(this->change.q, k) = sum(abs(place - Lane(Q[k])));
+            place.store(Q[k]);
+        }
+    }
+
+    /// Lp_i = -h b_i dH/dq, W_i = h K Lp_i; `time` are the T_i, where H depends on them.
+    template <class System, class... Time>
+    [[gnu::always_inline]] void forces(const System& system, const Time&... time) {
+        LaneVector<Scalar, stages, dimension> Lp_i;
+        system.dHdq(load(Q), Lane(time)..., Lp_i);
+        const Lane minus_hb = -Lane(hb);
+        for (Lane& component : Lp_i) { component = minus_hb * component; }
+        store(Lp_i, Lp);
+        drift(system, Lp_i);
+    }
+
+    /// W_i = h K Lp_i.
+    template <class System>
+    void drifts(const System& system) {
+        drift(system, load(Lp));
+    }
+
+    /// Moves `at` to the end of the step.
+    void advance(const Table& table) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            this->add(detail::at(this->at.q, k), detail::at(this->remainder.q, k),
+                      increment_q(table, k));
+            this->add(detail::at(this->at.p, k), detail::at(this->remainder.p, k),
+                      sum_of_lanes(Lane(Lp[k])));
+        }
+    }
+
+    /// h v + sum_j (1 - c_j) W_j.
+    [[nodiscard]] Scalar increment_q(const Table& table, std::size_t k) const {
+        return this->h * detail::at(velocity, k) + sum_of_lanes(Lane(table.left) * Lane(W[k]));
+    }
+
+    /// What the rounding of component k of Q is to be compared with.
+    ///
+    /// NOTE: a stage may be near 0 where q is not, and moves by what q is rounded to.
+    [[nodiscard]] Scalar size_q(std::size_t k) const {
+        return detail::abs(detail::at(this->at.q, k)) +
+               detail::abs(this->h * detail::at(velocity, k)) +
+               sum(abs(Lane(Q[k])) + abs(Lane(W[k])));
+    }
+
+    // ---- one stage, for Newton's method; see VelocityStages ----
+
+    [[nodiscard]] Vector position(std::size_t j) const { return lane_of<Vector>(Q, j); }
+    [[nodiscard]] Scalar force(std::size_t j, std::size_t k) const { return Lp[k][j]; }
+    void set_force(std::size_t j, std::size_t k, Scalar value) { Lp[k].set(j, value); }
+
+private:
+    template <class System>
+    void drift(const System& system, const LaneVector<Scalar, stages, dimension>& forces) {
+        LaneVector<Scalar, stages, dimension> velocities;
+        system.inverse_mass(forces, velocities);
+        for (Lane& W_k : velocities) { W_k = this->h * W_k; }
+        store(velocities, W);
+    }
+
+    Scalar weighed_ = 0;  ///< the step size of hb
+};
+
+}  // namespace hvi::detail

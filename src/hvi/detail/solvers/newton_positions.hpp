@@ -1,0 +1,247 @@
+// Newton's method for the forces of stages whose momenta are eliminated.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <hvi/detail/linear/dense.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/solvers/newton_loop.hpp>
+#include <hvi/detail/stages/system.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi {
+namespace detail {
+
+/// The equations of a NewtonLoop whose unknowns are the scaled forces Lp_j of VelocityStages,
+///
+///     Lp_j + h b_j dH/dq(Q_j) = 0,    Q_i = q + (e_q + (h c_i v + h sum_j n_ij K Lp_j)).
+///
+/// At the start of a step all stages have one matrix G of second derivatives, that at q, and
+/// J = 1 + h^2 (C x G K) with C_ij = b_i n_ij, which is similar to A A~. In the basis of its
+/// eigenvectors, known when the header was written, J falls apart into a system of n equations for
+/// each real eigenvalue and one of 2n for each pair of conjugate ones (Coupled::Modes). None is
+/// singular where G K has no negative eigenvalue and C has no real negative one, as that of Gauss
+/// and Lobatto methods. Where the iteration does not contract with these, each stage gets the
+/// matrix of its own place, and J is factored as a whole.
+template <class Vector>
+class PositionEquations {
+public:
+    template <class Coupled>
+    [[nodiscard]] bool fit(const Coupled& coupled) {
+        if (slopes_.size() == r<Coupled> * static_cast<std::size_t>(coupled.s.n)) { return false; }
+        n_ = static_cast<std::size_t>(coupled.s.n);
+        G_ = hGK_ = SquareMatrix<Scalar>(n_);
+        slopes_.resize(r<Coupled> * n_);
+        correction_.resize(r<Coupled> * n_);
+        return true;
+    }
+
+    template <class Coupled>
+    void begin(Coupled& coupled) {
+        slopes_.assign(slopes_.size(), Scalar(0));
+        put_slopes(coupled);
+        is_start_ = true;
+    }
+
+    template <class Coupled>
+    [[nodiscard]] bool factorise_start(const Coupled& coupled) {
+        G_.set_zero();
+        coupled.hessian_at_start(G_);
+        set_hGK(coupled, G_);
+        is_decoupled_ = Coupled::Modes::exist;
+        if constexpr (Coupled::Modes::exist) {
+            return factorise_modes<typename Coupled::Modes>(coupled.s.h);
+        } else {
+            return factorise_all(coupled, [](std::size_t) {});
+        }
+    }
+
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        is_decoupled_ = false;
+        SquareMatrix<Scalar> G(n_);
+        return factorise_all(coupled, [&](std::size_t j) {
+            G.set_zero();
+            coupled.hessian(j, G);
+            set_hGK(coupled, G);
+        });
+    }
+
+    /// Whether J was, or should have been.
+    [[nodiscard]] bool is_finite() const { return hGK_.is_finite(); }
+
+    /// Lp -= J^-1 (Lp + h b dH/dq).
+    ///
+    /// NOTE: first with dH/dq = g + G (Q - q) of the start: where h is not small against the
+    /// fastest period, q + h c v is no place for H to be evaluated at. And the corrected slopes are
+    /// what the step adds up: see PairEquations.
+    template <class Coupled>
+    void correct(Coupled& coupled) {
+        if (is_start_) {
+            linear_forces(coupled);
+        } else {
+            coupled.forces();
+        }
+        is_start_ = false;
+        for_each_unknown<Coupled>([&](std::size_t i, std::size_t j, std::size_t k) {
+            correction_[i] = slopes_[i] - coupled.s.force(j, k);
+        });
+        if constexpr (Coupled::Modes::exist) {
+            if (is_decoupled_) {
+                solve_modes<typename Coupled::Modes>();
+            } else {
+                factors_.front().solve(correction_.data());
+            }
+        } else {
+            factors_.front().solve(correction_.data());
+        }
+        for (std::size_t i = 0; i < slopes_.size(); ++i) { slopes_[i] -= correction_[i]; }
+        put_slopes(coupled);
+    }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+
+    template <class Coupled>
+    static constexpr std::size_t r = Coupled::unknown.size();
+
+    /// Calls f(i, j, k) for component k of each unknown Lp_j, the unknown i.
+    template <class Coupled, class F>
+    void for_each_unknown(F f) {
+        std::size_t i = 0;
+        for (const std::size_t j : Coupled::unknown) {
+            for (std::size_t k = 0; k < n_; ++k) { f(i++, j, k); }
+        }
+    }
+
+    template <class Coupled>
+    void put_slopes(Coupled& coupled) {
+        for_each_unknown<Coupled>([&](std::size_t i, std::size_t j, std::size_t k) {
+            coupled.s.set_force(j, k, slopes_[i]);
+        });
+        coupled.drifts();
+        coupled.positions();
+    }
+
+    template <class Coupled>
+    void linear_forces(Coupled& coupled) {
+        auto& s = coupled.s;
+        coupled.force_at_start(s.slope);
+        for (const std::size_t j : Coupled::unknown) {
+            const Vector& Q = s.position(j);
+            for (std::size_t k = 0; k < n_; ++k) {
+                Scalar force = at(s.slope, k);
+                for (std::size_t l = 0; l < n_; ++l) {
+                    force += G_(k, l) * (at(Q, l) - at(s.at.q, l));
+                }
+                s.set_force(j, k, -s.hb[j] * force);
+            }
+        }
+    }
+
+    /// NOTE: row k of G K is K times row k of G, as K is symmetric. The factors of h^2 G K go one
+    /// by one, as h^2 may be too large or too small where this is not: with H = s H_0 and h =
+    /// h_0/s.
+    template <class Coupled>
+    void set_hGK(const Coupled& coupled, const SquareMatrix<Scalar>& G) {
+        Vector row{}, product{};
+        for (std::size_t k = 0; k < n_; ++k) {
+            for (std::size_t l = 0; l < n_; ++l) { at(row, l) = coupled.s.h * G(k, l); }
+            coupled.system.inverse_mass(row, product);
+            for (std::size_t l = 0; l < n_; ++l) { hGK_(k, l) = at(product, l); }
+        }
+    }
+
+    /// J as a whole; `set` puts h G K at stage j into hGK_.
+    template <class Coupled, class Set>
+    [[nodiscard]] bool factorise_all(const Coupled& coupled, Set set) {
+        const auto& s = coupled.s;
+        SquareMatrix<Scalar> J(slopes_.size());
+        J.set_identity();
+        for (std::size_t row = 0; row < r<Coupled>; ++row) {
+            const std::size_t j = Coupled::unknown[row];
+            set(j);
+            for (std::size_t column = 0; column < r<Coupled>; ++column) {
+                const Scalar n_ji = Coupled::coefficient(j, Coupled::unknown[column]);
+                add(J, row, column, s.hb[j] * n_ji);
+            }
+        }
+        factors_.resize(1);
+        return factors_.front().compute(J);
+    }
+
+    /// Adds factor h G K to a block of J.
+    void add(SquareMatrix<Scalar>& J, std::size_t row, std::size_t column, Scalar factor) const {
+        for (std::size_t k = 0; k < n_; ++k) {
+            for (std::size_t l = 0; l < n_; ++l) {
+                J(row * n_ + k, column * n_ + l) += factor * hGK_(k, l);
+            }
+        }
+    }
+
+    template <class Modes>
+    [[nodiscard]] bool factorise_modes(Scalar h) {
+        factors_.resize(Modes::real_ones + Modes::pairs);
+        bool regular = true;
+        for (std::size_t m = 0; m < factors_.size(); ++m) {
+            const Scalar alpha = h * Modes::real_parts[m];
+            const bool is_pair = m >= Modes::real_ones;
+            SquareMatrix<Scalar> J(is_pair ? 2 * n_ : n_);
+            J.set_identity();
+            add(J, 0, 0, alpha);
+            if (is_pair) {
+                const Scalar beta = h * Modes::imaginary_parts[m - Modes::real_ones];
+                add(J, 0, 1, beta);
+                add(J, 1, 0, -beta);
+                add(J, 1, 1, alpha);
+            }
+            regular = factors_[m].compute(J) && regular;
+        }
+        return regular;
+    }
+
+    template <class Modes>
+    void solve_modes() {
+        transform(Modes::to);
+        Scalar* mode = correction_.data();
+        for (std::size_t m = 0; m < factors_.size(); ++m) {
+            factors_[m].solve(mode);
+            mode += m < Modes::real_ones ? n_ : 2 * n_;
+        }
+        transform(Modes::from);
+    }
+
+    /// Multiplies what belongs to one component, for all stages, by a matrix.
+    template <std::size_t size>
+    void transform(const Scalar (&matrix)[size][size]) {
+        for (std::size_t k = 0; k < n_; ++k) {
+            Scalar old[size];
+            for (std::size_t i = 0; i < size; ++i) { old[i] = correction_[i * n_ + k]; }
+            for (std::size_t i = 0; i < size; ++i) {
+                Scalar sum = 0;
+                for (std::size_t j = 0; j < size; ++j) { sum += matrix[i][j] * old[j]; }
+                correction_[i * n_ + k] = sum;
+            }
+        }
+    }
+
+    SquareMatrix<Scalar> G_, hGK_;
+    std::vector<Factors<Scalar>> factors_;  ///< of the modes, or one of all
+    std::vector<Scalar> slopes_, correction_;
+    std::size_t n_ = 0;
+    bool is_start_ = false, is_decoupled_ = false;
+};
+
+}  // namespace detail
+
+/// Solver policy of steppers of scenes with quadratic kinetic energy.
+struct NewtonOfPositions {
+    static constexpr bool takes_starting_values = false;
+
+    template <class Vector>
+    using Iteration = detail::NewtonLoop<Vector, detail::PositionEquations<Vector>>;
+};
+
+}  // namespace hvi

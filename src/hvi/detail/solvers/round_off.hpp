@@ -1,0 +1,107 @@
+// When an iteration has reached round-off.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/stages/system.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi::detail {
+
+enum class Verdict {
+    go_on,
+    unchanged,  ///< not a bit changes any more
+    at_noise,   ///< what still changes is rounding
+    not_finite,
+};
+
+/// Watches the changes of an iteration and ends it at round-off, not at a tolerance: a tolerance
+/// biases the error, and then the energy drifts (Hairer, McLachlan & Razakarivony 2008).
+///
+/// The rule is that of Antonana, Makazaga & Murua: go on while some component still changes by less
+/// than ever before, allow one more sweep, then stop. NOTE: a change that no longer falls may also
+/// belong to an iteration that diverges, or circles while it converges. So the rule ends an
+/// iteration only when the changes are no more than rounding of the values themselves; where they
+/// stay larger for `patience` sweeps, they are taken for the noise of a gradient with cancellation
+/// if they are tiny against the largest component, and else the iteration goes on to its cap.
+template <class Vector>
+class RoundOff {
+public:
+    using Index = IndexOf<Vector>;
+    using Scalar = ScalarOf<Vector>;
+
+    /// `rounding`: the part of a value that its change may be and pass for rounding.
+    explicit RoundOff(Scalar rounding) : rounding_(rounding) {}
+
+    void begin(Index n) {
+        fit(smallest_.q, n);
+        fit(smallest_.p, n);
+        for (Index k = 0; k < n; ++k) {
+            smallest_.q[k] = infinity<Scalar>;
+            smallest_.p[k] = infinity<Scalar>;
+        }
+        stalls_ = 0;
+    }
+
+    /// Judges one sweep by what it changed in q, in p or in both. `coupled.size_q(k)` is the sum of
+    /// the absolute values whose rounding shows in component k of `change.q`; the same for p.
+    template <bool by_q, bool by_p, class Coupled>
+    [[nodiscard]] Verdict judge(const State<Vector>& change, const Coupled& coupled) {
+        Seen seen;
+        if constexpr (by_q) { look(change.q, smallest_.q, seen); }
+        if constexpr (by_p) { look(change.p, smallest_.p, seen); }
+        if (!(seen.total < infinity<Scalar>)) { return Verdict::not_finite; }
+        if (seen.total == 0) { return Verdict::unchanged; }
+        stalls_ = seen.falls != 0 ? 0 : stalls_ + 1;
+        if (stalls_ < 2) { return Verdict::go_on; }
+        return is_noise<by_q, by_p>(change, coupled) ? Verdict::at_noise : Verdict::go_on;
+    }
+
+private:
+    static constexpr Scalar noise = power_of_two<Scalar>(-(3 * bits<Scalar> + 3) / 4);
+    static constexpr int patience = 10;
+
+    struct Seen {
+        Scalar total = 0;  // a sum, so that a NaN cannot hide
+        int falls = 0;
+    };
+
+    static void look(const Vector& change, Vector& smallest, Seen& seen) {
+        for (Index k = 0; k < change.size(); ++k) {
+            // NOTE: no branch here: which components fall is noise, that no processor predicts.
+            seen.total += change[k];
+            seen.falls |=
+                static_cast<int>(change[k] > 0) & static_cast<int>(change[k] < smallest[k]);
+            smallest[k] = change[k] < smallest[k] ? change[k] : smallest[k];
+        }
+    }
+
+    template <bool by_q, bool by_p, class Coupled>
+    [[nodiscard]] bool is_noise(const State<Vector>& change, const Coupled& coupled) const {
+        bool by_component = true;
+        bool by_norm = true;
+        const auto compare = [&](const Vector& changes, auto size) {
+            Scalar largest_change = 0;
+            Scalar largest_size = 0;
+            for (Index k = 0; k < changes.size(); ++k) {
+                by_component &= changes[k] <= rounding_ * size(k);
+                largest_change = larger(largest_change, changes[k]);
+                largest_size = larger(largest_size, size(k));
+            }
+            by_norm &= largest_change <= noise * largest_size;
+        };
+        if constexpr (by_q) {
+            compare(change.q, [&](Index k) { return coupled.size_q(k); });
+        }
+        if constexpr (by_p) {
+            compare(change.p, [&](Index k) { return coupled.size_p(k); });
+        }
+        return by_component || (by_norm && stalls_ >= patience);
+    }
+
+    Scalar rounding_;
+    State<Vector> smallest_;  // change of each component so far
+    int stalls_ = 0;          // sweeps in a row in which no component changed by less than ever
+};
+
+}  // namespace hvi::detail

@@ -1,0 +1,70 @@
+// The time of Hamiltonians that depend on it.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: needs the standard library alone; see state.hpp.
+#ifndef HVI_CLOCK_HPP
+#define HVI_CLOCK_HPP
+
+#include <array>
+#include <cstddef>
+
+#include <hvi/detail/numbers/compensated.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi {
+
+/// Positions, momenta and the time.
+template <class Vector>
+struct TimedState : State<Vector> {
+    detail::ScalarOf<Vector> t = 0;
+};
+
+namespace detail {
+
+/// The times T_i = t + c_i h of the stages. The time is a coordinate of the extended system whose
+/// momentum nobody asks for, and its velocity is 1: (4.18c) gives T_i. It is summed up with
+/// compensation, and what rounding cut off is bound to the time at which the last step ended.
+template <class Scalar, std::size_t stages>
+class Clock {
+public:
+    Scalar start = 0;                ///< of the step
+    std::array<Scalar, stages> t{};  ///< of the stages
+
+    /// Begins a step; false where the last one did not end at this time.
+    [[nodiscard]] bool begin(Scalar now, Scalar h, const Scalar (&c)[stages]) {
+        const bool continues = ended_ && now == end_;
+        if (!continues) { remainder_ = 0; }
+        ended_ = false;
+        start = now;
+        h_ = h;
+        for (std::size_t i = 0; i < stages; ++i) { t[i] = start + (remainder_ + c[i] * h); }
+        return continues;
+    }
+
+    /// Whether the step ends at a finite time. NOTE: asked before the step, since its state has
+    /// moved when end() is called.
+    [[nodiscard]] bool ends() const { return is_finite(start + (remainder_ + h_)); }
+
+    /// Moves the time on where the step went well.
+    [[nodiscard]] Status end(Scalar& now, Status status) {
+        if (!status.ok()) { return status; }
+        const Sum<Scalar> sum = two_sum(start, remainder_ + h_);
+        if (!is_finite(sum.value)) { return Status(Status::Code::not_finite, status.iterations); }
+        now = end_ = sum.value;
+        remainder_ = sum.remainder;
+        ended_ = true;
+        return status;
+    }
+
+private:
+    Scalar end_ = 0;
+    Scalar remainder_ = 0;  // what rounding cut off from end_
+    Scalar h_ = 0;
+    bool ended_ = false;
+};
+
+}  // namespace detail
+}  // namespace hvi
+
+#endif  // HVI_CLOCK_HPP

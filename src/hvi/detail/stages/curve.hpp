@@ -1,0 +1,58 @@
+// The curve between the ends of a step.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include <hvi/detail/numbers/scalar.hpp>
+
+namespace hvi::detail {
+
+/// sum_k table[i][k-1] g_k(tau) for each i, with g_k(tau) = (P_{k+1} - P_{k-1})(2 tau - 1)/2 of
+/// Legendre's polynomials: by how much the curve departs from its chord, for each slope. At tau = 0
+/// and 1 it is 0 without rounding, as the recurrence gives P_k = 1 and -1 exactly there.
+template <class Scalar, std::size_t slopes, std::size_t functions>
+[[nodiscard]] std::array<Scalar, slopes> departures(const Scalar (&table)[slopes][functions],
+                                                    Scalar tau) {
+    std::array<Scalar, slopes> sums{};
+    const Scalar x = 2 * tau - 1;
+    Scalar before = 1;
+    Scalar P = x;
+    for (std::size_t k = 1; k <= functions; ++k) {
+        const Scalar next =
+            (static_cast<Scalar>(2 * k + 1) * x * P - static_cast<Scalar>(k) * before) /
+            static_cast<Scalar>(k + 1);
+        const Scalar g = (next - before) / 2;
+        for (std::size_t i = 0; i < slopes; ++i) { sums[i] += table[i][k - 1] * g; }
+        before = P;
+        P = next;
+    }
+    return sums;
+}
+
+/// The same for g_k(tau) = at_tau_k - tau at_one_k.
+template <class Scalar, std::size_t slopes, std::size_t functions>
+[[nodiscard]] std::array<Scalar, slopes> departures(const Scalar (&table)[slopes][functions],
+                                                    Scalar tau,
+                                                    const std::array<Scalar, functions>& at_tau,
+                                                    const std::array<Scalar, functions>& at_one) {
+    std::array<Scalar, slopes> sums{};
+    for (std::size_t k = 0; k < functions; ++k) {
+        const Scalar g = at_tau[k] - tau * at_one[k];
+        for (std::size_t i = 0; i < slopes; ++i) { sums[i] += table[i][k] * g; }
+    }
+    return sums;
+}
+
+/// A vector of NaN.
+template <class Vector>
+[[nodiscard]] Vector nowhere() {
+    // NOTE: that of float, as of __float128 the standard library may know none.
+    Vector v{};
+    v.fill(static_cast<ScalarOf<Vector>>(std::numeric_limits<float>::quiet_NaN()));
+    return v;
+}
+
+}  // namespace hvi::detail

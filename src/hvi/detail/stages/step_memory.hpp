@@ -1,0 +1,81 @@
+// What an implicit stepper remembers from one step to the next.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <hvi/detail/numbers/compensated.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/stages/system.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi::detail {
+
+/// The state, and the remainder (e_q, e_p) of the sums so far, which enters the stages, not the
+/// update alone (Antonana, Makazaga & Murua).
+///
+/// Remainder, slopes and whatever else one step leaves for the next are bound to the state in which
+/// that step ended: begin() forgets them unless it is given these very bits.
+template <class Vector>
+struct StepMemory {
+    using Index = IndexOf<Vector>;
+    using Scalar = ScalarOf<Vector>;
+
+    State<Vector> at;         ///< where the step begins, afterwards where it ended
+    State<Vector> remainder;  ///< what rounding cut off from `at`
+    Vector slope{};           ///< see scratch()
+    State<Vector> change;     ///< of the stage values in one sweep: for each component, over stages
+    Index n{};                ///< dimension of q and of p
+    Scalar h = 0;
+    Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
+    bool continues = false;  ///< the step begins, bit for bit, where the last one ended
+
+    /// Prepares a step of size h from x. Precondition: h != 0.
+    [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size) {
+        if (!sums_are_exact_) { return Status(Status::Code::unsafe_arithmetic); }
+        if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
+        if (x.q.size() != x.p.size()) { return Status(Status::Code::dimension_mismatch); }
+        continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
+        h_before = continues ? h : 0;
+        h = step_size;
+        ended_ = false;
+        if (!continues) { start_at(x); }
+        return {};
+    }
+
+    /// Adds the increment to `at.q`, or `at.p`, keeping what rounding cuts off.
+    static void add(Scalar& value, Scalar& cut_off, Scalar increment) {
+        const Sum<Scalar> sum = two_sum(value, cut_off + increment);
+        value = sum.value;
+        cut_off = sum.remainder;
+    }
+
+    /// Ends the step: x becomes `at`, unless that is not finite.
+    [[nodiscard]] Status end(State<Vector>& x, int iterations) {
+        if (!finite(at.q, at.p)) { return Status(Status::Code::not_finite, iterations); }
+        x.q = at.q;
+        x.p = at.p;
+        ended_ = true;
+        return Status(Status::Code::ok, iterations);
+    }
+
+    void forget() { ended_ = false; }
+
+    /// Whether `at`, `h` and the slopes are those of a step that went well.
+    [[nodiscard]] bool has_ended() const { return ended_; }
+
+private:
+    void start_at(const State<Vector>& x) {
+        n = x.q.size();
+        at.q = x.q;
+        at.p = x.p;
+        for (Vector* v : {&remainder.q, &remainder.p, &change.q, &change.p, &slope}) { fit(*v, n); }
+        for (Index k = 0; k < n; ++k) {
+            remainder.q[k] = 0;
+            remainder.p[k] = 0;
+        }
+    }
+
+    bool ended_ = false;  ///< `at` is where a step ended well
+    bool sums_are_exact_ = sums_are_exact<Scalar>();
+};
+
+}  // namespace hvi::detail

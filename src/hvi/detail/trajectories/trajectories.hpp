@@ -1,0 +1,219 @@
+// Trajectories side by side: the state that a stepper of ensembles advances.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_tables.hpp>
+#include <hvi/detail/lanes/lanes.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/stages/system.hpp>
+#include <hvi/detail/trajectories/trajectory_clock.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi {
+
+/// What became of a step of each of them.
+class [[nodiscard]] LaneStatus {
+public:
+    [[nodiscard]] const Status& operator[](std::size_t lane) const { return lanes_[lane]; }
+
+    /// Whether all went well.
+    [[nodiscard]] bool ok() const { return ok_; }
+
+    void set(std::size_t lane, Status status) {
+        lanes_[lane] = status;
+        ok_ = true;
+        for (const Status& each : lanes_) { ok_ = ok_ && each.ok(); }
+    }
+
+    void count(std::size_t lane, int iterations) { lanes_[lane].iterations = iterations; }
+
+private:
+    std::array<Status, trajectories_at_once> lanes_{};
+    bool ok_ = true;
+};
+
+namespace detail {
+
+// ---- what steps leave for the next, beside (q, p) ----
+
+template <class Vector>
+using TrajectoryRows = LaneRows<ScalarOf<Vector>, trajectories_at_once, fixed_size<Vector>()>;
+
+/// Nothing.
+template <class Vector>
+struct NothingCarried {
+    void begin_anew(std::size_t) {}
+};
+
+/// The last slope of a step, which is the first of the next.
+template <class Vector>
+struct SlopeCarried {
+    TrajectoryRows<Vector> slope{};
+    bool is_known = false;
+
+    void begin_anew(std::size_t) { is_known = false; }
+};
+
+/// What rounding cut off from q and from p.
+template <class Vector>
+struct RemaindersCarried {
+    TrajectoryRows<Vector> q{}, p{};
+
+    void begin_anew(std::size_t lane) {
+        for (TrajectoryRows<Vector>* rows : {&q, &p}) {
+            for (auto& row : *rows) { row.set(lane, 0); }
+        }
+    }
+};
+
+/// Both.
+template <class Vector>
+struct RemaindersAndSlopeCarried : RemaindersCarried<Vector>, SlopeCarried<Vector> {
+    void begin_anew(std::size_t lane) {
+        RemaindersCarried<Vector>::begin_anew(lane);
+        SlopeCarried<Vector>::begin_anew(lane);
+    }
+};
+
+/// Where x is finite in all its components. NOTE: x - x is 0, or no number.
+template <class Lane, std::size_t dimension>
+[[nodiscard]] auto where_finite(const std::array<Lane, dimension>& x,
+                                const std::array<Lane, dimension>& y) {
+    Lane sum = x[0] - x[0];
+    Lane other = y[0] - y[0];
+    for (std::size_t k = 1; k < dimension; ++k) {
+        sum = sum + (x[k] - x[k]);
+        other = other + (y[k] - y[k]);
+    }
+    return sum + other == Lane(ScalarOf<typename Lane::Row>(0));
+}
+
+}  // namespace detail
+
+/// Eight trajectories, q, p and the time if each `One` has one: a row of lanes for each component.
+/// One whose step failed has stopped: it keeps the state of before that step, and is not advanced
+/// any more.
+template <class Vector, template <class> class Carried, class One = State<Vector>>
+class Trajectories {
+public:
+    using Scalar = detail::ScalarOf<Vector>;
+    using Lane = Lanes<Scalar, trajectories_at_once>;
+    using Mask = typename Lane::Mask;
+    using Rows = detail::TrajectoryRows<Vector>;
+    using Values = detail::LaneVector<Scalar, trajectories_at_once, detail::fixed_size<Vector>()>;
+
+    Rows q{}, p{};
+    detail::TrajectoryClock<One> clock;
+    Carried<Vector> carried;
+
+    /// The same eight times.
+    explicit Trajectories(const One& x = {}) {
+        for (std::size_t lane = 0; lane < trajectories_at_once; ++lane) { set(lane, x); }
+    }
+
+    /// Puts another trajectory into a lane.
+    void set(std::size_t lane, const One& x) {
+        for (std::size_t k = 0; k < q.size(); ++k) {
+            q[k].set(lane, detail::at(x.q, k));
+            p[k].set(lane, detail::at(x.p, k));
+        }
+        clock.set(lane, x);
+        carried.begin_anew(lane);
+        going_.set(lane, 1);
+        status_.set(lane, Status());
+    }
+
+    [[nodiscard]] One operator[](std::size_t lane) const {
+        One x;
+        x.q = detail::lane_of<Vector>(q, lane);
+        x.p = detail::lane_of<Vector>(p, lane);
+        clock.get(lane, x);
+        return x;
+    }
+
+    // ---- for steppers ----
+
+    /// What became of the last step.
+    [[nodiscard]] const LaneStatus& status() const { return status_; }
+
+    /// The lanes that have not stopped.
+    [[nodiscard]] Mask going() const { return Lane(Scalar(0)) < Lane(going_); }
+
+    /// Whether there is something to do in a step of size h. Where that is no number, all stop.
+    [[nodiscard]] bool begins(Scalar h) {
+        if (h == 0) { return false; }
+        if (!detail::is_finite(h)) { stop(Mask(true), Status::Code::not_finite); }
+        clock.begin(h);
+        return status_.ok() || any(going());
+    }
+
+    /// Ends a step: moves the lanes of `made` that have not stopped to (new_q, new_p), and their
+    /// time by the size of the step. The others stop. What they carry `carry(put)` moves likewise,
+    /// by calls of put(values, rows).
+    ///
+    /// NOTE: what is chosen between was computed before, once, in all lanes: where it is computed
+    /// in two places, for all lanes and for some, a compiler may fuse products and sums in one of
+    /// them alone, and a trajectory would depend on its neighbours.
+    template <class Carry>
+    void end(const Values& new_q, const Values& new_p, const Mask& made, Carry carry) {
+        const auto time = clock.end();
+        const Mask finite = time.finite(made);
+        const auto move = [&](auto put) {
+            put(new_q, q);
+            put(new_p, p);
+            time.move(clock, put);
+            carry(put);
+        };
+        if (status_.ok() && all(finite)) {
+            move([](const auto& values, auto& rows) { detail::store(values, rows); });
+            return;
+        }
+        const Mask advanced = finite & going();
+        move([&](const auto& values, auto& rows) { keep(advanced, values, rows); });
+        stop(!advanced, Status::Code::not_finite);
+    }
+
+    /// The same, of steps that leave nothing for the next.
+    void end(const Values& new_q, const Values& new_p, const Mask& made) {
+        end(new_q, new_p, made, [](auto) {});
+    }
+
+    /// Stops these lanes, where they have not stopped before.
+    void stop(const Mask& lanes, Status::Code code) {
+        const Mask stopping = lanes & going();
+        typename Lane::Row now;
+        select(stopping, Lane(Scalar(1)), Lane(Scalar(0))).store(now);
+        for (std::size_t lane = 0; lane < trajectories_at_once; ++lane) {
+            if (now[lane] == 0) { continue; }
+            status_.set(lane, Status(code, status_[lane].iterations));
+            going_.set(lane, 0);
+        }
+    }
+
+    /// Says of the lanes that have not stopped how often their stages were iterated.
+    void count(const Lane& iterations) {
+        typename Lane::Row row;
+        iterations.store(row);
+        for (std::size_t lane = 0; lane < trajectories_at_once; ++lane) {
+            if (status_[lane].ok()) { status_.count(lane, static_cast<int>(row[lane])); }
+        }
+    }
+
+    /// rows = values in these lanes.
+    static void keep(const Mask& lanes, const Values& values, Rows& rows) {
+        for (std::size_t k = 0; k < rows.size(); ++k) { keep(lanes, values[k], rows[k]); }
+    }
+    static void keep(const Mask& lanes, const Lane& values, typename Lane::Row& row) {
+        select(lanes, values, Lane(row)).store(row);
+    }
+
+private:
+    typename Lane::Row going_{};  ///< 1, or 0 where a lane has stopped
+    LaneStatus status_;
+};
+
+}  // namespace hvi

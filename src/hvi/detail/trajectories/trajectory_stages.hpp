@@ -1,0 +1,387 @@
+// The stages of implicit steppers, of trajectories side by side.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <hvi/detail/coefficients/weights.hpp>
+#include <hvi/detail/trajectories/lane_sweeps.hpp>
+#include <hvi/detail/trajectories/trajectories.hpp>
+#include <hvi/detail/trajectories/trajectory_sums.hpp>
+
+namespace hvi::detail {
+
+/// What both forms of stages have: where the step begins, and what is remembered of the last one.
+///
+/// Slopes, as starting values for those of the next step, are bound to the state in which the step
+/// ended: begin() forgets them unless it is given these very bits. Remainders are carried by the
+/// state.
+template <class Vector, std::size_t stages, class One>
+struct TrajectoryMemory {
+    using State = Trajectories<Vector, RemaindersCarried, One>;
+    using Scalar = ScalarOf<Vector>;
+    using Lane = typename State::Lane;
+    using Mask = typename State::Mask;
+    using Rows = typename State::Rows;
+    using Values = typename State::Values;
+    using Slopes = std::array<Rows, stages>;
+    static constexpr std::size_t dimension = fixed_size<Vector>();
+
+    Rows q{}, p{};  ///< where the step begins
+    Rows remainder_q{}, remainder_p{};
+    TrajectoryClock<One> clock;
+    Rows change_q{}, change_p{};      ///< of the stage values in one sweep, over stages
+    std::array<Scalar, stages> hb{};  ///< h b_j
+    Scalar h = 0;
+    bool extrapolates = false;  ///< the slopes are those of the step before this one, of equal h
+
+    /// Prepares a step of size h from x. Returns whether there is something to do.
+    [[nodiscard]] bool begin(State& x, Scalar step_size, const Scalar (&b)[stages]) {
+        if (!sums_.begin(x, step_size)) { return false; }
+        extrapolates = ended_ && h == step_size && same_rows(ended_q_, x.q) &&
+                       same_rows(ended_p_, x.p) && ended_clock_.shows_time_of(x.clock);
+        ended_ = false;
+        if (h != step_size) { hb = weights_of_step(step_size, b); }
+        h = step_size;
+        q = x.q;
+        p = x.p;
+        clock = x.clock;
+        remainder_q = x.carried.q;
+        remainder_p = x.carried.p;
+        return true;
+    }
+
+    /// Ends the step of x with these increments.
+    template <class Outcome>
+    [[nodiscard]] const LaneStatus& end(State& x, const Outcome& outcome, const Values& increment_q,
+                                        const Values& increment_p) {
+        x.count(outcome.iterations);
+        if (!all(outcome.converged)) {
+            x.stop(outcome.not_finite, Status::Code::not_finite);
+            x.stop(!outcome.converged, Status::Code::not_converged);
+        }
+        Values change_of_q, change_of_p;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            change_of_q[k] = Lane(remainder_q[k]) + increment_q[k];
+            change_of_p[k] = Lane(remainder_p[k]) + increment_p[k];
+        }
+        sums_.end(x, change_of_q, change_of_p);
+        ended_q_ = x.q;
+        ended_p_ = x.p;
+        ended_clock_ = x.clock;
+        ended_ = true;
+        return x.status();
+    }
+
+    void forget() {
+        ended_ = false;
+        sums_.forget();
+    }
+
+protected:
+    /// start + sum_j matrix_ij x_j, in two sums, as a processor adds several times faster than it
+    /// waits for one sum.
+    [[nodiscard]] static Lane sum(const Scalar (&row)[stages], const Slopes& x, std::size_t k,
+                                  Lane start) {
+        start = start + row[0] * Lane(x[0][k]);
+        if constexpr (stages > 1) {
+            Lane other = row[1] * Lane(x[1][k]);
+            for (std::size_t j = 2; j + 1 < stages; j += 2) {
+                start = start + row[j] * Lane(x[j][k]);
+                other = other + row[j + 1] * Lane(x[j + 1][k]);
+            }
+            if constexpr (stages % 2 == 1) {
+                start = start + row[stages - 1] * Lane(x[stages - 1][k]);
+            }
+            start = start + other;
+        }
+        return start;
+    }
+
+    static void extrapolate(Slopes& slopes, const Scalar (&N)[stages][stages]) {
+        const Slopes before = slopes;
+        for (std::size_t i = 0; i < stages; ++i) {
+            for (std::size_t k = 0; k < dimension; ++k) {
+                sum(N[i], before, k, Lane(Scalar(0))).store(slopes[i][k]);
+            }
+        }
+    }
+
+    /// slopes = values in these lanes.
+    static void keep(const Mask& lanes, bool are_all, const Values& values, Rows& slopes) {
+        if (are_all) {
+            store(values, slopes);
+        } else {
+            State::keep(lanes, values, slopes);
+        }
+    }
+
+private:
+    [[nodiscard]] static bool same_rows(const Rows& a, const Rows& b) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            if (!same_bits(a[k], b[k])) { return false; }
+        }
+        return true;
+    }
+
+    Rows ended_q_{}, ended_p_{};
+    TrajectoryClock<One> ended_clock_;
+    bool ended_ = false;  ///< a step ended there
+    TrajectorySums<State> sums_;
+};
+
+/// The stages of positions alone; see VelocityStages.
+template <class Vector, std::size_t stages, class One = hvi::State<Vector>>
+struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
+    using Base = TrajectoryMemory<Vector, stages, One>;
+    using Base::dimension;
+    using typename Base::Lane;
+    using typename Base::Mask;
+    using typename Base::Rows;
+    using typename Base::Scalar;
+    using typename Base::Slopes;
+    using typename Base::Values;
+
+    Slopes Q{}, Lp{}, W{};
+    Slopes drifted{};  ///< e_q + h c_i v
+    Rows velocity{};   ///< v
+
+    /// Sets `velocity`.
+    template <class System>
+    void begin_drift(const System& system) {
+        Values v;
+        system.dHdp(load(this->p), v);
+        store(v, velocity);
+    }
+
+    /// Sets `drifted`.
+    void drift_freely(const Scalar (&c)[stages]) {
+        for (std::size_t i = 0; i < stages; ++i) {
+            for (std::size_t k = 0; k < dimension; ++k) {
+                const Lane hv = this->h * Lane(velocity[k]);
+                (Lane(this->remainder_q[k]) + c[i] * hv).store(drifted[i][k]);
+            }
+        }
+    }
+
+    /// Starting values: forces as at the start of the step.
+    template <class System>
+    void predict(const System& system) {
+        predict(system, [&](Values& out) { system.dHdq(load(this->q), out); });
+    }
+
+    /// The same, of what `dHdq(out)` puts out.
+    template <class System, class Gradient>
+    void predict(const System& system, Gradient dHdq) {
+        Values slope;
+        dHdq(slope);
+        for (std::size_t i = 0; i < stages; ++i) { push(system, i, slope, Mask(true), true); }
+    }
+
+    /// Starting values of those of the last step.
+    void extrapolate(const Scalar (&N)[stages][stages]) { Base::extrapolate(W, N); }
+
+    /// Q_i = q + (e_q + h c_i v + sum_j n_ij W_j).
+    void positions(const Scalar (&n)[stages][stages]) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const Lane from(this->q[k]);
+            Lane change(Scalar(0));
+            for (std::size_t i = 0; i < stages; ++i) {
+                const Lane place = from + Base::sum(n[i], W, k, Lane(drifted[i][k]));
+                change = change + abs(place - Lane(Q[i][k]));
+                place.store(Q[i][k]);
+            }
+            change.store(this->change_q[k]);
+        }
+    }
+
+    /// Lp_i = -h b_i dH/dq, W_i = h K Lp_i, in these lanes.
+    template <class System>
+    void forces(const System& system, const Mask& lanes) {
+        forces(system, lanes, [&](std::size_t i, Values& out) { system.dHdq(load(Q[i]), out); });
+    }
+
+    /// The same, of what `dHdq(i, out)` puts out.
+    template <class System, class Gradient>
+    void forces(const System& system, const Mask& lanes, Gradient dHdq) {
+        const bool are_all = all(lanes);
+        for (std::size_t i = 0; i < stages; ++i) {
+            Values slope;
+            dHdq(i, slope);
+            push(system, i, slope, lanes, are_all);
+        }
+    }
+
+    /// q grows by h v + sum_j (1 - c_j) W_j, p by sum_j Lp_j.
+    template <class Outcome>
+    [[nodiscard]] const LaneStatus& advance(typename Base::State& x, const Outcome& outcome,
+                                            const Scalar (&c)[stages]) {
+        Values by_q, by_p;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            Lane sum_q = (1 - c[0]) * Lane(W[0][k]);
+            Lane sum_p(Lp[0][k]);
+            for (std::size_t j = 1; j < stages; ++j) {
+                sum_q = sum_q + (1 - c[j]) * Lane(W[j][k]);
+                sum_p = sum_p + Lane(Lp[j][k]);
+            }
+            by_q[k] = this->h * Lane(velocity[k]) + sum_q;
+            by_p[k] = sum_p;
+        }
+        return this->end(x, outcome, by_q, by_p);
+    }
+
+    /// What the rounding of component k of Q is to be compared with; see VelocityLanes.
+    [[nodiscard]] Lane size_q(std::size_t k) const {
+        Lane size = abs(Lane(this->q[k])) + abs(this->h * Lane(velocity[k]));
+        for (std::size_t i = 0; i < stages; ++i) {
+            size = size + (abs(Lane(Q[i][k])) + abs(Lane(W[i][k])));
+        }
+        return size;
+    }
+
+private:
+    template <class System>
+    void push(const System& system, std::size_t i, const Values& slope, const Mask& lanes,
+              bool are_all) {
+        Values force, drift;
+        for (std::size_t k = 0; k < dimension; ++k) { force[k] = -this->hb[i] * slope[k]; }
+        system.inverse_mass(force, drift);
+        for (Lane& component : drift) { component = this->h * component; }
+        this->keep(lanes, are_all, force, Lp[i]);
+        this->keep(lanes, are_all, drift, W[i]);
+    }
+};
+
+/// The stages of positions and momenta; see Stages.
+template <class Vector, std::size_t stages, class One = hvi::State<Vector>>
+struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
+    using Base = TrajectoryMemory<Vector, stages, One>;
+    using Base::dimension;
+    using typename Base::Lane;
+    using typename Base::Mask;
+    using typename Base::Rows;
+    using typename Base::Scalar;
+    using typename Base::Slopes;
+    using typename Base::Values;
+
+    Slopes Q{}, P{}, Lq{}, Lp{};
+
+    /// Starting values: slopes as at the start of the step.
+    void predict_q(const Values& gradient) {
+        for (std::size_t i = 0; i < stages; ++i) { set(Lq[i], this->hb[i], gradient); }
+    }
+    void predict_p(const Values& gradient) {
+        for (std::size_t i = 0; i < stages; ++i) { set(Lp[i], -this->hb[i], gradient); }
+    }
+
+    /// Starting values of those of the last step.
+    void extrapolate_q(const Scalar (&N)[stages][stages]) { Base::extrapolate(Lq, N); }
+    void extrapolate_p(const Scalar (&N)[stages][stages]) { Base::extrapolate(Lp, N); }
+
+    /// Q_i = q + (e_q + sum_j m_ij Lq_j).
+    void positions(const Scalar (&m)[stages][stages]) {
+        stage_values(m, Lq, this->q, this->remainder_q, Q, this->change_q);
+    }
+
+    /// P_j = p + (e_p + sum_i mt_ji Lp_i).
+    void momenta(const Scalar (&mt)[stages][stages]) {
+        stage_values(mt, Lp, this->p, this->remainder_p, P, this->change_p);
+    }
+
+    /// Lq_j = h b_j dH/dp in these lanes, of what `dHdp(j, out)` puts out.
+    template <class Gradient>
+    void velocities(const Mask& lanes, Gradient dHdp) {
+        const bool are_all = all(lanes);
+        for (std::size_t j = 0; j < stages; ++j) {
+            slope(lanes, are_all, dHdp, j, this->hb[j], Lq);
+        }
+    }
+
+    /// Lp_i = -h b_i dH/dq in these lanes, of what `dHdq(i, out)` puts out.
+    template <class Gradient>
+    void forces(const Mask& lanes, Gradient dHdq) {
+        const bool are_all = all(lanes);
+        for (std::size_t i = 0; i < stages; ++i) {
+            slope(lanes, are_all, dHdq, i, -this->hb[i], Lp);
+        }
+    }
+
+    /// Both, of what `gradient(i, dHdq, dHdp)` puts out.
+    template <class Gradient>
+    void slopes(const Mask& lanes, Gradient gradient) {
+        const bool are_all = all(lanes);
+        for (std::size_t i = 0; i < stages; ++i) {
+            Values dHdq, dHdp;
+            gradient(i, dHdq, dHdp);
+            keep_scaled(lanes, are_all, -this->hb[i], dHdq, Lp[i]);
+            keep_scaled(lanes, are_all, this->hb[i], dHdp, Lq[i]);
+        }
+    }
+
+    /// q grows by sum_j Lq_j, p by sum_i Lp_i.
+    template <class Outcome>
+    [[nodiscard]] const LaneStatus& advance(typename Base::State& x, const Outcome& outcome) {
+        Values by_q, by_p;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            Lane sum_q(Lq[0][k]);
+            Lane sum_p(Lp[0][k]);
+            for (std::size_t j = 1; j < stages; ++j) {
+                sum_q = sum_q + Lane(Lq[j][k]);
+                sum_p = sum_p + Lane(Lp[j][k]);
+            }
+            by_q[k] = sum_q;
+            by_p[k] = sum_p;
+        }
+        return this->end(x, outcome, by_q, by_p);
+    }
+
+    /// What the rounding of component k of Q is to be compared with, and of P.
+    [[nodiscard]] Lane size_q(std::size_t k) const { return size(this->q, Q, Lq, k); }
+    [[nodiscard]] Lane size_p(std::size_t k) const { return size(this->p, P, Lp, k); }
+
+private:
+    static void set(Rows& slope, Scalar factor, const Values& gradient) {
+        for (std::size_t k = 0; k < dimension; ++k) { (factor * gradient[k]).store(slope[k]); }
+    }
+
+    template <class Gradient>
+    static void slope(const Mask& lanes, bool are_all, Gradient gradient, std::size_t i,
+                      Scalar factor, Slopes& slopes) {
+        Values out;
+        gradient(i, out);
+        keep_scaled(lanes, are_all, factor, out, slopes[i]);
+    }
+
+    static void keep_scaled(const Mask& lanes, bool are_all, Scalar factor, Values& gradient,
+                            Rows& slope) {
+        for (Lane& component : gradient) { component = factor * component; }
+        Base::keep(lanes, are_all, gradient, slope);
+    }
+
+    static void stage_values(const Scalar (&m)[stages][stages], const Slopes& slopes,
+                             const Rows& start, const Rows& cut_off, Slopes& values,
+                             Rows& changes) {
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const Lane from(start[k]);
+            Lane change(Scalar(0));
+            for (std::size_t i = 0; i < stages; ++i) {
+                const Lane value = from + Base::sum(m[i], slopes, k, Lane(cut_off[k]));
+                change = change + abs(value - Lane(values[i][k]));
+                value.store(values[i][k]);
+            }
+            change.store(changes[k]);
+        }
+    }
+
+    [[nodiscard]] static Lane size(const Rows& start, const Slopes& values, const Slopes& slopes,
+                                   std::size_t k) {
+        Lane size = abs(Lane(start[k]));
+        for (std::size_t i = 0; i < stages; ++i) {
+            size = size + (abs(Lane(values[i][k])) + abs(Lane(slopes[i][k])));
+        }
+        return size;
+    }
+};
+
+}  // namespace hvi::detail

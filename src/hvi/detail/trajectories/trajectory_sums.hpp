@@ -1,0 +1,64 @@
+// The sums of steps of trajectories side by side.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include <hvi/detail/numbers/compensated.hpp>
+#include <hvi/detail/trajectories/trajectories.hpp>
+
+namespace hvi::detail {
+
+/// One exact sum a step, as StepSums makes it; remainders are carried by the state.
+template <class State>
+class TrajectorySums {
+public:
+    using Scalar = typename State::Scalar;
+    using Values = typename State::Values;
+
+    /// Begins a step of size h from x. Returns whether there is something to do; where sums do not
+    /// round as they should, all lanes stop.
+    [[nodiscard]] bool begin(State& x, Scalar h) {
+        if (!are_exact_) { are_exact_ = sums_are_exact<Scalar>(); }
+        if (!are_exact_) { x.stop(Mask(true), Status::Code::unsafe_arithmetic); }
+        return x.begins(h);
+    }
+
+    /// Ends the step: q and p grow by these changes, in which there are the remainders so far. What
+    /// x carries beside them `carry` moves, as in Trajectories::end().
+    template <class Carry>
+    static void end(State& x, Values& change_q, Values& change_p, Carry carry) {
+        Values q, p;
+        add(x.q, change_q, q);
+        add(x.p, change_p, p);
+        x.end(q, p, where_finite(q, p), [&](auto put) {
+            put(change_q, x.carried.q);
+            put(change_p, x.carried.p);
+            carry(put);
+        });
+    }
+
+    /// The same, of steps that leave nothing else.
+    static void end(State& x, Values& change_q, Values& change_p) {
+        end(x, change_q, change_p, [](auto) {});
+    }
+
+    void forget() { are_exact_ = false; }
+
+private:
+    using Lane = typename State::Lane;
+    using Mask = typename State::Mask;
+
+    /// The sum of both, exactly: of `change` there remains what rounding cuts off.
+    static void add(const typename State::Rows& from, Values& change, Values& sum) {
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            const Sum<Lane> exact = two_sum<Lane>(from[k], change[k]);
+            sum[k] = exact.value;
+            change[k] = exact.remainder;
+        }
+    }
+
+    bool are_exact_ = false;  ///< known to be, since reset()
+};
+
+}  // namespace hvi::detail
