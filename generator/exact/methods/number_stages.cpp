@@ -89,7 +89,9 @@ NumberVector NumberStages::product(const Function& left, const Function& right) 
 
 Number NumberStages::defect(Colour colour, const Function& function, long times) const {
     const NumberMatrix row{colour == Colour::f ? method_.b : method_.b_tilde};
-    return exact({(row * function).front() * Number(times) - Number(1)}).front();
+    NumberVector defect = row * function;
+    defect.front() = defect.front() * Number(times) - Number(1);
+    return exact(std::move(defect)).front();
 }
 
 NumberVector NumberStages::apply(Colour colour, const Function& function, long times) const {
