@@ -4,8 +4,8 @@
 #   cmake -D OUTPUT=embedded.cpp -D HEADER=generator/emit/text/embedded.hpp -D FUNCTION=embedded_templates
 #       -D "FILES=templates/a.hpp.in;src/hvi/b.hpp" -D ROOT=checkout -P embed.cmake
 #
-# A file is known by its path in src/, templates/ or examples/scenes/. Raw string literals end where MSVC's limit of 16 kB ends; the
-# pieces are put together by the compiler.
+# A file is known by its path in src/, templates/ or examples/scenes/. Raw string literals end where
+# MSVC's limit of 16 kB ends; the pieces are put together by the compiler.
 
 set(entries "")
 foreach(file IN LISTS FILES)

@@ -1,5 +1,5 @@
-// What the user wants of a stepper; names are checked by check_class_name(). What becomes of it is
-// decided in generator/plan, with reasons. SPDX-License-Identifier: GPL-2.0-or-later
+// What the user wants of a stepper. What becomes of it is decided in generator/plan, with reasons.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct Wish {
 struct MethodWishes {
     bool separable = false;                       ///< H = T(p) + U(q)
     std::optional<Composition> composition = {};  ///< a step is made of several of the method
-    Given class_name = nullptr;                   ///< checked; else from the name of the method
+    Given class_name = nullptr;                   ///< by check_class_name(); else the method's
 };
 
 /// Of the stepper of a scene.
@@ -33,7 +33,7 @@ struct StepperWishes {
     bool evaluations = false;                     ///< of dH/dq, counted, the same
     bool float128 = false;                        ///< among the numbers that it computes in
     bool dense = false;                           ///< the curve of a step, the same
-    Given class_name = nullptr;                   ///< checked; else from the names of both
+    Given class_name = nullptr;                   ///< the same, or from scene and method
     std::optional<Composition> composition = {};  ///< a step is made of several of the method
 };
 

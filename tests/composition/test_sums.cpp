@@ -1,5 +1,6 @@
 // Explicit compositions of high order: what rounding cuts off is kept, with the state that it is
-// of. SPDX-License-Identifier: GPL-2.0-or-later
+// of.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <array>
 #include <cfenv>
 #include <cmath>

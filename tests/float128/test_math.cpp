@@ -1,5 +1,6 @@
 // The functions of <hvi/detail/numbers/math.hpp>, and the constants of a scene, against decimals of
-// mpmath. SPDX-License-Identifier: GPL-2.0-or-later
+// mpmath.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <limits>
 #include <string>

@@ -1,5 +1,6 @@
 // Linear stability: for which z = h omega a method's map of the harmonic oscillator is power
-// bounded. SPDX-License-Identifier: GPL-2.0-or-later
+// bounded.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <optional>
