@@ -61,7 +61,7 @@ EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Sce
     const SceneStepper stepper =
         scene_stepper(method.method, scene,
                       {.solver = solver, .energy = true, .composition = method.composition});
-    is_explicit_ = stepper.scheme.is_explicit();
+    is_explicit_ = stepper.step.is_explicit();
     build_ = builds.order({fill("edge.cpp.in", {{"header", header_name},
                                                 {"stepper", stepper.class_name},
                                                 {"set", set_parameters(stepper.lowered)}}),
@@ -73,7 +73,7 @@ EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method
     const SceneStepper stepper =
         scene_stepper(method.method, scene, {.float128 = true, .composition = method.composition});
     EdgeProgram program;
-    program.is_explicit_ = stepper.scheme.is_explicit();
+    program.is_explicit_ = stepper.step.is_explicit();
     program.build_ = builds.order(
         {fill("symplectic.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
          {{header_name, stepper.header}}});

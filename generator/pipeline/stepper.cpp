@@ -42,26 +42,27 @@ std::string command(const Tableau& tableau, const Scene& scene, const StepperWis
 }
 
 /// What is wished for and not built.
-void check_solver(const Scheme& scheme, const Scene& scene) {
-    if (scheme.is_explicit() || scheme.velocity_form) return;
+void check_solver(const Step& step, const Scene& scene) {
+    const auto* pairs = std::get_if<PairStep>(&step.form);
+    if (pairs == nullptr || !pairs->iteration) return;
     const Source& H = *scene.hamiltonian.source;
     const Place place{scene.hamiltonian.source, {0, H.text.size()}};
-    if (scheme.solver == Solver::newton_taylor)
+    if (pairs->iteration->solver == Solver::newton_taylor)
         throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
                          "quadratic T",
                          place, "--solver newton takes any H");
 }
 
-void check_lanes(const Scheme& scheme, const Wish<Lanes>& wished) {
+void check_lanes(const Step& step, const Wish<Lanes>& wished) {
     if (wished.choice != Lanes::stages) return;
-    const std::string obstacle = obstacle_to_stage_lanes(scheme);
+    const std::string obstacle = obstacle_to_stage_lanes(step);
     if (obstacle.empty()) return;
     throw InputError("no lanes for the stages of this method on this H: " + obstacle, wished.place,
                      "without --lanes they are used where they can be");
 }
 
 /// An ensemble, and what is not built for it.
-void check_ensemble(const Scheme& scheme, const StepperWishes& wishes) {
+void check_ensemble(const Step& step, const StepperWishes& wishes) {
     if (wishes.lanes.choice != Lanes::ensemble) return;
     const std::optional<Place>& place = wishes.lanes.place;
     const auto refuse = [&](bool is_wished, const char* flag, const char* reason) {
@@ -72,7 +73,7 @@ void check_ensemble(const Scheme& scheme, const StepperWishes& wishes) {
     refuse(wishes.dense, "--dense", "trajectories take all their steps at once");
     refuse(wishes.float128, "--float128", "no processor computes several of these at once");
     refuse(wishes.evaluations, "--evaluations", "one evaluation serves several trajectories");
-    const std::string obstacle = obstacle_to_ensemble(scheme);
+    const std::string obstacle = obstacle_to_ensemble(step);
     if (!obstacle.empty())
         throw InputError("no ensembles of this method on this H: " + obstacle, place,
                          "they are built for explicit methods, as stormer-verlet and its "
@@ -100,25 +101,25 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
     return result;
 }
 
-Scheme planned(const Tableau& tableau, const LoweredScene& lowered, const Method& method,
-               const StepperWishes& wishes) {
+Step planned(const Tableau& tableau, const LoweredScene& lowered, const Method& method,
+             const StepperWishes& wishes) {
     const Structure& structure = lowered.structure;
-    Scheme scheme = plan(tableau, {.separable = structure.is_separable,
-                                   .depends_on_time = lowered.system.time.has_value(),
-                                   .kinetic_is_quadratic = structure.kinetic_is_quadratic,
-                                   .is_quadratic = structure.is_quadratic,
-                                   .is_degenerate = is_degenerate(structure),
-                                   .joint_gradient_pays = joint_gradient_pays(lowered.system),
-                                   .degrees_of_freedom = lowered.system.degrees_of_freedom(),
-                                   .has_curve = wishes.dense,
-                                   .solver = wishes.solver,
-                                   .lanes = wishes.lanes.choice,
-                                   .composition = wishes.composition,
-                                   .method = method.place});
-    check_solver(scheme, lowered.scene);
-    check_lanes(scheme, wishes.lanes);
-    check_ensemble(scheme, wishes);
-    return scheme;
+    Step step = plan(tableau, {.separable = structure.is_separable,
+                               .depends_on_time = lowered.system.time.has_value(),
+                               .kinetic_is_quadratic = structure.kinetic_is_quadratic,
+                               .is_quadratic = structure.is_quadratic,
+                               .is_degenerate = is_degenerate(structure),
+                               .joint_gradient_pays = joint_gradient_pays(lowered.system),
+                               .degrees_of_freedom = lowered.system.degrees_of_freedom(),
+                               .has_curve = wishes.dense,
+                               .solver = wishes.solver,
+                               .lanes = wishes.lanes.choice,
+                               .composition = wishes.composition,
+                               .method = method.place});
+    check_solver(step, lowered.scene);
+    check_lanes(step, wishes.lanes);
+    check_ensemble(step, wishes);
+    return step;
 }
 
 std::string name_of_class(const Given& wished, const std::string& otherwise) {
@@ -130,14 +131,14 @@ std::string name_of_class(const Given& wished, const std::string& otherwise) {
 MethodStepper method_stepper(const Method& method, const MethodWishes& wishes) {
     Tableau tableau = derive(method);
     if (wishes.composition) check_composition(*wishes.composition, tableau);
-    Scheme scheme = plan(
+    Step step = plan(
         tableau,
         {.separable = wishes.separable, .composition = wishes.composition, .method = method.place});
     const std::string name =
         name_of_class(wishes.class_name, composed_name(tableau.name, wishes.composition));
     std::string header =
-        emit(tableau, scheme, {.class_name = name, .command = command(tableau, wishes)});
-    return {std::move(tableau), std::move(scheme), std::move(header)};
+        emit(tableau, step, {.class_name = name, .command = command(tableau, wishes)});
+    return {std::move(tableau), std::move(step), std::move(header)};
 }
 
 SceneStepper scene_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes) {
@@ -147,17 +148,17 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
     auto [tableau, curve] = derived(method, wishes);
     members.curve = std::move(curve);
     LoweredScene lowered = hvi::gen::lowered(scene);
-    Scheme scheme = planned(tableau, lowered, method, wishes);
+    Step step = planned(tableau, lowered, method, wishes);
     std::string method_name = composed_name(tableau.name, wishes.composition);
     std::string name = name_of_class(
         wishes.class_name, scene.name.empty() ? method_name : scene.name + "-" + method_name);
-    std::string header = emit(tableau, scheme,
+    std::string header = emit(tableau, step,
                               {.class_name = name,
                                .command = command(tableau, scene, wishes),
                                .scene = &lowered,
                                .wishes = members});
     return {std::move(tableau), std::move(method_name), method.place,     std::move(lowered),
-            std::move(scheme),  std::move(name),        std::move(header)};
+            std::move(step),    std::move(name),        std::move(header)};
 }
 
 }  // namespace hvi::gen

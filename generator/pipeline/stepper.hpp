@@ -1,7 +1,7 @@
 // From a method, and a Hamiltonian or none, to a C++ header: the whole way.
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-//     text ──read──▶ Method, Scene ──derive──▶ Tableau ──plan──▶ Scheme ──emit──▶ header
+//     text ──read──▶ Method, Scene ──derive──▶ Tableau ──plan──▶ Step ──emit──▶ header
 //                          └────────lower────▶ LoweredScene ──┘──────────────┘
 //
 // read    generator/read            texts to what they say, with the place of every word
@@ -28,7 +28,7 @@ namespace hvi::gen {
 /// A stepper for a class of the user, and what was found on the way to it.
 struct MethodStepper {
     Tableau tableau;
-    Scheme scheme;
+    Step step;
     std::string header;
 };
 
@@ -42,7 +42,7 @@ struct SceneStepper {
     std::string method_name;  ///< `stormer-verlet-yoshida:6`; empty where the method has no name
     std::optional<Place> method_place;  ///< for errors
     LoweredScene lowered;
-    Scheme scheme;
+    Step step;
     std::string class_name;
     std::string header;
 };

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "generator/exact/methods/composition.hpp"
-#include "generator/plan/scheme.hpp"
+#include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -73,14 +73,14 @@ Entries entries(const Graph& graph, const Structure& found) {
 }
 
 /// Those that Newton's method evaluates, of symmetric ones half.
-std::vector<Scaled> second_derivatives(const Structure& found, const Scheme& scheme) {
+std::vector<Scaled> second_derivatives(const Structure& found, const Step& step) {
     std::vector<Scaled> result;
     for (std::size_t i = 0; i < found.qq.size(); ++i) {
         for (std::size_t j = 0; j < found.qq.size(); ++j) {
             if (j <= i) { result.push_back(found.qq[i][j]); }
-            if (scheme.velocity_form) { continue; }
+            if (std::holds_alternative<VelocityStep>(step.form)) { continue; }
             if (j <= i) { result.push_back(found.pp[i][j]); }
-            if (!scheme.separable) { result.push_back(found.qp[i][j]); }
+            if (!step.is_separable()) { result.push_back(found.qp[i][j]); }
         }
     }
     return result;
@@ -120,41 +120,44 @@ std::vector<std::string> facts(const LoweredScene& lowered) {
     return result;
 }
 
-std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme) {
+std::vector<std::string> costs(const LoweredScene& lowered, const Step& step) {
     const SystemGraph& system = lowered.system;
     const std::size_t n = system.degrees_of_freedom();
     const auto operations = [&](const std::vector<Scaled>& results) {
         return text(kernel(system.graph, results).counts);
     };
     std::size_t unknowns = 0;
-    for (const Block& block : scheme.blocks) {
+    for (const Block& block : step.blocks) {
         if (!block.coupled) { continue; }
         unknowns += n * (block.of(StageNode::Kind::Q).size() + block.of(StageNode::Kind::P).size());
     }
-    if (scheme.is_tabulated) {
-        return {cost_of_map(n, scheme.is_sheared, has_linear_part(lowered.structure))};
+    if (const auto* map = std::get_if<TabulatedStep>(&step.form)) {
+        return {cost_of_map(n, map->as == TabulatedStep::As::shears,
+                            has_linear_part(lowered.structure))};
     }
     std::vector<std::string> result;
     result.push_back(
         unknowns == 0 ? "no unknowns: nothing is solved for"
                       : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
-    if (scheme.has_joint_slopes) {
+    if (step.slopes == Slopes::joint) {
         result.push_back("dH/dq and dH/dp once: " + operations(joint_gradient(system)));
     } else {
         result.push_back("dH/dq once: " + operations(system.dHdq));
         result.push_back("dH/dp once: " + operations(system.dHdp));
     }
-    if (scheme.takes_newton()) {
+    const Iteration* iteration = step.iteration();
+    if (iteration != nullptr && iteration->takes_newton()) {
         result.push_back("second derivatives once, where Newton's method is needed: " +
-                         operations(second_derivatives(lowered.structure, scheme)));
+                         operations(second_derivatives(lowered.structure, step)));
     }
-    if (scheme.solver == Solver::newton_taylor) {
+    if (iteration != nullptr && iteration->solver == Solver::newton_taylor) {
         result.push_back(
             "d2H/dq2 times a vector, after dH/dq: " +
             text(kernel_of_direction(system.graph, lowered.structure.qq_along).counts));
     }
-    const std::size_t forces = scheme.forces_evaluated();
-    const std::size_t velocities = scheme.velocity_form ? 1 : scheme.velocities_evaluated();
+    const std::size_t forces = step.forces_evaluated();
+    const std::size_t velocities =
+        std::holds_alternative<VelocityStep>(step.form) ? 1 : step.velocities_evaluated();
     result.push_back(fmt::format("{}: {} of dH/dq, {} of dH/dp",
                                  unknowns == 0 ? "evaluations in a step"
                                                : "evaluations in a step of one iteration",

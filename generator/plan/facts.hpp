@@ -1,12 +1,12 @@
-// What was found in a Hamiltonian, and what a step of a scheme costs, in words.
+// What was found in a Hamiltonian, and what a step of a step costs, in words.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "generator/ir/step.hpp"
 #include "generator/lower/lowered_scene.hpp"
-#include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
 
@@ -14,6 +14,6 @@ namespace hvi::gen {
 [[nodiscard]] std::vector<std::string> facts(const LoweredScene& lowered);
 
 /// The same of the work: unknowns, evaluations and their operations.
-[[nodiscard]] std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme);
+[[nodiscard]] std::vector<std::string> costs(const LoweredScene& lowered, const Step& step);
 
 }  // namespace hvi::gen

@@ -17,48 +17,51 @@ bool all_are_solved_for(const std::vector<StageValue>& values) {
 }
 
 /// Why the stages cannot all be the unknowns of one iteration.
-std::string obstacle_in_stages(const Scheme& scheme) {
-    if (scheme.blocks.size() > 1) { return "the stages are not solved for all at once"; }
+std::string obstacle_in_stages(const Step& step) {
+    if (step.blocks.size() > 1) { return "the stages are not solved for all at once"; }
     const bool are_unknowns =
-        all_are_solved_for(scheme.positions) && all_are_solved_for(scheme.momenta);
+        all_are_solved_for(step.positions) && all_are_solved_for(step.momenta);
     return are_unknowns ? "" : "some stages are equal, or the state itself";
 }
 
 }  // namespace
 
-std::string obstacle_to_stage_lanes(const Scheme& scheme) {
-    if (scheme.is_tabulated) { return "a step is one linear map"; }
-    if (scheme.is_explicit()) { return "each stage of an explicit method needs the one before"; }
-    if (scheme.from_parameter) { return "the coefficients depend on a parameter"; }
-    if (scheme.solver != Solver::fixed_point && scheme.solver != Solver::automatic) {
+std::string obstacle_to_stage_lanes(const Step& step) {
+    if (std::holds_alternative<TabulatedStep>(step.form)) { return "a step is one linear map"; }
+    if (step.is_explicit()) { return "each stage of an explicit method needs the one before"; }
+    if (step.from_parameter) { return "the coefficients depend on a parameter"; }
+    const Solver solver = step.iteration()->solver;
+    if (solver != Solver::fixed_point && solver != Solver::automatic) {
         return "they are built for fixed points, and for these and Newton's method in turn";
     }
-    return scheme.positions.size() == 1 ? "there is one stage" : obstacle_in_stages(scheme);
+    return step.positions.size() == 1 ? "there is one stage" : obstacle_in_stages(step);
 }
 
-std::string obstacle_to_ensemble(const Scheme& scheme) {
-    if (scheme.from_parameter) { return "the coefficients depend on a parameter"; }
-    if (scheme.is_explicit()) { return ""; }
-    if (scheme.solver != Solver::fixed_point) { return "they are iterated by fixed points"; }
-    return obstacle_in_stages(scheme);
+std::string obstacle_to_ensemble(const Step& step) {
+    if (step.from_parameter) { return "the coefficients depend on a parameter"; }
+    if (step.is_explicit()) { return ""; }
+    if (step.iteration()->solver != Solver::fixed_point) {
+        return "they are iterated by fixed points";
+    }
+    return obstacle_in_stages(step);
 }
 
-void set_lanes(Scheme& scheme, Lanes wished) {
-    if (wished == Lanes::ensemble && obstacle_to_ensemble(scheme).empty()) {
-        scheme.has_trajectory_lanes = true;
-        scheme.decisions.push_back(
+void set_lanes(Step& step, Lanes wished) {
+    if (wished == Lanes::ensemble && obstacle_to_ensemble(step).empty()) {
+        step.layout = Layout::trajectories;
+        step.decisions.push_back(
             {"eight trajectories are computed side by side",
              "one evaluation of dH/dq, in vectors of the processor, serves them all"});
     }
     if (wished == Lanes::ensemble || wished == Lanes::none ||
-        !obstacle_to_stage_lanes(scheme).empty()) {
+        !obstacle_to_stage_lanes(step).empty()) {
         return;
     }
-    scheme.has_stage_lanes = true;
-    scheme.decisions.push_back(
+    step.layout = Layout::stages;
+    step.decisions.push_back(
         {"the stages are computed side by side",
          fmt::format("one evaluation of dH/dq, in vectors of the processor, serves all {}",
-                     scheme.positions.size())});
+                     step.positions.size())});
 }
 
 }  // namespace hvi::gen

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -64,16 +64,16 @@ bool is_power_of_two(const Number& value) {
     });
 }
 
-RoundedCoefficients rounded(const Scheme& scheme) {
-    const std::size_t rows = scheme.positions.size();
-    const std::size_t columns = scheme.momenta.size();
+RoundedCoefficients rounded(const Step& step) {
+    const std::size_t rows = step.positions.size();
+    const std::size_t columns = step.momenta.size();
     RoundedCoefficients result{RoundedMatrix(rows, std::vector<Rounded>(columns)),
                                RoundedMatrix(columns, std::vector<Rounded>(rows))};
-    const bool mirrored = scheme.one_tableau() && rows == columns;
+    const bool mirrored = step.partner == Partner::same && rows == columns;
     const auto round = [&](std::size_t i, std::size_t j, std::size_t f) {
-        if (scheme.m[i][j].has_parameters()) { return; }
+        if (step.m[i][j].has_parameters()) { return; }
         const bool is_half = mirrored && i == j;
-        const auto m = is_half ? Dyadic(1, -1) : on_lattice(scheme.m[i][j], formats[f]);
+        const auto m = is_half ? Dyadic(1, -1) : on_lattice(step.m[i][j], formats[f]);
         const auto mt = complement(m, formats[f]);
         result.m[i][j][f] = m;
         result.mt[j][i][f] = mt;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generator/exact/numbers/dyadic.hpp"
-#include "generator/plan/scheme.hpp"
+#include "generator/ir/step.hpp"
 
 namespace hvi::gen {
 
@@ -50,7 +50,7 @@ struct RoundedCoefficients {
 /// takes mt_ji = 1 - m_ij, which then is of that format. Where A == A~ only the entries with i > j
 /// are rounded, m_ji = 1 - m_ij, and the diagonal is 1/2. Empty where 1 is no multiple of that ulp,
 /// and where m_ij depends on a parameter.
-[[nodiscard]] RoundedCoefficients rounded(const Scheme& scheme);
+[[nodiscard]] RoundedCoefficients rounded(const Step& step);
 
 /// c and n with n[i][j] - n[j][i] == c[i] - c[j] without rounding, in each format.
 struct RoundedVelocityForm {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "generator/exact/methods/composed_method.hpp"
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
 #include "generator/plan/graph.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/solver.hpp"
@@ -73,16 +73,16 @@ std::vector<StageValue> separate(const NumberVector& weights) {
 
 /// NOTE: P_j and P_k agree, a~_ji = a~_ki for all i, exactly when a_ij/b_j = a_ik/b_k, that is when
 /// columns j and k of m agree. So equal stages are merged by striking out rows and columns of m.
-void set_stages(Scheme& scheme, const WeightedStages& stages) {
+void set_stages(Step& step, const WeightedStages& stages) {
     const auto& [m, b] = stages;
-    scheme.positions = scheme.separable ? distinct(m, b) : separate(b);
-    scheme.momenta = scheme.separable ? distinct(transposed(m), b) : separate(b);
-    for (const StageValue& position : scheme.positions) {
+    step.positions = step.is_separable() ? distinct(m, b) : separate(b);
+    step.momenta = step.is_separable() ? distinct(transposed(m), b) : separate(b);
+    for (const StageValue& position : step.positions) {
         NumberVector row;
-        for (const StageValue& momentum : scheme.momenta) {
+        for (const StageValue& momentum : step.momenta) {
             row.push_back(m[position.stages.front()][momentum.stages.front()]);
         }
-        scheme.m.push_back(std::move(row));
+        step.m.push_back(std::move(row));
     }
     const auto merged = [&](const char* letter, const std::vector<StageValue>& values) {
         for (const StageValue& value : values) {
@@ -91,11 +91,11 @@ void set_stages(Scheme& scheme, const WeightedStages& stages) {
             for (const std::size_t i : value.stages) {
                 names += fmt::format("{}{}_{}", names.empty() ? "" : " = ", letter, i + 1);
             }
-            scheme.decisions.push_back({names + " is evaluated once", "these stages are equal"});
+            step.decisions.push_back({names + " is evaluated once", "these stages are equal"});
         }
     };
-    merged("Q", scheme.positions);
-    merged("P", scheme.momenta);
+    merged("Q", step.positions);
+    merged("P", step.momenta);
 }
 
 Place place_of(const NumberVector& row, bool ones_are_end) {
@@ -112,35 +112,35 @@ Place place_of(const NumberVector& row, bool ones_are_end) {
 
 /// A row of zeros in m is Q_i = q, of ones the next q; with mt_ji = 1 - m_ij a column of ones is
 /// P_j = p, of zeros the next p.
-void set_places(Scheme& scheme) {
-    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-        scheme.positions[i].place = place_of(scheme.m[i], true);
+void set_places(Step& step) {
+    for (std::size_t i = 0; i < step.positions.size(); ++i) {
+        step.positions[i].place = place_of(step.m[i], true);
     }
-    const NumberMatrix columns = transposed(scheme.m);
-    for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-        scheme.momenta[j].place = place_of(columns[j], false);
+    const NumberMatrix columns = transposed(step.m);
+    for (std::size_t j = 0; j < step.momenta.size(); ++j) {
+        step.momenta[j].place = place_of(columns[j], false);
     }
     const auto note = [&](const char* letter, const char* state, const StageValue& value) {
         const std::string name = fmt::format("{}_{}", letter, value.stages.front() + 1);
         if (value.place == Place::start) {
-            scheme.decisions.push_back({fmt::format("{} is not solved for", name),
-                                        fmt::format("it is {} at the start of the step", state)});
+            step.decisions.push_back({fmt::format("{} is not solved for", name),
+                                      fmt::format("it is {} at the start of the step", state)});
         } else if (value.place == Place::end) {
-            scheme.decisions.push_back({fmt::format("{} takes no sum of its own", name),
-                                        fmt::format("it is {} at the end of the step", state)});
+            step.decisions.push_back({fmt::format("{} takes no sum of its own", name),
+                                      fmt::format("it is {} at the end of the step", state)});
         }
     };
-    for (const StageValue& value : scheme.positions) { note("Q", "q", value); }
-    for (const StageValue& value : scheme.momenta) { note("P", "p", value); }
+    for (const StageValue& value : step.positions) { note("Q", "q", value); }
+    for (const StageValue& value : step.momenta) { note("P", "p", value); }
 }
 
-/// Which stages of a scheme need which slopes, where that is not disproved: Q_i needs Lq_j unless
+/// Which stages of a step need which slopes, where that is not disproved: Q_i needs Lq_j unless
 /// m_ij = 0, and P_j needs Lp_i unless m~_ji = 1 - m_ij = 0.
-StagePattern pattern(const Scheme& scheme) {
+StagePattern pattern(const Step& step) {
     StagePattern result;
-    result.separable = scheme.separable;
-    result.p.resize(scheme.momenta.size());
-    for (const NumberVector& row : scheme.m) {
+    result.separable = step.is_separable();
+    result.p.resize(step.momenta.size());
+    for (const NumberVector& row : step.m) {
         auto& q = result.q.emplace_back();
         for (std::size_t j = 0; j < row.size(); ++j) {
             q.push_back(!equal(row[j], 0));
@@ -150,20 +150,20 @@ StagePattern pattern(const Scheme& scheme) {
     return result;
 }
 
-void set_blocks(Scheme& scheme) {
-    const StageGraph graph(pattern(scheme));
+void set_blocks(Step& step) {
+    const StageGraph graph(pattern(step));
     for (const auto& component : components(graph.needs())) {
         Block block;
         block.coupled = component.size() > 1;
         for (const std::size_t v : component) { block.nodes.push_back(graph.node(v)); }
-        scheme.blocks.push_back(std::move(block));
+        step.blocks.push_back(std::move(block));
     }
-    if (scheme.is_explicit()) {
-        scheme.decisions.push_back(
+    if (step.is_explicit()) {
+        step.decisions.push_back(
             {"no solver", "no stage depends on itself: the step is kicks and drifts in turn"});
-    } else if (scheme.coupled_blocks() > 1) {
-        scheme.decisions.push_back(
-            {fmt::format("{} smaller systems are solved in turn", scheme.coupled_blocks()),
+    } else if (step.coupled_blocks() > 1) {
+        step.decisions.push_back(
+            {fmt::format("{} smaller systems are solved in turn", step.coupled_blocks()),
              "the stages decouple"});
     }
 }
@@ -175,19 +175,21 @@ void set_blocks(Scheme& scheme) {
 /// bring it to 4e-14 and cost a fifth, on six bodies three fifths. For a step of yoshida:6,
 /// blanes-moan:6 and kahan-li:8 they cost 6 % or less, and rounding falls from 1e-11 to 4e-13 where
 /// kahan-li:8 is off by 5e-11.
-void set_sums(Scheme& scheme, const PlanOptions& options) {
+void set_sums(Step& step, const PlanOptions& options) {
     constexpr int least_order = 6;
-    if (!scheme.is_explicit()) { return; }
+    if (!step.is_explicit()) { return; }
     if (options.has_curve) {
-        scheme.decisions.push_back(
+        step.form = PairStep{};
+        step.decisions.push_back(
             {"the slopes are kept, in compensated sums", "the curve of a step is made of them"});
     } else if (options.composition && options.composition->order >= least_order) {
-        scheme.keeps_remainder = true;
-        scheme.decisions.push_back(
+        step.form = ExplicitStep{Sums::compensated};
+        step.decisions.push_back(
             {"compensated summation",
              fmt::format("errors of order {} come down to round-off", options.composition->order)});
     } else {
-        scheme.decisions.push_back(
+        step.form = ExplicitStep{Sums::plain};
+        step.decisions.push_back(
             {"no compensated summation", "the error of the step is far above round-off"});
     }
 }
@@ -200,48 +202,46 @@ bool has(const std::vector<StageValue>& values, Place place) {
 }
 
 /// First same as last.
-void set_kept(Scheme& scheme) {
-    if (!scheme.separable) { return; }
-    scheme.keeps_force = has(scheme.positions, Place::start) && has(scheme.positions, Place::end);
-    scheme.keeps_velocity = has(scheme.momenta, Place::start) && has(scheme.momenta, Place::end);
-    if (scheme.keeps_force) {
-        scheme.decisions.push_back({"one force a step is not evaluated",
-                                    "the last one of a step is the first one of the next"});
+void set_kept(Step& step) {
+    if (!step.is_separable()) { return; }
+    step.kept.force = has(step.positions, Place::start) && has(step.positions, Place::end);
+    step.kept.velocity = has(step.momenta, Place::start) && has(step.momenta, Place::end);
+    if (step.kept.force) {
+        step.decisions.push_back({"one force a step is not evaluated",
+                                  "the last one of a step is the first one of the next"});
     }
-    if (scheme.keeps_velocity) {
-        scheme.decisions.push_back({"one dH/dp a step is not evaluated",
-                                    "the last one of a step is the first one of the next"});
+    if (step.kept.velocity) {
+        step.decisions.push_back({"one dH/dp a step is not evaluated",
+                                  "the last one of a step is the first one of the next"});
     }
 }
 
 /// The time is a coordinate with velocity 1, so that (4.18c) gives T_i = t + h sum_j a_ij.
-void set_times(Scheme& scheme) {
-    scheme.depends_on_time = true;
-    scheme.c = position_times(scheme);
-    scheme.decisions.push_back({"the state has a time", "H depends on it"});
+void set_times(Step& step) {
+    step.c = position_times(step);
+    step.decisions.push_back({"the state has a time", "H depends on it"});
 }
 
-/// The map of one step is linear. Whether it is tabulated, or why not.
+/// The map of one step is linear. Whether it is tabulated; where it is not, the decisions say why.
 ///
 /// NOTE: kicks and drifts are shears as well, and need the standard library alone. To compute the
 /// matrix costs the cube of the number of unknowns, in numbers of twice the digits: 64 take some
 /// milliseconds.
-void tabulate(Scheme& scheme, const PlanOptions& options) {
+bool tabulate(Step& step, const PlanOptions& options) {
     constexpr std::size_t most_unknowns = 64;
-    if (scheme.is_explicit() || scheme.from_parameter || options.depends_on_time) { return; }
+    if (step.is_explicit() || step.from_parameter || options.depends_on_time) { return false; }
     const std::size_t unknowns =
-        options.degrees_of_freedom * (scheme.positions.size() + scheme.momenta.size());
+        options.degrees_of_freedom * (step.positions.size() + step.momenta.size());
     if (unknowns > most_unknowns) {
-        scheme.decisions.push_back(
+        step.decisions.push_back(
             {"iterated, though H is quadratic",
              fmt::format("its matrix has {} unknowns, above {}", unknowns, most_unknowns)});
-        return;
+        return false;
     }
-    scheme.is_tabulated = true;
-    const bool are_symmetric = options.degrees_of_freedom == 1 || scheme.separable;
-    scheme.is_sheared = are_symmetric && !options.is_degenerate;
-    if (scheme.is_sheared) {
-        scheme.decisions = {
+    const bool are_symmetric = options.degrees_of_freedom == 1 || step.is_separable();
+    if (are_symmetric && !options.is_degenerate) {
+        step.form = TabulatedStep{TabulatedStep::As::shears};
+        step.decisions = {
             {"no solver",
              "H is quadratic: a step is a product of three shears where these exist for h, else "
              "with a matrix, computed when h changes"},
@@ -249,7 +249,8 @@ void tabulate(Scheme& scheme, const PlanOptions& options) {
              "the shears are symplectic however they round; --solver fixed-point iterates with "
              "it"}};
     } else {
-        scheme.decisions = {
+        step.form = TabulatedStep{TabulatedStep::As::matrix};
+        step.decisions = {
             {"no solver",
              "H is quadratic: a step is a product with a matrix, computed when h changes"},
             {"the matrix is kept in twice the digits, and sums are compensated",
@@ -257,20 +258,21 @@ void tabulate(Scheme& scheme, const PlanOptions& options) {
                          are_symmetric ? "a singular matrix d2H/dp2 leaves no shears"
                                        : "products of q and p leave no symmetric shears")}};
     }
+    return true;
 }
 
 /// Fewer unknowns for H = p^T K p/2 + U(q).
-void eliminate_momenta(Scheme& scheme) {
-    if (scheme.is_explicit() || scheme.from_parameter) { return; }
-    VelocityForm form = velocity_form(scheme);
+void eliminate_momenta(Step& step) {
+    if (step.is_explicit() || step.from_parameter) { return; }
+    VelocityForm form = velocity_form(step);
     std::vector<Block> order = blocks(form);
     const auto coupled =
         std::count_if(order.begin(), order.end(), [](const Block& block) { return block.coupled; });
     if (coupled != 1) { return; }
-    scheme.velocity_form = std::move(form);
-    scheme.blocks = std::move(order);
-    scheme.keeps_velocity = false;
-    scheme.decisions.push_back(
+    step.form = VelocityStep{std::move(form), {}, {}};
+    step.blocks = std::move(order);
+    step.kept.velocity = false;
+    step.decisions.push_back(
         {"the momenta of the stages are eliminated",
          "the kinetic energy is quadratic: the stages are solved for their positions alone"});
 }
@@ -293,30 +295,30 @@ std::string text(const ZeroPlaces& zeros, const std::string& parameter) {
 }
 
 /// Where there is no method.
-void note_zeros(Scheme& scheme) {
-    const ParametricNumbers& numbers = scheme.from_parameter->numbers;
+void note_zeros(Step& step) {
+    const ParametricNumbers& numbers = step.from_parameter->numbers;
     const auto what = [](Zero zero) {
         return zero == Zero::pole ? "coefficients are infinite there" : "a weight is zero there";
     };
     if (numbers.at_zero != Zero::harmless) {
-        scheme.decisions.push_back(
+        step.decisions.push_back(
             {fmt::format("no method at {} = 0", numbers.parameter), what(numbers.at_zero)});
     }
     for (const ZeroPlaces& zeros : numbers.zeros) {
-        scheme.decisions.push_back(
+        step.decisions.push_back(
             {"no method at " + text(zeros, numbers.parameter), what(zeros.zero)});
     }
 }
 
-void set_from_parameter(Scheme& scheme, const Tableau& tableau,
+void set_from_parameter(Step& step, const Tableau& tableau,
                         const std::optional<hvi::gen::Place>& method) {
     const auto depends = [](const NumberVector& numbers) {
         return std::any_of(numbers.begin(), numbers.end(),
                            [](const Number& number) { return number.has_parameters(); });
     };
-    if (!depends(tableau.b) && std::none_of(scheme.m.begin(), scheme.m.end(), depends)) {
+    if (!depends(tableau.b) && std::none_of(step.m.begin(), step.m.end(), depends)) {
         for (const std::string& name : tableau.parameters) {
-            scheme.decisions.push_back({"no argument for " + name, "it cancels"});
+            step.decisions.push_back({"no argument for " + name, "it cancels"});
         }
         return;
     }
@@ -333,18 +335,18 @@ void set_from_parameter(Scheme& scheme, const Tableau& tableau,
             if (merged && value.weight.has_parameters()) { place = other(value.weight); }
         }
     };
-    weights(scheme.positions, from.positions);
-    weights(scheme.momenta, from.momenta);
-    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-        auto& row = from.m.emplace_back(scheme.momenta.size());
-        for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-            if (!scheme.m[i][j].has_parameters()) { continue; }
-            const std::size_t column = scheme.momenta[j].stages.front();
-            const Number& a = tableau.A[scheme.positions[i].stages.front()][column];
+    weights(step.positions, from.positions);
+    weights(step.momenta, from.momenta);
+    for (std::size_t i = 0; i < step.positions.size(); ++i) {
+        auto& row = from.m.emplace_back(step.momenta.size());
+        for (std::size_t j = 0; j < step.momenta.size(); ++j) {
+            if (!step.m[i][j].has_parameters()) { continue; }
+            const std::size_t column = step.momenta[j].stages.front();
+            const Number& a = tableau.A[step.positions[i].stages.front()][column];
             row[j] = FromParameter::Ratio{other(a), column};
         }
     }
-    for (const Number& c : scheme.c) {
+    for (const Number& c : step.c) {
         auto& place = from.c.emplace_back();
         if (c.has_parameters()) { place = other(c); }
     }
@@ -354,45 +356,50 @@ void set_from_parameter(Scheme& scheme, const Tableau& tableau,
         if (error.place()) { throw; }
         throw InputError(error.what(), method, error.help());
     }
-    scheme.from_parameter = std::move(from);
-    note_zeros(scheme);
+    step.from_parameter = std::move(from);
+    note_zeros(step);
+}
+
+Step verified(Step step) {
+    verify(step);
+    return step;
 }
 
 }  // namespace
 
-Scheme plan(const Tableau& tableau, const PlanOptions& options) {
-    Scheme scheme;
-    scheme.separable = options.separable;
-    scheme.partner = partner(tableau);
+Step plan(const Tableau& tableau, const PlanOptions& options) {
+    Step step;
+    step.slopes = options.separable ? Slopes::of_parts : Slopes::one_by_one;
+    step.partner = partner(tableau);
     WeightedStages stages = weighted_stages(tableau);
     if (options.composition) {
         stages = composed(stages, *options.composition);
-        scheme.decisions.push_back(
+        step.decisions.push_back(
             {fmt::format("{} steps in a row", options.composition->steps.size()),
              fmt::format("they make a method of order {}: {}", options.composition->order,
                          options.composition->name)});
     }
-    set_stages(scheme, stages);
-    set_places(scheme);
-    set_blocks(scheme);
-    set_sums(scheme, options);
-    set_kept(scheme);
-    if (options.depends_on_time) { set_times(scheme); }
-    set_from_parameter(scheme, tableau, options.method);
+    set_stages(step, stages);
+    set_places(step);
+    set_blocks(step);
+    set_sums(step, options);
+    set_kept(step);
+    if (options.depends_on_time) { set_times(step); }
+    set_from_parameter(step, tableau, options.method);
     // NOTE: trajectories side by side differ in how stiff H is for them, and are all iterated.
     const bool is_ensemble = options.lanes == Lanes::ensemble;
     const Solver solver =
         is_ensemble && options.solver == Solver::automatic ? Solver::fixed_point : options.solver;
     const bool may_tabulate = solver == Solver::automatic && !options.has_curve;
-    if (options.is_quadratic && may_tabulate) { tabulate(scheme, options); }
-    if (scheme.is_tabulated) { return scheme; }
+    if (options.is_quadratic && may_tabulate && tabulate(step, options)) { return verified(step); }
+    if (!step.is_explicit()) { step.form = PairStep{Iteration{}}; }
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.
-    if (options.kinetic_is_quadratic && !options.composition) { eliminate_momenta(scheme); }
-    set_solver(scheme, solver, options.joint_gradient_pays);
-    set_lanes(scheme, options.lanes);
-    if (!options.composition) { set_extrapolation(scheme, tableau); }
-    return scheme;
+    if (options.kinetic_is_quadratic && !options.composition) { eliminate_momenta(step); }
+    set_solver(step, solver, options.joint_gradient_pays);
+    set_lanes(step, options.lanes);
+    if (!options.composition) { set_extrapolation(step, tableau); }
+    return verified(std::move(step));
 }
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// From a tableau to a scheme: what is solved for, what is evaluated, what is left out.
+// From a tableau to a step: what is solved for, what is evaluated, what is left out.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,9 +6,17 @@
 
 #include "generator/exact/methods/composition.hpp"
 #include "generator/exact/methods/tableau.hpp"
-#include "generator/plan/scheme.hpp"
+#include "generator/ir/step.hpp"
 
 namespace hvi::gen {
+
+/// What is wished to be computed side by side, where a scene says what H is.
+enum class Lanes {
+    automatic,  ///< stages, where they can be
+    stages,     ///< the stages of a step
+    ensemble,   ///< trajectories of the same parameters and steps
+    none,
+};
 
 struct PlanOptions {
     bool separable = false;                       ///< for H = T(p) + U(q) only
@@ -27,6 +35,7 @@ struct PlanOptions {
 
 /// Throws InputError when the tableau has free parameters in places that parametric() refuses.
 /// Precondition: a composed method has none.
-[[nodiscard]] Scheme plan(const Tableau& tableau, const PlanOptions& options);
+/// The result is verified.
+[[nodiscard]] Step plan(const Tableau& tableau, const PlanOptions& options);
 
 }  // namespace hvi::gen

@@ -8,44 +8,46 @@ namespace hvi::gen {
 namespace {
 
 /// C_ij = b_i n_ij of the positions that are solved for: see PositionEquations of the runtime.
-NumberMatrix coupling(const Scheme& scheme) {
+NumberMatrix coupling(const Step& step, const VelocityForm& form) {
     NumberMatrix C;
-    for (const Block& block : scheme.blocks) {
+    for (const Block& block : step.blocks) {
         if (!block.coupled) { continue; }
         const auto Q = block.of(StageNode::Kind::Q);
         for (const std::size_t i : Q) {
             NumberVector& row = C.emplace_back();
             for (const std::size_t j : Q) {
-                row.push_back(scheme.positions[i].weight * scheme.velocity_form->n[i][j]);
+                row.push_back(step.positions[i].weight * form.n[i][j]);
             }
         }
     }
     return C;
 }
 
-void set_modes(Scheme& scheme) {
+void set_modes(Step& step) {
     constexpr std::size_t most = 32;  // enclosing eigenvalues takes the cube of it
-    if (!scheme.velocity_form || !scheme.takes_newton()) { return; }
-    const NumberMatrix C = coupling(scheme);
-    if (C.size() <= most) { scheme.modes = real_modes(C); }
-    if (!scheme.modes) { return; }
-    const std::size_t pairs = scheme.modes->imaginary_parts.size();
-    scheme.decisions.push_back(
+    auto* velocities = std::get_if<VelocityStep>(&step.form);
+    if (velocities == nullptr || !velocities->iteration.takes_newton()) { return; }
+    const NumberMatrix C = coupling(step, velocities->form);
+    if (C.size() <= most) { velocities->modes = real_modes(C); }
+    if (!velocities->modes) { return; }
+    const RealModes& modes = *velocities->modes;
+    const std::size_t pairs = modes.imaginary_parts.size();
+    step.decisions.push_back(
         {fmt::format("the equations of Newton's method decouple: {} real eigenvalue{} of A A~ and "
                      "{} pair{}",
-                     scheme.modes->real_ones, scheme.modes->real_ones == 1 ? "" : "s", pairs,
+                     modes.real_ones, modes.real_ones == 1 ? "" : "s", pairs,
                      pairs == 1 ? "" : "s"),
          "at the start of a step all stages have the same second derivatives"});
 }
 
 /// Where both slopes of a stage are unknown, they may be evaluated at the same Q and P.
-void set_joint_slopes(Scheme& scheme, bool joint_gradient_pays) {
-    if (scheme.separable || !joint_gradient_pays) { return; }
-    for (const Block& block : scheme.blocks) {
+void set_joint_slopes(Step& step, bool joint_gradient_pays) {
+    if (step.is_separable() || !joint_gradient_pays) { return; }
+    for (const Block& block : step.blocks) {
         if (block.of(StageNode::Kind::Lq) != block.of(StageNode::Kind::Lp)) { return; }
     }
-    scheme.has_joint_slopes = true;
-    scheme.decisions.push_back(
+    step.slopes = Slopes::joint;
+    step.decisions.push_back(
         {"dH/dq and dH/dp are evaluated together",
          "what they have in common is computed once, and neither waits for the other, by the count "
          "of operations for less than the iterations that this may add"});
@@ -53,16 +55,23 @@ void set_joint_slopes(Scheme& scheme, bool joint_gradient_pays) {
 
 }  // namespace
 
-void set_solver(Scheme& scheme, Solver wished, bool joint_gradient_pays) {
-    if (scheme.is_explicit()) { return; }
-    scheme.solver = wished;
-    if (scheme.solver == Solver::automatic) {
-        scheme.decisions.push_back(
+Iteration* iteration_of(Step& step) {
+    if (auto* velocities = std::get_if<VelocityStep>(&step.form)) { return &velocities->iteration; }
+    auto* pairs = std::get_if<PairStep>(&step.form);
+    return pairs != nullptr && pairs->iteration ? &*pairs->iteration : nullptr;
+}
+
+void set_solver(Step& step, Solver wished, bool joint_gradient_pays) {
+    Iteration* iteration = iteration_of(step);
+    if (iteration == nullptr) { return; }
+    iteration->solver = wished;
+    if (wished == Solver::automatic) {
+        step.decisions.push_back(
             {"fixed points, and Newton's method for steps on which they are slow",
              "how stiff H is depends on h and on the state"});
     }
-    set_joint_slopes(scheme, joint_gradient_pays);
-    set_modes(scheme);
+    set_joint_slopes(step, joint_gradient_pays);
+    set_modes(step);
 }
 
 }  // namespace hvi::gen

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "generator/exact/methods/number_stages.hpp"
+#include "generator/ir/step.hpp"
 #include "generator/plan/graph.hpp"
-#include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
 

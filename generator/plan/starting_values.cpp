@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
+#include "generator/plan/solver.hpp"
 
 namespace hvi::gen {
 
@@ -76,51 +77,52 @@ double magnification(const Tableau& tableau) {
 /// NOTE: measured on Kepler's problem, the pendulum and Henon-Heiles, with steps of two sizes: for
 /// two and three stages 7 to 20 % fewer evaluations than of one step, for four 0 to 11 %, for eight
 /// 5 to 30 % more. A stepper for any H keeps to one step, so that what it remembers is simple.
-bool takes_two_steps(const Scheme& scheme, const Tableau& tableau) {
+bool takes_two_steps(Solver solver, Layout layout, const Tableau& tableau) {
     constexpr std::size_t most_stages = 3;
-    const bool is_iterated = scheme.solver == Solver::automatic ||
-                             scheme.solver == Solver::fixed_point ||
-                             scheme.solver == Solver::newton_taylor;
-    return is_iterated && !scheme.has_trajectory_lanes && tableau.stages() <= most_stages &&
+    const bool is_iterated = solver == Solver::automatic || solver == Solver::fixed_point ||
+                             solver == Solver::newton_taylor;
+    return is_iterated && layout != Layout::trajectories && tableau.stages() <= most_stages &&
            are_distinct(nodes_behind(tableau.c, 2));
 }
 
 }  // namespace
 
-void set_extrapolation(Scheme& scheme, const Tableau& tableau) {
+void set_extrapolation(Step& step, const Tableau& tableau) {
     constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
-    if (scheme.is_explicit()) { return; }
-    if (scheme.from_parameter) {
-        scheme.decisions.push_back(
+    Iteration* iteration = iteration_of(step);
+    if (iteration == nullptr) { return; }
+    if (step.from_parameter) {
+        step.decisions.push_back(
             {"slopes at the start of the step are the starting values of the iteration",
              "extrapolation would need coefficients for each value of the parameter"});
         return;
     }
-    const bool merged = scheme.positions.size() != tableau.stages() ||
-                        (!scheme.velocity_form && scheme.momenta.size() != tableau.stages());
+    const bool has_no_momenta = std::holds_alternative<VelocityStep>(step.form);
+    const bool merged = step.positions.size() != tableau.stages() ||
+                        (!has_no_momenta && step.momenta.size() != tableau.stages());
     if (merged || !are_distinct(tableau.c)) {
-        scheme.decisions.push_back(
+        step.decisions.push_back(
             {"slopes at the start of the step are the starting values of the iteration",
              "no polynomial interpolates slopes at equal nodes"});
         return;
     }
     if (magnification(tableau) > most) {
-        scheme.decisions.push_back(
+        step.decisions.push_back(
             {"slopes at the start of the step are the starting values of the iteration",
              "extrapolating the last step's slopes would magnify their rounding too much"});
         return;
     }
-    const bool takes_two = takes_two_steps(scheme, tableau);
+    const bool takes_two = takes_two_steps(iteration->solver, step.layout, tableau);
     const NumberVector nodes = nodes_behind(tableau.c, takes_two ? 2 : 1);
-    scheme.extrapolation = extrapolation(tableau, nodes, 0);
+    iteration->extrapolation = Extrapolation{extrapolation(tableau, nodes, 0), {}};
     if (takes_two) {
-        scheme.extrapolation_before = extrapolation(tableau, nodes, 1);
-        scheme.decisions.push_back(
+        iteration->extrapolation->before = extrapolation(tableau, nodes, 1);
+        step.decisions.push_back(
             {"the slopes of the last two steps, extrapolated, are the starting values of the "
              "iteration",
              "of few stages, those of one step make a polynomial of low order"});
     } else {
-        scheme.decisions.push_back(
+        step.decisions.push_back(
             {"the last step's slopes, extrapolated, are the starting values of the iteration",
              "they are good to the order of the interpolation and cost no evaluation"});
     }

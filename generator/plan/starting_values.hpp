@@ -3,11 +3,12 @@
 #pragma once
 
 #include "generator/exact/methods/tableau.hpp"
-#include "generator/plan/scheme.hpp"
+#include "generator/ir/step.hpp"
 
 namespace hvi::gen {
 
-/// Sets Scheme::extrapolation where it is of use, and says why. Precondition: as for set_solver().
-void set_extrapolation(Scheme& scheme, const Tableau& tableau);
+/// Sets Iteration::extrapolation where it is of use, and says why. Precondition: as for
+/// set_solver().
+void set_extrapolation(Step& step, const Tableau& tableau);
 
 }  // namespace hvi::gen

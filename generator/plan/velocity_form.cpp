@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/plan/velocity_form.hpp"
 
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
 #include "generator/plan/graph.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-Number weighted(const Scheme& scheme, std::size_t i, std::size_t k) {
-    return scheme.m[i][k] * scheme.momenta[k].weight;
+Number weighted(const Step& step, std::size_t i, std::size_t k) {
+    return step.m[i][k] * step.momenta[k].weight;
 }
 
 /// Over the momenta.
-Number sum(const Scheme& scheme, const auto& term) {
+Number sum(const Step& step, const auto& term) {
     Number total;
-    for (std::size_t k = 0; k < scheme.momenta.size(); ++k) { total = total + term(k); }
+    for (std::size_t k = 0; k < step.momenta.size(); ++k) { total = total + term(k); }
     return total;
 }
 
@@ -24,32 +24,32 @@ Number sum(const Scheme& scheme, const auto& term) {
 // NOTE: where enclosures stand for numbers without a closed form, that a row of m is zeros or ones
 // is known, and sums over it are not seen to be.
 
-NumberVector position_times(const Scheme& scheme) {
+NumberVector position_times(const Step& step) {
     NumberVector c;
-    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-        switch (scheme.positions[i].place) {
+    for (std::size_t i = 0; i < step.positions.size(); ++i) {
+        switch (step.positions[i].place) {
         case StageValue::Place::start: c.emplace_back(0); break;
         case StageValue::Place::end: c.emplace_back(1); break;
         case StageValue::Place::inner:
-            c.push_back(sum(scheme, [&](std::size_t k) { return weighted(scheme, i, k); }));
+            c.push_back(sum(step, [&](std::size_t k) { return weighted(step, i, k); }));
         }
     }
     return c;
 }
 
-VelocityForm velocity_form(const Scheme& scheme) {
-    const std::size_t r = scheme.positions.size();
-    VelocityForm form{position_times(scheme), NumberMatrix(r, NumberVector(r))};
+VelocityForm velocity_form(const Step& step) {
+    const std::size_t r = step.positions.size();
+    VelocityForm form{position_times(step), NumberMatrix(r, NumberVector(r))};
     const auto S = [&](std::size_t i, std::size_t j) {
         const auto is_at = [&](std::size_t k, StageValue::Place place) {
-            return scheme.positions[k].place == place;
+            return step.positions[k].place == place;
         };
         if (is_at(i, StageValue::Place::start) || is_at(j, StageValue::Place::start)) {
             return Number(0);
         }
         if (is_at(i, StageValue::Place::end)) { return form.c[j]; }
         if (is_at(j, StageValue::Place::end)) { return form.c[i]; }
-        return sum(scheme, [&](std::size_t k) { return weighted(scheme, i, k) * scheme.m[j][k]; });
+        return sum(step, [&](std::size_t k) { return weighted(step, i, k) * step.m[j][k]; });
     };
     for (std::size_t i = 0; i < r; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {

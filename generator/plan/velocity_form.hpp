@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/plan/scheme.hpp"
+#include "generator/ir/step.hpp"
 
 namespace hvi::gen {
 
 /// The c_i = sum_j m_ij b_j of the positions.
-[[nodiscard]] NumberVector position_times(const Scheme& scheme);
+[[nodiscard]] NumberVector position_times(const Step& step);
 
-/// The scheme for quadratic kinetic energy; see VelocityForm. Preconditions: it is separable and
+/// The step for quadratic kinetic energy; see VelocityForm. Preconditions: it is separable and
 /// not explicit, depends on no parameter, and its weights add up to 1.
-[[nodiscard]] VelocityForm velocity_form(const Scheme& scheme);
+[[nodiscard]] VelocityForm velocity_form(const Step& step);
 
 /// The order in which positions and forces are computed then.
 [[nodiscard]] std::vector<Block> blocks(const VelocityForm& form);

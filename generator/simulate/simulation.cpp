@@ -42,8 +42,8 @@ std::vector<std::string> conserved_names(const LoweredScene& lowered) {
 }
 
 void check_simulation(const SceneStepper& stepper) {
-    if (!stepper.scheme.from_parameter) return;
-    const std::string& name = stepper.scheme.from_parameter->numbers.parameter;
+    if (!stepper.step.from_parameter) return;
+    const std::string& name = stepper.step.from_parameter->numbers.parameter;
     for (const Parameter& parameter : stepper.lowered.scene.parameters)
         if (parameter.name == name) return;
     throw InputError(fmt::format("the parameter `{}` of the method has no value", name),
@@ -73,7 +73,7 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
                                    {"count", std::to_string(conserved.size())},
                                    {"values", values(lowered)},
                                    {"separable", fact(lowered.structure.is_separable)},
-                                   {"joint", fact(stepper.scheme.has_joint_slopes)},
+                                   {"joint", fact(stepper.step.slopes == Slopes::joint)},
                                    {"quadratic", fact(lowered.structure.kinetic_is_quadratic)},
                                    {"time", fact(lowered.system.time.has_value())}}),
             {{header_name, stepper.header}},

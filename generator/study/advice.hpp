@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generator/exact/methods/composed_method.hpp"
-#include "generator/plan/scheme.hpp"
+#include "generator/ir/step.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/read/scene.hpp"
 #include "generator/study/curves.hpp"

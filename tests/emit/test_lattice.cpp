@@ -57,10 +57,10 @@ TEST_CASE("coefficients are complementary in every format, and nearest on their 
     for (const auto& tableau :
          {tableaux::lobatto_3(), tableaux::negative_weight(), tableaux::two_midpoints(),
           tableaux::midpoint(), tableaux::verlet(), composition({ratio(1, 7), ratio(6, 7)})}) {
-        const Scheme scheme = plan(tableau, {.separable = false});
-        const RoundedCoefficients coefficients = rounded(scheme);
-        for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-            for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
+        const Step step = plan(tableau, {.separable = false});
+        const RoundedCoefficients coefficients = rounded(step);
+        for (std::size_t i = 0; i < step.positions.size(); ++i) {
+            for (std::size_t j = 0; j < step.momenta.size(); ++j) {
                 for (std::size_t f = 0; f < formats.size(); ++f) {
                     const Dyadic m = coefficients.m[i][j][f].value();
                     const Dyadic mt = coefficients.mt[j][i][f].value();
@@ -69,7 +69,7 @@ TEST_CASE("coefficients are complementary in every format, and nearest on their 
                     const int leading = std::max(m.is_zero() ? -1000 : m.leading(),
                                                  mt.is_zero() ? -1000 : mt.leading());
                     const Number unit = power_of_two(leading - formats[f].bits + 1);
-                    const Number error = absolute(exactly(m) - scheme.m[i][j]);
+                    const Number error = absolute(exactly(m) - step.m[i][j]);
                     CHECK(at_most(Number(2) * error, unit));
                 }
             }
@@ -97,8 +97,8 @@ TEST_CASE("what float cannot hold is empty, or small where that will do") {
     CHECK_FALSE(nearest(power_of_two(128))[0]);
     // Of 1 and of a number above 2^24 float holds no difference.
     const Number small = power_of_two(-26) * ratio(1, 3);
-    const Scheme scheme = plan(composition({small, Number(1) - small}), {.separable = false});
-    Scheme steep = scheme;
+    const Step step = plan(composition({small, Number(1) - small}), {.separable = false});
+    Step steep = step;
     steep.m[0][0] = power_of_two(25) + ratio(1, 3);
     CHECK_FALSE(rounded(steep).m[0][0][0]);
     CHECK(rounded(steep).m[0][0][1]);

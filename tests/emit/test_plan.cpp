@@ -17,13 +17,28 @@ using Where = StageValue::Place;
 
 namespace {
 
-const Block& only_coupled(const Scheme& scheme) {
-    REQUIRE(scheme.coupled_blocks() == 1);
-    return *std::find_if(scheme.blocks.begin(), scheme.blocks.end(),
+const Block& only_coupled(const Step& step) {
+    REQUIRE(step.coupled_blocks() == 1);
+    return *std::find_if(step.blocks.begin(), step.blocks.end(),
                          [](const Block& block) { return block.coupled; });
 }
 
 using Indices = std::vector<std::size_t>;
+
+/// How it is iterated, if it is.
+Iteration iteration(const Step& step) {
+    return step.iteration() == nullptr ? Iteration{} : *step.iteration();
+}
+
+bool is_tabulated_as(const Step& step, TabulatedStep::As as) {
+    const auto* form = std::get_if<TabulatedStep>(&step.form);
+    return form != nullptr && form->as == as;
+}
+
+bool keeps_remainder(const Step& step) {
+    const auto* form = std::get_if<ExplicitStep>(&step.form);
+    return form != nullptr && form->sums == Sums::compensated;
+}
 
 Tableau named(const char* name) { return derive(named_method(source(name))); }
 
@@ -36,26 +51,26 @@ TEST_CASE("components come in the order in which they can be computed") {
 }
 
 TEST_CASE("separable symplectic Euler and Verlet need no solver") {
-    const Scheme euler = plan(tableaux::symplectic_euler(), {.separable = true});
+    const Step euler = plan(tableaux::symplectic_euler(), {.separable = true});
     CHECK(euler.is_explicit());
     CHECK(euler.forces_evaluated() == 1);
     CHECK(euler.velocities_evaluated() == 1);
 
-    const Scheme verlet = plan(tableaux::verlet(), {.separable = true});
+    const Step verlet = plan(tableaux::verlet(), {.separable = true});
     CHECK(verlet.is_explicit());
     CHECK(verlet.momenta.size() == 1);
     CHECK(verlet.momenta[0].stages == Indices{0, 1});
     CHECK(verlet.momenta[0].weight.is_one());
-    CHECK(verlet.keeps_force);
-    CHECK_FALSE(verlet.keeps_velocity);
+    CHECK(verlet.kept.force);
+    CHECK_FALSE(verlet.kept.velocity);
     CHECK(verlet.forces_evaluated() == 1);
     CHECK(verlet.velocities_evaluated() == 1);
 
-    const Scheme position = plan(tableaux::position_verlet(), {.separable = true});
+    const Step position = plan(tableaux::position_verlet(), {.separable = true});
     CHECK(position.is_explicit());
     CHECK(position.positions.size() == 1);
-    CHECK(position.keeps_velocity);
-    CHECK_FALSE(position.keeps_force);
+    CHECK(position.kept.velocity);
+    CHECK_FALSE(position.kept.force);
 }
 
 TEST_CASE("for general H nothing is explicit") {
@@ -66,8 +81,8 @@ TEST_CASE("for general H nothing is explicit") {
 }
 
 TEST_CASE("symplectic Euler for general H solves for p alone") {
-    const Scheme scheme = plan(tableaux::symplectic_euler(), {.separable = false});
-    const Block& block = only_coupled(scheme);
+    const Step step = plan(tableaux::symplectic_euler(), {.separable = false});
+    const Block& block = only_coupled(step);
     CHECK(block.of(Kind::P) == Indices{0});
     CHECK(block.of(Kind::Lp) == Indices{0});
     CHECK(block.of(Kind::Q).empty());
@@ -75,23 +90,23 @@ TEST_CASE("symplectic Euler for general H solves for p alone") {
 }
 
 TEST_CASE("lobatto:3 solves for one force when H is separable") {
-    const Scheme scheme = plan(tableaux::lobatto_3(), {.separable = true});
-    const Block& block = only_coupled(scheme);
+    const Step step = plan(tableaux::lobatto_3(), {.separable = true});
+    const Block& block = only_coupled(step);
     CHECK(block.of(Kind::Q) == Indices{1});
     CHECK(block.of(Kind::Lp) == Indices{1});
     CHECK(block.of(Kind::P) == Indices{0, 1, 2});
-    CHECK(scheme.positions[0].place == Where::start);
-    CHECK(scheme.positions[2].place == Where::end);
-    CHECK(scheme.keeps_force);
-    CHECK(scheme.partner == Partner::different);
+    CHECK(step.positions[0].place == Where::start);
+    CHECK(step.positions[2].place == Where::end);
+    CHECK(step.kept.force);
+    CHECK(step.partner == Partner::different);
 }
 
 TEST_CASE("stages that decouple are solved one after the other") {
     for (const bool separable : {false, true}) {
-        const Scheme scheme = plan(tableaux::two_midpoints(), {.separable = separable});
-        CHECK(scheme.coupled_blocks() == 2);
-        CHECK(scheme.partner == Partner::same);
-        CHECK(scheme.blocks.front().of(Kind::Q) == Indices{0});
+        const Step step = plan(tableaux::two_midpoints(), {.separable = separable});
+        CHECK(step.coupled_blocks() == 2);
+        CHECK(step.partner == Partner::same);
+        CHECK(step.blocks.front().of(Kind::Q) == Indices{0});
     }
 }
 
@@ -111,13 +126,13 @@ TEST_CASE("A == A~ is said where it is proved, and the contrary too") {
     midpoint.A = {{half}};
     midpoint.A_tilde = {{Number(1) - half}};
     CHECK(plan(midpoint, {}).partner == Partner::undecided);
-    CHECK_FALSE(plan(midpoint, {}).one_tableau());
 }
 
-TEST_CASE("the dump of a scheme is stable") {
+TEST_CASE("the dump of a step is stable") {
     CHECK(
         dump(plan(tableaux::verlet(), {.separable = true})) ==
-        "separable\n"
+        "slopes: dH/dq(q), dH/dp(p)\n"
+        "tables: A != A~\n"
         "Q_1: start, weight 1/2, stages 1\n"
         "Q_2: end, weight 1/2, stages 2\n"
         "P_1: inner, weight 1, stages 1 2\n"
@@ -129,6 +144,9 @@ TEST_CASE("the dump of a scheme is stable") {
         "evaluate Lq_1\n"
         "evaluate Q_2\n"
         "evaluate Lp_2\n"
+        "kept: dH/dq\n"
+        "form: explicit, plain sums\n"
+        "lanes: one\n"
         "P_1 = P_2 is evaluated once: these stages are equal\n"
         "Q_1 is not solved for: it is q at the start of the step\n"
         "Q_2 takes no sum of its own: it is q at the end of the step\n"
@@ -138,33 +156,34 @@ TEST_CASE("the dump of a scheme is stable") {
 }
 
 TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
-    const auto keeps_remainder = [](const Tableau& tableau, const char* name, bool separable,
-                                    Lanes lanes = Lanes::none) {
+    const auto keeps = [](const Tableau& tableau, const char* name, bool separable,
+                          Lanes lanes = Lanes::none) {
         const auto text = std::make_shared<const Source>(Source{"--compose", name});
-        const Scheme scheme =
+        const Step step =
             plan(tableau,
                  {.separable = separable, .lanes = lanes, .composition = named_composition(text)});
         const std::string said = "compensated summation: errors of order ";
-        CHECK((dump(scheme).find("\n" + said) != std::string::npos) == scheme.keeps_remainder);
-        return scheme.keeps_remainder;
+        CHECK((dump(step).find("\n" + said) != std::string::npos) == keeps_remainder(step));
+        return keeps_remainder(step);
     };
-    CHECK_FALSE(plan(tableaux::verlet(), {.separable = true}).keeps_remainder);
-    CHECK_FALSE(keeps_remainder(tableaux::verlet(), "yoshida:4", true));
-    CHECK_FALSE(keeps_remainder(tableaux::verlet(), "suzuki:4", true));
-    CHECK(keeps_remainder(tableaux::verlet(), "yoshida:6", true));
-    CHECK(keeps_remainder(tableaux::verlet(), "kahan-li:8", true));
-    CHECK(keeps_remainder(tableaux::verlet(), "yoshida:6", true, Lanes::ensemble));
-    CHECK_FALSE(keeps_remainder(tableaux::verlet(), "yoshida:4", true, Lanes::ensemble));
+    CHECK_FALSE(keeps_remainder(plan(tableaux::verlet(), {.separable = true})));
+    CHECK_FALSE(keeps(tableaux::verlet(), "yoshida:4", true));
+    CHECK_FALSE(keeps(tableaux::verlet(), "suzuki:4", true));
+    CHECK(keeps(tableaux::verlet(), "yoshida:6", true));
+    CHECK(keeps(tableaux::verlet(), "kahan-li:8", true));
+    CHECK(keeps(tableaux::verlet(), "yoshida:6", true, Lanes::ensemble));
+    CHECK_FALSE(keeps(tableaux::verlet(), "yoshida:4", true, Lanes::ensemble));
     // Sums of steps that are solved for are always compensated.
-    CHECK_FALSE(keeps_remainder(tableaux::verlet(), "yoshida:6", false));
-    CHECK_FALSE(keeps_remainder(tableaux::midpoint(), "yoshida:8", true));
+    CHECK_FALSE(keeps(tableaux::verlet(), "yoshida:6", false));
+    CHECK_FALSE(keeps(tableaux::midpoint(), "yoshida:8", true));
 }
 
 TEST_CASE("extrapolation is exact for polynomials through the nodes") {
     // Slopes 1, c, c^2 of Lobatto: L_i = b_i c_i^k goes to b_i (1 + c_i)^k.
     const Tableau tableau = tableaux::lobatto_3();
-    const Scheme scheme = plan(tableau, {.separable = false});
-    REQUIRE(scheme.extrapolation.has_value());
+    const Step step = plan(tableau, {.separable = false});
+    REQUIRE(iteration(step).extrapolation);
+    const Extrapolation& from = *step.iteration()->extrapolation;
     for (int k = 0; k < 3; ++k) {
         const auto power = [&](const Number& x) {
             Number value = 1;
@@ -174,7 +193,7 @@ TEST_CASE("extrapolation is exact for polynomials through the nodes") {
         for (std::size_t i = 0; i < 3; ++i) {
             Number sum = 0;
             for (std::size_t j = 0; j < 3; ++j) {
-                sum = sum + (*scheme.extrapolation)[i][j] * tableau.b[j] * power(tableau.c[j]);
+                sum = sum + from.last[i][j] * tableau.b[j] * power(tableau.c[j]);
             }
             CHECK((sum - tableau.b[i] * power(Number(1) + tableau.c[i])).is_zero());
         }
@@ -182,22 +201,24 @@ TEST_CASE("extrapolation is exact for polynomials through the nodes") {
 }
 
 TEST_CASE("of few stages the slopes of two steps are extrapolated") {
-    const auto planned = [](const char* method, Solver solver, Lanes lanes = Lanes::none) {
-        return plan(named(method), {.separable = true, .solver = solver, .lanes = lanes});
+    const auto takes_two = [](const char* method, Solver solver, Lanes lanes = Lanes::none) {
+        const Iteration found =
+            iteration(plan(named(method), {.separable = true, .solver = solver, .lanes = lanes}));
+        return found.extrapolation && found.extrapolation->before;
     };
-    CHECK(planned("midpoint", Solver::fixed_point).extrapolation_before);
-    CHECK(planned("gauss:3", Solver::automatic, Lanes::stages).extrapolation_before);
-    CHECK_FALSE(planned("gauss:4", Solver::automatic).extrapolation_before);
-    CHECK_FALSE(planned("gauss:2", Solver::of_user).extrapolation_before);
-    CHECK_FALSE(planned("gauss:2", Solver::newton).extrapolation_before);
-    CHECK_FALSE(planned("gauss:2", Solver::fixed_point, Lanes::ensemble).extrapolation_before);
+    CHECK(takes_two("midpoint", Solver::fixed_point));
+    CHECK(takes_two("gauss:3", Solver::automatic, Lanes::stages));
+    CHECK_FALSE(takes_two("gauss:4", Solver::automatic));
+    CHECK_FALSE(takes_two("gauss:2", Solver::of_user));
+    CHECK_FALSE(takes_two("gauss:2", Solver::newton));
+    CHECK_FALSE(takes_two("gauss:2", Solver::fixed_point, Lanes::ensemble));
     // The end of one step is the start of the next: no polynomial has two values there.
-    const Scheme lobatto = planned("lobatto:3", Solver::fixed_point);
-    CHECK_FALSE(lobatto.extrapolation_before);
+    CHECK_FALSE(takes_two("lobatto:3", Solver::fixed_point));
 
     // Exact for polynomials of degree 2 s - 1: slopes at c - 1 and at c - 2 go to those at c.
     const Tableau tableau = named("gauss:2");
-    const Scheme scheme = plan(tableau, {.separable = true, .solver = Solver::automatic});
+    const Step step = plan(tableau, {.separable = true, .solver = Solver::automatic});
+    const Extrapolation from = iteration(step).extrapolation.value();
     for (int k = 0; k < 4; ++k) {
         const auto power = [&](const Number& x) {
             Number value = 1;
@@ -208,8 +229,8 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
             Number sum = 0;
             for (std::size_t j = 0; j < 2; ++j) {
                 const Number& c = tableau.c[j];
-                sum = sum + (*scheme.extrapolation)[i][j] * tableau.b[j] * power(c - Number(1)) +
-                      (*scheme.extrapolation_before)[i][j] * tableau.b[j] * power(c - Number(2));
+                sum = sum + from.last[i][j] * tableau.b[j] * power(c - Number(1)) +
+                      (*from.before)[i][j] * tableau.b[j] * power(c - Number(2));
             }
             CHECK((sum - tableau.b[i] * power(tableau.c[i])).is_zero());
         }
@@ -218,9 +239,9 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
 
 TEST_CASE("coefficients that depend on a parameter are quotients, constants are left out") {
     // Row 1 of m is 0 and row 3 is 1, m_2,2 is 1/2.
-    const Scheme scheme = plan(derive(method("1, cos(w*tau), sin(w*tau)", "0, 1/2, 1")), {});
-    REQUIRE(scheme.from_parameter);
-    const FromParameter& from = *scheme.from_parameter;
+    const Step step = plan(derive(method("1, cos(w*tau), sin(w*tau)", "0, 1/2, 1")), {});
+    REQUIRE(step.from_parameter);
+    const FromParameter& from = *step.from_parameter;
     CHECK(from.numbers.parameter == "w");
     CHECK(from.numbers.weights.size() == 3);
     CHECK(from.numbers.others.size() == 2);
@@ -230,20 +251,20 @@ TEST_CASE("coefficients that depend on a parameter are quotients, constants are 
         }
     }
     CHECK(from.m[1][2]->b == 2);
-    CHECK_FALSE(scheme.extrapolation);
+    CHECK_FALSE(iteration(step).extrapolation);
 }
 
 TEST_CASE("the times of stages depend on a parameter where nodes do") {
     const auto times = [](const char* basis, const char* nodes) {
         return plan(derive(method(basis, nodes)), {.depends_on_time = true});
     };
-    const Scheme fixed = times("1, tau, cos(w*tau), sin(w*tau)", "0, 1/3, 2/3, 1");
+    const Step fixed = times("1, tau, cos(w*tau), sin(w*tau)", "0, 1/3, 2/3, 1");
     REQUIRE(fixed.from_parameter);
     CHECK(fixed.from_parameter->c == std::vector<std::optional<std::size_t>>(4));
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK((fixed.c.at(i) - tableaux::ratio(static_cast<long>(i), 3)).is_zero());
     }
-    const Scheme moving = times("1, tau, tau^2", "0, w, 1");
+    const Step moving = times("1, tau, tau^2", "0, w, 1");
     REQUIRE(moving.from_parameter);
     CHECK_FALSE(moving.from_parameter->c.at(0));
     CHECK(moving.from_parameter->c.at(1));
@@ -272,16 +293,17 @@ TEST_CASE("the places without a method are among the choices") {
 }
 
 TEST_CASE("a parameter that cancels is no argument") {
-    const Scheme scheme = plan(derive(method("w, w*tau", "gauss:2")), {});
-    CHECK_FALSE(scheme.from_parameter);
-    CHECK(scheme.extrapolation);
+    const Step step = plan(derive(method("w, w*tau", "gauss:2")), {});
+    CHECK_FALSE(step.from_parameter);
+    CHECK(iteration(step).extrapolation);
 }
 
 TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~") {
     const auto modes = [](const char* method) {
-        return plan(named(method),
-                    {.separable = true, .kinetic_is_quadratic = true, .solver = Solver::newton})
-            .modes;
+        const Step step =
+            plan(named(method),
+                 {.separable = true, .kinetic_is_quadratic = true, .solver = Solver::newton});
+        return std::get<VelocityStep>(step.form).modes;
     };
     // Gauss 2: roots of x^2 - x/12 + 1/144, as A A~ = A^2 and A has the eigenvalues of the Pade
     // approximant (2,2) of exp, (3 +- i sqrt(3))/12.
@@ -304,28 +326,31 @@ TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~"
 }
 
 TEST_CASE("who solves the equations") {
-    const auto scheme = [](const char* method, bool quadratic, bool in_time, Solver solver) {
-        return plan(named(method), {.separable = quadratic,
-                                    .depends_on_time = in_time,
-                                    .kinetic_is_quadratic = quadratic,
-                                    .solver = solver});
+    const auto takes_newton = [](const char* method, bool quadratic, bool in_time, Solver solver) {
+        const Step step = plan(named(method), {.separable = quadratic,
+                                               .depends_on_time = in_time,
+                                               .kinetic_is_quadratic = quadratic,
+                                               .solver = solver});
+        if (const auto* positions = std::get_if<VelocityStep>(&step.form)) {
+            CHECK(positions->modes.has_value() == positions->iteration.takes_newton());
+        }
+        return iteration(step).takes_newton();
     };
-    CHECK(scheme("gauss:2", true, false, Solver::automatic).takes_newton());
-    CHECK(scheme("gauss:2", false, false, Solver::automatic).takes_newton());
-    CHECK(scheme("gauss:2", true, true, Solver::automatic).takes_newton());
-    CHECK(scheme("gauss:2", false, true, Solver::automatic).takes_newton());
-    CHECK_FALSE(scheme("gauss:2", true, false, Solver::fixed_point).takes_newton());
-    CHECK_FALSE(scheme("gauss:2", true, false, Solver::fixed_point).modes);
-    CHECK_FALSE(scheme("gauss:2", false, false, Solver::newton).modes);
-    CHECK_FALSE(scheme("stormer-verlet", true, false, Solver::automatic).takes_newton());
+    CHECK(takes_newton("gauss:2", true, false, Solver::automatic));
+    CHECK(takes_newton("gauss:2", false, false, Solver::automatic));
+    CHECK(takes_newton("gauss:2", true, true, Solver::automatic));
+    CHECK(takes_newton("gauss:2", false, true, Solver::automatic));
+    CHECK(takes_newton("gauss:2", false, false, Solver::newton));
+    CHECK_FALSE(takes_newton("gauss:2", true, false, Solver::fixed_point));
+    CHECK_FALSE(takes_newton("stormer-verlet", true, false, Solver::automatic));
 }
 
 TEST_CASE("both slopes at once, where both are unknown") {
     const auto joint = [](const char* method, bool separable, bool pays) {
-        return plan(named(method), {.separable = separable,
-                                    .joint_gradient_pays = pays,
-                                    .solver = Solver::automatic})
-            .has_joint_slopes;
+        const Step step = plan(
+            named(method),
+            {.separable = separable, .joint_gradient_pays = pays, .solver = Solver::automatic});
+        return step.slopes == Slopes::joint;
     };
     CHECK(joint("gauss:3", false, true));
     CHECK(joint("midpoint", false, true));
@@ -340,7 +365,7 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
     const auto tabulated = [](const char* method, PlanOptions options) {
         options.is_quadratic = true;
         options.solver = Solver::automatic;
-        return plan(named(method), options).is_tabulated;
+        return std::holds_alternative<TabulatedStep>(plan(named(method), options).form);
     };
     const char* gauss = "gauss:2";
     CHECK(tabulated(gauss, {.separable = true, .degrees_of_freedom = 1}));
@@ -357,10 +382,10 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
 
     const PlanOptions one = {.separable = true, .degrees_of_freedom = 1};
     CHECK_FALSE(tabulated("stormer-verlet", one));  // explicit
-    CHECK_FALSE(plan(named(gauss), one).is_tabulated);
+    CHECK_FALSE(std::holds_alternative<TabulatedStep>(plan(named(gauss), one).form));
     PlanOptions solved = one;
     solved.is_quadratic = true;
-    CHECK_FALSE(plan(named(gauss), solved).is_tabulated);
+    CHECK_FALSE(std::holds_alternative<TabulatedStep>(plan(named(gauss), solved).form));
     PlanOptions dense = one;
     dense.has_curve = true;
     CHECK_FALSE(tabulated(gauss, dense));
@@ -371,11 +396,11 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
 
 TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product") {
     const auto sheared = [](bool separable, std::size_t n) {
-        return plan(named("gauss:2"), {.separable = separable,
-                                       .is_quadratic = true,
-                                       .degrees_of_freedom = n,
-                                       .solver = Solver::automatic})
-            .is_sheared;
+        return is_tabulated_as(plan(named("gauss:2"), {.separable = separable,
+                                                       .is_quadratic = true,
+                                                       .degrees_of_freedom = n,
+                                                       .solver = Solver::automatic}),
+                               TabulatedStep::As::shears);
     };
     CHECK(sheared(true, 1));
     CHECK(sheared(true, 2));
@@ -384,14 +409,13 @@ TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product"
 }
 
 TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were there") {
-    const Scheme scheme = plan(named("chebyshev:3"), {.separable = false,
-                                                      .is_quadratic = true,
-                                                      .is_degenerate = true,
-                                                      .degrees_of_freedom = 1,
-                                                      .solver = Solver::automatic});
-    CHECK(scheme.is_tabulated);
-    CHECK_FALSE(scheme.is_sheared);
-    for (const Decision& decision : scheme.decisions) {
+    const Step step = plan(named("chebyshev:3"), {.separable = false,
+                                                  .is_quadratic = true,
+                                                  .is_degenerate = true,
+                                                  .degrees_of_freedom = 1,
+                                                  .solver = Solver::automatic});
+    CHECK(is_tabulated_as(step, TabulatedStep::As::matrix));
+    for (const Decision& decision : step.decisions) {
         INFO(decision.what << ": " << decision.why);
         CHECK(decision.why.find("product of three shears") == std::string::npos);
     }

@@ -30,12 +30,12 @@ void list(Writer& writer, std::string_view letter, const NumberMatrix& values) {
     }
 }
 
-std::string tableau_text(const Tableau& tableau, const Scheme& scheme) {
+std::string tableau_text(const Tableau& tableau, const Step& step) {
     Writer writer(0);
     list(writer, "c", tableau.c);
     list(writer, "b", tableau.b);
     list(writer, "a", tableau.A);
-    if (scheme.one_tableau()) {
+    if (step.partner == Partner::same) {
         writer.comment("a~_i,j = a_i,j", "//     ", 4);
     } else {
         list(writer, "a~", tableau.A_tilde);
@@ -65,7 +65,7 @@ std::string_view partner_text(Partner partner) {
            "method conserves q^T C p for constant C.";
 }
 
-std::string method_text(const Tableau& tableau, const Scheme& scheme) {
+std::string method_text(const Tableau& tableau, const Step& step) {
     Writer writer(0);
     std::string basis;
     for (const Expression& psi : tableau.basis) {
@@ -73,32 +73,32 @@ std::string method_text(const Tableau& tableau, const Scheme& scheme) {
     }
     writer.comment(fmt::format(
         "{}: symplectic, {} stage{}, for {} Hamiltonians.", method_title(tableau), tableau.stages(),
-        tableau.stages() == 1 ? "" : "s", scheme.separable ? "separable" : "general"));
+        tableau.stages() == 1 ? "" : "s", step.is_separable() ? "separable" : "general"));
     if (!basis.empty()) { writer.comment(fmt::format("Basis functions of tau: {}.", basis)); }
-    writer.comment(partner_text(scheme.partner));
+    writer.comment(partner_text(step.partner));
     if (const std::string names = negative_weights(tableau); !names.empty()) {
         writer.comment(fmt::format("Negative weights: {}.", names));
     }
     return writer.str();
 }
 
-std::string choices_text(const Scheme& scheme) {
-    if (scheme.decisions.empty()) { return {}; }
+std::string choices_text(const Step& step) {
+    if (step.decisions.empty()) { return {}; }
     Writer writer(0);
     writer.line("//").comment("Choices:").line("//");
-    for (const Decision& decision : scheme.decisions) {
+    for (const Decision& decision : step.decisions) {
         writer.comment(fmt::format("{}: {}", decision.what, decision.why), "//     ", 4);
     }
     return writer.str();
 }
 
 /// What was found in the H of a scene, and what it costs.
-std::string scene_text(const Scheme& scheme, const LoweredScene& lowered) {
+std::string scene_text(const Step& step, const LoweredScene& lowered) {
     Writer writer(0);
     writer.line("//").comment("Found in H:").line("//");
     for (const std::string& fact : facts(lowered)) { writer.comment(fact, "//     ", 4); }
     writer.line("//").comment("Cost:").line("//");
-    for (const std::string& cost : costs(lowered, scheme)) { writer.comment(cost, "//     ", 4); }
+    for (const std::string& cost : costs(lowered, step)) { writer.comment(cost, "//     ", 4); }
     return writer.str();
 }
 
@@ -131,15 +131,15 @@ std::string with_note(std::string header, const std::string& note) {
     return header.insert(end + 1, "// " + note + "\n");
 }
 
-std::string banner(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+std::string banner(const Tableau& tableau, const Step& step, const EmitOptions& options) {
     std::string text = fill(
         "banner.hpp.in",
         {{"version", std::string(version)},
          {"command", one_line(options.command)},
-         {"method", method_text(tableau, scheme)},
-         {"tableau", tableau_text(tableau, scheme)},
-         {"scene", options.scene == nullptr ? std::string() : scene_text(scheme, *options.scene)},
-         {"choices", choices_text(scheme)}});
+         {"method", method_text(tableau, step)},
+         {"tableau", tableau_text(tableau, step)},
+         {"scene", options.scene == nullptr ? std::string() : scene_text(step, *options.scene)},
+         {"choices", choices_text(step)}});
     text.pop_back();
     return text;
 }

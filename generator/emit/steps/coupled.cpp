@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/slope_calls.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -55,36 +57,37 @@ std::string slopes(const std::vector<std::size_t>& indices, std::string_view let
     return writer.str();
 }
 
-std::string joint_slopes(const Scheme& scheme, const std::vector<std::size_t>& indices) {
+std::string joint_slopes(const Step& step, const std::vector<std::size_t>& indices) {
     Writer writer(3);
     writer.line("Vector dHdq, dHdp;");
     for (const std::size_t i : indices) {
-        writer.line("system.gradient(s.Q[{0}], s.P[{0}], {1}dHdq, dHdp);", i,
-                    stage_time(scheme, i, "s"));
+        const SlopePoint at{fmt::format("s.Q[{}]", i), fmt::format("s.P[{}]", i),
+                            time_of_stage(step, std::to_string(i), "s")};
+        writer.line("system.{};", gradient_call(at, "dHdq", "dHdp"));
         writer.open(loop_of_struct);
-        writer.line("s.Lp[{}][k] = {} * dHdq[k];", i, force_factor(scheme, i, "s"));
-        writer.line("s.Lq[{}][k] = {} * dHdp[k];", i, velocity_factor(scheme, i, "s"));
+        writer.line("s.Lp[{}][k] = {} * dHdq[k];", i, force_factor(step, i, "s"));
+        writer.line("s.Lq[{}][k] = {} * dHdp[k];", i, velocity_factor(step, i, "s"));
         writer.close();
     }
     return writer.str();
 }
 
 /// Members that evaluate H.
-std::string slopes(const Scheme& scheme, const Block& block) {
+std::string slopes(const Step& step, const Block& block) {
     Writer writer(2);
-    if (scheme.has_joint_slopes) {
+    if (step.slopes == Slopes::joint) {
         writer.line("/// Lp_i = -h b_i dH/dq and Lq_i = h b_i dH/dp.");
-        writer.open("void slopes() {{").insert(joint_slopes(scheme, block.of(Kind::Lq)));
+        writer.open("void slopes() {{").insert(joint_slopes(step, block.of(Kind::Lq)));
         return writer.close().str();
     }
     writer.line("/// Lq_j = h b_j dH/dp.").open("void velocities() {{");
     writer.insert(slopes(
-        block.of(Kind::Lq), "Lq", [&](std::size_t j) { return evaluate_velocity(scheme, j, "s"); },
-        [&](std::size_t j) { return velocity_factor(scheme, j, "s"); }));
+        block.of(Kind::Lq), "Lq", [&](std::size_t j) { return evaluate_velocity(step, j, "s"); },
+        [&](std::size_t j) { return velocity_factor(step, j, "s"); }));
     writer.close().blank().line("/// Lp_i = -h b_i dH/dq.").open("void forces() {{");
     writer.insert(slopes(
-        block.of(Kind::Lp), "Lp", [&](std::size_t i) { return evaluate_force(scheme, i, "s"); },
-        [&](std::size_t i) { return force_factor(scheme, i, "s"); }));
+        block.of(Kind::Lp), "Lp", [&](std::size_t i) { return evaluate_force(step, i, "s"); },
+        [&](std::size_t i) { return force_factor(step, i, "s"); }));
     return writer.close().str();
 }
 
@@ -103,11 +106,8 @@ std::string size(const std::vector<std::size_t>& values, std::string_view letter
 }
 
 /// Besides the system and the stages.
-std::string members(const Scheme& scheme) {
-    Writer writer(2);
-    if (scheme.from_parameter) { writer.line("const Coefficients& c;"); }
-    if (scheme.depends_on_time) { writer.line("const {}& clock;", clock_type(scheme)); }
-    return writer.str();
+std::string members(const Step& step) {
+    return Writer(2).insert(coefficients_reference(step)).insert(clock_reference(step)).str();
 }
 
 }  // namespace
@@ -125,35 +125,35 @@ std::string unknowns(const Block& block) {
     return writer.str();
 }
 
-std::string coupled(const Scheme& scheme, const Block& block, std::string_view name) {
+std::string coupled(const Step& step, const Block& block, std::string_view name) {
     const auto Q = block.of(Kind::Q);
     const auto P = block.of(Kind::P);
     const auto Lq = block.of(Kind::Lq);
     const auto Lp = block.of(Kind::Lp);
-    const bool varies = scheme.from_parameter.has_value();
-    const bool measures_p = !scheme.separable || Q.empty();
+    const bool varies = step.from_parameter.has_value();
+    const bool measures_p = !step.is_separable() || Q.empty();
     return fill_part(
         "coupled.hpp.in",
         {{"unknowns", unknowns(block)},
          {"name", std::string(name)},
-         {"types", fmt::format("{}, {}", scheme.positions.size(), scheme.momenta.size())},
-         {"separable", std::string(truth(scheme.separable))},
+         {"types", fmt::format("{}, {}", step.positions.size(), step.momenta.size())},
+         {"separable", std::string(truth(step.is_separable()))},
          {"has_q", std::string(truth(!Q.empty()))},
          {"has_p", std::string(truth(!P.empty()))},
          {"unknown_q", index_list("unknown_q", Lq)},
          {"unknown_p", index_list("unknown_p", Lp)},
-         {"member", members(scheme)},
+         {"member", members(step)},
          {"static", varies ? "" : "static constexpr "},
          {"const", varies ? " const" : ""},
-         {"m", fmt::format("{}m", owner(scheme, "s"))},
-         {"mt", fmt::format("{}{}", owner(scheme, "s"), table_mt(scheme))},
-         {"b_q", fmt::format("{}{}", owner(scheme, "s"), weights_q(scheme))},
-         {"b_p", fmt::format("{}{}", owner(scheme, "s"), weights_p(scheme))},
+         {"m", fmt::format("{}m", owner(step, "s"))},
+         {"mt", fmt::format("{}{}", owner(step, "s"), table_mt(step))},
+         {"b_q", fmt::format("{}{}", owner(step, "s"), weights_q(step))},
+         {"b_p", fmt::format("{}{}", owner(step, "s"), weights_p(step))},
          {"momenta", stage_values(P, "P", "p", measures_p,
-                                  [&](std::size_t j) { return momentum_sum(scheme, j, "s"); })},
+                                  [&](std::size_t j) { return momentum_sum(step, j, "s"); })},
          {"positions", stage_values(Q, "Q", "q", true,
-                                    [&](std::size_t i) { return position_sum(scheme, i, "s"); })},
-         {"slopes", slopes(scheme, block)},
+                                    [&](std::size_t i) { return position_sum(step, i, "s"); })},
+         {"slopes", slopes(step, block)},
          {"size_q", size(Q, "Q", Lq, "Lq")},
          {"size_p", size(P, "P", Lp, "Lp")}});
 }

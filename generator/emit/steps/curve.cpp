@@ -11,9 +11,9 @@ namespace {
 // ---- the table ----
 
 /// F with the rows of equal stages, which have one slope, added up.
-NumberMatrix of_stages(const Scheme& scheme, const Curve& curve) {
+NumberMatrix of_stages(const Step& step, const Curve& curve) {
     NumberMatrix result;
-    for (const StageValue& value : scheme.momenta) {
+    for (const StageValue& value : step.momenta) {
         NumberVector sum(curve.F.front().size());
         for (const std::size_t stage : value.stages) {
             for (std::size_t k = 0; k < sum.size(); ++k) { sum[k] = sum[k] + curve.F[stage][k]; }
@@ -24,22 +24,22 @@ NumberMatrix of_stages(const Scheme& scheme, const Curve& curve) {
 }
 
 /// Of Lq_j = h b_j dH/dp(Q_j, P_j): F_jk/b_j.
-NumberMatrix of_velocities(const Scheme& scheme, const Curve& curve) {
-    NumberMatrix result = of_stages(scheme, curve);
+NumberMatrix of_velocities(const Step& step, const Curve& curve) {
+    NumberMatrix result = of_stages(step, curve);
     for (std::size_t j = 0; j < result.size(); ++j) {
-        for (Number& entry : result[j]) { entry = entry / scheme.momenta[j].weight; }
+        for (Number& entry : result[j]) { entry = entry / step.momenta[j].weight; }
     }
     return result;
 }
 
 /// Of W_i, with h dH/dp(P_j) = h v + sum_i mt_ji W_i: sum_j mt_ji F_jk. NOTE: h v comes with
 /// sum_j F_jk = 0, as the phi_j add up to 1, the curve of which is its chord.
-NumberMatrix of_forces(const Scheme& scheme, const Curve& curve) {
-    const NumberMatrix F = of_stages(scheme, curve);
-    NumberMatrix result(scheme.positions.size(), NumberVector(F.front().size()));
+NumberMatrix of_forces(const Step& step, const Curve& curve) {
+    const NumberMatrix F = of_stages(step, curve);
+    NumberMatrix result(step.positions.size(), NumberVector(F.front().size()));
     for (std::size_t i = 0; i < result.size(); ++i) {
         for (std::size_t j = 0; j < F.size(); ++j) {
-            const Number mt_ji = Number(1) - scheme.m[i][j];
+            const Number mt_ji = Number(1) - step.m[i][j];
             for (std::size_t k = 0; k < F[j].size(); ++k) {
                 result[i][k] = result[i][k] + mt_ji * F[j][k];
             }
@@ -123,10 +123,10 @@ std::string comment(const Curve& curve) {
 
 }  // namespace
 
-std::string curve_table(const Scheme& scheme, const Curve& curve, std::string_view library) {
+std::string curve_table(const Step& step, const Curve& curve, std::string_view library) {
     if (is_straight(curve)) { return {}; }
-    const NumberMatrix exact =
-        scheme.velocity_form ? of_forces(scheme, curve) : of_velocities(scheme, curve);
+    const bool has_momenta = std::holds_alternative<PairStep>(step.form);
+    const NumberMatrix exact = has_momenta ? of_velocities(step, curve) : of_forces(step, curve);
     std::vector<std::vector<Constant>> rows(exact.size());
     for (std::size_t i = 0; i < exact.size(); ++i) {
         for (std::size_t k = 0; k < exact[i].size(); ++k) {
@@ -144,10 +144,8 @@ std::string curve_table(const Scheme& scheme, const Curve& curve, std::string_vi
     return writer.str();
 }
 
-std::string curve_text(const Scheme& scheme, const Curve& curve, std::string_view chord,
+std::string curve_text(const Curve& curve, std::size_t slopes, std::string_view chord,
                        const std::function<std::string(std::size_t)>& slope) {
-    const std::size_t slopes =
-        scheme.velocity_form ? scheme.positions.size() : scheme.momenta.size();
     Writer writer(1);
     writer.comment(comment(curve), "/// ")
         .open("[[nodiscard]] Vector position(Scalar tau) const {{");

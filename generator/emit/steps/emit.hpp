@@ -1,4 +1,4 @@
-// From a scheme to the text of a C++ header.
+// From a step to the text of a C++ header.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/exact/methods/tableau.hpp"
-#include "generator/plan/scheme.hpp"
+#include "generator/ir/step.hpp"
 
 namespace hvi::gen {
 
@@ -18,8 +18,8 @@ struct EmitOptions {
 };
 
 /// The header: one class hvi::generated::CLASS_NAME. A function of its arguments and of the version
-/// of the program alone. Precondition: `scheme` is plan(tableau, ...).
-[[nodiscard]] std::string emit(const Tableau& tableau, const Scheme& scheme,
+/// of the program alone. Precondition: `step` is plan(tableau, ...).
+[[nodiscard]] std::string emit(const Tableau& tableau, const Step& step,
                                const EmitOptions& options);
 
 }  // namespace hvi::gen

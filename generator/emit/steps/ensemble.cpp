@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 
 #include "generator/emit/steps/banner.hpp"
+#include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/slope_calls.hpp"
 #include "generator/emit/steps/system_part.hpp"
 #include "generator/support/error.hpp"
 #include "src/hvi/version.hpp"
@@ -20,24 +22,31 @@ struct EnsembleParts {
 
 // ---- explicit ----
 
-EnsembleParts explicit_parts(const Scheme& scheme, std::size_t dimension) {
+EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::size_t dimension) {
     EnsembleParts parts;
     parts.runtime = {"detail/trajectories/trajectories"};
-    parts.carried = keeps(scheme) ? "SlopeCarried" : "NothingCarried";
-    parts.step = ensemble_moves_text(scheme, dimension);
-    parts.constants = weights_text(scheme);
-    Writer members(1);
-    members.line("System system_;");
-    if (scheme.keeps_remainder) {
-        parts.runtime.insert(parts.runtime.end(), {"detail/coefficients/weights",
-                                                   "detail/trajectories/trajectory_sums"});
-        parts.carried = keeps(scheme) ? "RemaindersAndSlopeCarried" : "RemaindersCarried";
-        parts.reset = "sums_.forget();";
-        members.line("hvi::detail::TrajectorySums<State> sums_;")
-            .line("{}", weights_member(scheme));
+    parts.step = ensemble_moves_text(step, form.sums, dimension);
+    parts.constants = weights_text(step);
+    if (form.sums == Sums::plain) {
+        parts.carried = step.kept.any() ? "SlopeCarried" : "NothingCarried";
+        parts.members = Writer(1).line("System system_;").str();
+        return parts;
     }
-    parts.members = members.str();
+    parts.carried = step.kept.any() ? "RemaindersAndSlopeCarried" : "RemaindersCarried";
+    parts.runtime.insert(parts.runtime.end(),
+                         {"detail/coefficients/weights", "detail/trajectories/trajectory_sums"});
+    parts.reset = "sums_.forget();";
+    parts.members = Writer(1)
+                        .line("System system_;")
+                        .line("hvi::detail::TrajectorySums<State> sums_;")
+                        .line("{}", weights_member(step))
+                        .str();
     return parts;
+}
+
+EnsembleParts ensemble_parts(const Step&, const TabulatedStep&, std::size_t) {
+    HVI_CHECK(false);  // it has no such layout
+    return {};
 }
 
 // ---- implicit ----
@@ -55,19 +64,20 @@ std::string loaded(std::string_view stages, std::string_view vector) {
     return fmt::format("hvi::detail::load({}.{})", stages, vector);
 }
 
-/// Where a slope is evaluated: `vectors` and, if H depends on it, the time.
-std::string arguments(const Scheme& scheme, std::vector<std::string> vectors,
-                      std::string_view time) {
-    if (scheme.depends_on_time) { vectors.emplace_back(time); }
-    return fmt::format("{}, ", fmt::join(vectors, ", "));
+/// Where slopes are evaluated: at the start of a step, and at stage i.
+SlopePoint start(const Step& step) {
+    return {loaded("s_", "q"), loaded("s_", "p"), time_of_trajectories(step, "s_.clock.start()")};
 }
 
-constexpr std::string_view start = "s_.clock.start()";  // the time where a step begins
-constexpr std::string_view inner = "s.clock.at(c[i])";  // the time of stage i
+SlopePoint inner(const Step& step) {
+    return {loaded("s", "Q[i]"), loaded("s", "P[i]"),
+            time_of_trajectories(step, "s.clock.at(c[i])")};
+}
 
 /// The starting values.
-void predict(Writer& writer, const Scheme& scheme, const auto& extrapolated, const auto& constant) {
-    if (!scheme.extrapolation) {
+void predict(Writer& writer, const Iteration& iteration, const auto& extrapolated,
+             const auto& constant) {
+    if (!iteration.extrapolation) {
         constant(writer);
         return;
     }
@@ -78,147 +88,146 @@ void predict(Writer& writer, const Scheme& scheme, const auto& extrapolated, con
     writer.close();
 }
 
-std::string velocity_step(const Scheme& scheme) {
+std::string velocity_step(const Step& step, const Iteration& iteration) {
     Writer writer(2);
     writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
     writer.line("s_.begin_drift(system_);").line("s_.drift_freely(c);");
     predict(
-        writer, scheme, [](Writer& out) { out.line("s_.extrapolate(N);"); },
+        writer, iteration, [](Writer& out) { out.line("s_.extrapolate(N);"); },
         [&](Writer& out) {
-            if (!scheme.depends_on_time) {
+            if (!step.depends_on_time()) {
                 out.line("s_.predict(system_);");
                 return;
             }
             out.open("s_.predict(system_, [&](Values& out) {{");
-            out.line("system_.dHdq({}, {}, out);", loaded("s_", "q"), start).close("});");
+            out.line("system_.{};", force_call(step, start(step), "out")).close("});");
         });
     return writer.insert(solve_and_advance(", c")).str();
 }
 
 /// NOTE: for separable H the slopes of p are enough.
-std::string pair_step(const Scheme& scheme) {
-    const std::string q = loaded("s_", "q"), p = loaded("s_", "p");
-    const std::string at = arguments(scheme, {q, p}, start);
+std::string pair_step(const Step& step, const Iteration& iteration) {
+    const SlopePoint at = start(step);
     Writer writer(2);
     writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
     predict(
-        writer, scheme,
+        writer, iteration,
         [&](Writer& out) {
-            if (!scheme.separable) { out.line("s_.extrapolate_q(N);"); }
+            if (!step.is_separable()) { out.line("s_.extrapolate_q(N);"); }
             out.line("s_.extrapolate_p(N);");
         },
         [&](Writer& out) {
-            if (scheme.has_joint_slopes) {
-                out.line("Values dHdq, dHdp;").line("system_.gradient({}dHdq, dHdp);", at);
+            if (step.slopes == Slopes::joint) {
+                out.line("Values dHdq, dHdp;");
+                out.line("system_.{};", gradient_call(at, "dHdq", "dHdp"));
                 out.line("s_.predict_q(dHdp);").line("s_.predict_p(dHdq);");
                 return;
             }
             out.line("Values slope;");
-            if (!scheme.separable) {
-                out.line("system_.dHdp({}slope);", at).line("s_.predict_q(slope);");
+            if (!step.is_separable()) {
+                out.line("system_.{};", velocity_call(step, at, "slope"));
+                out.line("s_.predict_q(slope);");
             }
-            out.line("system_.dHdq({}slope);",
-                     scheme.separable ? arguments(scheme, {q}, start) : at);
-            out.line("s_.predict_p(slope);");
+            out.line("system_.{};", force_call(step, at, "slope")).line("s_.predict_p(slope);");
         });
     return writer.insert(solve_and_advance("")).str();
 }
 
 /// The type of what keeps the stages.
-std::string stages_type(const Scheme& scheme) {
-    return fmt::format("hvi::detail::{}Trajectories<Vector, {}{}>",
-                       scheme.velocity_form ? "Velocity" : "Pair", scheme.positions.size(),
-                       scheme.depends_on_time ? ", Trajectory" : "");
+std::string stages_type(const Step& step, std::string_view kind) {
+    return fmt::format("hvi::detail::{}Trajectories<Vector, {}{}>", kind, step.positions.size(),
+                       trajectory_argument(step));
 }
 
-std::string members_text(const Scheme& scheme) {
+std::string members_text(const std::string& stages) {
     return Writer(1)
         .line("System system_;")
-        .line("{} s_;", stages_type(scheme))
+        .line("{} s_;", stages)
         .line("hvi::detail::LaneSweeps<Scalar, hvi::detail::fixed_size<Vector>()> solver_;")
         .str();
 }
 
 /// The body of the member of the stage equations of positions that evaluates forces.
-std::string forces_of_positions(const Scheme& scheme) {
-    if (!scheme.depends_on_time) { return "s.forces(system, lanes);"; }
+std::string forces_of_positions(const Step& step) {
+    if (!step.depends_on_time()) { return "s.forces(system, lanes);"; }
     return Writer(2)
-        .line("s.forces(system, lanes, [&](std::size_t i, Values& out) {{ system.dHdq({}, {}, "
-              "out); }});",
-              loaded("s", "Q[i]"), inner)
+        .line("s.forces(system, lanes, [&](std::size_t i, Values& out) {{ system.{}; }});",
+              force_call(step, inner(step), "out"))
         .str();
 }
 
 /// Members of the stage equations that evaluate H.
-std::string slopes_text(const Scheme& scheme) {
-    const std::string Q = loaded("s", "Q[i]"), P = loaded("s", "P[i]");
-    const std::string both = arguments(scheme, {Q, P}, inner);
+std::string slopes_text(const Step& step) {
+    const SlopePoint at = inner(step);
     const std::string_view lanes = "const typename State::Mask& lanes";
     Writer writer(2);
-    if (scheme.has_joint_slopes) {
+    if (step.slopes == Slopes::joint) {
         writer.open("void slopes({}) {{", lanes);
         writer.open("s.slopes(lanes, [&](std::size_t i, Values& dHdq, Values& dHdp) {{");
-        writer.line("system.gradient({}dHdq, dHdp);", both);
+        writer.line("system.{};", gradient_call(at, "dHdq", "dHdp"));
         return writer.close("});").close().str();
     }
     writer.open("void velocities({}) {{", lanes);
-    writer.line("s.velocities(lanes, [&](std::size_t i, Values& out) {{ system.dHdp({}out); }});",
-                scheme.separable ? P + ", " : both);
+    writer.line("s.velocities(lanes, [&](std::size_t i, Values& out) {{ system.{}; }});",
+                velocity_call(step, at, "out"));
     writer.close().open("void forces({}) {{", lanes);
-    writer.line("s.forces(lanes, [&](std::size_t i, Values& out) {{ system.dHdq({}out); }});",
-                scheme.separable ? arguments(scheme, {Q}, inner) : both);
+    writer.line("s.forces(lanes, [&](std::size_t i, Values& out) {{ system.{}; }});",
+                force_call(step, at, "out"));
     return writer.close().str();
 }
 
-EnsembleParts implicit_parts(const Scheme& scheme) {
-    HVI_CHECK(scheme.blocks.size() == 1);
-    const std::string about = unknowns(scheme.blocks.front());
+/// What both forms have.
+EnsembleParts implicit_parts(const std::string& stages) {
     EnsembleParts parts;
     parts.runtime = {"detail/trajectories/trajectory_stages"};
     parts.carried = "RemaindersCarried";
     parts.reset = "s_.forget();";
-    if (scheme.velocity_form) {
-        parts.step = velocity_step(scheme);
-        parts.constants = velocity_constants(scheme, {});
-        parts.coupled =
-            fill_part("velocity_ensemble.hpp.in", {{"unknowns", about},
-                                                   {"trajectories", stages_type(scheme)},
-                                                   {"forces", forces_of_positions(scheme)}});
-        parts.members = members_text(scheme);
-        return parts;
-    }
-    parts.step = pair_step(scheme);
-    parts.constants = pair_constants(scheme, {});
-    parts.coupled =
-        fill_part("pair_ensemble.hpp.in", {{"unknowns", about},
-                                           {"trajectories", stages_type(scheme)},
-                                           {"separable", std::string(truth(scheme.separable))},
-                                           {"mt", std::string(table_mt(scheme))},
-                                           {"slopes", slopes_text(scheme)}});
-    parts.members = members_text(scheme);
+    parts.members = members_text(stages);
     return parts;
 }
 
-std::string state_type(const Scheme& scheme, std::string_view carried) {
-    return fmt::format("hvi::Trajectories<Vector, hvi::detail::{}{}>", carried,
-                       scheme.depends_on_time ? ", Trajectory" : "");
+EnsembleParts ensemble_parts(const Step& step, const VelocityStep& form, std::size_t) {
+    const std::string stages = stages_type(step, "Velocity");
+    EnsembleParts parts = implicit_parts(stages);
+    parts.step = velocity_step(step, form.iteration);
+    parts.constants = constants_text(step, form, {});
+    parts.coupled =
+        fill_part("velocity_ensemble.hpp.in", {{"unknowns", unknowns(step.blocks.front())},
+                                               {"trajectories", stages},
+                                               {"forces", forces_of_positions(step)}});
+    return parts;
+}
+
+EnsembleParts ensemble_parts(const Step& step, const PairStep& form, std::size_t) {
+    HVI_CHECK(form.iteration.has_value());
+    const std::string stages = stages_type(step, "Pair");
+    EnsembleParts parts = implicit_parts(stages);
+    parts.step = pair_step(step, *form.iteration);
+    parts.constants = constants_text(step, form, {});
+    parts.coupled =
+        fill_part("pair_ensemble.hpp.in", {{"unknowns", unknowns(step.blocks.front())},
+                                           {"trajectories", stages},
+                                           {"separable", std::string(truth(step.is_separable()))},
+                                           {"mt", std::string(table_mt(step))},
+                                           {"slopes", slopes_text(step)}});
+    return parts;
 }
 
 }  // namespace
 
-std::string emit_ensemble(const Tableau& tableau, const Scheme& scheme,
-                          const EmitOptions& options) {
+std::string emit_ensemble(const Tableau& tableau, const Step& step, const EmitOptions& options) {
     HVI_CHECK(options.scene != nullptr);
-    const SystemPart system = system_part(tableau, scheme, options);
-    EnsembleParts parts = scheme.is_explicit()
-                              ? explicit_parts(scheme, options.scene->system.degrees_of_freedom())
-                              : implicit_parts(scheme);
+    const SystemPart system = system_part(tableau, step, options);
+    const std::size_t dimension = options.scene->system.degrees_of_freedom();
+    EnsembleParts parts = std::visit(
+        [&](const auto& form) { return ensemble_parts(step, form, dimension); }, step.form);
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
+    holes.merge(Holes{{"banner", banner(tableau, step, options)},
                       {"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
                       {"trajectory", system.state},
-                      {"state", state_type(scheme, parts.carried)},
+                      {"state", fmt::format("hvi::Trajectories<Vector, hvi::detail::{}{}>",
+                                            parts.carried, trajectory_argument(step))},
                       {"step", parts.step},
                       {"reset", parts.reset},
                       {"constants", parts.constants},

@@ -4,11 +4,12 @@
 #include <sstream>
 
 #include "generator/emit/steps/banner.hpp"
+#include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
 #include "generator/emit/text/embedded.hpp"
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -17,7 +18,7 @@ namespace {
 /// Writes the kicks and drifts of a step in turn.
 class PlainMoves {
 public:
-    PlainMoves(Writer& writer, const Scheme& scheme) : writer_(writer), scheme_(scheme) {}
+    PlainMoves(Writer& writer, const Step& step) : writer_(writer), step_(step) {}
 
     void write(const Move& move) {
         evaluate(move);
@@ -35,7 +36,7 @@ public:
         writer_.blank();
         writer_.line("if (!hvi::detail::finite({}, end)) {{ {} }}", other,
                      "return Status(Status::Code::not_finite);");
-        if (keeps(scheme_)) { writer_.line("known_ = true;"); }
+        if (step_.kept.any()) { writer_.line("known_ = true;"); }
         writer_.line("hvi::detail::copy({}, x.{});", other, other_names(last).moved);
         add(last, fmt::format("x.{}", names(last).moved));
     }
@@ -45,7 +46,7 @@ private:
     /// slope belongs to is a member, as the slope is; the other is not, so that compilers keep it
     /// in registers.
     [[nodiscard]] std::string within(bool of_kick) const {
-        return fmt::format("{}{}", of_kick ? "p" : "q", keeps(scheme_, !of_kick) ? "_" : "");
+        return fmt::format("{}{}", of_kick ? "p" : "q", keeps(step_, !of_kick) ? "_" : "");
     }
 
     /// The sum of a move.
@@ -55,10 +56,10 @@ private:
             is_moved ? within(move.kick) : fmt::format("x.{}", names(move).moved);
         writer_.open("for (Index k = 0; k < n; ++k) {{");
         if (from == target) {
-            writer_.line("{}[k] {}= {};", target, names(move).sign, change(scheme_, move, "k"));
+            writer_.line("{}[k] {}= {};", target, names(move).sign, change(step_, move, "k"));
         } else {
             writer_.line("{}[k] = {}[k] {} {};", target, from, names(move).sign,
-                         change(scheme_, move, "k"));
+                         change(step_, move, "k"));
         }
         writer_.close();
     }
@@ -67,8 +68,8 @@ private:
         const bool other_moved = move.kick ? drifted_ : kicked_;
         const std::string at =
             other_moved ? within(!move.kick) : fmt::format("x.{}", other_names(move).moved);
-        const std::string call = evaluation(scheme_, move, at);
-        if (!keeps(scheme_, move.kick) || other_moved) {
+        const std::string call = evaluation(step_, move, at);
+        if (!keeps(step_, move.kick) || other_moved) {
             writer_.line("{}", call);
             return;
         }
@@ -81,46 +82,83 @@ private:
     }
 
     Writer& writer_;
-    const Scheme& scheme_;
+    const Step& step_;
     bool kicked_ = false, drifted_ = false;  // whether p, and q, have been moved
 };
 
-/// The vectors that a step computes in and leaves nothing in.
-std::vector<std::string> scratch(const Scheme& scheme) {
-    if (scheme.keeps_remainder) { return compensated_scratch(scheme); }
-    std::vector<Move> before = moves(scheme);
+/// The vectors that a step of plain sums computes in and leaves nothing in.
+std::vector<std::string> plain_scratch(const Step& step) {
+    std::vector<Move> before = moves(step);
     before.pop_back();
     std::vector<std::string> result;
     for (const bool of_kick : {false, true}) {
         const bool is_moved = std::any_of(before.begin(), before.end(),
                                           [&](const Move& move) { return move.kick == of_kick; });
-        if (is_moved && !keeps(scheme, !of_kick)) { result.push_back(of_kick ? "p" : "q"); }
+        if (is_moved && !keeps(step, !of_kick)) { result.push_back(of_kick ? "p" : "q"); }
     }
-    if (!scheme.keeps_force || !scheme.keeps_velocity) { result.push_back("slope"); }
+    if (!step.kept.force || !step.kept.velocity) { result.push_back("slope"); }
     result.push_back("end");
     return result;
 }
 
-std::string moves_text(const Scheme& scheme) {
-    if (scheme.keeps_remainder) { return compensated_moves_text(scheme); }
+std::string plain_moves_text(const Step& step) {
     Writer writer(2);
-    writer.insert(scratch_text(scratch(scheme)));
-    PlainMoves code(writer, scheme);
-    const std::vector<Move> all = moves(scheme);
+    writer.insert(scratch_text(plain_scratch(step)));
+    PlainMoves code(writer, step);
+    const std::vector<Move> all = moves(step);
     for (std::size_t i = 0; i + 1 < all.size(); ++i) { code.write(all[i]); }
     code.finish(all.back());
     return writer.str();
 }
 
+// ---- what depends on how a step sums ----
+
+/// Of the class of the stepper.
+struct ExplicitParts {
+    std::vector<std::string> runtime;  ///< headers of hvi that not every one has
+    std::vector<std::string> scratch;  ///< vectors that a step leaves nothing in
+    std::string moves;
+    std::string forget;                ///< in reset()
+    std::string sums;                  ///< members
+    std::vector<std::string> vectors;  ///< members, without the underscore
+    std::string force, velocity;       ///< what is said of where these were evaluated
+};
+
+ExplicitParts plain_parts(const Step& step) {
+    ExplicitParts parts;
+    parts.scratch = plain_scratch(step);
+    parts.moves = plain_moves_text(step);
+    if (step.kept.any()) { parts.forget = "known_ = false;"; }
+    // NOTE: in this order. In others g++ finds it harder to keep the state in registers.
+    parts.vectors = parts.scratch;
+    if (step.kept.velocity) { parts.vectors.insert(parts.vectors.begin(), "p"); }
+    if (step.kept.force) { parts.vectors.insert(parts.vectors.begin(), "q"); }
+    parts.force = ", at q_";
+    parts.velocity = ", at p_";
+    return parts;
+}
+
+/// NOTE: a slope is kept for a step that goes on with the sums.
+ExplicitParts compensated_parts(const Step& step) {
+    ExplicitParts parts;
+    parts.runtime = {"detail/stages/step_sums", "detail/coefficients/weights"};
+    parts.scratch = compensated_scratch(step);
+    parts.moves = compensated_moves_text(step);
+    parts.forget = "sums_.forget();";
+    parts.sums = "hvi::detail::StepSums<Vector> sums_;\n" + weights_member(step);
+    parts.vectors = parts.scratch;
+    return parts;
+}
+
 /// NOTE: what a kept slope belongs to is fitted where that is not known: see PlainMoves.
-std::string fits_text(const Scheme& scheme) {
+std::string fits_text(const Step& step, const ExplicitParts& parts) {
     Writer writer(2);
     const auto fit = [&](std::string_view vector) {
         writer.line("hvi::detail::fit({}_, n);", vector);
     };
-    for (const std::string& name : scratch(scheme)) { fit(name); }
-    if (scheme.keeps_force) { fit("force"); }
-    if (scheme.keeps_velocity) { fit("velocity"); }
+    for (const std::string& name : parts.scratch) { fit(name); }
+    if (step.kept.force) { fit("force"); }
+    if (step.kept.velocity) { fit("velocity"); }
     return writer.str();
 }
 
@@ -134,64 +172,48 @@ std::string copy_of(std::string_view name) {
     return text;
 }
 
-std::string support(const Scheme& scheme, const SceneWishes& wishes, bool with_rounded) {
-    std::vector<std::string_view> names{"state", "detail/numbers/scalar"};
-    if (wishes.float128) { names.push_back("detail/numbers/math"); }
-    if (with_rounded) { names.push_back("detail/coefficients/rounded"); }
-    names.push_back("detail/stages/system");
-    if (scheme.from_parameter || scheme.depends_on_time || scheme.keeps_remainder) {
-        names.insert(names.end(), {"detail/numbers/arithmetic", "detail/numbers/compensated"});
+/// The headers of the runtime that the stepper is made of, as one text.
+std::string support(const Step& step, const ExplicitParts& parts, const SceneWishes& wishes,
+                    bool with_rounded) {
+    std::vector<std::string> names{"state", "detail/numbers/scalar"};
+    const auto add = [&](const std::vector<std::string>& more) {
+        names.insert(names.end(), more.begin(), more.end());
+    };
+    const std::vector<std::string> clock = clock_runtime(step);
+    if (wishes.float128) { names.emplace_back("detail/numbers/math"); }
+    if (with_rounded) { names.emplace_back("detail/coefficients/rounded"); }
+    names.emplace_back("detail/stages/system");
+    if (step.from_parameter || !clock.empty() || !parts.runtime.empty()) {
+        add({"detail/numbers/arithmetic", "detail/numbers/compensated"});
     }
-    if (scheme.from_parameter) {
-        names.insert(names.end(), {"detail/numbers/pair", "detail/coefficients/series",
-                                   "detail/coefficients/parameter"});
+    if (step.from_parameter) {
+        add({"detail/numbers/pair", "detail/coefficients/series", "detail/coefficients/parameter"});
     }
-    if (scheme.depends_on_time) { names.push_back("detail/stages/clock"); }
-    if (scheme.keeps_remainder) {
-        names.insert(names.end(), {"detail/stages/step_sums", "detail/coefficients/weights"});
-    }
+    add(clock);
+    add(parts.runtime);
     std::string text;
-    for (const std::string_view name : names) {
-        text += (text.empty() ? "" : "\n") + copy_of(name);
-    }
+    for (const std::string& name : names) { text += (text.empty() ? "" : "\n") + copy_of(name); }
     return text;
 }
 
-/// NOTE: a slope is kept for a step that goes on with the sums.
-std::string_view forget(const Scheme& scheme) {
-    if (scheme.keeps_remainder) { return "sums_.forget();"; }
-    return keeps(scheme) ? "known_ = false;" : "";
-}
-
-std::string members_of_moves(const Scheme& scheme) {
+std::string members_text(const Step& step, const ExplicitParts& parts) {
     Writer writer(1);
     writer.line("System system_;");
-    if (scheme.from_parameter) { writer.line("Coefficients coefficients_;"); }
-    if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
-    if (scheme.keeps_remainder) {
-        writer.line("hvi::detail::StepSums<Vector> sums_;").line("{}", weights_member(scheme));
-    }
-    // NOTE: in this order. In others g++ finds it harder to keep the state in registers.
-    std::vector<std::string> vectors = scratch(scheme);
-    if (!scheme.keeps_remainder) {
-        if (scheme.keeps_velocity) { vectors.insert(vectors.begin(), "p"); }
-        if (scheme.keeps_force) { vectors.insert(vectors.begin(), "q"); }
-    }
-    writer.line("Vector {}_{{}};", fmt::join(vectors, "_{}, "));
+    writer.insert(coefficients_member(step)).insert(clock_member(step)).insert(parts.sums);
+    writer.line("Vector {}_{{}};", fmt::join(parts.vectors, "_{}, "));
     const auto slope = [&](std::string_view name, std::string_view what, std::string_view where) {
-        writer.line("Vector {}{{}};  // {} where the last step ended{}", name, what,
-                    scheme.keeps_remainder ? "" : where);
+        writer.line("Vector {}{{}};  // {} where the last step ended{}", name, what, where);
     };
-    if (scheme.keeps_force) { slope("force_", "dH/dq", ", at q_"); }
-    if (scheme.keeps_velocity) { slope("velocity_", "dH/dp", ", at p_"); }
-    if (keeps(scheme)) { writer.line("bool known_ = false;  // whether it is kept"); }
+    if (step.kept.force) { slope("force_", "dH/dq", parts.force); }
+    if (step.kept.velocity) { slope("velocity_", "dH/dp", parts.velocity); }
+    if (step.kept.any()) { writer.line("bool known_ = false;  // whether it is kept"); }
     return writer.str();
 }
 
 }  // namespace
 
-std::string weights_text(const Scheme& scheme) {
-    if (scheme.from_parameter) { return functions_of_parameter(scheme); }
+std::string weights_text(const Step& step) {
+    if (step.from_parameter) { return functions_of_parameter(step); }
     Writer writer(1);
     const auto write = [&](std::string_view name, const std::vector<StageValue>& values) {
         bool ones = true;
@@ -200,31 +222,32 @@ std::string weights_text(const Scheme& scheme) {
         table(writer, name, weights(values));
         refuse_float(writer, weights(values));
     };
-    write("b_p", scheme.positions);
-    write("b_q", scheme.momenta);
-    if (scheme.depends_on_time) { writer.insert(times_text(scheme)); }
+    write("b_p", step.positions);
+    write("b_q", step.momenta);
+    writer.insert(times_text(step));
     return with_rounding(writer.str());
 }
 
-std::string emit_explicit(const Tableau& tableau, const Scheme& scheme,
-                          const EmitOptions& options) {
-    HVI_CHECK(scheme.separable);
-    const std::string weights = weights_text(scheme);
-    const SystemPart system = system_part(tableau, scheme, options);
+std::string emit_one(const Tableau& tableau, const Step& step, const ExplicitStep& form,
+                     const EmitOptions& options) {
+    const ExplicitParts parts =
+        form.sums == Sums::compensated ? compensated_parts(step) : plain_parts(step);
+    const std::string weights = weights_text(step);
+    const SystemPart system = system_part(tableau, step, options);
     const bool rounds = are_rounded(weights) || are_rounded(system.types);
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
-                      {"support", support(scheme, options.wishes, rounds)},
-                      {"parameter", parameter_text(scheme)},
-                      {"begins", begins(scheme)},
+    holes.merge(Holes{{"banner", banner(tableau, step, options)},
+                      {"support", support(step, parts, options.wishes, rounds)},
+                      {"parameter", parameter_text(step)},
+                      {"begins", begins(step)},
                       {"weights", weights},
-                      {"fits", fits_text(scheme)},
-                      {"moves", moves_text(scheme)},
+                      {"fits", fits_text(step, parts)},
+                      {"moves", parts.moves},
                       {"state", system.state},
-                      {"clock", clock_begins(scheme)},
-                      {"status", scheme.depends_on_time ? "clock_.end(x.t, Status{})" : "{}"},
-                      {"forget", std::string(forget(scheme))},
-                      {"members", members_of_moves(scheme)}});
+                      {"clock", clock_begins(step)},
+                      {"status", std::string(clock_ends_well(step))},
+                      {"forget", parts.forget},
+                      {"members", members_text(step, parts)}});
     return fill("explicit.hpp.in", holes);
 }
 

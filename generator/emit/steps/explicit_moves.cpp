@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/explicit_moves.hpp"
 
+#include <optional>
+
+#include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
-#include "generator/plan/equal.hpp"
+#include "generator/emit/steps/slope_calls.hpp"
+#include "generator/ir/equal.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -16,42 +20,57 @@ constexpr MoveNames drift{"q", "dHdp", "+", "b_q", "velocity_"};
 /// of several where they are not.
 class SummedMoves {
 public:
-    SummedMoves(Writer& writer, const Scheme& scheme, std::size_t dimension)
-        : writer_(writer), scheme_(scheme), dimension_(dimension) {}
+    /// `dimension`: of several trajectories.
+    SummedMoves(Writer& writer, const Step& step, Sums sums,
+                std::optional<std::size_t> dimension = {})
+        : writer_(writer), step_(step), sums_(sums), dimension_(dimension) {}
 
+    void write_all() {
+        const std::vector<Move> all = moves(step_);
+        for (std::size_t i = 0; i < all.size(); ++i) { write(all[i], i + 1 == all.size()); }
+        writer_.blank();
+    }
+
+private:
     /// A move, and the stage value that it leads to unless the step ends there.
     void write(const Move& move, bool is_last) {
         evaluate(move);
         const MoveNames& its = names(move);
-        bool& is_moved = move.kick ? kicked_ : drifted_;
-        const bool is_loaded = is_moved || scheme_.has_trajectory_lanes;
+        const bool is_apart = sums_ == Sums::compensated;
         for_components([&](std::string_view k) {
-            const std::string by = change(scheme_, move, k);
+            const std::string by = is_apart ? weighed(move, k) : change(step_, move, k);
             // NOTE: not of the increment so far, or each evaluation would wait for two sums.
-            if (!scheme_.keeps_remainder || !is_last) {
-                writer_.line("{0}[{1}] = {2}{0}[{1}] {3} {4};", its.moved, k, is_loaded ? "" : "x.",
+            if (!is_apart || !is_last) {
+                writer_.line("{0}[{1}] = {2}[{1}] {3} {4};", its.moved, k, value(move.kick),
                              its.sign, by);
             }
-            if (scheme_.keeps_remainder) {
-                writer_.line("d{}[{}] {}= {};", its.moved, k, its.sign, by);
-            }
+            if (is_apart) { writer_.line("d{}[{}] {}= {};", its.moved, k, its.sign, by); }
         });
-        is_moved = true;
+        (move.kick ? kicked_ : drifted_) = true;
     }
 
-private:
+    [[nodiscard]] std::string weighed(const Move& move, std::string_view k) const {
+        return fmt::format("weights_.{}[{}] * {}[{}]", names(move).moved, move.index,
+                           slope(step_, move), k);
+    }
+
+    /// Where p, or q, is: of one trajectory in the state until it is moved.
+    [[nodiscard]] std::string value(bool of_kick) const {
+        const bool is_loaded = dimension_ || (of_kick ? kicked_ : drifted_);
+        return fmt::format("{}{}", is_loaded ? "" : "x.", of_kick ? "p" : "q");
+    }
+
     /// NOTE: of several trajectories a few components are written out, so that compilers keep them
     /// in registers also below -O3.
     template <class F>
     void for_components(F f) {
         constexpr std::size_t few = 4;
-        if (scheme_.has_trajectory_lanes && dimension_ <= few) {
-            for (std::size_t k = 0; k < dimension_; ++k) { f(std::to_string(k)); }
+        if (dimension_ && *dimension_ <= few) {
+            for (std::size_t k = 0; k < *dimension_; ++k) { f(std::to_string(k)); }
             return;
         }
-        writer_.open("for ({}; ++k) {{", scheme_.has_trajectory_lanes
-                                             ? "std::size_t k = 0; k < q.size()"
-                                             : "Index k = 0; k < n");
+        writer_.open("for ({}; ++k) {{",
+                     dimension_ ? "std::size_t k = 0; k < q.size()" : "Index k = 0; k < n");
         f("k");
         writer_.close();
     }
@@ -60,13 +79,10 @@ private:
     /// known_ is false while the step is under way, should the system throw.
     void evaluate(const Move& move) {
         const bool other_moved = move.kick ? drifted_ : kicked_;
-        const std::string at =
-            fmt::format("{}{}", other_moved || scheme_.has_trajectory_lanes ? "" : "x.",
-                        other_names(move).moved);
-        const std::string call = evaluation(scheme_, move, at);
-        if (!keeps(scheme_, move.kick) || other_moved) {
+        const std::string call = evaluation(step_, move, value(!move.kick));
+        if (!keeps(step_, move.kick) || other_moved) {
             writer_.line("{}", call);
-        } else if (scheme_.has_trajectory_lanes) {
+        } else if (dimension_) {
             writer_.line("if (!x.carried.is_known) {{ {} }}", call);
         } else {
             writer_.line("const bool kept = known_ && sums_.continues();");
@@ -76,25 +92,19 @@ private:
     }
 
     Writer& writer_;
-    const Scheme& scheme_;
-    std::size_t dimension_;
+    const Step& step_;
+    Sums sums_;
+    std::optional<std::size_t> dimension_;
     bool kicked_ = false, drifted_ = false;  // whether p, and q, have been moved
 };
 
 constexpr std::string_view weigh = "weights_.weigh(h, b_p, b_q);";
 
-void write_moves(Writer& writer, const Scheme& scheme, std::size_t dimension) {
-    SummedMoves code(writer, scheme, dimension);
-    const std::vector<Move> all = moves(scheme);
-    for (std::size_t i = 0; i < all.size(); ++i) { code.write(all[i], i + 1 == all.size()); }
-    writer.blank();
-}
-
 }  // namespace
 
-std::vector<Move> moves(const Scheme& scheme) {
+std::vector<Move> moves(const Step& step) {
     std::vector<Move> result;
-    for (const Block& block : scheme.blocks) {
+    for (const Block& block : step.blocks) {
         const StageNode node = block.nodes.front();
         if (node.kind == Kind::Lp) { result.push_back({true, node.index}); }
         if (node.kind == Kind::Lq) { result.push_back({false, node.index}); }
@@ -105,32 +115,34 @@ std::vector<Move> moves(const Scheme& scheme) {
 const MoveNames& names(const Move& move) { return move.kick ? kick : drift; }
 const MoveNames& other_names(const Move& move) { return move.kick ? drift : kick; }
 
-bool keeps(const Scheme& scheme, bool of_kick) {
-    return of_kick ? scheme.keeps_force : scheme.keeps_velocity;
+bool keeps(const Step& step, bool of_kick) {
+    return of_kick ? step.kept.force : step.kept.velocity;
 }
 
-bool keeps(const Scheme& scheme) { return scheme.keeps_force || scheme.keeps_velocity; }
-
-std::string slope(const Scheme& scheme, const Move& move) {
-    if (!keeps(scheme, move.kick)) { return "slope"; }
-    return scheme.has_trajectory_lanes ? "kept" : std::string(names(move).kept);
+std::string slope(const Step& step, const Move& move) {
+    if (!keeps(step, move.kick)) { return "slope"; }
+    return step.layout == Layout::trajectories ? "kept" : std::string(names(move).kept);
 }
 
-std::string change(const Scheme& scheme, const Move& move, std::string_view k) {
-    if (scheme.keeps_remainder) {
-        return fmt::format("weights_.{}[{}] * {}[{}]", names(move).moved, move.index,
-                           slope(scheme, move), k);
-    }
-    const StageValue& value = (move.kick ? scheme.positions : scheme.momenta)[move.index];
+std::string change(const Step& step, const Move& move, std::string_view k) {
+    const StageValue& value = (move.kick ? step.positions : step.momenta)[move.index];
     return equal(value.weight, 1)
-               ? fmt::format("h * {}[{}]", slope(scheme, move), k)
-               : fmt::format("h * {}{}[{}] * {}[{}]", owner(scheme, "s_"), names(move).weights,
-                             move.index, slope(scheme, move), k);
+               ? fmt::format("h * {}[{}]", slope(step, move), k)
+               : fmt::format("h * {}{}[{}] * {}[{}]", owner(step, "s_"), names(move).weights,
+                             move.index, slope(step, move), k);
 }
 
-std::string evaluation(const Scheme& scheme, const Move& move, std::string_view at) {
-    return fmt::format("system_.{}({}, {}{});", names(move).gradient, at,
-                       move.kick ? stage_time(scheme, move.index, "s_") : "", slope(scheme, move));
+std::string evaluation(const Step& step, const Move& move, std::string_view at) {
+    const std::string point(at);
+    const std::string i = std::to_string(move.index);
+    const std::string time = step.layout == Layout::trajectories
+                                 ? time_of_trajectories(step, fmt::format("x.clock.at(c[{}])", i))
+                                 : time_of_stage(step, i, "s_");
+    const std::string out = slope(step, move);
+    const SlopePoint where{point, point, time};
+    const std::string call =
+        move.kick ? force_call(step, where, out) : velocity_call(step, where, out);
+    return fmt::format("system_.{};", call);
 }
 
 std::string scratch_text(const std::vector<std::string>& names) {
@@ -141,40 +153,40 @@ std::string scratch_text(const std::vector<std::string>& names) {
     return writer.str();
 }
 
-std::string compensated_moves_text(const Scheme& scheme) {
+std::string compensated_moves_text(const Step& step) {
     Writer writer(2);
-    writer.insert(scratch_text(compensated_scratch(scheme)));
+    writer.insert(scratch_text(compensated_scratch(step)));
     writer.line(
         "if (!sums_.begin(x, dq, dp)) {{ return Status(Status::Code::unsafe_arithmetic); }}");
     writer.line("{}", weigh);
-    write_moves(writer, scheme, 0);
+    SummedMoves(writer, step, Sums::compensated).write_all();
     writer.line("if (!sums_.end(x, dq, dp, q, p)) {{ return Status(Status::Code::not_finite); }}");
-    if (keeps(scheme)) { writer.line("known_ = true;"); }
+    if (step.kept.any()) { writer.line("known_ = true;"); }
     return writer.str();
 }
 
-std::string ensemble_moves_text(const Scheme& scheme, std::size_t dimension) {
+std::string ensemble_moves_text(const Step& step, Sums sums, std::size_t dimension) {
+    const bool is_apart = sums == Sums::compensated;
     Writer writer(2);
     writer.line("if (!{}) {{ return x.status(); }}",
-                scheme.keeps_remainder ? "sums_.begin(x, h)" : "x.begins(h)");
+                is_apart ? "sums_.begin(x, h)" : "x.begins(h)");
     const auto load = [&](std::string_view name, std::string_view from) {
         writer.line("Values {} = hvi::detail::load(x.{});", name, from);
     };
     load("q", "q");
     load("p", "p");
-    if (scheme.keeps_remainder) {
+    if (is_apart) {
         load("dq", "carried.q");
         load("dp", "carried.p");
         writer.line("{}", weigh);
     }
     writer.line("Values slope;");
-    if (keeps(scheme)) { load("kept", "carried.slope"); }
+    if (step.kept.any()) { load("kept", "carried.slope"); }
     writer.blank();
-    write_moves(writer, scheme, dimension);
-    const std::string_view end = scheme.keeps_remainder
-                                     ? "sums_.end(x, dq, dp"
-                                     : "x.end(q, p, hvi::detail::where_finite(q, p)";
-    if (keeps(scheme)) {
+    SummedMoves(writer, step, sums, dimension).write_all();
+    const std::string_view end =
+        is_apart ? "sums_.end(x, dq, dp" : "x.end(q, p, hvi::detail::where_finite(q, p)";
+    if (step.kept.any()) {
         writer.open("{}, [&](auto put) {{", end);
         writer.line("put(kept, x.carried.slope);").line("x.carried.is_known = true;").close("});");
     } else {
@@ -183,14 +195,14 @@ std::string ensemble_moves_text(const Scheme& scheme, std::size_t dimension) {
     return writer.line("return x.status();").str();
 }
 
-std::string weights_member(const Scheme& scheme) {
-    return fmt::format("hvi::detail::MoveWeights<Scalar, {}, {}> weights_;",
-                       scheme.positions.size(), scheme.momenta.size());
+std::string weights_member(const Step& step) {
+    return fmt::format("hvi::detail::MoveWeights<Scalar, {}, {}> weights_;", step.positions.size(),
+                       step.momenta.size());
 }
 
-std::vector<std::string> compensated_scratch(const Scheme& scheme) {
+std::vector<std::string> compensated_scratch(const Step& step) {
     std::vector<std::string> result{"q", "p", "dq", "dp"};
-    if (!scheme.keeps_force || !scheme.keeps_velocity) { result.push_back("slope"); }
+    if (!step.kept.force || !step.kept.velocity) { result.push_back("slope"); }
     return result;
 }
 

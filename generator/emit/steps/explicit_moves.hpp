@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/plan/scheme.hpp"
+#include "generator/ir/step.hpp"
 
 namespace hvi::gen {
 
-/// NOTE: in an explicit scheme for separable H every m_ij is 0 or 1, since one that is neither
+/// NOTE: in an explicit step for separable H every m_ij is 0 or 1, since one that is neither
 /// makes Q_i and P_j depend on each other. So each stage value is the one before it plus one slope:
 /// p -= h b dH/dq and q += h b dH/dp in turn, in the order of the blocks.
 struct Move {
@@ -19,7 +19,7 @@ struct Move {
     std::size_t index;  // of the slope
 };
 
-[[nodiscard]] std::vector<Move> moves(const Scheme& scheme);
+[[nodiscard]] std::vector<Move> moves(const Step& step);
 
 /// What kicks and drifts call their things.
 struct MoveNames {
@@ -31,24 +31,25 @@ struct MoveNames {
 [[nodiscard]] const MoveNames& other_names(const Move& move);
 
 /// Whether the first slope of kicks, or of drifts, may be the last one of the step before.
-[[nodiscard]] bool keeps(const Scheme& scheme, bool of_kick);
-[[nodiscard]] bool keeps(const Scheme& scheme);
+[[nodiscard]] bool keeps(const Step& step, bool of_kick);
 
-/// The vector of the slope, h b times its component k, and the call that evaluates it at `at`.
-[[nodiscard]] std::string slope(const Scheme& scheme, const Move& move);
-[[nodiscard]] std::string change(const Scheme& scheme, const Move& move, std::string_view k);
-[[nodiscard]] std::string evaluation(const Scheme& scheme, const Move& move, std::string_view at);
+/// The vector of the slope, and the call that evaluates it at `at`.
+[[nodiscard]] std::string slope(const Step& step, const Move& move);
+[[nodiscard]] std::string evaluation(const Step& step, const Move& move, std::string_view at);
+
+/// h b times component k of the slope, with h b computed there and then.
+[[nodiscard]] std::string change(const Step& step, const Move& move, std::string_view k);
 
 /// The moves where increments are summed apart, see src/hvi/detail/stages/step_sums.hpp, and the
 /// vectors that they compute in and leave nothing in.
-[[nodiscard]] std::string compensated_moves_text(const Scheme& scheme);
-[[nodiscard]] std::vector<std::string> compensated_scratch(const Scheme& scheme);
+[[nodiscard]] std::string compensated_moves_text(const Step& step);
+[[nodiscard]] std::vector<std::string> compensated_scratch(const Step& step);
 
 /// Where increments are summed apart, the member that has h times b_p and b_q.
-[[nodiscard]] std::string weights_member(const Scheme& scheme);
+[[nodiscard]] std::string weights_member(const Step& step);
 
-/// The step of trajectories side by side, whatever sums it makes.
-[[nodiscard]] std::string ensemble_moves_text(const Scheme& scheme, std::size_t dimension);
+/// The step of trajectories side by side.
+[[nodiscard]] std::string ensemble_moves_text(const Step& step, Sums sums, std::size_t dimension);
 
 /// The references to vectors that a step computes in.
 [[nodiscard]] std::string scratch_text(const std::vector<std::string>& names);

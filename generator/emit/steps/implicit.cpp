@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/emit/steps/banner.hpp"
+#include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/system_part.hpp"
 #include "src/hvi/version.hpp"
@@ -11,10 +12,12 @@ namespace hvi::gen {
 
 namespace {
 
-std::vector<std::string> solver_headers(const Scheme& scheme) {
-    const std::string newton = scheme.velocity_form ? "newton_positions" : "newton_pairs";
-    if (scheme.is_explicit()) { return {}; }
-    switch (scheme.solver) {
+std::vector<std::string> solver_headers(const Step& step) {
+    const Iteration* iteration = step.iteration();
+    if (iteration == nullptr) { return {}; }
+    const bool has_momenta = std::holds_alternative<PairStep>(step.form);
+    const std::string newton = has_momenta ? "newton_pairs" : "newton_positions";
+    switch (iteration->solver) {
     case Solver::of_user:
     case Solver::fixed_point: break;
     case Solver::newton: return {"detail/solvers/" + newton};
@@ -34,31 +37,45 @@ std::string runtime_includes(std::vector<std::string> names) {
     return writer.str();
 }
 
-std::string emit_implicit(const Tableau& tableau, const Scheme& scheme,
+namespace {
+
+std::string emit_implicit(const Tableau& tableau, const Step& step, const auto& form,
                           const EmitOptions& options) {
-    const SystemPart system = system_part(tableau, scheme, options);
-    ImplicitParts parts = scheme.has_stage_lanes ? lane_parts(scheme, options.wishes)
-                          : scheme.velocity_form ? velocity_parts(scheme, options.wishes)
-                                                 : pair_parts(scheme, options.wishes);
-    if (scheme.depends_on_time) { parts.runtime.push_back("detail/stages/clock"); }
+    const SystemPart system = system_part(tableau, step, options);
+    ImplicitParts parts = step.layout == Layout::stages
+                              ? lane_parts(step, form, options.wishes)
+                              : hvi::gen::parts(step, form, options.wishes);
+    for (const std::string& header : clock_runtime(step)) { parts.runtime.push_back(header); }
     if (options.wishes.curve) { parts.runtime.push_back("detail/stages/curve"); }
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }
-    for (const std::string& header : solver_headers(scheme)) { parts.runtime.push_back(header); }
+    for (const std::string& header : solver_headers(step)) { parts.runtime.push_back(header); }
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(tableau, scheme, options)},
+    holes.merge(Holes{{"banner", banner(tableau, step, options)},
                       {"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
-                      {"parameter", parameter_text(scheme)},
+                      {"parameter", parameter_text(step)},
                       {"state", system.state},
                       {"curve", parts.curve},
-                      {"begins", begins(scheme)},
-                      {"clock", clock_begins(scheme)},
+                      {"begins", begins(step)},
+                      {"clock", clock_begins(step)},
                       {"steps", parts.steps},
                       {"constants", parts.constants},
                       {"predict", parts.predict},
                       {"coupled", parts.coupled},
                       {"members", parts.members}});
     return fill("implicit.hpp.in", holes);
+}
+
+}  // namespace
+
+std::string emit_one(const Tableau& tableau, const Step& step, const PairStep& form,
+                     const EmitOptions& options) {
+    return emit_implicit(tableau, step, form, options);
+}
+
+std::string emit_one(const Tableau& tableau, const Step& step, const VelocityStep& form,
+                     const EmitOptions& options) {
+    return emit_implicit(tableau, step, form, options);
 }
 
 }  // namespace hvi::gen

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/implicit_parts.hpp"
 
+#include "generator/emit/steps/clock.hpp"
 #include "generator/plan/lattice.hpp"
 
 namespace hvi::gen {
@@ -17,12 +18,10 @@ NumberMatrix complement(const NumberMatrix& m) {
 
 }  // namespace
 
-bool is_kept(const Scheme& scheme, const StageNode& slope) {
+bool is_kept(const Step& step, const StageNode& slope) {
     return slope.kind == StageNode::Kind::Lp
-               ? scheme.keeps_force &&
-                     scheme.positions[slope.index].place != StageValue::Place::inner
-               : scheme.keeps_velocity &&
-                     scheme.momenta[slope.index].place != StageValue::Place::inner;
+               ? step.kept.force && step.positions[slope.index].place != StageValue::Place::inner
+               : step.kept.velocity && step.momenta[slope.index].place != StageValue::Place::inner;
 }
 
 std::vector<std::vector<Constant>> constants(std::string_view name, const NumberMatrix& exact,
@@ -37,37 +36,35 @@ std::vector<std::vector<Constant>> constants(std::string_view name, const Number
     return rows;
 }
 
-std::string coupled_arguments(const Scheme& scheme) {
-    return fmt::format("system_, {}{}", scheme.from_parameter ? "coefficients_, " : "",
-                       scheme.depends_on_time ? "clock_, " : "");
+std::string coupled_arguments(const Step& step) {
+    return fmt::format("system_, {}{}", coefficients_argument(step), clock_argument(step));
 }
 
-std::string end_of_step(const Scheme& scheme, std::string_view iterations) {
-    const std::string end = fmt::format("s_.end(x, {})", iterations);
-    return scheme.depends_on_time ? fmt::format("clock_.end(x.t, {})", end) : end;
+std::string end_of_step(const Step& step, std::string_view iterations) {
+    return clock_ends(step, fmt::format("s_.end(x, {})", iterations));
 }
 
-std::string coefficients_text(const Scheme& scheme) {
-    const RoundedCoefficients coefficients = rounded(scheme);
+std::string coefficients_text(const Step& step) {
+    const RoundedCoefficients coefficients = rounded(step);
     Writer writer(1);
-    table(writer, weights_p(scheme), weights(scheme.positions));
-    refuse_float(writer, weights(scheme.positions));
-    if (weights_q(scheme) != weights_p(scheme)) {
-        table(writer, weights_q(scheme), weights(scheme.momenta));
-        refuse_float(writer, weights(scheme.momenta));
+    table(writer, weights_p(step), weights(step.positions));
+    refuse_float(writer, weights(step.positions));
+    if (weights_q(step) != weights_p(step)) {
+        table(writer, weights_q(step), weights(step.momenta));
+        refuse_float(writer, weights(step.momenta));
     }
     writer.blank().comment(
-        scheme.one_tableau()
+        step.partner == Partner::same
             ? "m_ij = a_ij/b_j, rounded so that m_ij + m_ji is 1 exactly, as is mt_ij = m_ij."
             : "m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, rounded so that m_ij + mt_ji is 1 exactly.");
-    const auto m = constants("m", scheme.m, coefficients.m);
+    const auto m = constants("m", step.m, coefficients.m);
     table(writer, "m", m);
     for (const auto& row : m) { refuse_float(writer, row); }
-    if (!scheme.one_tableau()) {
-        table(writer, "mt", constants("mt", complement(scheme.m), coefficients.mt));
+    if (step.partner != Partner::same) {
+        table(writer, "mt", constants("mt", complement(step.m), coefficients.mt));
     }
     writer.line("static_assert(hvi::detail::complementary(m, {}), \"the method is symplectic\");",
-                table_mt(scheme));
+                table_mt(step));
     return writer.str();
 }
 

@@ -22,19 +22,19 @@ Holes words_for_numbers(const SceneWishes& wishes) {
 
 }  // namespace
 
-std::string emit_linear(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
-    const SystemPart system = system_part(tableau, scheme, options);
+std::string emit_one(const Tableau& tableau, const Step& step, const TabulatedStep& form,
+                     const EmitOptions& options) {
+    const SystemPart system = system_part(tableau, step, options);
     const LoweredScene& scene = *options.scene;
     Holes holes = holes_of(system);
-    holes.merge(
-        Holes{{"banner", banner(tableau, scheme, options)},
-              {"format", std::to_string(hvi::runtime_format)},
-              {"math", options.wishes.float128 ? "#include <hvi/detail/numbers/math.hpp>" : ""},
-              {"constants", with_rounding(coefficients_text(scheme))},
-              {"tables", fmt::format("m, {}, {}, {}", table_mt(scheme), weights_q(scheme),
-                                     weights_p(scheme))},
-              {"n", std::to_string(scene.system.degrees_of_freedom())}});
-    if (!scheme.is_sheared) { return fill("increments.hpp.in", holes); }
+    holes.merge(Holes{
+        {"banner", banner(tableau, step, options)},
+        {"format", std::to_string(hvi::runtime_format)},
+        {"math", options.wishes.float128 ? "#include <hvi/detail/numbers/math.hpp>" : ""},
+        {"constants", with_rounding(coefficients_text(step))},
+        {"tables", fmt::format("m, {}, {}, {}", table_mt(step), weights_q(step), weights_p(step))},
+        {"n", std::to_string(scene.system.degrees_of_freedom())}});
+    if (form.as == TabulatedStep::As::matrix) { return fill("increments.hpp.in", holes); }
     holes["shifted"] = has_linear_part(scene.structure) ? "true" : "false";
     holes.merge(words_for_numbers(options.wishes));
     return fill("linear.hpp.in", holes);

@@ -31,15 +31,15 @@ void matrix(Writer& writer, std::string_view name, const std::vector<std::vector
 
 }  // namespace
 
-std::string modes_text(const Scheme& scheme) {
+std::string modes_text(const std::optional<RealModes>& found) {
     Writer writer(2);
-    if (!scheme.modes) {
+    if (!found) {
         return writer.open("struct Modes {{")
             .line("static constexpr bool exist = false;")
             .close("};")
             .str();
     }
-    const RealModes& modes = *scheme.modes;
+    const RealModes& modes = *found;
     writer.comment("The real eigenvalues of C_ij = b_i n_ij, then pairs of complex ones, and the "
                    "basis in which C is diagonal but for the pairs. Approximate.",
                    "/// ");

@@ -5,7 +5,7 @@
 
 #include "generator/emit/steps/header.hpp"
 #include "generator/exact/numbers/expansion.hpp"
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -180,14 +180,14 @@ void write_weights(Writer& writer, Body& body, std::string_view table,
     }
 }
 
-void write_m(Writer& writer, Body& body, const Scheme& scheme) {
-    const RoundedCoefficients constants = rounded(scheme);
-    for (std::size_t i = 0; i < scheme.positions.size(); ++i) {
-        for (std::size_t j = 0; j < scheme.momenta.size(); ++j) {
-            if (scheme.one_tableau() && j > i) { continue; }
-            const auto& ratio = scheme.from_parameter->m[i][j];
+void write_m(Writer& writer, Body& body, const Step& step) {
+    const RoundedCoefficients constants = rounded(step);
+    for (std::size_t i = 0; i < step.positions.size(); ++i) {
+        for (std::size_t j = 0; j < step.momenta.size(); ++j) {
+            if (step.partner == Partner::same && j > i) { continue; }
+            const auto& ratio = step.from_parameter->m[i][j];
             const std::string m = fmt::format("m[{}][{}]", i, j);
-            const std::string mt = fmt::format("{}[{}][{}]", table_mt(scheme), j, i);
+            const std::string mt = fmt::format("{}[{}][{}]", table_mt(step), j, i);
             if (ratio) {
                 const std::string a = body.other(fmt::format("a_{}_{}", i + 1, j + 1), ratio->a);
                 writer.line("exact = hvi::detail::round_complementary({} / {}, {}, {}) && exact;",
@@ -199,63 +199,63 @@ void write_m(Writer& writer, Body& body, const Scheme& scheme) {
                 if (equal(exact, 0)) { return; }
                 writer.line("{} = {};", entry, initializer({entry, value, exact_text(exact)}));
             };
-            assign(m, scheme.m[i][j], constants.m[i][j]);
-            if (m != mt) { assign(mt, Number(1) - scheme.m[i][j], constants.mt[j][i]); }
+            assign(m, step.m[i][j], constants.m[i][j]);
+            if (m != mt) { assign(mt, Number(1) - step.m[i][j], constants.mt[j][i]); }
         }
     }
 }
 
-void write_times(Writer& writer, Body& body, const Scheme& scheme) {
-    for (std::size_t i = 0; i < scheme.c.size(); ++i) {
-        const auto& place = scheme.from_parameter->c[i];
+void write_times(Writer& writer, Body& body, const Step& step) {
+    for (std::size_t i = 0; i < step.c.size(); ++i) {
+        const auto& place = step.from_parameter->c[i];
         const std::string name = fmt::format("c_{}", i + 1);
         if (place) {
             writer.line("c[{}] = hvi::detail::to_scalar<Scalar>({});", i, body.other(name, *place));
-        } else if (!equal(scheme.c[i], 0)) {
+        } else if (!equal(step.c[i], 0)) {
             writer.line("c[{}] = {};", i,
-                        initializer({name, nearest(scheme.c[i]), exact_text(scheme.c[i])}));
+                        initializer({name, nearest(step.c[i]), exact_text(step.c[i])}));
         }
     }
 }
 
-/// In an explicit scheme every m_ij is 0 or 1 and leaves no trace.
-std::vector<std::pair<std::string, std::size_t>> weight_tables(const Scheme& scheme) {
-    if (!scheme.is_explicit() && weights_p(scheme) == weights_q(scheme)) {
-        return {{weights_p(scheme), scheme.positions.size()}};
+/// In an explicit step every m_ij is 0 or 1 and leaves no trace.
+std::vector<std::pair<std::string, std::size_t>> weight_tables(const Step& step) {
+    if (!step.is_explicit() && weights_p(step) == weights_q(step)) {
+        return {{weights_p(step), step.positions.size()}};
     }
-    return {{"b_p", scheme.positions.size()}, {"b_q", scheme.momenta.size()}};
+    return {{"b_p", step.positions.size()}, {"b_q", step.momenta.size()}};
 }
 
-void write_members(Writer& writer, const Scheme& scheme) {
-    for (const auto& [table, count] : weight_tables(scheme)) {
+void write_members(Writer& writer, const Step& step) {
+    for (const auto& [table, count] : weight_tables(step)) {
         writer.line("Scalar {}[{}]{{}};", table, count);
     }
-    if (!scheme.is_explicit()) {
-        const std::size_t rows = scheme.positions.size();
-        const std::size_t columns = scheme.momenta.size();
+    if (!step.is_explicit()) {
+        const std::size_t rows = step.positions.size();
+        const std::size_t columns = step.momenta.size();
         writer.line("Scalar m[{}][{}]{{}};", rows, columns);
-        if (!scheme.one_tableau()) { writer.line("Scalar mt[{}][{}]{{}};", columns, rows); }
+        if (step.partner != Partner::same) { writer.line("Scalar mt[{}][{}]{{}};", columns, rows); }
     }
-    if (scheme.depends_on_time) { writer.line("Scalar c[{}]{{}};", scheme.c.size()); }
+    if (step.depends_on_time()) { writer.line("Scalar c[{}]{{}};", step.c.size()); }
     writer.line("Status status;  ///< ok, or why there is no method at this {}",
-                scheme.from_parameter->numbers.parameter);
+                step.from_parameter->numbers.parameter);
 }
 
-std::string coefficients_comment(const Scheme& scheme) {
-    const std::string& w = scheme.from_parameter->numbers.parameter;
+std::string coefficients_comment(const Step& step) {
+    const std::string& w = step.from_parameter->numbers.parameter;
     const std::string_view what =
-        scheme.is_explicit()
+        step.is_explicit()
             ? "The weights of forces, b_p, and of velocities, b_q,"
-            : (scheme.one_tableau()
+            : (step.partner == Partner::same
                    ? "The weights b and m_ij = a_ij/b_j, with m_ij + m_ji = 1 exactly,"
                    : "The weights b, m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, with m_ij + mt_ji = 1 "
                      "exactly,");
     return fmt::format("{}{} at one {}, right to a few units in the last place of the largest one.",
-                       what, scheme.depends_on_time ? " and the times c" : "", w);
+                       what, step.depends_on_time() ? " and the times c" : "", w);
 }
 
-std::string functions_text(const Scheme& scheme) {
-    const ParametricNumbers& numbers = scheme.from_parameter->numbers;
+std::string functions_text(const Step& step) {
+    const ParametricNumbers& numbers = step.from_parameter->numbers;
     Writer writer(1);
     writer.comment(phases_comment(numbers)).open("struct Functions {{");
     write_generators(writer, numbers.generators);
@@ -286,28 +286,28 @@ std::string functions_text(const Scheme& scheme) {
 
 }  // namespace
 
-std::string parameter_text(const Scheme& scheme) {
-    if (!scheme.from_parameter) { return {}; }
-    const FromParameter& from = *scheme.from_parameter;
+std::string parameter_text(const Step& step) {
+    if (!step.from_parameter) { return {}; }
+    const FromParameter& from = *step.from_parameter;
     const std::string& w = from.numbers.parameter;
     Writer writer(1);
-    writer.comment(coefficients_comment(scheme), "/// ").open("struct Coefficients {{");
-    write_members(writer, scheme);
+    writer.comment(coefficients_comment(step), "/// ").open("struct Coefficients {{");
+    write_members(writer, step);
     writer.blank().open("explicit Coefficients(Scalar parameter) {{");
     writer.line("using Exponents = std::array<unsigned char, {}>;",
                 from.numbers.weights.front().exponents.size());
     writer.line("const hvi::detail::AtParameter<Functions, Scalar> at(parameter);");
     writer.line("status = at.status();").line("if (!status.ok()) {{ return; }}");
     Body body(writer, from);
-    for (const auto& [table, count] : weight_tables(scheme)) {
+    for (const auto& [table, count] : weight_tables(step)) {
         const bool of_q = table == "b_q";
-        write_weights(writer, body, table, of_q ? scheme.momenta : scheme.positions,
+        write_weights(writer, body, table, of_q ? step.momenta : step.positions,
                       of_q ? from.momenta : from.positions);
     }
-    write_times(writer, body, scheme);
-    if (!scheme.is_explicit()) {
+    write_times(writer, body, step);
+    if (!step.is_explicit()) {
         writer.line("bool exact = true;");
-        write_m(writer, body, scheme);
+        write_m(writer, body, step);
         writer.line("if (!exact) {{ status = Status(Status::Code::pole); }}");
     }
     writer.close().close("};").blank();
@@ -322,13 +322,25 @@ std::string parameter_text(const Scheme& scheme) {
     return writer.str();
 }
 
-std::string functions_of_parameter(const Scheme& scheme) {
-    const std::string text = functions_text(scheme);
-    return are_rounded(parameter_text(scheme)) ? with_rounding_declared(text) : text;
+std::string functions_of_parameter(const Step& step) {
+    const std::string text = functions_text(step);
+    return are_rounded(parameter_text(step)) ? with_rounding_declared(text) : text;
 }
 
-std::string begins(const Scheme& scheme) {
-    if (!scheme.from_parameter) { return {}; }
+std::string coefficients_member(const Step& step) {
+    return step.from_parameter ? "Coefficients coefficients_;" : "";
+}
+
+std::string coefficients_reference(const Step& step) {
+    return step.from_parameter ? "const Coefficients& c;" : "";
+}
+
+std::string_view coefficients_argument(const Step& step) {
+    return step.from_parameter ? "coefficients_, " : "";
+}
+
+std::string begins(const Step& step) {
+    if (!step.from_parameter) { return {}; }
     return Writer(2)
         .line("if (!coefficients_.status.ok()) {{ return coefficients_.status; }}")
         .str();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/text/names.hpp"
 
@@ -11,22 +12,22 @@ namespace hvi::gen {
 namespace {
 
 /// What needs no solver may be computed by the compiler.
-std::string_view constant_if_explicit(const Scheme& scheme) {
-    return scheme.is_explicit() ? "constexpr " : "";
+std::string_view constant_if_explicit(const Step& step) {
+    return step.is_explicit() ? "constexpr " : "";
 }
 
 // ---- a class of the user ----
 
-std::string purpose_for_users(const Scheme& scheme) {
+std::string purpose_for_users(const Step& step) {
     Writer writer(0);
     writer.comment(
         fmt::format("{}`System` names its `Vector`, std::array<double, n> or one of Eigen, also of "
                     "float, long double or __float128, and has const members {}.",
-                    scheme.separable ? "For H(q, p) = T(p) + U(q). " : "",
-                    scheme.separable ? "dHdq(q, out) = grad U and dHdp(p, out) = grad T"
-                                     : "dHdq(q, p, out) and dHdp(q, p, out)"),
+                    step.is_separable() ? "For H(q, p) = T(p) + U(q). " : "",
+                    step.is_separable() ? "dHdq(q, out) = grad U and dHdp(p, out) = grad T"
+                                        : "dHdq(q, p, out) and dHdp(q, p, out)"),
         "/// ");
-    if (!scheme.is_explicit()) {
+    if (!step.is_explicit()) {
         writer.comment("`Solver` is hvi::FixedPoint, or hvi::Newton of <hvi/newton.hpp> for steps "
                        "that are not small against the fastest period.",
                        "/// ");
@@ -34,38 +35,38 @@ std::string purpose_for_users(const Scheme& scheme) {
     return writer.str();
 }
 
-std::string constructor_for_users(const Scheme& scheme, std::string_view class_name) {
+std::string constructor_for_users(const Step& step, std::string_view class_name) {
     Writer writer(1);
-    const std::string_view constant = constant_if_explicit(scheme);
-    if (!scheme.from_parameter) {
+    const std::string_view constant = constant_if_explicit(step);
+    if (!step.from_parameter) {
         writer.line("{}explicit {}(System system = System{{}})", constant, class_name);
         writer.line("    : system_(std::move(system)) {{}}");
         return writer.str();
     }
     writer.comment(fmt::format("`parameter`: {}, for w = omega h of a basis that is fitted to the "
                                "frequency omega and steps of size h. See status().",
-                               scheme.from_parameter->numbers.parameter),
+                               step.from_parameter->numbers.parameter),
                    "/// ");
     writer.line("{}(System system, Scalar parameter)", class_name);
     writer.line("    : system_(std::move(system)), coefficients_(parameter) {{}}");
     return writer.str();
 }
 
-SystemPart for_users(const Scheme& scheme, const EmitOptions& options) {
+SystemPart for_users(const Step& step, const EmitOptions& options) {
     SystemPart part;
-    part.include = scheme.is_explicit() ? "" : "#include <array>";
-    part.purpose = purpose_for_users(scheme);
-    part.head = scheme.is_explicit() ? "template <class System>"
-                                     : "template <class System, class Solver = hvi::FixedPoint>";
+    part.include = step.is_explicit() ? "" : "#include <array>";
+    part.purpose = purpose_for_users(step);
+    part.head = step.is_explicit() ? "template <class System>"
+                                   : "template <class System, class Solver = hvi::FixedPoint>";
     part.class_name = options.class_name;
     part.condition = fmt::format("static_assert(hvi::detail::check_system<System, {}>());",
-                                 scheme.separable ? "true" : "false");
+                                 step.is_separable() ? "true" : "false");
     part.types = Writer(1)
                      .line("using Vector = typename System::Vector;")
                      .line("using Scalar = hvi::detail::ScalarOf<Vector>;")
                      .str();
     part.state = "hvi::State<Vector>";
-    part.construct = constructor_for_users(scheme, options.class_name);
+    part.construct = constructor_for_users(step, options.class_name);
     return part;
 }
 
@@ -91,10 +92,10 @@ std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options
     return writer.str();
 }
 
-std::string solver_type(const Scheme& scheme) {
-    const std::string newton =
-        scheme.velocity_form ? "hvi::NewtonOfPositions" : "hvi::NewtonOfPairs";
-    switch (scheme.solver) {
+std::string solver_type(const Step& step) {
+    const bool has_momenta = std::holds_alternative<PairStep>(step.form);
+    const std::string newton = has_momenta ? "hvi::NewtonOfPairs" : "hvi::NewtonOfPositions";
+    switch (step.iteration()->solver) {
     case Solver::of_user: break;
     case Solver::fixed_point: return "hvi::FixedPoint";
     case Solver::newton: return newton;
@@ -105,33 +106,33 @@ std::string solver_type(const Scheme& scheme) {
     return {};
 }
 
-std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
+std::string types_for_scene(const Step& step, const EmitOptions& options) {
     Writer writer(1);
     writer.line("using Scalar = Number;");
     writer.line("using Vector = Numbers;");
     writer.blank().insert(parameters_text(*options.scene));
-    writer.blank().insert(system_text(*options.scene, options.wishes, scheme));
-    if (!scheme.is_explicit() && !scheme.is_tabulated && !scheme.has_trajectory_lanes) {
-        writer.blank().line("using Solver = {};", solver_type(scheme));
+    writer.blank().insert(system_text(*options.scene, options.wishes, step));
+    if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
+        writer.blank().line("using Solver = {};", solver_type(step));
     }
     return writer.blank().str();
 }
 
 /// NOTE: two constructors, since a default argument would need Parameters to be complete.
-std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& options,
+std::string constructors_for_scene(const Step& step, const EmitOptions& options,
                                    std::string_view class_name) {
     Writer writer(1);
-    const std::string_view constant = constant_if_explicit(scheme);
+    const std::string_view constant = constant_if_explicit(step);
     const std::vector<Parameter>& parameters = options.scene->scene.parameters;
-    if (!scheme.from_parameter) {
+    if (!step.from_parameter) {
         writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
         writer.line("{}explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
                     constant, class_name);
         return writer.blank()
-            .insert(scene_members_text(*options.scene, options.wishes, scheme))
+            .insert(scene_members_text(*options.scene, options.wishes, step))
             .str();
     }
-    const std::string& name = scheme.from_parameter->numbers.parameter;
+    const std::string& name = step.from_parameter->numbers.parameter;
     const bool is_of_scene =
         std::any_of(parameters.begin(), parameters.end(),
                     [&](const Parameter& parameter) { return parameter.name == name; });
@@ -143,7 +144,7 @@ std::string constructors_for_scene(const Scheme& scheme, const EmitOptions& opti
                 is_of_scene ? "" : ", Scalar parameter");
     writer.line("    : system_(parameters), coefficients_({}) {{}}",
                 is_of_scene ? "parameters." + member_name(name) : "parameter");
-    return writer.blank().insert(scene_members_text(*options.scene, options.wishes, scheme)).str();
+    return writer.blank().insert(scene_members_text(*options.scene, options.wishes, step)).str();
 }
 
 std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
@@ -159,7 +160,7 @@ std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
     return writer.str();
 }
 
-SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
+SystemPart for_scene(const Tableau& tableau, const Step& step, const EmitOptions& options) {
     SystemPart part;
     part.include = "#include <array>\n#include <cmath>";
     if (options.wishes.evaluations) { part.include += "\n#include <cstdint>"; }
@@ -168,18 +169,17 @@ SystemPart for_scene(const Tableau& tableau, const Scheme& scheme, const EmitOpt
     const std::size_t n = options.scene->system.degrees_of_freedom();
     part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>", n);
     part.condition = conditions_for_scene(n, options.wishes);
-    part.types = types_for_scene(scheme, options);
-    part.state = scheme.depends_on_time ? "hvi::TimedState<Vector>" : "hvi::State<Vector>";
-    part.construct = constructors_for_scene(scheme, options, part.class_name);
+    part.types = types_for_scene(step, options);
+    part.state = state_type(step);
+    part.construct = constructors_for_scene(step, options, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;
 }
 
 }  // namespace
 
-SystemPart system_part(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
-    return options.scene == nullptr ? for_users(scheme, options)
-                                    : for_scene(tableau, scheme, options);
+SystemPart system_part(const Tableau& tableau, const Step& step, const EmitOptions& options) {
+    return options.scene == nullptr ? for_users(step, options) : for_scene(tableau, step, options);
 }
 
 Holes holes_of(const SystemPart& part) {

@@ -1,8 +1,10 @@
 // Stage equations of positions alone.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/slope_calls.hpp"
 #include "generator/emit/steps/starting_values.hpp"
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
 #include "generator/plan/lattice.hpp"
 #include "generator/support/error.hpp"
 
@@ -40,12 +42,12 @@ std::string increment(const VelocityForm& form, std::size_t i, std::string_view 
 
 // ---- the coupled stages ----
 
-const Block& coupled_block(const Scheme& scheme) {
-    for (const Block& block : scheme.blocks) {
+const Block& coupled_block(const Step& step) {
+    for (const Block& block : step.blocks) {
         if (block.coupled) { return block; }
     }
     HVI_CHECK(false);
-    return scheme.blocks.front();
+    return step.blocks.front();
 }
 
 std::string positions_text(const VelocityForm& form, const std::vector<std::size_t>& Q) {
@@ -81,11 +83,13 @@ void write_force(Writer& writer, std::size_t i, std::string_view s, std::string_
     write_velocity(writer, std::to_string(i), s, system);
 }
 
-std::string forces_text(const Scheme& scheme, const std::vector<std::size_t>& Lp) {
+std::string forces_text(const Step& step, const std::vector<std::size_t>& Lp) {
     Writer writer(2);
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
     for (const std::size_t i : Lp) {
-        writer.line("system.dHdq(s.Q[{}], {}slope);", i, stage_time(scheme, i, "s"));
+        const SlopePoint at{fmt::format("s.Q[{}]", i), "",
+                            time_of_stage(step, std::to_string(i), "s")};
+        writer.line("system.{};", force_call(step, at, "slope"));
         write_force(writer, i, "s", "system", "slope");
     }
     return writer.str();
@@ -99,16 +103,16 @@ std::string drifts_text() {
 }
 
 /// See hvi::NewtonTaylor.
-std::string taylor_text(const Scheme& scheme, const std::vector<std::size_t>& unknown) {
+std::string taylor_text(const Step& step, const std::vector<std::size_t>& unknown) {
     Writer writer(2);
-    const std::string time = scheme.depends_on_time ? "clock.t[j], " : "";
     writer.line("static constexpr std::array<std::size_t, {}> unknown{{{}}};", unknown.size(),
                 fmt::join(unknown, ", "));
     writer.blank().comment("The same, with the tangents of dH/dq at Q.", "/// ");
     writer.open("void forces_and_tangents() {{");
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
     writer.open("for (const std::size_t j : unknown) {{");
-    writer.line("system.dHdq(s.Q[j], {}slope, tangents.at[j]);", time);
+    const SlopePoint at{"s.Q[j]", "", time_of_stage(step, "j", "s")};
+    writer.line("system.{};", force_call(step, at, "slope, tangents.at[j]"));
     for_components(writer, "s", [&] { writer.line("s.Lp[j][k] = -s.hb[j] * slope[k];"); });
     write_velocity(writer, "j", "s", "system");
     writer.line("tangents.Q[j] = s.Q[j];").line("tangents.Lp[j] = s.Lp[j];");
@@ -126,14 +130,21 @@ std::string taylor_text(const Scheme& scheme, const std::vector<std::size_t>& un
     return writer.close().close().str();
 }
 
-/// What a solver asks for beside forces and positions.
-std::string more_text(const Scheme& scheme, const std::vector<std::size_t>& unknown) {
-    if (scheme.takes_newton()) { return newton_of_positions(scheme, unknown, drifts_text()); }
-    return scheme.solver == Solver::newton_taylor ? taylor_text(scheme, unknown) : "";
+bool keeps_tangents(const VelocityStep& form) {
+    return form.iteration.solver == Solver::newton_taylor;
 }
 
-std::string coupled_velocities(const Scheme& scheme) {
-    const Block& block = coupled_block(scheme);
+/// What a solver asks for beside forces and positions.
+std::string more_text(const Step& step, const VelocityStep& form,
+                      const std::vector<std::size_t>& unknown) {
+    if (form.iteration.takes_newton()) {
+        return newton_of_positions(step, form, unknown, drifts_text());
+    }
+    return keeps_tangents(form) ? taylor_text(step, unknown) : "";
+}
+
+std::string coupled_velocities(const Step& step, const VelocityStep& form) {
+    const Block& block = coupled_block(step);
     const std::vector<std::size_t> Q = block.of(Kind::Q);
     // NOTE: a stage may be near 0 where q is not, and moves by what q is rounded to.
     std::string size = "hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.h * s.velocity[k])";
@@ -145,15 +156,13 @@ std::string coupled_velocities(const Scheme& scheme) {
     return fill_part(
         "coupled_positions.hpp.in",
         {{"unknowns", unknowns(block)},
-         {"member",
-          scheme.depends_on_time ? fmt::format("const {}& clock;", clock_type(scheme)) : ""},
-         {"positions", positions_text(*scheme.velocity_form, Q)},
-         {"forces", forces_text(scheme, block.of(Kind::Lp))},
+         {"member", clock_reference(step)},
+         {"positions", positions_text(form.form, Q)},
+         {"forces", forces_text(step, block.of(Kind::Lp))},
          {"size", Writer(2).line("return {};", size).str()},
-         {"more", more_text(scheme, Q)},
-         {"tangents", scheme.solver == Solver::newton_taylor
-                          ? "hvi::detail::Tangents<System, stages>& tangents;"
-                          : ""}});
+         {"more", more_text(step, form, Q)},
+         {"tangents",
+          keeps_tangents(form) ? "hvi::detail::Tangents<System, stages>& tangents;" : ""}});
 }
 
 // ---- step() ----
@@ -184,136 +193,135 @@ void update_p(Writer& writer, std::size_t stages) {
 }
 
 /// Returns whether it was the position at the end of the step.
-bool evaluate_position(Writer& writer, const Scheme& scheme, std::size_t i) {
-    switch (scheme.positions[i].place) {
+bool evaluate_position(Writer& writer, const Step& step, const VelocityForm& form, std::size_t i) {
+    switch (step.positions[i].place) {
     case Place::start: return false;
-    case Place::end: update_q(writer, *scheme.velocity_form); return true;
+    case Place::end: update_q(writer, form); return true;
     case Place::inner: break;
     }
     for_components(writer, "s_", [&] {
         writer.line("const Scalar hv = s_.h * s_.velocity[k];");
         writer.line("s_.Q[{}][k] = s_.at.q[k] + (s_.remainder.q[k] + ({}));", i,
-                    increment(*scheme.velocity_form, i, "s_"));
+                    increment(form, i, "s_"));
     });
     return false;
 }
 
-void evaluate_force(Writer& writer, const Scheme& scheme, std::size_t i) {
-    const bool kept = is_kept(scheme, {Kind::Lp, i});
-    const Place place = scheme.positions[i].place;
+void evaluate_force(Writer& writer, const Step& step, std::size_t i) {
+    const bool kept = is_kept(step, {Kind::Lp, i});
+    const Place place = step.positions[i].place;
     const std::string at = place == Place::inner ? fmt::format("s_.Q[{}]", i) : "s_.at.q";
     if (!kept || place == Place::end) {
-        writer.line("system_.dHdq({}, {}{});", at, stage_time(scheme, i, "s_"),
-                    kept ? "force_" : "s_.slope");
+        const SlopePoint point{at, "", time_of_stage(step, std::to_string(i), "s_")};
+        writer.line("system_.{};", force_call(step, point, kept ? "force_" : "s_.slope"));
     }
     write_force(writer, i, "s_", "system_", kept ? "force_" : "s_.slope");
 }
 
-std::string steps_of_velocities(const Scheme& scheme) {
+std::string steps_of_velocities(const Step& step, const VelocityStep& form) {
     Writer writer(2);
     writer.line("s_.weigh(b);").line("system_.dHdp(s_.at.p, s_.velocity);");
-    if (scheme.keeps_force) {
+    if (step.kept.force) {
         writer.open("if (!s_.continues) {{")
             .line("hvi::detail::fit(force_, s_.n);")
-            .line("system_.dHdq(s_.at.q, {}force_);", start_time(scheme))
+            .line("system_.{};", force_call(step, start_of_step(step), "force_"))
             .close();
     }
     writer.line("if constexpr (Solver::takes_starting_values) {{ predict(); }}").blank();
     bool q_is_done = false;
-    for (const Block& block : scheme.blocks) {
+    for (const Block& block : step.blocks) {
         const StageNode& node = block.nodes.front();
         if (block.coupled) {
-            writer.line("status = solver_.solve(Coupled{{{}s_{}}});", coupled_arguments(scheme),
-                        scheme.solver == Solver::newton_taylor ? ", tangents_" : "");
+            writer.line("status = solver_.solve(Coupled{{{}s_{}}});", coupled_arguments(step),
+                        keeps_tangents(form) ? ", tangents_" : "");
             writer.line("if (!status.ok()) {{ return status; }}");
         } else if (node.kind == Kind::Q) {
-            q_is_done = evaluate_position(writer, scheme, node.index) || q_is_done;
+            q_is_done = evaluate_position(writer, step, form.form, node.index) || q_is_done;
         } else {
-            evaluate_force(writer, scheme, node.index);
+            evaluate_force(writer, step, node.index);
         }
     }
     writer.blank();
-    if (!q_is_done) { update_q(writer, *scheme.velocity_form); }
-    update_p(writer, scheme.positions.size());
-    return writer.line("return {};", end_of_step(scheme, "status.iterations")).str();
+    if (!q_is_done) { update_q(writer, form.form); }
+    update_p(writer, step.positions.size());
+    return writer.line("return {};", end_of_step(step, "status.iterations")).str();
 }
 
 // ---- starting values ----
 
-void extrapolate(Writer& writer, const Scheme& scheme, const std::vector<std::size_t>& unknown) {
-    open_extrapolation(writer, scheme);
+void extrapolate(Writer& writer, const Extrapolation& from,
+                 const std::vector<std::size_t>& unknown) {
+    open_extrapolation(writer, from);
     for_components(writer, "s_", [&] {
-        recall_slopes(writer, scheme, "W");
+        recall_slopes(writer, from, "W");
         for (const std::size_t i : unknown) {
-            writer.line("s_.W[{}][k] = {};", i, extrapolated(scheme, i, "W"));
+            writer.line("s_.W[{}][k] = {};", i, extrapolated(from, i, "W"));
         }
     });
-    close_extrapolation(writer, scheme);
+    close_extrapolation(writer, from, {"W"});
 }
 
-std::string prediction_of_velocities(const Scheme& scheme) {
-    const std::vector<std::size_t> unknown = coupled_block(scheme).of(Kind::Lp);
+std::string prediction_of_velocities(const Step& step, const Iteration& iteration) {
+    const std::vector<std::size_t> unknown = coupled_block(step).of(Kind::Lp);
     Writer writer(1);
-    open_predict(writer, scheme, "forces");
-    if (scheme.extrapolation) { extrapolate(writer, scheme, unknown); }
-    if (!scheme.keeps_force) {
-        writer.line("system_.dHdq(s_.at.q, {}s_.slope);", start_time(scheme));
+    open_predict(writer, iteration, "forces");
+    if (iteration.extrapolation) { extrapolate(writer, *iteration.extrapolation, unknown); }
+    if (!step.kept.force) {
+        writer.line("system_.{};", force_call(step, start_of_step(step), "s_.slope"));
     }
     for (const std::size_t i : unknown) {
-        write_force(writer, i, "s_", "system_", scheme.keeps_force ? "force_" : "s_.slope");
+        write_force(writer, i, "s_", "system_", step.kept.force ? "force_" : "s_.slope");
     }
     return writer.close().str();
 }
 
 // ---- constants, members ----
 
-std::string members_of_velocities(const Scheme& scheme) {
+std::string members_of_velocities(const Step& step, const VelocityStep& form) {
     Writer writer(1);
-    writer.line("System system_;");
-    if (scheme.depends_on_time) { writer.line("{} clock_;", clock_type(scheme)); }
+    writer.line("System system_;").insert(clock_member(step));
     writer.line("hvi::detail::VelocityStages<Vector, stages> s_;");
     writer.line("typename Solver::template Iteration<Vector> solver_;");
-    if (scheme.solver == Solver::newton_taylor) {
-        writer.line("hvi::detail::Tangents<System, stages> tangents_;");
-    }
-    if (scheme.keeps_force) {
+    if (keeps_tangents(form)) { writer.line("hvi::detail::Tangents<System, stages> tangents_;"); }
+    if (step.kept.force) {
         writer.line("Vector force_{{}};  // dH/dq at s_.at.q, where the last step ended");
     }
-    declare_slopes_before(writer, scheme);
+    declare_slopes_before(writer, step);
     return writer.str();
 }
 
 }  // namespace
 
-std::string newton_of_positions(const Scheme& scheme, const std::vector<std::size_t>& unknown,
-                                std::string_view drifts) {
+std::string newton_of_positions(const Step& step, const VelocityStep& form,
+                                const std::vector<std::size_t>& unknown, std::string_view drifts) {
     Writer writer(2);
     writer.line("static constexpr std::array<std::size_t, {}> unknown{{{}}};", unknown.size(),
                 fmt::join(unknown, ", "));
     writer.line("static constexpr Scalar coefficient(std::size_t i, std::size_t j) {{ return "
                 "n[i][j]; }}");
-    writer.insert(modes_text(scheme)).blank();
+    writer.insert(modes_text(form.modes)).blank();
     writer.comment("W_j = h K Lp_j.", "/// ").open("void drifts() {{");
     writer.insert(drifts).close().blank();
-    const std::string_view start = scheme.depends_on_time ? "clock.start, " : "";
-    writer.line("void force_at_start(Vector& out) const {{ system.dHdq(s.at.q, {}out); }}", start);
+    const SlopePoint start{"s.at.q", "", time_of_start(step, "s")};
+    writer.line("void force_at_start(Vector& out) const {{ system.{}; }}",
+                force_call(step, start, "out"));
     writer.line("template <class Matrix>");
-    writer.line("void hessian_at_start(Matrix& out) const {{ system.d2Hdq2(s.at.q, {}out); }}",
-                start);
+    writer.line("void hessian_at_start(Matrix& out) const {{ system.{}; }}",
+                hessian_call(start, "out"));
     writer.line("template <class Matrix>");
-    writer.line("void hessian(std::size_t i, Matrix& out) const {{ system.d2Hdq2(s.position(i), "
-                "{}out); }}",
-                scheme.depends_on_time ? "clock.t[i], " : "");
+    writer.line("void hessian(std::size_t i, Matrix& out) const {{ system.{}; }}",
+                hessian_call({"s.position(i)", "", time_of_stage(step, "i", "s")}, "out"));
     return writer.str();
 }
 
-std::string velocity_constants(const Scheme& scheme, const SceneWishes& wishes) {
-    const VelocityForm& form = *scheme.velocity_form;
+std::string constants_text(const Step& step, const VelocityStep& velocities,
+                           const SceneWishes& wishes) {
+    const VelocityForm& form = velocities.form;
     const RoundedVelocityForm values = rounded(form);
     Writer writer(1);
     writer.line("static constexpr std::size_t stages = {};", form.c.size()).blank();
-    table(writer, "b", weights(scheme.positions));
-    refuse_float(writer, weights(scheme.positions));
+    table(writer, "b", weights(step.positions));
+    refuse_float(writer, weights(step.positions));
     std::vector<Constant> c;
     for (std::size_t i = 0; i < form.c.size(); ++i) {
         c.push_back({fmt::format("c_{}", i + 1), values.c[i], exact_text(form.c[i])});
@@ -323,22 +331,21 @@ std::string velocity_constants(const Scheme& scheme, const SceneWishes& wishes) 
     table(writer, "c", c);
     table(writer, "n", constants("n", form.n, values.n));
     writer.line("static_assert(hvi::detail::symplectic(c, n), \"the method is symplectic\");");
-    if (scheme.extrapolation) { writer.blank().insert(extrapolation_text(scheme)); }
-    if (wishes.curve) { writer.insert(curve_table(scheme, *wishes.curve, library(wishes))); }
+    writer.insert(extrapolation_text(velocities.iteration));
+    if (wishes.curve) { writer.insert(curve_table(step, *wishes.curve, library(wishes))); }
     return with_rounding(writer.str());
 }
 
-ImplicitParts velocity_parts(const Scheme& scheme, const SceneWishes& wishes) {
-    HVI_CHECK(scheme.velocity_form && scheme.coupled_blocks() == 1);
+ImplicitParts parts(const Step& step, const VelocityStep& form, const SceneWishes& wishes) {
     ImplicitParts parts;
     parts.runtime = {"detail/stages/velocity_stages"};
-    parts.steps = steps_of_velocities(scheme);
-    parts.constants = velocity_constants(scheme, wishes);
-    parts.predict = prediction_of_velocities(scheme);
-    parts.coupled = coupled_velocities(scheme);
-    parts.members = members_of_velocities(scheme);
+    parts.steps = steps_of_velocities(step, form);
+    parts.constants = constants_text(step, form, wishes);
+    parts.predict = prediction_of_velocities(step, form.iteration);
+    parts.coupled = coupled_velocities(step, form);
+    parts.members = members_of_velocities(step, form);
     if (wishes.curve) {
-        parts.curve = curve_text(scheme, *wishes.curve, increment_of_step(*scheme.velocity_form),
+        parts.curve = curve_text(*wishes.curve, step.positions.size(), increment_of_step(form.form),
                                  [](std::size_t i) { return fmt::format("s_.W[{}][k]", i); });
     }
     return parts;

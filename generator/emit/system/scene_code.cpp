@@ -37,8 +37,8 @@ std::vector<ParameterMember> members_of(const std::vector<Parameter>& parameters
 }
 
 /// What begins at the initial data: a State, where that is not several.
-std::string_view state_of_one(const Scheme& scheme) {
-    return scheme.has_trajectory_lanes ? "Trajectory" : "State";
+std::string_view state_of_one(const Step& step) {
+    return step.layout == Layout::trajectories ? "Trajectory" : "State";
 }
 
 void write_member(Writer& writer, std::string_view doc, std::string_view state,
@@ -99,8 +99,8 @@ std::string parameters_text(const LoweredScene& lowered) {
 }
 
 std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,
-                               const Scheme& scheme) {
-    const std::string_view state = state_of_one(scheme);
+                               const Step& step) {
+    const std::string_view state = state_of_one(step);
     Writer writer(1);
     if (!lowered.initial.empty()) {
         writer.line("/// Where the scene begins.");

@@ -9,8 +9,8 @@
 
 #include "generator/emit/system/kernel_code.hpp"
 #include "generator/exact/methods/curve.hpp"
+#include "generator/ir/step.hpp"
 #include "generator/lower/lowered_scene.hpp"
-#include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
 
@@ -36,13 +36,13 @@ void check_members(const Scene& scene, const SceneWishes& wishes);
 /// `struct Parameters`, with the values of the scene as defaults.
 [[nodiscard]] std::string parameters_text(const LoweredScene& lowered);
 
-/// `struct System`: what a stepper with this scheme needs of H, as straight-line code.
+/// `struct System`: what a stepper with this step needs of H, as straight-line code.
 [[nodiscard]] std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
-                                      const Scheme& scheme);
+                                      const Step& step);
 
 /// `static State initial(...)`, and the members that are asked for.
 [[nodiscard]] std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,
-                                             const Scheme& scheme);
+                                             const Step& step);
 
 /// The value of an expression without symbols as a Scalar is initialised with it. Throws as
 /// evaluate_number() and initializer() do.

@@ -128,26 +128,6 @@ Function hessian(const Graph& graph, std::string_view name, const HessianBlock& 
     return function;
 }
 
-/// Adds what Newton's method evaluates.
-void second_derivatives(std::vector<Function>& functions, const LoweredScene& lowered,
-                        const Scheme& scheme) {
-    const Graph& graph = lowered.system.graph;
-    const Structure& second = lowered.structure;
-    Function qq = hessian(graph, "d2Hdq2", second.qq, true);
-    qq.has_p = !scheme.separable;
-    qq.has_time = scheme.depends_on_time;
-    functions.push_back(std::move(qq));
-    if (scheme.velocity_form) { return; }
-    const bool mixed_depends_on_time = scheme.depends_on_time && !scheme.separable;
-    if (!scheme.separable) {
-        functions.push_back(hessian(graph, "d2Hdqdp", second.qp, false));
-        functions.back().has_time = mixed_depends_on_time;
-    }
-    functions.push_back(hessian(graph, "d2Hdp2", second.pp, true));
-    functions.back().has_q = !scheme.separable;
-    functions.back().has_time = mixed_depends_on_time;
-}
-
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
 void tangents(std::vector<Function>& functions, const LoweredScene& lowered) {
     const SystemGraph& system = lowered.system;
@@ -181,58 +161,6 @@ void tangents(std::vector<Function>& functions, const LoweredScene& lowered) {
     functions.push_back(std::move(along));
 }
 
-/// dH/dq and dH/dp, one by one.
-std::vector<Function> two_gradients(const LoweredScene& lowered, const Scheme& scheme) {
-    const SystemGraph& system = lowered.system;
-    const bool separable = scheme.separable;
-    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
-    const auto vector = [&](std::string_view name, const std::vector<Scaled>& results, bool has_q,
-                            bool has_p) {
-        return Function{name,  out,   kernel(system.graph, results),
-                        has_q, has_p, fmt::format("{}& out", vector_type(scheme.has_lanes()))};
-    };
-    std::vector<Function> result{vector("dHdq", system.dHdq, true, !separable),
-                                 vector("dHdp", system.dHdp, !separable, true)};
-    result[0].has_time = scheme.depends_on_time;
-    result[1].has_time = scheme.depends_on_time && !separable;
-    if (scheme.velocity_form) {
-        result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
-    }
-    return result;
-}
-
-/// dH/dq and dH/dp.
-Function both_gradients(const SystemGraph& system, const Scheme& scheme) {
-    std::vector<std::string> targets = components("dHdq", system.degrees_of_freedom());
-    for (std::string& target : components("dHdp", system.degrees_of_freedom())) {
-        targets.push_back(std::move(target));
-    }
-    Function function;
-    function.name = "gradient";
-    function.targets = std::move(targets);
-    function.kernel = kernel(system.graph, joint_gradient(system));
-    function.out = fmt::format("{0}& dHdq, {0}& dHdp", vector_type(scheme.has_lanes()));
-    function.has_time = scheme.depends_on_time;
-    return function;
-}
-
-/// What steps evaluate.
-std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) {
-    std::vector<Function> result = two_gradients(lowered, scheme);
-    if (scheme.has_joint_slopes) { result = {both_gradients(lowered.system, scheme)}; }
-    for (Function& function : result) { function.takes_lanes = scheme.has_lanes(); }
-    // NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times.
-    // Where there is sin, or much, the call does not matter.
-    constexpr std::size_t small = 32;
-    for (Function& function : result) {
-        function.is_inlined = scheme.has_trajectory_lanes && function.kernel.counts.calls == 0 &&
-                              function.kernel.nodes.size() <= small;
-    }
-    if (scheme.takes_newton()) { second_derivatives(result, lowered, scheme); }
-    if (scheme.solver == Solver::newton_taylor) { tangents(result, lowered); }
-    return result;
-}
-
 /// The constants of a quadratic H that are not zero.
 Function quadratic(const LoweredScene& lowered) {
     const Structure& found = lowered.structure;
@@ -258,20 +186,100 @@ Function quadratic(const LoweredScene& lowered) {
     return function;
 }
 
+/// A function of one result for each degree of freedom, of lanes where a step has some.
+Function slope(const LoweredScene& lowered, const Step& step, std::string_view name,
+               const Results& results) {
+    const SystemGraph& system = lowered.system;
+    Function function;
+    function.name = name;
+    function.targets = components("out", system.degrees_of_freedom());
+    function.kernel = kernel(system.graph, results);
+    function.out = fmt::format("{}& out", vector_type(step.has_lanes()));
+    return function;
+}
+
+/// dH/dq and dH/dp.
+Function both_gradients(const LoweredScene& lowered, const Step& step) {
+    const SystemGraph& system = lowered.system;
+    Function function = slope(lowered, step, "gradient", joint_gradient(system));
+    function.targets = components("dHdq", system.degrees_of_freedom());
+    for (std::string& target : components("dHdp", system.degrees_of_freedom())) {
+        function.targets.push_back(std::move(target));
+    }
+    function.out = fmt::format("{0}& dHdq, {0}& dHdp", vector_type(step.has_lanes()));
+    return function;
+}
+
+/// Without what a separable H does not look at.
+Function of_positions(Function function, const Step& step) {
+    function.has_p = !step.is_separable();
+    function.has_time = step.depends_on_time();
+    return function;
+}
+
+Function of_momenta(Function function, const Step& step) {
+    function.has_q = !step.is_separable();
+    function.has_time = step.depends_on_time() && !step.is_separable();
+    return function;
+}
+
+/// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
+/// there is sin, or much, the call does not matter.
+Function of_lanes(Function function, const Step& step) {
+    constexpr std::size_t small = 32;
+    function.takes_lanes = step.has_lanes();
+    function.is_inlined = step.layout == Layout::trajectories &&
+                          function.kernel.counts.calls == 0 &&
+                          function.kernel.nodes.size() <= small;
+    return function;
+}
+
+/// What a step evaluates.
+void add(std::vector<Function>& functions, Evaluation evaluation, const LoweredScene& lowered,
+         const Step& step) {
+    const SystemGraph& system = lowered.system;
+    const Structure& second = lowered.structure;
+    const auto put = [&](Function function) { functions.push_back(std::move(function)); };
+    const auto slopes = [&](std::string_view name, const Results& results) {
+        return of_lanes(slope(lowered, step, name, results), step);
+    };
+    const auto matrix = [&](std::string_view name, const HessianBlock& block, bool is_symmetric) {
+        return hessian(system.graph, name, block, is_symmetric);
+    };
+    switch (evaluation) {
+    case Evaluation::dHdq: return put(of_positions(slopes("dHdq", system.dHdq), step));
+    case Evaluation::dHdp: return put(of_momenta(slopes("dHdp", system.dHdp), step));
+    case Evaluation::gradient:
+        return put(of_positions(of_lanes(both_gradients(lowered, step), step), step));
+    case Evaluation::inverse_mass: {
+        Function product = slopes("inverse_mass", second.inverse_mass);
+        product.has_q = false;
+        return put(std::move(product));
+    }
+    case Evaluation::d2Hdq2: return put(of_positions(matrix("d2Hdq2", second.qq, true), step));
+    case Evaluation::d2Hdqdp: return put(of_momenta(matrix("d2Hdqdp", second.qp, false), step));
+    case Evaluation::d2Hdp2: return put(of_momenta(matrix("d2Hdp2", second.pp, true), step));
+    case Evaluation::tangents: return tangents(functions, lowered);
+    case Evaluation::constants: return put(quadratic(lowered));
+    }
+}
+
 std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
-                                const Scheme& scheme) {
+                                const Step& step) {
     const auto value = [&](std::string_view name, const Scaled& result) {
         return Function{name, {}, kernel(lowered.system.graph, {result}), true, true, ""};
     };
-    std::vector<Function> result =
-        scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)} : slopes(lowered, scheme);
+    std::vector<Function> result;
+    for (const Evaluation evaluation : evaluations(step)) {
+        add(result, evaluation, lowered, step);
+    }
     for (Function& function : result) {
         const bool has_forces = function.name == "dHdq" || function.name == "gradient";
         function.is_counted = wishes.evaluations && has_forces;
     }
     if (wishes.energy) {
         result.push_back(value("energy", lowered.system.hamiltonian));
-        result.back().has_time = scheme.depends_on_time;
+        result.back().has_time = step.depends_on_time();
     }
     if (wishes.invariants) {
         for (std::size_t i = 0; i < lowered.invariants.size(); ++i) {
@@ -398,9 +406,8 @@ std::string about(const Hamiltonian& H) {
 
 }  // namespace
 
-std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
-                        const Scheme& scheme) {
-    const std::vector<Function> all = functions(lowered, wishes, scheme);
+std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes, const Step& step) {
+    const std::vector<Function> all = functions(lowered, wishes, step);
     const Kernel initial = kernel_of_inputs(lowered.system.graph, lowered.initial);
     GivenNodes given(lowered);
     for (const Function& function : all) { given.name(function.kernel, function.names); }
@@ -413,7 +420,8 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
     writer.comment(about(lowered.scene.hamiltonian), "/// ");
     writer.open("struct System {{");
     writer.line("using Vector = Numbers;");
-    if (scheme.solver == Solver::newton_taylor) {
+    const std::vector<Evaluation> evaluated = evaluations(step);
+    if (std::count(evaluated.begin(), evaluated.end(), Evaluation::tangents) != 0) {
         writer.line("using Tangent = std::array<Scalar, {}>;", size_of_tangent(all));
     }
     writer.blank();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/plan/equal.hpp"
+#include "generator/ir/equal.hpp"
 
 namespace hvi::gen {
 

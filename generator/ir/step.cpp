@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/ir/step.hpp"
+
+#include <algorithm>
+
+namespace hvi::gen {
+
+std::vector<std::size_t> Block::of(StageNode::Kind kind) const {
+    std::vector<std::size_t> indices;
+    for (const StageNode& node : nodes) {
+        if (node.kind == kind) { indices.push_back(node.index); }
+    }
+    return indices;
+}
+
+bool Iteration::takes_newton() const {
+    return solver == Solver::newton || solver == Solver::automatic;
+}
+
+std::size_t Step::coupled_blocks() const {
+    return static_cast<std::size_t>(std::count_if(
+        blocks.begin(), blocks.end(), [](const Block& block) { return block.coupled; }));
+}
+
+const Iteration* Step::iteration() const {
+    if (const auto* pairs = std::get_if<PairStep>(&form)) {
+        return pairs->iteration ? &*pairs->iteration : nullptr;
+    }
+    const auto* velocities = std::get_if<VelocityStep>(&form);
+    return velocities == nullptr ? nullptr : &velocities->iteration;
+}
+
+std::size_t Step::forces_evaluated() const { return positions.size() - (kept.force ? 1 : 0); }
+
+std::size_t Step::velocities_evaluated() const { return momenta.size() - (kept.velocity ? 1 : 0); }
+
+std::vector<Evaluation> evaluations(const Step& step) {
+    if (std::holds_alternative<TabulatedStep>(step.form)) { return {Evaluation::constants}; }
+    const bool has_momenta = !std::holds_alternative<VelocityStep>(step.form);
+    std::vector<Evaluation> result{Evaluation::dHdq, Evaluation::dHdp};
+    if (step.slopes == Slopes::joint) { result = {Evaluation::gradient}; }
+    if (!has_momenta) { result.push_back(Evaluation::inverse_mass); }
+    const Iteration* iteration = step.iteration();
+    if (iteration == nullptr) { return result; }
+    if (iteration->takes_newton()) {
+        result.push_back(Evaluation::d2Hdq2);
+        if (!step.is_separable()) { result.push_back(Evaluation::d2Hdqdp); }
+        if (has_momenta) { result.push_back(Evaluation::d2Hdp2); }
+    }
+    if (iteration->solver == Solver::newton_taylor) { result.push_back(Evaluation::tangents); }
+    return result;
+}
+
+bool operator==(const Step& left, const Step& right) { return dump(left) == dump(right); }
+
+}  // namespace hvi::gen

@@ -1,0 +1,236 @@
+// What a step does and what it leaves out: every decision between a method and a header.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "generator/exact/algebra/modes.hpp"
+#include "generator/exact/functions/parametric.hpp"
+#include "generator/exact/numbers/number.hpp"
+
+namespace hvi::gen {
+
+// ---- stages ----
+
+/// A stage value, Q or P. Stages with the same value are one: their weights add up.
+struct StageValue {
+    enum class Place {
+        start,  ///< the state that the step begins with: a row of zeros
+        inner,
+        end,  ///< the state that the step ends with: the row b
+    };
+    Place place = Place::inner;
+    std::vector<std::size_t> stages;  ///< of the tableau, 0-based, that have this value
+    Number weight;                    ///< of the slope that is evaluated here
+};
+
+/// What is computed in a step: a stage value or a scaled slope, Lq = h b dH/dp, Lp = -h b dH/dq.
+struct StageNode {
+    enum class Kind { Q, P, Lq, Lp };
+    Kind kind;
+    std::size_t index;  ///< of Step::positions for Q and Lp, of Step::momenta for P and Lq
+
+    friend bool operator==(const StageNode&, const StageNode&) = default;
+};
+
+/// Nodes that depend on each other and are solved for at once, or a single one that is evaluated.
+struct Block {
+    bool coupled = false;
+    std::vector<StageNode> nodes;  ///< by kind, then by index
+
+    /// The indices of the nodes of one kind, ascending.
+    [[nodiscard]] std::vector<std::size_t> of(StageNode::Kind kind) const;
+
+    friend bool operator==(const Block&, const Block&) = default;
+};
+
+/// What is proved of A and A~.
+enum class Partner {
+    same,       ///< A == A~: then mt == m
+    different,  ///< A != A~
+    undecided,  ///< neither: enclosures do not tell them apart
+};
+
+/// How the constructor of a stepper computes the coefficients that depend on a parameter. Places
+/// are those in `numbers`; they are empty where there is a constant.
+struct FromParameter {
+    ParametricNumbers numbers;                          ///< the weights are those of the tableau
+    std::vector<std::optional<std::size_t>> positions;  ///< weights of equal stages, in `others`
+    std::vector<std::optional<std::size_t>> momenta;
+    /// m_ij = others[a] / weights[b].
+    struct Ratio {
+        std::size_t a;
+        std::size_t b;
+    };
+    std::vector<std::vector<std::optional<Ratio>>> m;
+    std::vector<std::optional<std::size_t>> c;  ///< of Step::c, in `others`
+};
+
+/// Which functions of H give its slopes.
+enum class Slopes {
+    of_parts,    ///< dH/dq(q) and dH/dp(p): H = T(p) + U(q)
+    one_by_one,  ///< dH/dq(q, p) and dH/dp(q, p)
+    joint,       ///< both at once, for both slopes of a stage
+};
+
+/// The last slopes of a step that are the first ones of the next.
+struct KeptSlopes {
+    bool force = false;     ///< dH/dq
+    bool velocity = false;  ///< dH/dp
+
+    [[nodiscard]] bool any() const { return force || velocity; }
+};
+
+// ---- forms ----
+
+/// How an explicit step sums its increments.
+enum class Sums {
+    plain,
+    compensated,  ///< apart, and what rounding cuts off from the state is kept
+};
+
+/// Kicks and drifts in turn; nothing is solved.
+struct ExplicitStep {
+    Sums sums = Sums::plain;
+};
+
+/// One linear map, computed when h changes.
+struct TabulatedStep {
+    enum class As { shears, matrix } as = As::shears;  ///< a product of shears where these exist
+};
+
+/// Who solves the stage equations.
+enum class Solver {
+    of_user,        ///< an argument of the class
+    fixed_point,    ///< hvi::FixedPoint
+    newton,         ///< hvi::NewtonOfPositions where momenta are eliminated, else NewtonOfPairs
+    newton_taylor,  ///< hvi::NewtonTaylor
+    automatic,      ///< hvi::Automatic: fixed points while they contract, else Newton's method
+};
+
+/// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j, with N
+/// in `last`; where there is `before`, that times those of the step before this one is added.
+struct Extrapolation {
+    NumberMatrix last;
+    std::optional<NumberMatrix> before;
+};
+
+/// How stage equations are solved.
+struct Iteration {
+    Solver solver = Solver::of_user;
+    std::optional<Extrapolation> extrapolation;  ///< else it begins with slopes at the start
+
+    /// Newton's method may be called for.
+    [[nodiscard]] bool takes_newton() const;
+};
+
+/// Slopes of all stages, of positions and momenta, are computed and kept through the step.
+struct PairStep {
+    std::optional<Iteration> iteration;  ///< none where no stage depends on itself
+};
+
+/// The stages of H = p^T K p/2 + U(q) without their momenta, for v = K p and W_j = h K Lp_j:
+///
+///     Q_i = q + h c_i v + sum_j n_ij W_j,    n_ij - n_ji = c_i - c_j,
+///     q at the end = q + h v + sum_j (1 - c_j) W_j.
+///
+/// Put (4.18d) into Lq_j = h b_j K P_j and that into (4.18c); with S = m diag(b) m^T there comes
+/// c_i = sum_j m_ij b_j and n_ij = c_i - S_ij, and S is symmetric. That condition makes a Nystrom
+/// method symplectic, whatever its weights (Hairer, Lubich & Wanner, Geometric Numerical
+/// Integration, Theorem IV.2.5 divided by the weights).
+struct VelocityForm {
+    NumberVector c;  ///< of the positions
+    NumberMatrix n;  ///< positions x positions
+};
+
+/// Positions alone are solved for: the blocks of the step have no P and no Lq.
+struct VelocityStep {
+    VelocityForm form;
+    Iteration iteration;
+    /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
+    std::optional<RealModes> modes;
+};
+
+/// What the lanes of the processor hold.
+enum class Layout {
+    one,           ///< nothing: a number is a number
+    stages,        ///< all stages of a step: see hvi::Lanes
+    trajectories,  ///< trajectories: see hvi::Trajectories
+};
+
+/// A choice, and why.
+struct Decision {
+    std::string what;
+    std::string why;
+
+    friend bool operator==(const Decision&, const Decision&) = default;
+};
+
+// ---- the record ----
+
+/// The stages of (4.18) in scaled form,
+///
+///     Q_i = q + sum_j m_ij Lq_j,    P_j = p + sum_i mt_ji Lp_i,    m_ij + mt_ji = 1,
+///
+/// with i over `positions`, j over `momenta`, and the order and the form in which they are
+/// computed.
+struct Step {
+    Slopes slopes = Slopes::one_by_one;
+    Partner partner = Partner::undecided;
+    std::vector<StageValue> positions;
+    std::vector<StageValue> momenta;
+    NumberVector c;             ///< where H depends on time: T_i = t + c_i h of the positions
+    NumberMatrix m;             ///< positions x momenta
+    std::vector<Block> blocks;  ///< each needs only what stands before it
+    KeptSlopes kept;
+    std::optional<FromParameter> from_parameter;  ///< where a parameter is free
+    std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep> form;
+    Layout layout = Layout::one;
+    std::vector<Decision> decisions;
+
+    [[nodiscard]] bool is_separable() const { return slopes == Slopes::of_parts; }
+    /// dH/dq does, and dH/dp where it is not separable.
+    [[nodiscard]] bool depends_on_time() const { return !c.empty(); }
+    /// No equations to solve.
+    [[nodiscard]] bool is_explicit() const { return coupled_blocks() == 0; }
+    [[nodiscard]] std::size_t coupled_blocks() const;
+    /// Null where no equations are iterated.
+    [[nodiscard]] const Iteration* iteration() const;
+    [[nodiscard]] bool has_lanes() const { return layout != Layout::one; }
+    /// Evaluations of dH/dq and of dH/dp in a step that needs no solver, kept ones not counted.
+    [[nodiscard]] std::size_t forces_evaluated() const;
+    [[nodiscard]] std::size_t velocities_evaluated() const;
+};
+
+/// Functions of H.
+enum class Evaluation {
+    dHdq,
+    dHdp,
+    gradient,      ///< both at once
+    inverse_mass,  ///< K p, where the kinetic energy is p^T K p/2
+    d2Hdq2,
+    d2Hdqdp,
+    d2Hdp2,
+    tangents,   ///< dH/dq with what d2H/dq2 times a vector has in common with it, and that product
+    constants,  ///< of a quadratic H
+};
+
+/// What a step evaluates of H, and its solver.
+[[nodiscard]] std::vector<Evaluation> evaluations(const Step& step);
+
+/// Stable text, for people and tests.
+[[nodiscard]] std::string dump(const Step& step);
+
+/// Stops the program (HVI_CHECK) where the record contradicts itself: tables that do not fit, a
+/// block that needs what comes after it, a form without what it is made of.
+void verify(const Step& step);
+
+/// Whether the texts are: closed forms of coefficients are compared as they are, numbers without
+/// one to 50 digits. Steps of different fields have no common arithmetic.
+[[nodiscard]] bool operator==(const Step& left, const Step& right);
+
+}  // namespace hvi::gen

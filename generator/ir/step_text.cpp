@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include "generator/ir/step.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+namespace {
+
+std::string text(const Number& number) {
+    constexpr int digits = 50;
+    const auto form = number.closed_form();
+    return form ? to_text(*form) : "~" + number.decimal(digits);
+}
+
+std::string_view text(StageValue::Place place) {
+    switch (place) {
+    case StageValue::Place::start: return "start";
+    case StageValue::Place::inner: return "inner";
+    case StageValue::Place::end: return "end";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string_view text(StageNode::Kind kind) {
+    switch (kind) {
+    case StageNode::Kind::Q: return "Q";
+    case StageNode::Kind::P: return "P";
+    case StageNode::Kind::Lq: return "Lq";
+    case StageNode::Kind::Lp: return "Lp";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string_view text(Slopes slopes) {
+    switch (slopes) {
+    case Slopes::of_parts: return "dH/dq(q), dH/dp(p)";
+    case Slopes::one_by_one: return "dH/dq(q, p), dH/dp(q, p)";
+    case Slopes::joint: return "(dH/dq, dH/dp)(q, p)";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string_view text(Partner partner) {
+    switch (partner) {
+    case Partner::same: return "A == A~";
+    case Partner::different: return "A != A~";
+    case Partner::undecided: return "A == A~ is not decided";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string_view text(Solver solver) {
+    switch (solver) {
+    case Solver::of_user: return "the user's";
+    case Solver::fixed_point: return "fixed-point";
+    case Solver::newton: return "newton";
+    case Solver::newton_taylor: return "newton-taylor";
+    case Solver::automatic: return "automatic";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string_view text(Layout layout) {
+    switch (layout) {
+    case Layout::one: return "one";
+    case Layout::stages: return "stages";
+    case Layout::trajectories: return "trajectories";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string lines(std::string_view letter, const std::vector<StageValue>& values) {
+    std::string result;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        result += fmt::format("{}_{}: {}, weight {}, stages", letter, i + 1, text(values[i].place),
+                              text(values[i].weight));
+        for (const std::size_t stage : values[i].stages) {
+            result += fmt::format(" {}", stage + 1);
+        }
+        result += '\n';
+    }
+    return result;
+}
+
+std::string line(std::string_view name, const NumberVector& row) {
+    std::string result = fmt::format("{}:", name);
+    for (const Number& entry : row) { result += ' ' + text(entry); }
+    return result + '\n';
+}
+
+std::string lines(std::string_view name, const NumberMatrix& rows) {
+    std::string result;
+    for (const NumberVector& row : rows) { result += line(name, row); }
+    return result;
+}
+
+std::string line(const Block& block) {
+    std::string result = block.coupled ? "solve" : "evaluate";
+    for (const StageNode& node : block.nodes) {
+        result += fmt::format(" {}_{}", text(node.kind), node.index + 1);
+    }
+    return result + '\n';
+}
+
+std::string lines(const Iteration& iteration) {
+    std::string result = fmt::format("solver: {}\n", text(iteration.solver));
+    if (!iteration.extrapolation) { return result; }
+    result += lines("N", iteration.extrapolation->last);
+    if (iteration.extrapolation->before) {
+        result += lines("N_before", *iteration.extrapolation->before);
+    }
+    return result;
+}
+
+std::string lines(const RealModes& modes) {
+    std::string result = "modes:";
+    for (std::size_t i = 0; i < modes.real_parts.size(); ++i) {
+        result += fmt::format(" {}", modes.real_parts[i]);
+        if (i < modes.real_ones) { continue; }
+        result += fmt::format("+-{}i", modes.imaginary_parts[i - modes.real_ones]);
+    }
+    return result + '\n';
+}
+
+std::string lines(const ExplicitStep& form) {
+    return fmt::format("form: explicit, {} sums\n",
+                       form.sums == Sums::plain ? "plain" : "compensated");
+}
+
+std::string lines(const TabulatedStep& form) {
+    return fmt::format("form: tabulated as {}\n",
+                       form.as == TabulatedStep::As::shears ? "shears" : "a matrix");
+}
+
+std::string lines(const PairStep& form) {
+    return "form: pairs\n" + (form.iteration ? lines(*form.iteration) : "");
+}
+
+std::string lines(const VelocityStep& form) {
+    return "form: positions\n" + line("c", form.form.c) + lines("n", form.form.n) +
+           (form.modes ? lines(*form.modes) : "") + lines(form.iteration);
+}
+
+}  // namespace
+
+std::string dump(const Step& step) {
+    std::string result = fmt::format("slopes: {}\n", text(step.slopes));
+    result += fmt::format("tables: {}\n", text(step.partner));
+    result += lines("Q", step.positions);
+    result += lines("P", step.momenta);
+    if (step.depends_on_time()) { result += line("times", step.c); }
+    result += lines("m", step.m);
+    for (const Block& block : step.blocks) { result += line(block); }
+    if (step.kept.force) { result += "kept: dH/dq\n"; }
+    if (step.kept.velocity) { result += "kept: dH/dp\n"; }
+    if (step.from_parameter) {
+        result += fmt::format("parameter: {}\n", step.from_parameter->numbers.parameter);
+    }
+    result += std::visit([](const auto& form) { return lines(form); }, step.form);
+    result += fmt::format("lanes: {}\n", text(step.layout));
+    for (const Decision& decision : step.decisions) {
+        result += fmt::format("{}: {}\n", decision.what, decision.why);
+    }
+    return result;
+}
+
+}  // namespace hvi::gen

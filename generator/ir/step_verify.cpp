@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
+#include "generator/ir/equal.hpp"
+#include "generator/ir/step.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+namespace {
+
+using Kind = StageNode::Kind;
+
+bool is_table(const NumberMatrix& table, std::size_t rows, std::size_t columns) {
+    return table.size() == rows &&
+           std::all_of(table.begin(), table.end(),
+                       [&](const NumberVector& row) { return row.size() == columns; });
+}
+
+void verify_stages(const Step& step) {
+    const std::size_t r = step.positions.size(), s = step.momenta.size();
+    HVI_CHECK(r > 0 && s > 0);
+    HVI_CHECK(is_table(step.m, r, s));
+    HVI_CHECK(step.c.empty() || step.c.size() == r);
+    for (const auto* values : {&step.positions, &step.momenta}) {
+        for (const StageValue& value : *values) { HVI_CHECK(!value.stages.empty()); }
+    }
+    for (std::size_t i = 0; i < r; ++i) {
+        for (std::size_t j = 0; j < s; ++j) {
+            const bool at_start = step.positions[i].place == StageValue::Place::start;
+            const bool at_end = step.positions[i].place == StageValue::Place::end;
+            HVI_CHECK(!at_start || equal(step.m[i][j], 0));
+            HVI_CHECK(!at_end || equal(step.m[i][j], 1));
+        }
+    }
+}
+
+/// What a node needs: Q_i those Lq_j with m_ij != 0, P_j those Lp_i with m_ij != 1, and a slope its
+/// stage values.
+std::vector<StageNode> needs(const Step& step, const StageNode& node) {
+    std::vector<StageNode> result;
+    const std::size_t i = node.index;
+    switch (node.kind) {
+    case Kind::Q:
+        for (std::size_t j = 0; j < step.momenta.size(); ++j) {
+            if (!equal(step.m[i][j], 0)) { result.push_back({Kind::Lq, j}); }
+        }
+        break;
+    case Kind::P:
+        for (std::size_t j = 0; j < step.positions.size(); ++j) {
+            if (!equal(step.m[j][i], 1)) { result.push_back({Kind::Lp, j}); }
+        }
+        break;
+    case Kind::Lq:
+        result.push_back({Kind::P, i});
+        if (!step.is_separable()) { result.push_back({Kind::Q, i}); }
+        break;
+    case Kind::Lp:
+        result.push_back({Kind::Q, i});
+        if (!step.is_separable()) { result.push_back({Kind::P, i}); }
+        break;
+    }
+    return result;
+}
+
+/// Each block needs only itself and what stands before it, and each slope is computed once.
+void verify_order(const Step& step) {
+    std::vector<StageNode> known;
+    for (const Block& block : step.blocks) {
+        HVI_CHECK(!block.nodes.empty());
+        HVI_CHECK(block.coupled == (block.nodes.size() > 1));
+        const std::vector<StageNode> before = known;
+        for (const StageNode& node : block.nodes) {
+            HVI_CHECK(std::find(before.begin(), before.end(), node) == before.end());
+            known.push_back(node);
+        }
+        for (const StageNode& node : block.nodes) {
+            for (const StageNode& needed : needs(step, node)) {
+                HVI_CHECK(std::find(known.begin(), known.end(), needed) != known.end());
+            }
+        }
+    }
+    HVI_CHECK(known.size() == 2 * (step.positions.size() + step.momenta.size()));
+}
+
+void verify_iteration(const Step& step, const Iteration& iteration) {
+    if (!iteration.extrapolation) { return; }
+    const std::size_t s = step.positions.size();
+    HVI_CHECK(is_table(iteration.extrapolation->last, s, s));
+    const std::optional<NumberMatrix>& before = iteration.extrapolation->before;
+    HVI_CHECK(!before || is_table(*before, s, s));
+}
+
+void verify_form(const Step& step, const ExplicitStep&) {
+    HVI_CHECK(step.is_separable() && step.is_explicit());
+    HVI_CHECK(step.layout != Layout::stages);
+    verify_order(step);
+}
+
+void verify_form(const Step& step, const TabulatedStep&) {
+    HVI_CHECK(!step.is_explicit() && step.layout == Layout::one);
+    HVI_CHECK(!step.depends_on_time() && !step.from_parameter);
+    verify_order(step);
+}
+
+void verify_form(const Step& step, const PairStep& form) {
+    HVI_CHECK(form.iteration.has_value() != step.is_explicit());
+    HVI_CHECK(form.iteration || step.layout == Layout::one);
+    if (form.iteration) { verify_iteration(step, *form.iteration); }
+    verify_order(step);
+}
+
+void verify_form(const Step& step, const VelocityStep& form) {
+    const std::size_t r = step.positions.size();
+    HVI_CHECK(step.is_separable() && step.coupled_blocks() == 1 && !step.kept.velocity);
+    HVI_CHECK(form.form.c.size() == r && is_table(form.form.n, r, r));
+    for (const Block& block : step.blocks) {
+        HVI_CHECK(block.of(Kind::P).empty() && block.of(Kind::Lq).empty());
+    }
+    verify_iteration(step, form.iteration);
+}
+
+}  // namespace
+
+void verify(const Step& step) {
+    verify_stages(step);
+    std::visit([&](const auto& form) { verify_form(step, form); }, step.form);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,88 @@
+// The record of a step: what contradicts itself is found, and steps are the same where their texts
+// are.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <functional>
+
+#include <catch2/catch.hpp>
+
+#include "generator/plan/plan.hpp"
+#include "generator/support/error.hpp"
+#include "tests/emit/tableaux.hpp"
+#include "tests/exact/exact.hpp"
+
+using namespace hvi::gen;
+
+namespace {
+
+Step positions_step() {
+    return plan(derive(method("gauss:3")),
+                {.separable = true, .kinetic_is_quadratic = true, .solver = Solver::automatic});
+}
+
+bool is_found(Step step, const std::function<void(Step&)>& mistake) {
+    verify(step);
+    mistake(step);
+    try {
+        verify(step);
+    } catch (const InternalError&) { return true; }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("a step that contradicts itself is found") {
+    const Step verlet = plan(tableaux::verlet(), {.separable = true});
+    CHECK(is_found(verlet, [](Step& step) { step.m.pop_back(); }));
+    CHECK(is_found(verlet, [](Step& step) { step.blocks.pop_back(); }));
+    CHECK(is_found(verlet, [](Step& step) { std::swap(step.blocks[1], step.blocks[2]); }));
+    CHECK(is_found(verlet, [](Step& step) { step.blocks.push_back(step.blocks.front()); }));
+    CHECK(is_found(verlet, [](Step& step) { step.blocks.front().coupled = true; }));
+    CHECK(is_found(verlet, [](Step& step) { step.slopes = Slopes::one_by_one; }));
+    CHECK(is_found(verlet, [](Step& step) { step.layout = Layout::stages; }));
+    CHECK(is_found(verlet, [](Step& step) { step.form = TabulatedStep{}; }));
+    CHECK(is_found(verlet, [](Step& step) { step.form = PairStep{Iteration{}}; }));
+    CHECK(is_found(verlet, [](Step& step) { step.c.emplace_back(0); }));
+    CHECK(is_found(verlet, [](Step& step) { step.positions[1].place = StageValue::Place::start; }));
+
+    const Step gauss = positions_step();
+    const auto form = [](Step& step) -> VelocityStep& { return std::get<VelocityStep>(step.form); };
+    CHECK(is_found(gauss, [&](Step& step) { form(step).form.n.pop_back(); }));
+    CHECK(is_found(gauss, [&](Step& step) { form(step).form.c.pop_back(); }));
+    CHECK(is_found(gauss, [&](Step& step) { form(step).iteration.extrapolation->last.clear(); }));
+    CHECK(is_found(gauss, [](Step& step) { step.kept.velocity = true; }));
+    CHECK(is_found(gauss, [](Step& step) { step.form = ExplicitStep{}; }));
+}
+
+TEST_CASE("steps are equal where nothing is decided differently") {
+    const Step gauss = positions_step();
+    CHECK(gauss == positions_step());
+    CHECK_FALSE(gauss == plan(tableaux::verlet(), {.separable = true}));
+    Step other = gauss;
+    other.m[0][0] = other.m[0][0] + Number(1) / Number(1000000);
+    CHECK_FALSE(gauss == other);
+    other = gauss;
+    std::get<VelocityStep>(other.form).iteration.solver = Solver::newton;
+    CHECK_FALSE(gauss == other);
+    other = gauss;
+    other.layout = Layout::stages;
+    CHECK_FALSE(gauss == other);
+}
+
+TEST_CASE("which functions of H a step evaluates") {
+    using E = Evaluation;
+    const auto of = [](const char* name, const PlanOptions& options) {
+        return evaluations(plan(derive(method(name)), options));
+    };
+    CHECK(of("stormer-verlet", {.separable = true}) == std::vector{E::dHdq, E::dHdp});
+    CHECK(of("gauss:2", {.separable = true, .solver = Solver::newton}) ==
+          std::vector{E::dHdq, E::dHdp, E::d2Hdq2, E::d2Hdp2});
+    CHECK(of("gauss:2", {.joint_gradient_pays = true, .solver = Solver::automatic}) ==
+          std::vector{E::gradient, E::d2Hdq2, E::d2Hdqdp, E::d2Hdp2});
+    CHECK(of("gauss:2",
+             {.separable = true, .kinetic_is_quadratic = true, .solver = Solver::newton_taylor}) ==
+          std::vector{E::dHdq, E::dHdp, E::inverse_mass, E::tangents});
+    CHECK(of("gauss:2", {.separable = true,
+                         .is_quadratic = true,
+                         .degrees_of_freedom = 1,
+                         .solver = Solver::automatic}) == std::vector{E::constants});
+}
