@@ -19,6 +19,45 @@ namespace hvi {
 /// `Stepper` is a class that `hvi-gen stepper --lanes ensemble` has written. Each trajectory ends
 /// with the same bits whatever the others are, where it stands among them, and on however many
 /// threads. One of which a step fails keeps the state before that step, and the others go on.
+/// # Use
+/// All trajectories have the same parameters, h and number of steps; h is a time in the units of H
+/// and may be negative. Precondition of state(i), status(i) and steps(i): i < size(). A step that
+/// fails throws nothing: ok() and status(i) tell of it. With -pthread and the header of
+///
+///     hvi-gen stepper --method stormer-verlet pendulum --lanes ensemble -o pendulums.hpp
+///
+/// this is a program:
+/// ```cpp
+/// #include <cmath>
+/// #include <cstddef>
+/// #include <vector>
+///
+/// #include <hvi/ensemble.hpp>
+/// #include <pendulums.hpp>
+///
+/// using Pendulum = hvi::generated::PendulumStormerVerlet;  // H = p^2/2 - cos(q)
+///
+/// double energy(const Pendulum::Trajectory& x) { return x.p[0] * x.p[0] / 2 - std::cos(x.q[0]); }
+///
+/// int main() {
+///     std::vector<Pendulum::Trajectory> starts(20);
+///     double angle = 0;
+///     for (Pendulum::Trajectory& x : starts) { x.q[0] = angle += 0.1; }
+///     starts[7].p[0] = std::nan("");
+///     hvi::Ensemble<Pendulum> swings(starts);
+///     const double h = 0.05;
+///     swings.advance(h, 1000);
+///
+///     for (std::size_t i = 0; i < swings.size(); ++i) {
+///         if (i == 7) { continue; }
+///         // The method conserves H + h^2 (p^2 cos(q)/12 - sin(q)^2/24) up to h^4, and |p| <= 2.
+///         const double error = energy(swings.state(i)) - energy(starts[i]);
+///         if (swings.steps(i) != 1000 || std::abs(error) > h * h) { return 1; }
+///     }
+///     const bool has_stopped = swings.status(7).code() == hvi::Status::Code::not_finite;
+///     return has_stopped && swings.steps(7) == 0 && !swings.ok() ? 0 : 1;
+/// }
+/// ```
 template <class Stepper>
 class Ensemble {
 public:

@@ -92,6 +92,42 @@ private:
 }  // namespace detail
 
 /// Solver policy of generated steppers, the default.
+/// # Use
+/// The second argument of a stepper's class; systems offer their gradient and nothing else. It
+/// contracts while h is small against the fastest period 2 pi/omega: h omega < 1 is enough for
+/// Gauss' methods, and hvi::Newton is for larger steps. An iteration evaluates the gradient at each
+/// stage, and the last one is at round-off: there is no tolerance to choose. Where it grows, or
+/// does not end in 200 iterations, the status is not_converged; where a derivative of H is not
+/// finite at the beginning, not_finite.
+/// ```cpp
+/// #include <array>
+/// #include <cmath>
+///
+/// #include <hvi/fixed_point.hpp>
+/// #include <hvi/generated/gauss_2.hpp>
+///
+/// struct Rotor {  // H = (q^2 + p^2)^2/4: the larger the circle, the faster it turns
+///     using Vector = std::array<double, 1>;
+///     void dHdq(const Vector& q, const Vector& p, Vector& out) const {
+///         out[0] = (q[0] * q[0] + p[0] * p[0]) * q[0];
+///     }
+///     void dHdp(const Vector& q, const Vector& p, Vector& out) const {
+///         out[0] = (q[0] * q[0] + p[0] * p[0]) * p[0];
+///     }
+/// };
+///
+/// int main() {
+///     hvi::generated::Gauss2<Rotor, hvi::FixedPoint> stepper;
+///     hvi::State<Rotor::Vector> x{{1.0}, {0.0}};
+///     for (int step = 0; step < 1000; ++step) {
+///         if (!stepper.step(x, 0.1).ok()) { return 1; }
+///     }
+///     // Gauss' methods conserve what is quadratic: the circle.
+///     const double error = x.q[0] * x.q[0] + x.p[0] * x.p[0] - 1;
+///     const hvi::Status::Code too_large = stepper.step(x, 10.0).code();
+///     return std::abs(error) < 1e-14 && too_large == hvi::Status::Code::not_converged ? 0 : 1;
+/// }
+/// ```
 struct FixedPoint {
     static constexpr bool takes_starting_values = true;
 

@@ -23,6 +23,35 @@ struct Coefficients {
 /// Applies any tableau to any Hamiltonian, both known at run time only, by the formulas as the
 /// paper prints them and Jacobi's fixed-point iteration: no scaled form, no remembered values, no
 /// compensated sums. For tests; what hvi-gen writes is faster and loses less to rounding.
+/// # Use
+/// Of s stages b has s entries and A and A_tilde have s rows of s; q and p are std::vector of one
+/// size. A gradient writes all components of `out`, which comes with that size. h is a time in the
+/// units of H and may be negative. A step is not_finite where a value is so, and not_converged
+/// where h is so large that 1000 iterations do not end it. Steps allocate, and may throw
+/// std::bad_alloc.
+/// ```cpp
+/// #include <cmath>
+/// #include <vector>
+///
+/// #include <hvi/generic_stepper.hpp>
+///
+/// int main() {  // H = (p^2 + q^2)/2
+///     using Stepper = hvi::GenericStepper<double>;
+///     const hvi::Coefficients<double> midpoint{{1.0}, {{0.5}}, {{0.5}}};
+///     const auto dHdq = [](const auto& q, const auto&, auto& out) { out = q; };
+///     const auto dHdp = [](const auto&, const auto& p, auto& out) { out = p; };
+///     const Stepper stepper(midpoint, dHdq, dHdp);
+///
+///     Stepper::State x{{1.0}, {0.0}};
+///     const double h = 0.1;
+///     for (int step = 0; step < 100; ++step) {
+///         if (!stepper.step(x, h).ok()) { return 1; }
+///     }
+///     // Each step of the midpoint rule turns (q, p) by 2 arctan(h/2).
+///     const double angle = 100 * 2 * std::atan(h / 2);
+///     return std::hypot(x.q[0] - std::cos(angle), x.p[0] + std::sin(angle)) < 1e-13 ? 0 : 1;
+/// }
+/// ```
 template <class Scalar>
 class GenericStepper {
 public:

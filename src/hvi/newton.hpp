@@ -106,6 +106,43 @@ private:
 ///
 /// The factors of the Jacobian are kept over iterations and steps while the iteration contracts
 /// well. They are forgotten with the state that they belong to and when h changes.
+/// # Use
+/// The second argument of a stepper's class, for float, double and long double; it needs Eigen. A
+/// Jacobian has a row for each unknown component of the stages, s n of them for s stages and n
+/// degrees of freedom, or twice as many, and its factors cost the cube of that. A step ends at
+/// round-off, without a tolerance; else its status is singular, not_finite, or not_converged after
+/// 60 iterations.
+/// ```cpp
+/// #include <array>
+/// #include <cmath>
+///
+/// #include <hvi/generated/gauss_2_separable.hpp>
+/// #include <hvi/newton.hpp>
+///
+/// struct StiffSpring {  // H = p^2/2 + omega^2 q^2/2
+///     using Vector = std::array<double, 1>;
+///     static constexpr double omega = 100;
+///     void dHdq(const Vector& q, Vector& out) const { out[0] = omega * omega * q[0]; }
+///     void dHdp(const Vector& p, Vector& out) const { out = p; }
+///     void d2Hdq2(const Vector&, Eigen::MatrixXd& out) const { out(0, 0) = omega * omega; }
+///     void d2Hdp2(const Vector&, Eigen::MatrixXd& out) const { out(0, 0) = 1; }
+/// };
+///
+/// int main() {
+///     const double h = 0.1;  // more than a period of the spring
+///     hvi::State<StiffSpring::Vector> x{{0.01}, {0.0}};
+///     hvi::generated::Gauss2Separable<StiffSpring> by_fixed_points;
+///     if (by_fixed_points.step(x, h).code() != hvi::Status::Code::not_converged) { return 1; }
+///
+///     hvi::generated::Gauss2Separable<StiffSpring, hvi::Newton> stepper;
+///     for (int step = 0; step < 1000; ++step) {
+///         if (!stepper.step(x, h).ok()) { return 1; }
+///     }
+///     // Gauss' methods conserve what is quadratic: the energy 1/2 of this spring.
+///     const double omega_q = StiffSpring::omega * x.q[0];
+///     return std::abs(x.p[0] * x.p[0] + omega_q * omega_q - 1) < 1e-12 ? 0 : 1;
+/// }
+/// ```
 struct Newton {
     static constexpr bool takes_starting_values = false;
 

@@ -23,13 +23,42 @@ private:
 };
 
 /// A stepper of Boost.Odeint for algorithms with steps of constant size, `integrate_const` and the
-/// like:
+/// like. The stepper knows its system: the one that Odeint hands on is not looked at. NOTE: Odeint
+/// copies steppers; with std::ref(stepper) a later call goes on with what this one remembers.
+/// # Use
+/// `Stepper` is a class that hvi-gen has written, and the state of Odeint its State. Times are in
+/// the units of H; that of Odeint is for observers alone: where H depends on the time, a step
+/// begins at the time x.t. A step that fails throws StepFailure, and x is the last good state.
+/// ```cpp
+/// #include <array>
+/// #include <cmath>
 ///
-///     hvi::Odeint<KeplerGauss4> stepper;
-///     boost::numeric::odeint::integrate_const(stepper, hvi::no_system, x, 0.0, 10.0, 0.05, observe);
+/// #include <boost/numeric/odeint/integrate/integrate_n_steps.hpp>
+/// #include <hvi/generated/stormer_verlet_separable.hpp>
+/// #include <hvi/odeint.hpp>
 ///
-/// The stepper knows its system: the one that Odeint hands on is not looked at. NOTE: Odeint copies
-/// steppers; with std::ref(stepper) a later call goes on with what this one remembers.
+/// struct Spring {  // H = p^2/2 + q^2/2
+///     using Vector = std::array<double, 1>;
+///     void dHdq(const Vector& q, Vector& out) const { out = q; }
+///     void dHdp(const Vector& p, Vector& out) const { out = p; }
+/// };
+///
+/// int main() {
+///     hvi::Odeint<hvi::generated::StormerVerletSeparable<Spring>> stepper;
+///     hvi::State<Spring::Vector> x{{1.0}, {0.0}};
+///     const double h = 0.1;
+///     boost::numeric::odeint::integrate_n_steps(stepper, hvi::no_system, x, 0.0, h, 100);
+///     // q after n steps of the method is cos(n theta) with cos(theta) = 1 - h^2/2.
+///     const double error = x.q[0] - std::cos(100 * std::acos(1 - h * h / 2));
+///     bool is_named = false;
+///     try {
+///         stepper.do_step(hvi::no_system, x, 100 * h, HUGE_VAL);
+///     } catch (const hvi::StepFailure& failure) {
+///         is_named = failure.status().code() == hvi::Status::Code::not_finite;
+///     }
+///     return std::abs(error) < 1e-12 && is_named ? 0 : 1;
+/// }
+/// ```
 template <class Stepper>
 class Odeint {
 public:

@@ -9,6 +9,45 @@
 namespace hvi {
 
 /// Positions q and momenta p, of the same dimension.
+/// # Use
+/// `Vector` is std::array<T, n> or a vector of Eigen, fixed or dynamic, and T float, double, long
+/// double or __float128. p[k] is the momentum of q[k]. Units are the caller's: those of q[k] p[k]
+/// are those of H times those of h. A stepper moves a state to where it is a time h later. Where it
+/// cannot, since a value is not finite, q and p differ in dimension or the equations of the step
+/// are not solved, it throws nothing: its Status says why, and the state has kept its bits.
+/// ```cpp
+/// #include <array>
+/// #include <cmath>
+/// #include <cstdio>
+///
+/// #include <hvi/generated/stormer_verlet_separable.hpp>
+///
+/// struct Spring {  // H = p^2/2 + q^2/2
+///     using Vector = std::array<double, 1>;
+///     void dHdq(const Vector& q, Vector& out) const { out = q; }
+///     void dHdp(const Vector& p, Vector& out) const { out = p; }
+/// };
+///
+/// int main() {
+///     const double h = 0.1;
+///     hvi::generated::StormerVerletSeparable<Spring> stepper;
+///     hvi::State<Spring::Vector> x{{1.0}, {0.0}};  // q = 1, p = 0
+///     for (int step = 0; step < 1000; ++step) {
+///         if (const hvi::Status status = stepper.step(x, h); !status.ok()) {
+///             std::puts(status.message());
+///             return 1;
+///         }
+///     }
+///     // The method conserves p^2 + (1 - h^2/4) q^2, which was 1 - h^2/4.
+///     const double w2 = 1 - h * h / 4;
+///     const double error = x.p[0] * x.p[0] + w2 * x.q[0] * x.q[0] - w2;
+///
+///     const hvi::State<Spring::Vector> before = x;
+///     const bool is_refused = stepper.step(x, HUGE_VAL).code() == hvi::Status::Code::not_finite;
+///     const bool is_kept = x.q == before.q && x.p == before.p;
+///     return std::abs(error) < 1e-13 && is_refused && is_kept ? 0 : 1;
+/// }
+/// ```
 template <class Vector>
 struct State {
     Vector q{};

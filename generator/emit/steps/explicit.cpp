@@ -162,12 +162,16 @@ std::string fits_text(const Step& step, const ExplicitParts& parts) {
     return writer.str();
 }
 
-/// A header of the runtime as part of this one, which then has what that includes of hvi.
+/// A header of the runtime as part of this one, which then has what that includes of hvi. What its
+/// doc comments tell users under a heading, `/// # Use`, with an example, stays in the runtime.
 std::string copy_of(std::string_view name) {
     std::string text;
     std::istringstream file{std::string(embedded_template(fmt::format("hvi/{}.hpp", name)))};
+    bool is_for_users = false;
     for (std::string line; std::getline(file, line);) {
-        if (line.rfind("#include <hvi/", 0) != 0) { text += line + '\n'; }
+        is_for_users = line.rfind(is_for_users ? "///" : "/// # ", 0) == 0;
+        const bool is_included = line.rfind("#include <hvi/", 0) == 0;
+        if (!is_for_users && !is_included) { text += line + '\n'; }
     }
     return text;
 }
