@@ -145,7 +145,7 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar q = s.at.q[k];
                 const Scalar e_q = s.remainder.q[k];
-                const Scalar Q_1 = q + (e_q + s.Lq[0][k]);
+                const Scalar Q_1 = hvi::detail::moved(q, e_q + (s.Lq[0][k]));
                 s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]);
                 s.Q[0][k] = Q_1;
             }

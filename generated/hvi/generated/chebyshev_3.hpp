@@ -256,12 +256,12 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar p = s.at.p[k];
                 const Scalar e_p = s.remainder.p[k];
-                const Scalar P_1 = p + (e_p + (mt[0][0] * s.Lp[0][k] + mt[0][1] * s.Lp[1][k]
-                    + mt[0][2] * s.Lp[2][k]));
-                const Scalar P_2 = p + (e_p + (mt[1][0] * s.Lp[0][k] + mt[1][1] * s.Lp[1][k]
-                    + mt[1][2] * s.Lp[2][k]));
-                const Scalar P_3 = p + (e_p + (mt[2][0] * s.Lp[0][k] + mt[2][1] * s.Lp[1][k]
-                    + mt[2][2] * s.Lp[2][k]));
+                const Scalar P_1 = hvi::detail::moved(p, e_p + (mt[0][0] * s.Lp[0][k]
+                    + mt[0][1] * s.Lp[1][k] + mt[0][2] * s.Lp[2][k]));
+                const Scalar P_2 = hvi::detail::moved(p, e_p + (mt[1][0] * s.Lp[0][k]
+                    + mt[1][1] * s.Lp[1][k] + mt[1][2] * s.Lp[2][k]));
+                const Scalar P_3 = hvi::detail::moved(p, e_p + (mt[2][0] * s.Lp[0][k]
+                    + mt[2][1] * s.Lp[1][k] + mt[2][2] * s.Lp[2][k]));
                 s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]) + hvi::detail::abs(P_2
                     - s.P[1][k]) + hvi::detail::abs(P_3 - s.P[2][k]);
                 s.P[0][k] = P_1;
@@ -275,12 +275,12 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar q = s.at.q[k];
                 const Scalar e_q = s.remainder.q[k];
-                const Scalar Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]
-                    + m[0][2] * s.Lq[2][k]));
-                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]
-                    + m[1][2] * s.Lq[2][k]));
-                const Scalar Q_3 = q + (e_q + (m[2][0] * s.Lq[0][k] + m[2][1] * s.Lq[1][k]
-                    + m[2][2] * s.Lq[2][k]));
+                const Scalar Q_1 = hvi::detail::moved(q, e_q + (m[0][0] * s.Lq[0][k]
+                    + m[0][1] * s.Lq[1][k] + m[0][2] * s.Lq[2][k]));
+                const Scalar Q_2 = hvi::detail::moved(q, e_q + (m[1][0] * s.Lq[0][k]
+                    + m[1][1] * s.Lq[1][k] + m[1][2] * s.Lq[2][k]));
+                const Scalar Q_3 = hvi::detail::moved(q, e_q + (m[2][0] * s.Lq[0][k]
+                    + m[2][1] * s.Lq[1][k] + m[2][2] * s.Lq[2][k]));
                 s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]) + hvi::detail::abs(Q_2
                     - s.Q[1][k]) + hvi::detail::abs(Q_3 - s.Q[2][k]);
                 s.Q[0][k] = Q_1;

@@ -134,7 +134,7 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar p = s.at.p[k];
                 const Scalar e_p = s.remainder.p[k];
-                const Scalar P_1 = p + (e_p + m[0][0] * s.Lp[0][k]);
+                const Scalar P_1 = hvi::detail::moved(p, e_p + (m[0][0] * s.Lp[0][k]));
                 s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]);
                 s.P[0][k] = P_1;
             }
@@ -145,7 +145,7 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar q = s.at.q[k];
                 const Scalar e_q = s.remainder.q[k];
-                const Scalar Q_1 = q + (e_q + m[0][0] * s.Lq[0][k]);
+                const Scalar Q_1 = hvi::detail::moved(q, e_q + (m[0][0] * s.Lq[0][k]));
                 s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]);
                 s.Q[0][k] = Q_1;
             }

@@ -160,8 +160,10 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar p = s.at.p[k];
                 const Scalar e_p = s.remainder.p[k];
-                const Scalar P_1 = p + (e_p + (m[0][0] * s.Lp[0][k] + m[0][1] * s.Lp[1][k]));
-                const Scalar P_2 = p + (e_p + (m[1][0] * s.Lp[0][k] + m[1][1] * s.Lp[1][k]));
+                const Scalar P_1 = hvi::detail::moved(p, e_p + (m[0][0] * s.Lp[0][k]
+                    + m[0][1] * s.Lp[1][k]));
+                const Scalar P_2 = hvi::detail::moved(p, e_p + (m[1][0] * s.Lp[0][k]
+                    + m[1][1] * s.Lp[1][k]));
                 s.P[0][k] = P_1;
                 s.P[1][k] = P_2;
             }
@@ -172,8 +174,10 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar q = s.at.q[k];
                 const Scalar e_q = s.remainder.q[k];
-                const Scalar Q_1 = q + (e_q + (m[0][0] * s.Lq[0][k] + m[0][1] * s.Lq[1][k]));
-                const Scalar Q_2 = q + (e_q + (m[1][0] * s.Lq[0][k] + m[1][1] * s.Lq[1][k]));
+                const Scalar Q_1 = hvi::detail::moved(q, e_q + (m[0][0] * s.Lq[0][k]
+                    + m[0][1] * s.Lq[1][k]));
+                const Scalar Q_2 = hvi::detail::moved(q, e_q + (m[1][0] * s.Lq[0][k]
+                    + m[1][1] * s.Lq[1][k]));
                 s.change.q[k] = hvi::detail::abs(Q_1 - s.Q[0][k]) + hvi::detail::abs(Q_2
                     - s.Q[1][k]);
                 s.Q[0][k] = Q_1;

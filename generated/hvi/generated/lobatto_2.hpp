@@ -80,7 +80,7 @@ public:
         for (Index k = 0; k < s_.at.q.size(); ++k) {
             const Scalar p = s_.at.p[k];
             const Scalar e_p = s_.remainder.p[k];
-            s_.P[1][k] = p + (e_p + s_.Lp[0][k]);
+            s_.P[1][k] = hvi::detail::moved(p, e_p + (s_.Lp[0][k]));
         }
         status = solver_[1].solve(Coupled2{system_, s_});
         if (!status.ok()) { return status; }
@@ -188,7 +188,7 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar p = s.at.p[k];
                 const Scalar e_p = s.remainder.p[k];
-                const Scalar P_1 = p + (e_p + s.Lp[0][k]);
+                const Scalar P_1 = hvi::detail::moved(p, e_p + (s.Lp[0][k]));
                 s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]);
                 s.P[0][k] = P_1;
             }
@@ -247,7 +247,7 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar q = s.at.q[k];
                 const Scalar e_q = s.remainder.q[k];
-                const Scalar Q_2 = q + (e_q + (s.Lq[0][k] + s.Lq[1][k]));
+                const Scalar Q_2 = hvi::detail::moved(q, e_q + (s.Lq[0][k] + s.Lq[1][k]));
                 s.change.q[k] = hvi::detail::abs(Q_2 - s.Q[1][k]);
                 s.Q[1][k] = Q_2;
             }

@@ -141,7 +141,7 @@ private:
             for (Index k = 0; k < s.at.q.size(); ++k) {
                 const Scalar p = s.at.p[k];
                 const Scalar e_p = s.remainder.p[k];
-                const Scalar P_1 = p + (e_p + s.Lp[0][k]);
+                const Scalar P_1 = hvi::detail::moved(p, e_p + (s.Lp[0][k]));
                 s.change.p[k] = hvi::detail::abs(P_1 - s.P[0][k]);
                 s.P[0][k] = P_1;
             }

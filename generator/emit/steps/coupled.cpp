@@ -150,9 +150,9 @@ std::string coupled(const Step& step, const Block& block, std::string_view name)
          {"b_q", fmt::format("{}{}", owner(step, "s"), weights_q(step))},
          {"b_p", fmt::format("{}{}", owner(step, "s"), weights_p(step))},
          {"momenta", stage_values(P, "P", "p", measures_p,
-                                  [&](std::size_t j) { return momentum_sum(step, j, "s"); })},
+                                  [&](std::size_t j) { return moved_momentum(step, j, "s"); })},
          {"positions", stage_values(Q, "Q", "q", true,
-                                    [&](std::size_t i) { return position_sum(step, i, "s"); })},
+                                    [&](std::size_t i) { return moved_position(step, i, "s"); })},
          {"slopes", slopes(step, block)},
          {"size_q", size(Q, "Q", Lq, "Lq")},
          {"size_p", size(P, "P", Lp, "Lp")}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
+#include "generator/emit/steps/increments.hpp"
 #include "generator/emit/steps/slope_calls.hpp"
 #include "generator/ir/equal.hpp"
 #include "generator/support/error.hpp"
@@ -15,31 +16,6 @@ bool is_merged(const Step& step) {
         }
     }
     return false;
-}
-
-/// NOTE: zero and one leave no trace in the arithmetic: no term, no factor.
-struct Term {
-    Number coefficient;
-    std::string factor;  // the coefficient in the header
-    std::string slope;
-};
-
-std::string sum(const std::vector<Term>& terms) {
-    std::string text;
-    for (const Term& term : terms) {
-        if (equal(term.coefficient, 0)) { continue; }
-        if (!text.empty()) { text += " + "; }
-        text += equal(term.coefficient, 1) ? term.slope : term.factor + " * " + term.slope;
-    }
-    HVI_CHECK(!text.empty());
-    return text;
-}
-
-/// y + (e + (sum)): the small ones first.
-std::string stage(std::string_view y, const std::string& terms) {
-    const bool one_term = terms.find(" + ") == std::string::npos;
-    return one_term ? fmt::format("{0} + (e_{0} + {1})", y, terms)
-                    : fmt::format("{0} + (e_{0} + ({1}))", y, terms);
 }
 
 std::string factor(const Step& step, const StageValue& value, std::string_view letter,
@@ -69,23 +45,23 @@ bool rounds_weights(const Step& step) {
     return false;
 }
 
-std::string position_sum(const Step& step, std::size_t i, std::string_view s) {
-    std::vector<Term> terms;
+std::string moved_position(const Step& step, std::size_t i, std::string_view s) {
+    Increment increment;
     for (std::size_t j = 0; j < step.momenta.size(); ++j) {
-        terms.push_back({step.m[i][j], fmt::format("{}m[{}][{}]", owner(step, s), i, j),
-                         fmt::format("{}.Lq[{}][k]", s, j)});
+        increment.add(step.m[i][j], fmt::format("{}m[{}][{}]", owner(step, s), i, j),
+                      fmt::format("{}.Lq[{}][k]", s, j));
     }
-    return stage("q", sum(terms));
+    return moved("q", "e_q", increment.text());
 }
 
-std::string momentum_sum(const Step& step, std::size_t j, std::string_view s) {
-    std::vector<Term> terms;
+std::string moved_momentum(const Step& step, std::size_t j, std::string_view s) {
+    Increment increment;
     for (std::size_t i = 0; i < step.positions.size(); ++i) {
-        terms.push_back({Number(1) - step.m[i][j],
-                         fmt::format("{}{}[{}][{}]", owner(step, s), table_mt(step), j, i),
-                         fmt::format("{}.Lp[{}][k]", s, i)});
+        increment.add(Number(1) - step.m[i][j],
+                      fmt::format("{}{}[{}][{}]", owner(step, s), table_mt(step), j, i),
+                      fmt::format("{}.Lp[{}][k]", s, i));
     }
-    return stage("p", sum(terms));
+    return moved("p", "e_p", increment.text());
 }
 
 namespace {

@@ -60,9 +60,9 @@ namespace hvi::gen {
 /// What step() does first: there may be no method.
 [[nodiscard]] std::string begins(const Step& step);
 
-/// Q_i[k] = ... without the leading name: q + (e + (...)), of the slopes in `s`.
-[[nodiscard]] std::string position_sum(const Step& step, std::size_t i, std::string_view s);
-[[nodiscard]] std::string momentum_sum(const Step& step, std::size_t j, std::string_view s);
+/// What Q_i[k] is, and P_j[k], of the slopes in `s`.
+[[nodiscard]] std::string moved_position(const Step& step, std::size_t i, std::string_view s);
+[[nodiscard]] std::string moved_momentum(const Step& step, std::size_t j, std::string_view s);
 
 /// The call of the system, without its name, that puts the slope without its factor into `slope`.
 [[nodiscard]] std::string evaluate_velocity(const Step& step, std::size_t j, std::string_view s);

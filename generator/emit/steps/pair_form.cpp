@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/increments.hpp"
 #include "generator/emit/steps/slope_calls.hpp"
 #include "generator/emit/steps/starting_values.hpp"
 #include "generator/plan/lattice.hpp"
@@ -58,8 +59,7 @@ private:
     void q_line() { line("q", "Lq", step_.momenta.size()); }
     void p_line() { line("p", "Lp", step_.positions.size()); }
     void line(std::string_view y, std::string_view slope, std::size_t count) {
-        writer_.line("s_.add(s_.at.{0}[k], s_.remainder.{0}[k], {1});", y,
-                     sum_of_slopes(slope, count));
+        writer_.line("{};", move_to_end(y, sum_of_slopes(slope, count)));
     }
 
     Writer& writer_;
@@ -89,8 +89,8 @@ void evaluate_stage(Writer& writer, const Step& step, const StageNode& node, Upd
         writer.line("const Scalar {0} = s_.at.{0}[k];", y);
         writer.line("const Scalar e_{0} = s_.remainder.{0}[k];", y);
         writer.line("s_.{}[{}][k] = {};", letter, node.index,
-                    is_q ? position_sum(step, node.index, "s_")
-                         : momentum_sum(step, node.index, "s_"));
+                    is_q ? moved_position(step, node.index, "s_")
+                         : moved_momentum(step, node.index, "s_"));
         writer.close();
         return;
     }

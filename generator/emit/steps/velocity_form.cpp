@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/increments.hpp"
 #include "generator/emit/steps/slope_calls.hpp"
 #include "generator/emit/steps/starting_values.hpp"
 #include "generator/ir/equal.hpp"
@@ -21,23 +22,14 @@ void for_components(Writer& writer, std::string_view s, const auto& lines) {
     writer.close();
 }
 
-/// factor * what, where a factor of 1 and a term of 0 leave no trace.
-void add_term(std::string& sum, const Number& value, std::string_view factor,
-              std::string_view what) {
-    if (equal(value, 0)) { return; }
-    if (!sum.empty()) { sum += " + "; }
-    sum += equal(value, 1) ? std::string(what) : fmt::format("{} * {}", factor, what);
-}
-
 /// h c_i v + sum_j n_ij W_j, of `hv` = h v.
 std::string increment(const VelocityForm& form, std::size_t i, std::string_view s) {
-    std::string sum;
-    add_term(sum, form.c[i], fmt::format("c[{}]", i), "hv");
+    Increment sum;
+    sum.add(form.c[i], fmt::format("c[{}]", i), "hv");
     for (std::size_t j = 0; j < form.c.size(); ++j) {
-        add_term(sum, form.n[i][j], fmt::format("n[{}][{}]", i, j),
-                 fmt::format("{}.W[{}][k]", s, j));
+        sum.add(form.n[i][j], fmt::format("n[{}][{}]", i, j), fmt::format("{}.W[{}][k]", s, j));
     }
-    return sum;
+    return sum.text();
 }
 
 // ---- the coupled stages ----
@@ -58,7 +50,8 @@ std::string positions_text(const VelocityForm& form, const std::vector<std::size
         writer.line("const Scalar hv = s.h * s.velocity[k];");
         std::string change;
         for (const std::size_t i : Q) {
-            writer.line("const Scalar Q_{} = q + (e_q + ({}));", i + 1, increment(form, i, "s"));
+            writer.line("const Scalar Q_{} = {};", i + 1,
+                        moved("q", "e_q", increment(form, i, "s")));
             change += fmt::format("{}hvi::detail::abs(Q_{} - s.Q[{}][k])",
                                   change.empty() ? "" : " + ", i + 1, i);
         }
@@ -169,18 +162,18 @@ std::string coupled_velocities(const Step& step, const VelocityStep& form) {
 
 /// h v + sum_j (1 - c_j) W_j.
 std::string increment_of_step(const VelocityForm& form) {
-    std::string sum = "s_.h * s_.velocity[k]";
+    Increment sum;
+    sum.add(1, "", "s_.h * s_.velocity[k]");
     for (std::size_t j = 0; j < form.c.size(); ++j) {
-        add_term(sum, Number(1) - form.c[j], fmt::format("(1 - c[{}])", j),
-                 fmt::format("s_.W[{}][k]", j));
+        sum.add(Number(1) - form.c[j], fmt::format("(1 - c[{}])", j),
+                fmt::format("s_.W[{}][k]", j));
     }
-    return sum;
+    return sum.text();
 }
 
 void update_q(Writer& writer, const VelocityForm& form) {
-    for_components(writer, "s_", [&] {
-        writer.line("s_.add(s_.at.q[k], s_.remainder.q[k], {});", increment_of_step(form));
-    });
+    for_components(writer, "s_",
+                   [&] { writer.line("{};", move_to_end("q", increment_of_step(form))); });
 }
 
 void update_p(Writer& writer, std::size_t stages) {
@@ -188,8 +181,7 @@ void update_p(Writer& writer, std::size_t stages) {
     for (std::size_t j = 0; j < stages; ++j) {
         sum += fmt::format("{}s_.Lp[{}][k]", j == 0 ? "" : " + ", j);
     }
-    for_components(writer, "s_",
-                   [&] { writer.line("s_.add(s_.at.p[k], s_.remainder.p[k], {});", sum); });
+    for_components(writer, "s_", [&] { writer.line("{};", move_to_end("p", sum)); });
 }
 
 /// Returns whether it was the position at the end of the step.
@@ -201,8 +193,8 @@ bool evaluate_position(Writer& writer, const Step& step, const VelocityForm& for
     }
     for_components(writer, "s_", [&] {
         writer.line("const Scalar hv = s_.h * s_.velocity[k];");
-        writer.line("s_.Q[{}][k] = s_.at.q[k] + (s_.remainder.q[k] + ({}));", i,
-                    increment(form, i, "s_"));
+        writer.line("s_.Q[{}][k] = {};", i,
+                    moved("s_.at.q[k]", "s_.remainder.q[k]", increment(form, i, "s_")));
     });
     return false;
 }

@@ -125,7 +125,7 @@ private:
                                                     Rows& values, Vector& changes) {
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane value =
-                detail::at(start, k) + product(m, slopes[k], Lane(detail::at(cut_off, k)));
+                moved(detail::at(start, k), product(m, slopes[k], Lane(detail::at(cut_off, k))));
             detail::at(changes, k) = sum(abs(value - Lane(values[k])));
             value.store(values[k]);
         }

@@ -78,7 +78,8 @@ struct VelocityLanes : StepMemory<Vector> {
     /// Q_i = q + (e_q + h c_i v + sum_j n_ij W_j).
     [[gnu::always_inline]] void positions(const Table& table) {
         for (std::size_t k = 0; k < dimension; ++k) {
-            const Lane place = detail::at(this->at.q, k) + product(table.n, W[k], Lane(drifted[k]));
+            const Lane place =
+                moved(detail::at(this->at.q, k), product(table.n, W[k], Lane(drifted[k])));
             detail::at(this->change.q, k) = sum(abs(place - Lane(Q[k])));
             place.store(Q[k]);
         }

@@ -4,6 +4,7 @@
 
 #include <hvi/detail/numbers/compensated.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/stages/moved.hpp>
 #include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
 
@@ -43,9 +44,7 @@ struct StepMemory {
 
     /// Adds the increment to `at.q`, or `at.p`, keeping what rounding cuts off.
     static void add(Scalar& value, Scalar& cut_off, Scalar increment) {
-        const Sum<Scalar> sum = two_sum(value, cut_off + increment);
-        value = sum.value;
-        cut_off = sum.remainder;
+        detail::move(value, cut_off, increment);
     }
 
     /// Ends the step: x becomes `at`, unless that is not finite.

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include <hvi/detail/coefficients/weights.hpp>
+#include <hvi/detail/stages/moved.hpp>
 #include <hvi/detail/trajectories/lane_sweeps.hpp>
 #include <hvi/detail/trajectories/trajectories.hpp>
 #include <hvi/detail/trajectories/trajectory_sums.hpp>
@@ -188,7 +189,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
             const Lane from(this->q[k]);
             Lane change(Scalar(0));
             for (std::size_t i = 0; i < stages; ++i) {
-                const Lane place = from + Base::sum(n[i], W, k, Lane(drifted[i][k]));
+                const Lane place = moved(from, Base::sum(n[i], W, k, Lane(drifted[i][k])));
                 change = change + abs(place - Lane(Q[i][k]));
                 place.store(Q[i][k]);
             }
@@ -366,7 +367,7 @@ private:
             const Lane from(start[k]);
             Lane change(Scalar(0));
             for (std::size_t i = 0; i < stages; ++i) {
-                const Lane value = from + Base::sum(m[i], slopes, k, Lane(cut_off[k]));
+                const Lane value = moved(from, Base::sum(m[i], slopes, k, Lane(cut_off[k])));
                 change = change + abs(value - Lane(values[i][k]));
                 value.store(values[i][k]);
             }
