@@ -104,18 +104,21 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
 Step planned(const Tableau& tableau, const LoweredScene& lowered, const Method& method,
              const StepperWishes& wishes) {
     const Structure& structure = lowered.structure;
-    Step step = plan(tableau, {.separable = structure.is_separable,
-                               .depends_on_time = lowered.system.time.has_value(),
-                               .kinetic_is_quadratic = structure.kinetic_is_quadratic,
-                               .is_quadratic = structure.is_quadratic,
-                               .is_degenerate = is_degenerate(structure),
-                               .joint_gradient_pays = joint_gradient_pays(lowered.system),
-                               .degrees_of_freedom = lowered.system.degrees_of_freedom(),
-                               .has_curve = wishes.dense,
-                               .solver = wishes.solver,
-                               .lanes = wishes.lanes.choice,
-                               .composition = wishes.composition,
-                               .method = method.place});
+    const SystemProperties system{
+        .is_separable = structure.is_separable,
+        .depends_on_time = lowered.system.time.has_value(),
+        .kinetic_is_quadratic = structure.kinetic_is_quadratic,
+        .is_quadratic = structure.is_quadratic,
+        .is_degenerate = is_degenerate(structure),
+        .joint_gradient_pays = joint_gradient_pays(lowered.system),
+        .degrees_of_freedom = lowered.system.degrees_of_freedom(),
+    };
+    Step step = plan(tableau, system,
+                     {.solver = wishes.solver,
+                      .lanes = wishes.lanes.choice,
+                      .curve = wishes.dense,
+                      .composition = wishes.composition,
+                      .method = method.place});
     check_solver(step, lowered.scene);
     check_lanes(step, wishes.lanes);
     check_ensemble(step, wishes);
@@ -131,9 +134,8 @@ std::string name_of_class(const Given& wished, const std::string& otherwise) {
 MethodStepper method_stepper(const Method& method, const MethodWishes& wishes) {
     Tableau tableau = derive(method);
     if (wishes.composition) check_composition(*wishes.composition, tableau);
-    Step step = plan(
-        tableau,
-        {.separable = wishes.separable, .composition = wishes.composition, .method = method.place});
+    Step step = plan(tableau, {.is_separable = wishes.separable},
+                     {.composition = wishes.composition, .method = method.place});
     const std::string name =
         name_of_class(wishes.class_name, composed_name(tableau.name, wishes.composition));
     std::string header =

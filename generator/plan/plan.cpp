@@ -175,18 +175,18 @@ void set_blocks(Step& step) {
 /// bring it to 4e-14 and cost a fifth, on six bodies three fifths. For a step of yoshida:6,
 /// blanes-moan:6 and kahan-li:8 they cost 6 % or less, and rounding falls from 1e-11 to 4e-13 where
 /// kahan-li:8 is off by 5e-11.
-void set_sums(Step& step, const PlanOptions& options) {
+void set_sums(Step& step, const StepWishes& wishes) {
     constexpr int least_order = 6;
     if (!step.is_explicit()) { return; }
-    if (options.has_curve) {
+    if (wishes.curve) {
         step.form = PairStep{};
         step.decisions.push_back(
             {"the slopes are kept, in compensated sums", "the curve of a step is made of them"});
-    } else if (options.composition && options.composition->order >= least_order) {
+    } else if (wishes.composition && wishes.composition->order >= least_order) {
         step.form = ExplicitStep{Sums::compensated};
         step.decisions.push_back(
             {"compensated summation",
-             fmt::format("errors of order {} come down to round-off", options.composition->order)});
+             fmt::format("errors of order {} come down to round-off", wishes.composition->order)});
     } else {
         step.form = ExplicitStep{Sums::plain};
         step.decisions.push_back(
@@ -227,19 +227,19 @@ void set_times(Step& step) {
 /// NOTE: kicks and drifts are shears as well, and need the standard library alone. To compute the
 /// matrix costs the cube of the number of unknowns, in numbers of twice the digits: 64 take some
 /// milliseconds.
-bool tabulate(Step& step, const PlanOptions& options) {
+bool tabulate(Step& step, const SystemProperties& system) {
     constexpr std::size_t most_unknowns = 64;
-    if (step.is_explicit() || step.from_parameter || options.depends_on_time) { return false; }
+    if (step.is_explicit() || step.from_parameter || system.depends_on_time) { return false; }
     const std::size_t unknowns =
-        options.degrees_of_freedom * (step.positions.size() + step.momenta.size());
+        system.degrees_of_freedom * (step.positions.size() + step.momenta.size());
     if (unknowns > most_unknowns) {
         step.decisions.push_back(
             {"iterated, though H is quadratic",
              fmt::format("its matrix has {} unknowns, above {}", unknowns, most_unknowns)});
         return false;
     }
-    const bool are_symmetric = options.degrees_of_freedom == 1 || step.is_separable();
-    if (are_symmetric && !options.is_degenerate) {
+    const bool are_symmetric = system.degrees_of_freedom == 1 || step.is_separable();
+    if (are_symmetric && !system.is_degenerate) {
         step.form = TabulatedStep{TabulatedStep::As::shears};
         step.decisions = {
             {"no solver",
@@ -367,38 +367,38 @@ Step verified(Step step) {
 
 }  // namespace
 
-Step plan(const Tableau& tableau, const PlanOptions& options) {
+Step plan(const Tableau& tableau, const SystemProperties& system, const StepWishes& wishes) {
     Step step;
-    step.slopes = options.separable ? Slopes::of_parts : Slopes::one_by_one;
+    step.slopes = system.is_separable ? Slopes::of_parts : Slopes::one_by_one;
     step.partner = partner(tableau);
     WeightedStages stages = weighted_stages(tableau);
-    if (options.composition) {
-        stages = composed(stages, *options.composition);
+    if (wishes.composition) {
+        stages = composed(stages, *wishes.composition);
         step.decisions.push_back(
-            {fmt::format("{} steps in a row", options.composition->steps.size()),
-             fmt::format("they make a method of order {}: {}", options.composition->order,
-                         options.composition->name)});
+            {fmt::format("{} steps in a row", wishes.composition->steps.size()),
+             fmt::format("they make a method of order {}: {}", wishes.composition->order,
+                         wishes.composition->name)});
     }
     set_stages(step, stages);
     set_places(step);
     set_blocks(step);
-    set_sums(step, options);
+    set_sums(step, wishes);
     set_kept(step);
-    if (options.depends_on_time) { set_times(step); }
-    set_from_parameter(step, tableau, options.method);
+    if (system.depends_on_time) { set_times(step); }
+    set_from_parameter(step, tableau, wishes.method);
     // NOTE: trajectories side by side differ in how stiff H is for them, and are all iterated.
-    const bool is_ensemble = options.lanes == Lanes::ensemble;
+    const bool is_ensemble = wishes.lanes == Lanes::ensemble;
     const Solver solver =
-        is_ensemble && options.solver == Solver::automatic ? Solver::fixed_point : options.solver;
-    const bool may_tabulate = solver == Solver::automatic && !options.has_curve;
-    if (options.is_quadratic && may_tabulate && tabulate(step, options)) { return verified(step); }
+        is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
+    const bool may_tabulate = solver == Solver::automatic && !wishes.curve;
+    if (system.is_quadratic && may_tabulate && tabulate(step, system)) { return verified(step); }
     if (!step.is_explicit()) { step.form = PairStep{Iteration{}}; }
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.
-    if (options.kinetic_is_quadratic && !options.composition) { eliminate_momenta(step); }
-    set_solver(step, solver, options.joint_gradient_pays);
-    set_lanes(step, options.lanes);
-    if (!options.composition) { set_extrapolation(step, tableau); }
+    if (system.kinetic_is_quadratic && !wishes.composition) { eliminate_momenta(step); }
+    set_solver(step, solver, system.joint_gradient_pays);
+    set_lanes(step, wishes.lanes);
+    if (!wishes.composition) { set_extrapolation(step, tableau); }
     return verified(std::move(step));
 }
 

@@ -7,7 +7,7 @@
 namespace hvi::gen {
 
 /// Decides it from what is wished for and what can be had. Precondition: the momenta are eliminated
-/// where they can be. `joint_gradient_pays`: see PlanOptions.
+/// where they can be. `joint_gradient_pays`: see SystemProperties.
 void set_solver(Step& step, Solver wished, bool joint_gradient_pays);
 
 /// Null where no equations are iterated.

@@ -51,12 +51,12 @@ TEST_CASE("components come in the order in which they can be computed") {
 }
 
 TEST_CASE("separable symplectic Euler and Verlet need no solver") {
-    const Step euler = plan(tableaux::symplectic_euler(), {.separable = true});
+    const Step euler = plan(tableaux::symplectic_euler(), {.is_separable = true});
     CHECK(euler.is_explicit());
     CHECK(euler.forces_evaluated() == 1);
     CHECK(euler.velocities_evaluated() == 1);
 
-    const Step verlet = plan(tableaux::verlet(), {.separable = true});
+    const Step verlet = plan(tableaux::verlet(), {.is_separable = true});
     CHECK(verlet.is_explicit());
     CHECK(verlet.momenta.size() == 1);
     CHECK(verlet.momenta[0].stages == Indices{0, 1});
@@ -66,7 +66,7 @@ TEST_CASE("separable symplectic Euler and Verlet need no solver") {
     CHECK(verlet.forces_evaluated() == 1);
     CHECK(verlet.velocities_evaluated() == 1);
 
-    const Step position = plan(tableaux::position_verlet(), {.separable = true});
+    const Step position = plan(tableaux::position_verlet(), {.is_separable = true});
     CHECK(position.is_explicit());
     CHECK(position.positions.size() == 1);
     CHECK(position.kept.velocity);
@@ -76,12 +76,12 @@ TEST_CASE("separable symplectic Euler and Verlet need no solver") {
 TEST_CASE("for general H nothing is explicit") {
     for (const auto& tableau : {tableaux::symplectic_euler(), tableaux::verlet(),
                                 tableaux::lobatto_3(), tableaux::midpoint()}) {
-        CHECK_FALSE(plan(tableau, {.separable = false}).is_explicit());
+        CHECK_FALSE(plan(tableau, {.is_separable = false}).is_explicit());
     }
 }
 
 TEST_CASE("symplectic Euler for general H solves for p alone") {
-    const Step step = plan(tableaux::symplectic_euler(), {.separable = false});
+    const Step step = plan(tableaux::symplectic_euler(), {.is_separable = false});
     const Block& block = only_coupled(step);
     CHECK(block.of(Kind::P) == Indices{0});
     CHECK(block.of(Kind::Lp) == Indices{0});
@@ -90,7 +90,7 @@ TEST_CASE("symplectic Euler for general H solves for p alone") {
 }
 
 TEST_CASE("lobatto:3 solves for one force when H is separable") {
-    const Step step = plan(tableaux::lobatto_3(), {.separable = true});
+    const Step step = plan(tableaux::lobatto_3(), {.is_separable = true});
     const Block& block = only_coupled(step);
     CHECK(block.of(Kind::Q) == Indices{1});
     CHECK(block.of(Kind::Lp) == Indices{1});
@@ -103,7 +103,7 @@ TEST_CASE("lobatto:3 solves for one force when H is separable") {
 
 TEST_CASE("stages that decouple are solved one after the other") {
     for (const bool separable : {false, true}) {
-        const Step step = plan(tableaux::two_midpoints(), {.separable = separable});
+        const Step step = plan(tableaux::two_midpoints(), {.is_separable = separable});
         CHECK(step.coupled_blocks() == 2);
         CHECK(step.partner == Partner::same);
         CHECK(step.blocks.front().of(Kind::Q) == Indices{0});
@@ -130,7 +130,7 @@ TEST_CASE("A == A~ is said where it is proved, and the contrary too") {
 
 TEST_CASE("the dump of a step is stable") {
     CHECK(
-        dump(plan(tableaux::verlet(), {.separable = true})) ==
+        dump(plan(tableaux::verlet(), {.is_separable = true})) ==
         "slopes: dH/dq(q), dH/dp(p)\n"
         "tables: A != A~\n"
         "Q_1: start, weight 1/2, stages 1\n"
@@ -159,14 +159,13 @@ TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
     const auto keeps = [](const Tableau& tableau, const char* name, bool separable,
                           Lanes lanes = Lanes::none) {
         const auto text = std::make_shared<const Source>(Source{"--compose", name});
-        const Step step =
-            plan(tableau,
-                 {.separable = separable, .lanes = lanes, .composition = named_composition(text)});
+        const Step step = plan(tableau, {.is_separable = separable},
+                               {.lanes = lanes, .composition = named_composition(text)});
         const std::string said = "compensated summation: errors of order ";
         CHECK((dump(step).find("\n" + said) != std::string::npos) == keeps_remainder(step));
         return keeps_remainder(step);
     };
-    CHECK_FALSE(keeps_remainder(plan(tableaux::verlet(), {.separable = true})));
+    CHECK_FALSE(keeps_remainder(plan(tableaux::verlet(), {.is_separable = true})));
     CHECK_FALSE(keeps(tableaux::verlet(), "yoshida:4", true));
     CHECK_FALSE(keeps(tableaux::verlet(), "suzuki:4", true));
     CHECK(keeps(tableaux::verlet(), "yoshida:6", true));
@@ -181,7 +180,7 @@ TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
 TEST_CASE("extrapolation is exact for polynomials through the nodes") {
     // Slopes 1, c, c^2 of Lobatto: L_i = b_i c_i^k goes to b_i (1 + c_i)^k.
     const Tableau tableau = tableaux::lobatto_3();
-    const Step step = plan(tableau, {.separable = false});
+    const Step step = plan(tableau, {.is_separable = false});
     REQUIRE(iteration(step).extrapolation);
     const Extrapolation& from = *step.iteration()->extrapolation;
     for (int k = 0; k < 3; ++k) {
@@ -202,8 +201,8 @@ TEST_CASE("extrapolation is exact for polynomials through the nodes") {
 
 TEST_CASE("of few stages the slopes of two steps are extrapolated") {
     const auto takes_two = [](const char* method, Solver solver, Lanes lanes = Lanes::none) {
-        const Iteration found =
-            iteration(plan(named(method), {.separable = true, .solver = solver, .lanes = lanes}));
+        const Iteration found = iteration(
+            plan(named(method), {.is_separable = true}, {.solver = solver, .lanes = lanes}));
         return found.extrapolation && found.extrapolation->before;
     };
     CHECK(takes_two("midpoint", Solver::fixed_point));
@@ -217,7 +216,7 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
 
     // Exact for polynomials of degree 2 s - 1: slopes at c - 1 and at c - 2 go to those at c.
     const Tableau tableau = named("gauss:2");
-    const Step step = plan(tableau, {.separable = true, .solver = Solver::automatic});
+    const Step step = plan(tableau, {.is_separable = true}, {.solver = Solver::automatic});
     const Extrapolation from = iteration(step).extrapolation.value();
     for (int k = 0; k < 4; ++k) {
         const auto power = [&](const Number& x) {
@@ -300,9 +299,8 @@ TEST_CASE("a parameter that cancels is no argument") {
 
 TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~") {
     const auto modes = [](const char* method) {
-        const Step step =
-            plan(named(method),
-                 {.separable = true, .kinetic_is_quadratic = true, .solver = Solver::newton});
+        const Step step = plan(named(method), {.is_separable = true, .kinetic_is_quadratic = true},
+                               {.solver = Solver::newton});
         return std::get<VelocityStep>(step.form).modes;
     };
     // Gauss 2: roots of x^2 - x/12 + 1/144, as A A~ = A^2 and A has the eigenvalues of the Pade
@@ -327,10 +325,11 @@ TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~"
 
 TEST_CASE("who solves the equations") {
     const auto takes_newton = [](const char* method, bool quadratic, bool in_time, Solver solver) {
-        const Step step = plan(named(method), {.separable = quadratic,
-                                               .depends_on_time = in_time,
-                                               .kinetic_is_quadratic = quadratic,
-                                               .solver = solver});
+        const Step step = plan(named(method),
+                               {.is_separable = quadratic,
+                                .depends_on_time = in_time,
+                                .kinetic_is_quadratic = quadratic},
+                               {.solver = solver});
         if (const auto* positions = std::get_if<VelocityStep>(&step.form)) {
             CHECK(positions->modes.has_value() == positions->iteration.takes_newton());
         }
@@ -347,9 +346,9 @@ TEST_CASE("who solves the equations") {
 
 TEST_CASE("both slopes at once, where both are unknown") {
     const auto joint = [](const char* method, bool separable, bool pays) {
-        const Step step = plan(
-            named(method),
-            {.separable = separable, .joint_gradient_pays = pays, .solver = Solver::automatic});
+        const Step step =
+            plan(named(method), {.is_separable = separable, .joint_gradient_pays = pays},
+                 {.solver = Solver::automatic});
         return step.slopes == Slopes::joint;
     };
     CHECK(joint("gauss:3", false, true));
@@ -362,45 +361,42 @@ TEST_CASE("both slopes at once, where both are unknown") {
 }
 
 TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
-    const auto tabulated = [](const char* method, PlanOptions options) {
-        options.is_quadratic = true;
-        options.solver = Solver::automatic;
-        return std::holds_alternative<TabulatedStep>(plan(named(method), options).form);
+    const auto tabulated = [](const char* method, SystemProperties system,
+                              StepWishes wishes = {.solver = Solver::automatic}) {
+        system.is_quadratic = true;
+        return std::holds_alternative<TabulatedStep>(plan(named(method), system, wishes).form);
     };
     const char* gauss = "gauss:2";
-    CHECK(tabulated(gauss, {.separable = true, .degrees_of_freedom = 1}));
-    CHECK(tabulated(gauss, {.separable = false, .degrees_of_freedom = 1}));
-    CHECK(tabulated(gauss, {.separable = true, .degrees_of_freedom = 4}));
-    CHECK(tabulated(gauss, {.separable = false, .degrees_of_freedom = 2}));
+    CHECK(tabulated(gauss, {.is_separable = true, .degrees_of_freedom = 1}));
+    CHECK(tabulated(gauss, {.is_separable = false, .degrees_of_freedom = 1}));
+    CHECK(tabulated(gauss, {.is_separable = true, .degrees_of_freedom = 4}));
+    CHECK(tabulated(gauss, {.is_separable = false, .degrees_of_freedom = 2}));
     // Four slopes of each degree of freedom; two with the midpoint rule.
-    CHECK(tabulated(gauss, {.separable = true, .degrees_of_freedom = 16}));
-    CHECK_FALSE(tabulated(gauss, {.separable = true, .degrees_of_freedom = 17}));
-    CHECK(tabulated("midpoint", {.separable = true, .degrees_of_freedom = 32}));
-    CHECK_FALSE(tabulated("midpoint", {.separable = true, .degrees_of_freedom = 33}));
-    CHECK(tabulated("midpoint", {.separable = false, .degrees_of_freedom = 32}));
-    CHECK_FALSE(tabulated("midpoint", {.separable = false, .degrees_of_freedom = 33}));
+    CHECK(tabulated(gauss, {.is_separable = true, .degrees_of_freedom = 16}));
+    CHECK_FALSE(tabulated(gauss, {.is_separable = true, .degrees_of_freedom = 17}));
+    CHECK(tabulated("midpoint", {.is_separable = true, .degrees_of_freedom = 32}));
+    CHECK_FALSE(tabulated("midpoint", {.is_separable = true, .degrees_of_freedom = 33}));
+    CHECK(tabulated("midpoint", {.is_separable = false, .degrees_of_freedom = 32}));
+    CHECK_FALSE(tabulated("midpoint", {.is_separable = false, .degrees_of_freedom = 33}));
 
-    const PlanOptions one = {.separable = true, .degrees_of_freedom = 1};
+    const SystemProperties one = {.is_separable = true, .degrees_of_freedom = 1};
     CHECK_FALSE(tabulated("stormer-verlet", one));  // explicit
-    CHECK_FALSE(std::holds_alternative<TabulatedStep>(plan(named(gauss), one).form));
-    PlanOptions solved = one;
-    solved.is_quadratic = true;
-    CHECK_FALSE(std::holds_alternative<TabulatedStep>(plan(named(gauss), solved).form));
-    PlanOptions dense = one;
-    dense.has_curve = true;
-    CHECK_FALSE(tabulated(gauss, dense));
-    PlanOptions driven = one;
+    const Step seen = plan(named(gauss), one, {.solver = Solver::automatic});
+    CHECK_FALSE(std::holds_alternative<TabulatedStep>(seen.form));
+    CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::of_user}));
+    CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::automatic, .curve = true}));
+    SystemProperties driven = one;
     driven.depends_on_time = true;
     CHECK_FALSE(tabulated(gauss, driven));
 }
 
 TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product") {
     const auto sheared = [](bool separable, std::size_t n) {
-        return is_tabulated_as(plan(named("gauss:2"), {.separable = separable,
-                                                       .is_quadratic = true,
-                                                       .degrees_of_freedom = n,
-                                                       .solver = Solver::automatic}),
-                               TabulatedStep::As::shears);
+        return is_tabulated_as(
+            plan(named("gauss:2"),
+                 {.is_separable = separable, .is_quadratic = true, .degrees_of_freedom = n},
+                 {.solver = Solver::automatic}),
+            TabulatedStep::As::shears);
     };
     CHECK(sheared(true, 1));
     CHECK(sheared(true, 2));
@@ -409,11 +405,12 @@ TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product"
 }
 
 TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were there") {
-    const Step step = plan(named("chebyshev:3"), {.separable = false,
-                                                  .is_quadratic = true,
-                                                  .is_degenerate = true,
-                                                  .degrees_of_freedom = 1,
-                                                  .solver = Solver::automatic});
+    const Step step = plan(named("chebyshev:3"),
+                           {.is_separable = false,
+                            .is_quadratic = true,
+                            .is_degenerate = true,
+                            .degrees_of_freedom = 1},
+                           {.solver = Solver::automatic});
     CHECK(is_tabulated_as(step, TabulatedStep::As::matrix));
     for (const Decision& decision : step.decisions) {
         INFO(decision.what << ": " << decision.why);
@@ -422,21 +419,18 @@ TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were 
 }
 
 TEST_CASE("why the step of a quadratic H is iterated is among the choices") {
-    const auto reason = [](const PlanOptions& options) -> std::string {
-        for (const Decision& decision : plan(named("gauss:2"), options).decisions) {
+    const auto reason = [](const SystemProperties& system, Solver solver) -> std::string {
+        for (const Decision& decision :
+             plan(named("gauss:2"), system, {.solver = solver}).decisions) {
             if (decision.what == "iterated, though H is quadratic") { return decision.why; }
         }
         return "";
     };
-    PlanOptions options = {.separable = false,
-                           .is_quadratic = true,
-                           .degrees_of_freedom = 2,
-                           .solver = Solver::automatic};
-    CHECK(reason(options).empty());
-    options.separable = true;
-    CHECK(reason(options).empty());
-    options.degrees_of_freedom = 20;
-    CHECK(reason(options) == "its matrix has 80 unknowns, above 64");
-    options.solver = Solver::newton;
-    CHECK(reason(options).empty());
+    SystemProperties system = {.is_quadratic = true, .degrees_of_freedom = 2};
+    CHECK(reason(system, Solver::automatic).empty());
+    system.is_separable = true;
+    CHECK(reason(system, Solver::automatic).empty());
+    system.degrees_of_freedom = 20;
+    CHECK(reason(system, Solver::automatic) == "its matrix has 80 unknowns, above 64");
+    CHECK(reason(system, Solver::newton).empty());
 }

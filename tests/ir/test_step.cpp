@@ -15,8 +15,8 @@ using namespace hvi::gen;
 namespace {
 
 Step positions_step() {
-    return plan(derive(method("gauss:3")),
-                {.separable = true, .kinetic_is_quadratic = true, .solver = Solver::automatic});
+    return plan(derive(method("gauss:3")), {.is_separable = true, .kinetic_is_quadratic = true},
+                {.solver = Solver::automatic});
 }
 
 bool is_found(Step step, const std::function<void(Step&)>& mistake) {
@@ -31,7 +31,7 @@ bool is_found(Step step, const std::function<void(Step&)>& mistake) {
 }  // namespace
 
 TEST_CASE("a step that contradicts itself is found") {
-    const Step verlet = plan(tableaux::verlet(), {.separable = true});
+    const Step verlet = plan(tableaux::verlet(), {.is_separable = true});
     CHECK(is_found(verlet, [](Step& step) { step.m.pop_back(); }));
     CHECK(is_found(verlet, [](Step& step) { step.blocks.pop_back(); }));
     CHECK(is_found(verlet, [](Step& step) { std::swap(step.blocks[1], step.blocks[2]); }));
@@ -56,7 +56,7 @@ TEST_CASE("a step that contradicts itself is found") {
 TEST_CASE("steps are equal where nothing is decided differently") {
     const Step gauss = positions_step();
     CHECK(gauss == positions_step());
-    CHECK_FALSE(gauss == plan(tableaux::verlet(), {.separable = true}));
+    CHECK_FALSE(gauss == plan(tableaux::verlet(), {.is_separable = true}));
     Step other = gauss;
     other.m[0][0] = other.m[0][0] + Number(1) / Number(1000000);
     CHECK_FALSE(gauss == other);
@@ -70,19 +70,18 @@ TEST_CASE("steps are equal where nothing is decided differently") {
 
 TEST_CASE("which functions of H a step evaluates") {
     using E = Evaluation;
-    const auto of = [](const char* name, const PlanOptions& options) {
-        return evaluations(plan(derive(method(name)), options));
+    const auto of = [](const char* name, const SystemProperties& system,
+                       const StepWishes& wishes = {}) {
+        return evaluations(plan(derive(method(name)), system, wishes));
     };
-    CHECK(of("stormer-verlet", {.separable = true}) == std::vector{E::dHdq, E::dHdp});
-    CHECK(of("gauss:2", {.separable = true, .solver = Solver::newton}) ==
+    CHECK(of("stormer-verlet", {.is_separable = true}) == std::vector{E::dHdq, E::dHdp});
+    CHECK(of("gauss:2", {.is_separable = true}, {.solver = Solver::newton}) ==
           std::vector{E::dHdq, E::dHdp, E::d2Hdq2, E::d2Hdp2});
-    CHECK(of("gauss:2", {.joint_gradient_pays = true, .solver = Solver::automatic}) ==
+    CHECK(of("gauss:2", {.joint_gradient_pays = true}, {.solver = Solver::automatic}) ==
           std::vector{E::gradient, E::d2Hdq2, E::d2Hdqdp, E::d2Hdp2});
-    CHECK(of("gauss:2",
-             {.separable = true, .kinetic_is_quadratic = true, .solver = Solver::newton_taylor}) ==
+    CHECK(of("gauss:2", {.is_separable = true, .kinetic_is_quadratic = true},
+             {.solver = Solver::newton_taylor}) ==
           std::vector{E::dHdq, E::dHdp, E::inverse_mass, E::tangents});
-    CHECK(of("gauss:2", {.separable = true,
-                         .is_quadratic = true,
-                         .degrees_of_freedom = 1,
-                         .solver = Solver::automatic}) == std::vector{E::constants});
+    CHECK(of("gauss:2", {.is_separable = true, .is_quadratic = true, .degrees_of_freedom = 1},
+             {.solver = Solver::automatic}) == std::vector{E::constants});
 }

@@ -1,0 +1,21 @@
+// What is known of H where a step is planned.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace hvi::gen {
+
+/// Of the H of a scene what its graph proves, see Structure; of that of a class of the user what he
+/// says. What is false may be true and not seen.
+struct SystemProperties {
+    bool is_separable = false;           ///< H = T(p) + U(q), or T(p) + U(q, t)
+    bool depends_on_time = false;        ///< H = H(q, p, t)
+    bool kinetic_is_quadratic = false;   ///< it is separable, and T = p^T K p/2 with constant K
+    bool is_quadratic = false;           ///< all second derivatives are constant
+    bool is_degenerate = false;          ///< a row of d2H/dp2 is zero
+    bool joint_gradient_pays = false;    ///< dH/dq and dH/dp at once, for coupled stages
+    std::size_t degrees_of_freedom = 0;  ///< 0: not known
+};
+
+}  // namespace hvi::gen
