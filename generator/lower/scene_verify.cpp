@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
+#include "generator/lower/lowered_scene.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+namespace {
+
+/// A node needs nodes of smaller numbers only, and depends on what these depend on.
+void verify(const Graph& graph, Node node) {
+    const Computation& computation = graph.at(node);
+    if (computation.operation == Operation::input) { return; }
+    Roles roles = 0;
+    for (const Scaled& term : computation.terms) {
+        HVI_CHECK(term.node < node && !term.is_zero());
+        roles |= graph.at(term.node).roles;
+    }
+    for (const Node argument : computation.arguments) {
+        HVI_CHECK(argument < node);
+        roles |= graph.at(argument).roles;
+    }
+    HVI_CHECK(roles == computation.roles);
+    const bool is_sum = computation.operation == Operation::sum;
+    HVI_CHECK(is_sum == !computation.terms.empty());
+    HVI_CHECK(!is_sum || computation.terms.size() > 1);
+}
+
+void verify(const Graph& graph, const std::vector<Scaled>& values, std::size_t count) {
+    HVI_CHECK(values.size() == count);
+    HVI_CHECK(std::all_of(values.begin(), values.end(),
+                          [&](const Scaled& value) { return value.node < graph.size(); }));
+}
+
+void verify(const Graph& graph, const HessianBlock& block, std::size_t n, bool is_symmetric) {
+    HVI_CHECK(block.size() == n);
+    for (const std::vector<Scaled>& row : block) { verify(graph, row, n); }
+    for (std::size_t i = 0; i < n && is_symmetric; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            HVI_CHECK(block[i][j].is_zero() == block[j][i].is_zero());
+        }
+    }
+}
+
+}  // namespace
+
+void verify(const LoweredScene& lowered) {
+    const SystemGraph& system = lowered.system;
+    const Structure& found = lowered.structure;
+    const Graph& graph = system.graph;
+    const std::size_t n = lowered.scene.hamiltonian.degrees_of_freedom();
+    for (Node node = 0; node < graph.size(); ++node) { verify(graph, node); }
+    HVI_CHECK(system.q.size() == n && system.p.size() == n);
+    verify(graph, system.dHdq, n);
+    verify(graph, system.dHdp, n);
+    verify(graph, found.qq, n, true);
+    verify(graph, found.qp, n, false);
+    verify(graph, found.pp, n, true);
+    verify(graph, lowered.initial, lowered.scene.initial.size());
+    verify(graph, lowered.invariants, lowered.scene.invariants.size());
+    HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);
+    HVI_CHECK(found.kinetic_is_quadratic == (found.inverse_mass.size() == n));
+    HVI_CHECK(!found.is_quadratic || (found.by_q.size() == n && found.by_p.size() == n));
+}
+
+}  // namespace hvi::gen
