@@ -3,11 +3,11 @@
 
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/text/names.hpp"
-#include "generator/exact/functions/start.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/lower/joint_gradient.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
+#include "generator/scene/start.hpp"
 
 namespace hvi::gen {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/read/method.hpp"
 #include "tests/read/refusal.hpp"

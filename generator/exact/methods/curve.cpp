@@ -6,7 +6,7 @@
 
 #include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/algebra/number_polynomial.hpp"
-#include "generator/exact/functions/basis.hpp"
+#include "generator/exact/expressions/basis.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "generator/exact/algebra/matrix.hpp"
-#include "generator/exact/functions/basis.hpp"
-#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/expressions/basis.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/functions/factor.hpp"
 #include "generator/exact/functions/independence.hpp"
 #include "generator/exact/methods/interpolation.hpp"
