@@ -79,8 +79,8 @@ Properties properties(const PartitionedMethod& method, int max_order) {
 Certificate certify(const Tableau& tableau, int max_order) {
     Certificate result;
     static_cast<Properties&>(result) = properties_of(tableau, max_order);
-    result.name = tableau.name;
-    result.origin = tableau.origin;
+    result.name = tableau.provenance.name;
+    result.origin = tableau.provenance.origin;
     result.parameters = tableau.parameters;
     set_signs(result, {tableau.c, partitioned_method(tableau)});
     if (!takes_long(tableau)) { set_oscillator(result, tableau); }

@@ -13,7 +13,8 @@ namespace {
 bool has_nodes(const MethodEntry& entry, const RationalPolynomial& P) {
     const auto name = std::make_shared<const Source>(Source{"", std::string(entry.name)});
     const Tableau tableau = derive(named_method(name));
-    return tableau.node_polynomial && monic(*tableau.node_polynomial) == P;
+    const RationalPolynomial* const own = tableau.node_polynomial();
+    return own != nullptr && monic(*own) == P;
 }
 
 std::vector<std::string> names_with_nodes(const RationalPolynomial& nodes) {
@@ -35,13 +36,13 @@ std::vector<std::string> names_with_nodes(const RationalPolynomial& nodes) {
 }  // namespace
 
 std::vector<std::string> known_names(const Tableau& tableau) {
-    const auto& P = tableau.node_polynomial;
-    return P ? names_with_nodes(*P) : std::vector<std::string>{};
+    const RationalPolynomial* const P = tableau.node_polynomial();
+    return P != nullptr ? names_with_nodes(*P) : std::vector<std::string>{};
 }
 
 std::vector<std::string> known_adjoints(const Tableau& tableau) {
-    const auto& P = tableau.node_polynomial;
-    return P ? names_with_nodes(P->at_affine(-1, 1)) : std::vector<std::string>{};
+    const RationalPolynomial* const P = tableau.node_polynomial();
+    return P != nullptr ? names_with_nodes(P->at_affine(-1, 1)) : std::vector<std::string>{};
 }
 
 }  // namespace hvi::gen

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "generator/cli/options.hpp"
-#include "generator/exact/functions/step_count.hpp"
+#include "generator/scene/step_count.hpp"
 
 namespace hvi::gen {
 

@@ -88,7 +88,8 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
         text += fmt::format("{:<{}}  {}\n", name, width, value);
     };
     line("scene", scene.name + (scene.description.empty() ? "" : ": " + scene.description));
-    line("method", stepper.method_name.empty() ? stepper.tableau.origin : stepper.method_name);
+    line("method",
+         stepper.method_name.empty() ? stepper.tableau.provenance.origin : stepper.method_name);
     line("steps", fmt::format("{} of {}, until t = {:.10g}", run.steps, asked.size,
                               static_cast<double>(run.steps) * asked.size));
     if (asked.left != 0) line("left out", left_out(asked));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/edges/origin.hpp"
 
-#include "generator/exact/functions/start.hpp"
 #include "generator/hamiltonian/gradient.hpp"
+#include "generator/scene/start.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

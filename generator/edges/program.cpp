@@ -9,7 +9,7 @@
 
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/text.hpp"
-#include "generator/exact/functions/step_count.hpp"
+#include "generator/scene/step_count.hpp"
 #include "generator/simulate/peers.hpp"
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"

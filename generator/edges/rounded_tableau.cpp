@@ -5,8 +5,8 @@
 
 namespace hvi::gen {
 
-RoundedTableau rounded_entries(const Tableau& tableau) {
-    const std::size_t s = tableau.stages();
+RoundedTableau rounded_entries(const ButcherPair& pair) {
+    const std::size_t s = pair.stages();
     RoundedTableau result{{static_cast<double>(s)}, true};
     const auto rounded = [&](const Number& entry) {
         result.words.push_back(entry.nearest_double());
@@ -15,10 +15,10 @@ RoundedTableau rounded_entries(const Tableau& tableau) {
     NumberMatrix A(s), A_tilde(s);
     NumberVector b;
     for (std::size_t i = 0; i < s; ++i)
-        for (const Number& entry : tableau.A[i]) A[i].push_back(rounded(entry));
+        for (const Number& entry : pair.A[i]) A[i].push_back(rounded(entry));
     for (std::size_t i = 0; i < s; ++i)
-        for (const Number& entry : tableau.A_tilde[i]) A_tilde[i].push_back(rounded(entry));
-    for (const Number& entry : tableau.b) b.push_back(rounded(entry));
+        for (const Number& entry : pair.A_tilde[i]) A_tilde[i].push_back(rounded(entry));
+    for (const Number& entry : pair.b) b.push_back(rounded(entry));
     for (std::size_t i = 0; i < s; ++i)
         for (std::size_t j = 0; j < s; ++j)
             if ((b[i] * A_tilde[i][j] + b[j] * A[j][i] - b[i] * b[j]).sign() != 0)

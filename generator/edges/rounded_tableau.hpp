@@ -13,6 +13,6 @@ struct RoundedTableau {
     bool is_symplectic = false;  ///< b_i a~_ij + b_j a_ji = b_i b_j still, exactly
 };
 
-[[nodiscard]] RoundedTableau rounded_entries(const Tableau& tableau);
+[[nodiscard]] RoundedTableau rounded_entries(const ButcherPair& pair);
 
 }  // namespace hvi::gen

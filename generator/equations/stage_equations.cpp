@@ -136,14 +136,11 @@ std::optional<Number> small_number(const Expression& expression) {
 
 class Writer {
 public:
-    Writer(const Tableau& tableau, const Hamiltonian& H)
-        : H_(H),
-          gradient_(gradient(H)),
-          names_(stage_names(H, tableau.stages())),
-          nodes_(tableau.c) {
-        for (const NumberVector& row : tableau.A) A_.push_back(written(row));
-        for (const NumberVector& row : tableau.A_tilde) A_tilde_.push_back(written(row));
-        b_ = written(tableau.b);
+    Writer(const ButcherPair& pair, const Hamiltonian& H)
+        : H_(H), gradient_(gradient(H)), names_(stage_names(H, pair.stages())), nodes_(pair.c) {
+        for (const NumberVector& row : pair.A) A_.push_back(written(row));
+        for (const NumberVector& row : pair.A_tilde) A_tilde_.push_back(written(row));
+        b_ = written(pair.b);
     }
 
     [[nodiscard]] StageEquations equations();
@@ -287,8 +284,8 @@ StageEquations Writer::equations() {
 
 }  // namespace
 
-StageEquations stage_equations(const Tableau& tableau, const Hamiltonian& hamiltonian) {
-    return Writer(tableau, hamiltonian).equations();
+StageEquations stage_equations(const ButcherPair& pair, const Hamiltonian& hamiltonian) {
+    return Writer(pair, hamiltonian).equations();
 }
 
 }  // namespace hvi::gen

@@ -27,7 +27,7 @@ struct StageEquations {
 /// (4.18) with the coefficients of the method and the derivatives of this H put in. Terms with the
 /// coefficient 0 are left out; a coefficient without a closed form is a decimal of 20 digits.
 /// Preconditions and errors as for `gradient`.
-[[nodiscard]] StageEquations stage_equations(const Tableau& tableau,
+[[nodiscard]] StageEquations stage_equations(const ButcherPair& pair,
                                              const Hamiltonian& hamiltonian);
 
 }  // namespace hvi::gen

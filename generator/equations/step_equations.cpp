@@ -68,7 +68,7 @@ bool has_closed_form(const Tableau& tableau) {
     const auto is_closed = [](const NumberVector& row) {
         return std::all_of(row.begin(), row.end(), is_exact);
     };
-    return tableau.node_polynomial != nullptr ||
+    return tableau.node_polynomial() != nullptr ||
            (is_closed(tableau.b) && std::all_of(tableau.A.begin(), tableau.A.end(), is_closed) &&
             std::all_of(tableau.A_tilde.begin(), tableau.A_tilde.end(), is_closed));
 }

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <utility>
 
-#include "generator/exact/functions/evaluate.hpp"
-#include "generator/exact/functions/start.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/read/names.hpp"
+#include "generator/scene/start.hpp"
 
 namespace hvi::gen {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "generator/exact/algebra/modes.hpp"
-#include "generator/exact/functions/parametric.hpp"
 #include "generator/exact/numbers/number.hpp"
+#include "generator/exact/parameters/parametric.hpp"
 
 namespace hvi::gen {
 

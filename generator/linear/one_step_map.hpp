@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "generator/exact/methods/tableau.hpp"
 #include "generator/exact/numbers/ground.hpp"
 #include "generator/linear/quadratic_form.hpp"
 

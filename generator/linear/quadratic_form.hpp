@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/algebra/number_vector.hpp"
 
 namespace hvi::gen {
 

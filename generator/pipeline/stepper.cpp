@@ -3,11 +3,11 @@
 
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/text/names.hpp"
-#include "generator/exact/functions/start.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/lower/joint_gradient.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
+#include "generator/scene/start.hpp"
 
 namespace hvi::gen {
 
@@ -15,7 +15,7 @@ namespace {
 
 /// The command that writes the same header again, wherever to.
 std::string command(const Tableau& tableau, const MethodWishes& wishes) {
-    std::string text = "hvi-gen stepper " + tableau.origin;
+    std::string text = "hvi-gen stepper " + tableau.provenance.origin;
     if (wishes.separable) text += " --separable";
     if (wishes.composition) text += " --compose " + wishes.composition->name;
     if (wishes.class_name) text += " --name " + wishes.class_name->text;
@@ -23,7 +23,8 @@ std::string command(const Tableau& tableau, const MethodWishes& wishes) {
 }
 
 std::string command(const Tableau& tableau, const Scene& scene, const StepperWishes& wishes) {
-    std::string text = "hvi-gen stepper " + tableau.origin + " " + scene.hamiltonian.origin;
+    std::string text =
+        "hvi-gen stepper " + tableau.provenance.origin + " " + scene.hamiltonian.origin;
     if (wishes.solver == Solver::fixed_point) text += " --solver fixed-point";
     if (wishes.solver == Solver::newton) text += " --solver newton";
     if (wishes.solver == Solver::newton_taylor) text += " --solver newton-taylor";
@@ -136,8 +137,8 @@ MethodStepper method_stepper(const Method& method, const MethodWishes& wishes) {
     if (wishes.composition) check_composition(*wishes.composition, tableau);
     Step step = plan(tableau, {.is_separable = wishes.separable},
                      {.composition = wishes.composition, .method = method.place});
-    const std::string name =
-        name_of_class(wishes.class_name, composed_name(tableau.name, wishes.composition));
+    const std::string name = name_of_class(
+        wishes.class_name, composed_name(tableau.provenance.name, wishes.composition));
     std::string header =
         emit(tableau, step, {.class_name = name, .command = command(tableau, wishes)});
     return {std::move(tableau), std::move(step), std::move(header)};
@@ -151,7 +152,7 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
     members.curve = std::move(curve);
     LoweredScene lowered = hvi::gen::lowered(scene);
     Step step = planned(tableau, lowered, method, wishes);
-    std::string method_name = composed_name(tableau.name, wishes.composition);
+    std::string method_name = composed_name(tableau.provenance.name, wishes.composition);
     std::string name = name_of_class(
         wishes.class_name, scene.name.empty() ? method_name : scene.name + "-" + method_name);
     std::string header = emit(tableau, step,

@@ -9,13 +9,9 @@ namespace {
 
 constexpr int digits_of_audit = 50;
 
-const std::string& name_of(const Tableau& tableau) {
-    return tableau.name.empty() ? tableau.origin : tableau.name;
-}
-
 Json is_json(const std::optional<Rebuilt>& rebuilt) {
     const bool is = rebuilt && rebuilt->is_method() && rebuilt->is_right();
-    return is ? Json(name_of(*rebuilt->tableau)) : Json(nullptr);
+    return is ? Json(rebuilt->tableau->provenance.title()) : Json(nullptr);
 }
 
 Json meant_json(const std::optional<Rebuilt>& rebuilt) {
@@ -23,7 +19,7 @@ Json meant_json(const std::optional<Rebuilt>& rebuilt) {
     const auto matrix = [](Matrix which) { return which == Matrix::A ? "A" : "A_tilde"; };
     const auto& tableau = rebuilt->tableau;
     Json json;
-    json["method"] = tableau ? Json(name_of(*tableau)) : Json(nullptr);
+    json["method"] = tableau ? Json(tableau->provenance.title()) : Json(nullptr);
     json["A"] = tableau ? Json(matrix(rebuilt->A)) : Json(nullptr);
     json["A_tilde"] = tableau ? Json(matrix(rebuilt->A_tilde)) : Json("partner of A");
     json["compared"] = rebuilt->compared;

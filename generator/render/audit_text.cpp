@@ -21,8 +21,8 @@ std::string cut(const std::string& text, std::size_t columns) {
 
 std::string method_text(const Rebuilt& rebuilt) {
     if (!rebuilt.tableau) { return "A with its symplectic partner for A~"; }
-    const std::string name =
-        rebuilt.tableau->name.empty() ? "collocation at these nodes" : rebuilt.tableau->name;
+    const std::string& given = rebuilt.tableau->provenance.name;
+    const std::string name = given.empty() ? "collocation at these nodes" : given;
     if (rebuilt.is_method()) { return name; }
     if (rebuilt.A == Matrix::A) { return name + ", with A in place of A~"; }
     return name +

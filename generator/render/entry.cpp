@@ -36,19 +36,17 @@ Entry make_entry(const Number& number, int digits) {
 }
 
 std::vector<Part> parts(const Tableau& tableau) {
-    return {vector_part("c", tableau.c),
-            vector_part("b", tableau.b),
-            vector_part("c_tilde", tableau.c_tilde),
-            {"A", false, tableau.A},
-            {"A_tilde", false, tableau.A_tilde},
-            {"M", false, tableau.M},
-            {"M_inverse", false, tableau.M_inverse},
-            vector_part("B", tableau.B),
-            {"A_psi", false, tableau.A_psi}};
-}
-
-std::string title(const Tableau& tableau) {
-    return tableau.name.empty() ? tableau.origin : tableau.name;
+    std::vector<Part> result{vector_part("c", tableau.c),
+                             vector_part("b", tableau.b),
+                             vector_part("c_tilde", tableau.c_tilde),
+                             {"A", false, tableau.A},
+                             {"A_tilde", false, tableau.A_tilde}};
+    if (!tableau.galerkin) { return result; }
+    result.push_back({"M", false, tableau.galerkin->M});
+    result.push_back({"M_inverse", false, tableau.galerkin->M_inverse});
+    result.push_back(vector_part("B", tableau.galerkin->B));
+    result.push_back({"A_psi", false, tableau.galerkin->A_psi});
+    return result;
 }
 
 }  // namespace hvi::gen

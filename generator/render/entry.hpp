@@ -34,7 +34,7 @@ struct Part {
     NumberMatrix rows;  ///< of a vector, one number in each row
 };
 
-/// All vectors and matrices: c, b, c_tilde, A, A_tilde, M, M_inverse, B, A_psi.
+/// All vectors and matrices: c, b, c_tilde, A, A_tilde, and Galerkin's M, M_inverse, B, A_psi.
 [[nodiscard]] std::vector<Part> parts(const Tableau& tableau);
 
 /// Calls `visit(part, row, column, entry)` for every entry, rows and columns counted from 1.
@@ -45,8 +45,5 @@ void for_each_entry(const Tableau& tableau, int digits, Visitor&& visit) {
             for (std::size_t j = 0; j < part.rows[i].size(); ++j)
                 visit(part, i + 1, j + 1, make_entry(part.rows[i][j], digits));
 }
-
-/// Its name, or what it was given by.
-[[nodiscard]] std::string title(const Tableau& tableau);
 
 }  // namespace hvi::gen

@@ -38,11 +38,12 @@ Json entry_json(const Number& number, int digits) {
 std::string render_json(const Tableau& tableau, int digits) {
     Json json;
     json["schema"] = "hvi-tableau/1";
-    json["name"] = tableau.name;
+    json["name"] = tableau.provenance.name;
     json["stages"] = tableau.stages();
     json["parameters"] = tableau.parameters;
     json["basis"] = Json::array();
-    for (const Expression& function : tableau.basis) json["basis"].push_back(to_text(function));
+    for (const Expression& function : tableau.provenance.basis)
+        json["basis"].push_back(to_text(function));
     for (const Part& part : parts(tableau)) json[std::string(part.name)] = part_json(part, digits);
     return json.dump(2) + "\n";
 }

@@ -38,7 +38,7 @@ std::string array(const NumberVector& c, const NumberMatrix& A, const NumberVect
 }  // namespace
 
 std::string render_latex(const Tableau& tableau, int digits) {
-    return fmt::format("% hvi-gen tableau {} --format latex\n", tableau.origin) +
+    return fmt::format("% hvi-gen tableau {} --format latex\n", tableau.provenance.origin) +
            "\\[\n\\renewcommand{\\arraystretch}{1.5}\n" +
            array(tableau.c, tableau.A, tableau.b, digits) + "\\qquad\n" +
            array(tableau.c_tilde, tableau.A_tilde, tableau.b, digits) + "\\]\n";

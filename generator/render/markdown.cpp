@@ -44,8 +44,8 @@ std::string list(const std::vector<std::string>& items) {
 
 std::string render_markdown(const Tableau& tableau, int digits) {
     std::vector<std::string> basis;
-    for (const Expression& function : tableau.basis) basis.push_back(to_text(function));
-    std::string text = fmt::format("# Tableau of `{}`\n\n", title(tableau));
+    for (const Expression& function : tableau.provenance.basis) basis.push_back(to_text(function));
+    std::string text = fmt::format("# Tableau of `{}`\n\n", tableau.provenance.title());
     text += fmt::format("- stages: {}\n- basis functions: {}\n", tableau.stages(), list(basis));
     if (!tableau.parameters.empty()) text += "- parameters: " + list(tableau.parameters) + "\n";
     text += "\n" + butcher_table("c", tableau.c, "A", tableau.A, tableau.b, digits);

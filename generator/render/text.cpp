@@ -23,7 +23,7 @@ struct Shown {
 };
 
 template <class Form>
-Shown shown(const Tableau& tableau, Form&& form) {
+Shown shown(const ButcherPair& pair, Form&& form) {
     const auto vector = [&](const NumberVector& numbers) {
         std::vector<std::string> texts;
         for (const Number& number : numbers) texts.push_back(form(number));
@@ -34,8 +34,8 @@ Shown shown(const Tableau& tableau, Form&& form) {
         for (const NumberVector& row : rows) cells.push_back(vector(row));
         return cells;
     };
-    return {vector(tableau.c), matrix(tableau.A), vector(tableau.c_tilde), matrix(tableau.A_tilde),
-            vector(tableau.b)};
+    return {vector(pair.c), matrix(pair.A), vector(pair.c_tilde), matrix(pair.A_tilde),
+            vector(pair.b)};
 }
 
 void append(std::string& text, const Lines& lines) {
@@ -81,10 +81,10 @@ std::optional<std::string> as_tables(const Shown& shown) {
 }
 
 /// Exact, with a decimal where there is no closed form.
-std::string exact_part(const Tableau& tableau, int digits) {
+std::string exact_part(const ButcherPair& pair, int digits) {
     bool exact = false;
     bool complete = true;
-    const Shown entries = shown(tableau, [&](const Number& number) {
+    const Shown entries = shown(pair, [&](const Number& number) {
         const Entry entry = make_entry(number, digits);
         exact = exact || entry.exact;
         complete = complete && entry.exact;
@@ -98,14 +98,14 @@ std::string exact_part(const Tableau& tableau, int digits) {
 
 /// In tables where they fit with as many digits. Where they do not, up to `easily_read` digits are
 /// cut down to `fewest_digits` for tables, since whoever asks for more wants them all.
-std::string decimal_part(const Tableau& tableau, int digits) {
+std::string decimal_part(const ButcherPair& pair, int digits) {
     constexpr int easily_read = 16;
     constexpr int fewest_digits = 10;
     constexpr std::size_t narrowest_column = fewest_digits + 4;
     const auto with_digits = [&](int count) {
-        return shown(tableau, [&](const Number& number) { return number.decimal(count); });
+        return shown(pair, [&](const Number& number) { return number.decimal(count); });
     };
-    const bool room = (tableau.stages() + 1) * narrowest_column <= terminal_columns;
+    const bool room = (pair.stages() + 1) * narrowest_column <= terminal_columns;
     const int fewest = digits <= easily_read ? std::min(digits, fewest_digits) : digits;
     for (int count = digits; room && count >= fewest; --count)
         if (const auto tables = as_tables(with_digits(count)))
@@ -115,11 +115,11 @@ std::string decimal_part(const Tableau& tableau, int digits) {
 
 std::string heading(const Tableau& tableau) {
     std::string text;
-    append(text, wrapped("", title(tableau)));
+    append(text, wrapped("", tableau.provenance.title()));
     text += "\n";
     append(text, wrapped("stages      ", std::to_string(tableau.stages())));
     std::string basis;
-    for (const Expression& function : tableau.basis)
+    for (const Expression& function : tableau.provenance.basis)
         basis += (basis.empty() ? "" : ", ") + to_text(function);
     append(text, wrapped("basis       ", basis));
     if (!tableau.parameters.empty())

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "generator/pipeline/stepper.hpp"
-#include "generator/exact/functions/step_count.hpp"
 #include "generator/program/cache.hpp"
+#include "generator/scene/step_count.hpp"
 #include "generator/simulate/answers.hpp"
 
 namespace hvi::gen {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <utility>
 
-#include "generator/exact/functions/start.hpp"
 #include "generator/exact/methods/order.hpp"
+#include "generator/scene/start.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/error.hpp"
 

@@ -109,7 +109,7 @@ TEST_CASE("the file of gauss:8 is found to be gauss:8, of order 16") {
     CHECK(found.rounded == 144);
     CHECK(found.digits == 50);
     CHECK(found.is_known());
-    CHECK(found.rebuilt->tableau->name == "gauss:8");
+    CHECK(found.rebuilt->tableau->provenance.name == "gauss:8");
     CHECK(found.certificate.orders.general.order == 16);
     CHECK(found.certificate.orders.general.is_at_least);
     CHECK(found.certificate.within_digits);
@@ -189,7 +189,7 @@ TEST_CASE("a parameter stays free, or gets a value") {
     CHECK(text(free.defect->residual) == "2*w-1");
     set_parameter(theta, parse_parameter(source("w=1/2")));
     const Audit midpoint = audit(theta, 4);
-    CHECK(midpoint.rebuilt->tableau->name == "midpoint");
+    CHECK(midpoint.rebuilt->tableau->provenance.name == "midpoint");
     CHECK(has_orders(midpoint.certificate, 2, 2, 2));
 }
 

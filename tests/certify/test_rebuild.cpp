@@ -17,7 +17,7 @@ std::string meant(const Audit& found) {
     const std::string pair = found.rebuilt->is_method() ? ""
                                                         : std::string(name(found.rebuilt->A)) +
                                                               name(found.rebuilt->A_tilde);
-    return (tableau.name.empty() ? "collocation" : tableau.name) + pair;
+    return (tableau.provenance.name.empty() ? "collocation" : tableau.provenance.name) + pair;
 }
 
 std::string number_text(const Number& number, int digits) {
@@ -148,7 +148,8 @@ TEST_CASE("collocation at nodes without a name") {
     const Audit exact = audit_of(as_json(collocation));
     CHECK(meant(exact) == "collocation");
     CHECK(exact.rebuilt->proved);
-    CHECK(exact.rebuilt->tableau->origin == "--basis \"monomials:3\" --nodes \"0, 1/3, 6/7\"");
+    CHECK(exact.rebuilt->tableau->provenance.origin ==
+          "--basis \"monomials:3\" --nodes \"0, 1/3, 6/7\"");
     const Audit rounded = audit_of(as_json(collocation, 16));
     CHECK(meant(rounded) == "collocation");
     CHECK(rounded.rebuilt->wrong.empty());

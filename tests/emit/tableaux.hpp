@@ -18,8 +18,7 @@ inline Number ratio(long numerator, long denominator) {
 /// With a~_ij = b_j - b_j a_ji / b_i.
 inline Tableau make(NumberVector c, NumberVector b, NumberMatrix A) {
     Tableau tableau;
-    tableau.name = "by-hand";
-    tableau.origin = "--method by-hand";
+    tableau.provenance = {"by-hand", "--method by-hand", {}};
     const std::size_t s = b.size();
     tableau.A_tilde.assign(s, NumberVector(s));
     for (std::size_t i = 0; i < s; ++i) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/read/method.hpp"
 #include "tests/read/refusal.hpp"
@@ -86,10 +86,11 @@ inline bool is_tiny(const Number& number) {
 /// All entries of a tableau, row after row.
 inline NumberVector all_entries(const Tableau& tableau) {
     NumberVector result;
-    for (const NumberVector* vector : {&tableau.c, &tableau.b, &tableau.c_tilde, &tableau.B})
+    const Galerkin& galerkin = tableau.galerkin.value();
+    for (const NumberVector* vector : {&tableau.c, &tableau.b, &tableau.c_tilde, &galerkin.B})
         result.insert(result.end(), vector->begin(), vector->end());
     for (const NumberMatrix* matrix :
-         {&tableau.A, &tableau.A_tilde, &tableau.M, &tableau.M_inverse, &tableau.A_psi}) {
+         {&tableau.A, &tableau.A_tilde, &galerkin.M, &galerkin.M_inverse, &galerkin.A_psi}) {
         for (const NumberVector& row : *matrix) result.insert(result.end(), row.begin(), row.end());
     }
     return result;

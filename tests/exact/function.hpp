@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/exact/functions/basis.hpp"
+#include "generator/exact/expressions/basis.hpp"
 #include "tests/exact/exact.hpp"
 
 namespace hvi::gen {

@@ -157,7 +157,7 @@ void check(const Tableau& tableau) {
     for (const Number& node : tableau.c) ends.push_back(value(text(node)));
     const std::vector<Ball> nodes = ends;
     ends.push_back(ball("1"));
-    const auto expected = integrals_of_phi(tableau.basis, nodes, ends);
+    const auto expected = integrals_of_phi(tableau.provenance.basis, nodes, ends);
     for (std::size_t j = 0; j < tableau.stages(); ++j) {
         CHECK(agree(value(text(tableau.b[j])), expected.back()[j]));
         for (std::size_t i = 0; i < tableau.stages(); ++i) {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/exact/functions/entire.hpp"
-#include "generator/exact/functions/parametric.hpp"
 #include "generator/exact/numbers/expansion.hpp"
+#include "generator/exact/parameters/entire.hpp"
+#include "generator/exact/parameters/parametric.hpp"
 #include "generator/support/error.hpp"
 #include "tests/exact/exact.hpp"
 

@@ -100,10 +100,10 @@ TEST_CASE("Example 4.5: Stormer-Verlet") {
                            {"1/2", "1/2"}};
     const Tableau tableau = derive(method("stormer-verlet"));
     check(tableau, verlet);
-    CHECK(same_rows(tableau.M, {{"1", "1"}, {"1", "-1"}}));
-    CHECK(same_rows(tableau.M_inverse, {{"1/2", "1/2"}, {"1/2", "-1/2"}}));
-    CHECK(same(tableau.B, Row{"1", "0"}));
-    CHECK(same_rows(tableau.A_psi, {{"0", "0"}, {"1", "0"}}));
+    CHECK(same_rows(tableau.galerkin->M, {{"1", "1"}, {"1", "-1"}}));
+    CHECK(same_rows(tableau.galerkin->M_inverse, {{"1/2", "1/2"}, {"1/2", "-1/2"}}));
+    CHECK(same(tableau.galerkin->B, Row{"1", "0"}));
+    CHECK(same_rows(tableau.galerkin->A_psi, {{"0", "0"}, {"1", "0"}}));
     check(derive(method("1, tau", "0, 1")), verlet);
     check(derive(method("lobatto:2")), verlet);
 }
@@ -112,11 +112,12 @@ TEST_CASE("Example 4.6: three stages with trigonometric functions") {
     const Tableau tableau = derive(method("trig3"));
     check(tableau, trig3);
     check_length(tableau, trig3);
-    CHECK(same_rows(tableau.M, {{"1", "1", "1"}, {"1", "0", "-1"}, {"0", "1", "0"}}));
-    CHECK(same_rows(tableau.M_inverse,
+    CHECK(same_rows(tableau.galerkin->M, {{"1", "1", "1"}, {"1", "0", "-1"}, {"0", "1", "0"}}));
+    CHECK(same_rows(tableau.galerkin->M_inverse,
                     {{"1/2", "1/2", "-1/2"}, {"0", "0", "1"}, {"1/2", "-1/2", "-1/2"}}));
-    CHECK(same(tableau.B, Row{"1", "0", "2/pi"}));
-    CHECK(same_rows(tableau.A_psi, {{"0", "0", "0"}, {"1/2", "1/pi", "1/pi"}, {"1", "0", "2/pi"}}));
+    CHECK(same(tableau.galerkin->B, Row{"1", "0", "2/pi"}));
+    CHECK(same_rows(tableau.galerkin->A_psi,
+                    {{"0", "0", "0"}, {"1/2", "1/pi", "1/pi"}, {"1", "0", "2/pi"}}));
 }
 
 TEST_CASE("Example 4.7: Chebyshev's quadrature with equal weights") {

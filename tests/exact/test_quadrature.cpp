@@ -70,8 +70,8 @@ TEST_CASE("more digits are had when they are asked for") {
 TEST_CASE("a tableau of functions without closed form") {
     const Tableau tableau = derive(method("1, exp(tau^2)", "0, 1"));
     CHECK(text(tableau.c[1]) == "1");
-    CHECK(text(tableau.M[1][1]) == "e");
-    CHECK(text(tableau.B[1]) == "none");
+    CHECK(text(tableau.galerkin->M[1][1]) == "e");
+    CHECK(text(tableau.galerkin->B[1]) == "none");
     // b = (e - I, I - 1)/(e - 1) with I = sqrt(pi)/2 erfi(1), by mpmath
     CHECK(tableau.b[0].decimal(20) == "0.73074746048959407756");
     CHECK(tableau.b[1].decimal(20) == "0.26925253951040592244");
@@ -117,8 +117,8 @@ TEST_CASE("parameters with a value are numbers") {
     Method given = method("1, exp(w*tau^2), 1/(w+tau)", "0, 1/2, 1");
     set_parameter(given, parse_parameter(source("w=2", "--param")));
     const Tableau tableau = derive(given);
-    CHECK(same(text(tableau.B[2]), "log(3/2)"));
-    CHECK(tableau.B[1].decimal(20) == "2.3644538928052092846");
+    CHECK(same(text(tableau.galerkin->B[2]), "log(3/2)"));
+    CHECK(tableau.galerkin->B[1].decimal(20) == "2.3644538928052092846");
 }
 
 TEST_CASE("long and deep functions come to an end") {

@@ -20,8 +20,8 @@
 
 #include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
-#include "generator/exact/functions/step_count.hpp"
 #include "generator/render/render.hpp"
+#include "generator/scene/step_count.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/output_file.hpp"
 #include "tests/fuzz/attempt.hpp"

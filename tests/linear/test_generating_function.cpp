@@ -32,7 +32,7 @@ int order_of_difference(const std::string& method, const std::string& hamiltonia
 
 /// The tableau with coefficients for p that were not derived from it.
 Tableau with_partner(Tableau tableau, NumberMatrix A_tilde) {
-    tableau.node_polynomial = nullptr;
+    tableau.galerkin.reset();
     tableau.A_tilde = std::move(A_tilde);
     return tableau;
 }

@@ -30,6 +30,14 @@ TEST_CASE("the keys stand in the order of the schema") {
     CHECK(gauss["basis"] == Json({"1", "tau"}));
 }
 
+TEST_CASE("coefficients that Algorithm 4.3 did not make have nothing of Galerkin's") {
+    Tableau alone = tableau("gauss:2");
+    alone.galerkin.reset();
+    CHECK(keys(json(alone)) == std::vector<std::string>{"schema", "name", "stages", "parameters",
+                                                        "basis", "c", "b", "c_tilde", "A",
+                                                        "A_tilde"});
+}
+
 TEST_CASE("an entry has its three forms") {
     const Json cheby = json(tableau("chebyshev:3"));
     CHECK(cheby["A"][0][2]["exact"] == "1/6-5*sqrt(2)/48");

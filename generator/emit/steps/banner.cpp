@@ -10,7 +10,8 @@ namespace hvi::gen {
 namespace {
 
 std::string method_title(const Tableau& tableau) {
-    return tableau.name.empty() ? "A method of its own basis and nodes" : tableau.name;
+    const std::string& name = tableau.provenance.name;
+    return name.empty() ? "A method of its own basis and nodes" : name;
 }
 
 void list(Writer& writer, std::string_view letter, const NumberVector& values) {
@@ -68,7 +69,7 @@ std::string_view partner_text(Partner partner) {
 std::string method_text(const Tableau& tableau, const Step& step) {
     Writer writer(0);
     std::string basis;
-    for (const Expression& psi : tableau.basis) {
+    for (const Expression& psi : tableau.provenance.basis) {
         basis += (basis.empty() ? "" : ", ") + to_text(psi);
     }
     writer.comment(fmt::format(

@@ -80,8 +80,9 @@ std::string_view numbers(const SceneWishes& wishes) {
 
 std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options) {
     const Scene& scene = options.scene->scene;
-    const std::string method =
-        tableau.name.empty() ? "a method of its own basis and nodes" : tableau.name;
+    const std::string method = tableau.provenance.name.empty()
+                                   ? "a method of its own basis and nodes"
+                                   : tableau.provenance.name;
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     Writer writer(0);
     writer.comment(fmt::format("{} with {}, computed in Number: {}. "

@@ -7,7 +7,7 @@
 
 #include "generator/emit/text/constants.hpp"
 #include "generator/emit/text/names.hpp"
-#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 
 namespace hvi::gen {
 

@@ -74,10 +74,10 @@ bool is_symmetric(const ComposedMethod& method) {
     return method.composition || is_symmetric(derive(method.method)).holds;
 }
 
-WeightedStages weighted_stages(const Tableau& tableau) {
-    WeightedStages stages{tableau.A, tableau.b};
+WeightedStages weighted_stages(const ButcherPair& pair) {
+    WeightedStages stages{pair.A, pair.b};
     for (NumberVector& row : stages.m) {
-        for (std::size_t j = 0; j < row.size(); ++j) { row[j] = row[j] / tableau.b[j]; }
+        for (std::size_t j = 0; j < row.size(); ++j) { row[j] = row[j] / pair.b[j]; }
     }
     return stages;
 }

@@ -39,7 +39,7 @@ struct WeightedStages {
     NumberMatrix m;
     NumberVector b;
 };
-[[nodiscard]] WeightedStages weighted_stages(const Tableau& tableau);
+[[nodiscard]] WeightedStages weighted_stages(const ButcherPair& pair);
 
 /// Those of the steps in a row, as of one.
 [[nodiscard]] WeightedStages composed(const WeightedStages& method, const Composition& composition);

@@ -6,7 +6,7 @@
 
 #include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/algebra/number_polynomial.hpp"
-#include "generator/exact/functions/basis.hpp"
+#include "generator/exact/expressions/basis.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -48,8 +48,8 @@ NumberMatrix in_legendre_polynomials(const std::vector<BasisFunction>& psi, cons
 /// (tau - c_1) ... (tau - c_s), over Q where that is known.
 NumberPolynomial node_polynomial(const Derivation& derivation) {
     const Tableau& tableau = derivation.tableau;
-    if (tableau.node_polynomial) {
-        return with_numbers(*tableau.node_polynomial, derivation.ground);
+    if (const RationalPolynomial* const P = tableau.node_polynomial()) {
+        return with_numbers(*P, derivation.ground);
     }
     NumberPolynomial P{Number(1)};
     for (const Number& c : tableau.c) { P = product(P, {-c, Number(1)}); }
@@ -138,11 +138,11 @@ Curve curve(const Method& method, const Derivation& derivation) {
     });
     if (!is_polynomial) {
         auto [rows, A] = in_terms(psi);
-        return {tableau.M_inverse * rows, std::move(A), 1};
+        return {tableau.galerkin->M_inverse * rows, std::move(A), 1};
     }
     const NumberMatrix rows = in_legendre_polynomials(psi, derivation.ground);
     const bool spans_polynomials = rows.front().size() + 1 == psi.size();
-    return {tableau.M_inverse * rows,
+    return {tableau.galerkin->M_inverse * rows,
             {},
             spans_polynomials ? std::min(psi.size(), degrees_beyond_interpolation(derivation) + 1)
                               : 1};

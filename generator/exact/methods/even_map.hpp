@@ -17,12 +17,12 @@ struct EvenMap {
 /// the roots are.
 [[nodiscard]] EvenMap even_map(const RationalPolynomial& P);
 
-/// Of Algorithm 4.3 with exact coefficients. NOTE: by sums over products of the basis functions and
-/// of their integrals, which are short: the tableau's coefficients, and powers of A~ A more so,
-/// have many more terms. Takes s 2^s products.
-[[nodiscard]] EvenMap even_map_in_basis(const Tableau& tableau);
+/// Of Algorithm 4.3 with exact coefficients and the weights b. NOTE: by sums over products of the
+/// basis functions and of their integrals, which are short: the tableau's coefficients, and powers
+/// of A~ A more so, have many more terms. Takes s 2^s products.
+[[nodiscard]] EvenMap even_map_in_basis(const Galerkin& galerkin, const NumberVector& b);
 /// How many terms these sums have.
-[[nodiscard]] std::size_t term_count_in_basis(const Tableau& tableau);
+[[nodiscard]] std::size_t term_count_in_basis(const Galerkin& galerkin, const NumberVector& b);
 
 /// Of any coefficients. Where products of exact ones would take minutes they are enclosed, and
 /// `arithmetic` is asked which of the results are zero.

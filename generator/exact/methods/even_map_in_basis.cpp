@@ -44,20 +44,20 @@ struct RuleOfProducts {
     NumberMatrix BmN;  ///< B m^T - N
 };
 
-RuleOfProducts rule_of(const Tableau& tableau) {
-    const NumberMatrix& psi = tableau.M;
-    const NumberMatrix Psi = transpose(tableau.A_psi);
+RuleOfProducts rule_of(const Galerkin& galerkin, const NumberVector& b) {
+    const NumberMatrix& psi = galerkin.M;
+    const NumberMatrix Psi = transpose(galerkin.A_psi);
     const auto weighted = [&](NumberMatrix functions) {
         for (NumberVector& row : functions) {
-            for (std::size_t k = 0; k < row.size(); ++k) { row[k] = row[k] * tableau.b[k]; }
+            for (std::size_t k = 0; k < row.size(); ++k) { row[k] = row[k] * b[k]; }
         }
         return transpose(functions);
     };
-    RuleOfProducts rule{tableau.B, Psi * tableau.b, psi * weighted(psi), {}};
+    RuleOfProducts rule{galerkin.B, Psi * b, psi * weighted(psi), {}};
     const NumberMatrix N = Psi * weighted(Psi);
-    for (std::size_t i = 0; i < tableau.stages(); ++i) {
+    for (std::size_t i = 0; i < b.size(); ++i) {
         NumberVector& row = rule.BmN.emplace_back();
-        for (std::size_t j = 0; j < tableau.stages(); ++j) {
+        for (std::size_t j = 0; j < b.size(); ++j) {
             row.push_back(rule.B[i] * rule.m[j] - N[i][j]);
         }
     }
@@ -78,15 +78,15 @@ NumberPolynomial form(const NumberVector& x, const SquareMatrix<PolynomialEntry>
 
 }  // namespace
 
-std::size_t term_count_in_basis(const Tableau& tableau) {
-    const RuleOfProducts rule = rule_of(tableau);
+std::size_t term_count_in_basis(const Galerkin& galerkin, const NumberVector& b) {
+    const RuleOfProducts rule = rule_of(galerkin, b);
     return term_count(rule.G) + term_count(rule.BmN);
 }
 
 // As by_stages: P = (1 + t A~ A)^-1 (p 1 - z omega q c~), where G 1 = B and G c~ = B - m.
-EvenMap even_map_in_basis(const Tableau& tableau) {
-    const std::size_t s = tableau.stages();
-    const RuleOfProducts rule = rule_of(tableau);
+EvenMap even_map_in_basis(const Galerkin& galerkin, const NumberVector& b) {
+    const std::size_t s = b.size();
+    const RuleOfProducts rule = rule_of(galerkin, b);
     NumberMatrix all = beside(rule.G, rule.BmN);
     all.push_back(rule.B);
     all.push_back(rule.m);

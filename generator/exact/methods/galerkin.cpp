@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "generator/exact/algebra/matrix.hpp"
-#include "generator/exact/functions/basis.hpp"
-#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/expressions/basis.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/functions/factor.hpp"
 #include "generator/exact/functions/independence.hpp"
 #include "generator/exact/methods/interpolation.hpp"
@@ -157,8 +157,8 @@ ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredie
 }
 
 /// Numbers with free parameters have no enclosures, and so no sum with those that have nothing
-/// else: refused for what the tableau has so far.
-void check_parameters(const Tableau& tableau, const Method& method) {
+/// else: refused for what is known so far.
+void check_parameters(const NumberVector& nodes, const Galerkin& galerkin, const Method& method) {
     bool parameters = false;
     bool enclosed = false;
     const auto look = [&](const NumberVector& numbers) {
@@ -167,9 +167,9 @@ void check_parameters(const Tableau& tableau, const Method& method) {
             enclosed = enclosed || !is_exact(number);
         }
     };
-    look(tableau.c);
-    look(tableau.B);
-    for (const NumberMatrix* matrix : {&tableau.M, &tableau.A_psi}) {
+    look(nodes);
+    look(galerkin.B);
+    for (const NumberMatrix* matrix : {&galerkin.M, &galerkin.A_psi}) {
         for (const NumberVector& row : *matrix) look(row);
     }
     if (parameters && enclosed) {
@@ -253,10 +253,10 @@ std::size_t degrees_beyond_interpolation(const Ingredients& given) {
     return degrees;
 }
 
-void check_weights(const Tableau& tableau, const Method& method) {
-    for (std::size_t i = 0; i < tableau.stages(); ++i) {
-        if (!tableau.b[i].is_zero()) continue;
-        throw MathError("the weight of " + node_text(tableau.c, i) +
+void check_weights(const ButcherPair& pair, const Method& method) {
+    for (std::size_t i = 0; i < pair.stages(); ++i) {
+        if (!pair.b[i].is_zero()) continue;
+        throw MathError("the weight of " + node_text(pair.c, i) +
                             ", is zero, and step 5 divides by it",
                         whole(method.nodes.source),
                         "the general Galerkin form with chosen --weights, which is to come, can "
@@ -272,14 +272,14 @@ struct PartnerRow {
 /// a~_ij = b_j (1 - a_ji/b_i) = b_j (b_i - a_ji)/b_i for all j. NOTE: exact numbers are divided
 /// last, and their sum once: in a field with generators the quotient is by far the longest of them.
 /// Where enclosures are involved a_ji/b_i comes first: it is exactly 0 or 1 where a_ji is 0 or b_i.
-PartnerRow partner_row(const Tableau& tableau, std::size_t i) {
-    const NumberVector& b = tableau.b;
+PartnerRow partner_row(const ButcherPair& pair, std::size_t i) {
+    const NumberVector& b = pair.b;
     const bool exact = std::all_of(b.begin(), b.end(), is_exact) &&
-                       std::all_of(tableau.A.begin(), tableau.A.end(),
+                       std::all_of(pair.A.begin(), pair.A.end(),
                                    [&](const NumberVector& row) { return is_exact(row[i]); });
     PartnerRow result;
-    for (std::size_t j = 0; j < tableau.stages(); ++j) {
-        const Number& a = tableau.A[j][i];
+    for (std::size_t j = 0; j < pair.stages(); ++j) {
+        const Number& a = pair.A[j][i];
         const Number numerator = exact ? b[j] * (b[i] - a) : b[j] * (Number(1) - a / b[i]);
         result.entries.push_back(exact ? numerator / b[i] : numerator);
         result.sum = result.sum + numerator;
@@ -298,55 +298,80 @@ PartnerRow partner_row(const Tableau& tableau, std::size_t i) {
 /// sum_j b_j c_j^(k-1) a_ji = b_i (1 - c_i^k)/k, the integral of (1 - tau^k)/k phi_i, and so
 /// sum_j a~_ij c_j^(k-1) = c_i^k/k. These s equations determine row i of A~, and row i of A
 /// satisfies them: A~ = A.
-void complete_partner(Tableau& tableau, const Ingredients& given) {
+void complete_partner(ButcherPair& pair, const Ingredients& given) {
     const Progress::Stage stage("computing the partner tableau");
-    const std::size_t s = tableau.stages();
+    const std::size_t s = pair.stages();
     const std::size_t degrees = degrees_beyond_interpolation(given);
     if (degrees >= s) {
-        tableau.A_tilde = tableau.A;
-        tableau.c_tilde = tableau.c;
+        pair.A_tilde = pair.A;
+        pair.c_tilde = pair.c;
         return;
     }
     for (std::size_t i = 0; i < s; ++i) {
-        auto [row, sum] = partner_row(tableau, i);
-        tableau.A_tilde.push_back(std::move(row));
-        tableau.c_tilde.push_back(degrees >= 1 ? tableau.c[i] : std::move(sum));
+        auto [row, sum] = partner_row(pair, i);
+        pair.A_tilde.push_back(std::move(row));
+        pair.c_tilde.push_back(degrees >= 1 ? pair.c[i] : std::move(sum));
     }
+}
+
+/// M^-1 = adjugate * scale; with it the weights, where interpolation has them too.
+struct Inversion {
+    NumberMatrix adjugate;
+    Number scale;
+    std::optional<NumberVector> weights;
+};
+
+/// Sets `M_inverse`, and `node_polynomial` where there is one.
+Inversion inversion(Galerkin& galerkin, const Method& method, const Ingredients& given) {
+    if (auto known = interpolation(given)) {
+        galerkin.node_polynomial =
+            std::make_shared<const RationalPolynomial>(*given.nodes.polynomial);
+        galerkin.M_inverse = known->M_inverse;
+        return {std::move(known->M_inverse), Number(1), std::move(known->b)};
+    }
+    ScaledInverse inverse = invert(galerkin.M, method, given);
+    const Number scale = Number(1) / inverse.determinant;
+    for (const NumberVector& row : inverse.adjugate) { galerkin.M_inverse.push_back(row * scale); }
+    return {std::move(inverse.adjugate), scale, std::nullopt};
+}
+
+/// Sets `B` and `A_psi`.
+void integrate(Galerkin& galerkin, const Ingredients& given) {
+    const auto& [ground, psi, nodes] = given;
+    galerkin.B = integrals(psi, Number(1), ground);
+    for (const Number& node : nodes.c) {
+        galerkin.A_psi.push_back(node.is_one() ? galerkin.B : integrals(psi, node, ground));
+    }
+}
+
+/// Steps 3 to 5.
+ButcherPair butcher_pair(const Galerkin& galerkin, const Inversion& M, const Method& method,
+                         const Ingredients& given) {
+    const auto times_inverse = [&](const NumberVector& v) { return M.adjugate * v * M.scale; };
+    ButcherPair pair;
+    pair.c = given.nodes.c;
+    pair.b = M.weights ? *M.weights : times_inverse(galerkin.B);
+    check_weights(pair, method);
+    for (std::size_t i = 0; i < pair.stages(); ++i) {
+        pair.A.push_back(pair.c[i].is_one() ? pair.b : times_inverse(galerkin.A_psi[i]));
+    }
+    complete_partner(pair, given);
+    return pair;
 }
 
 Tableau derive(const Method& method, const Ingredients& given) {
     const auto& [ground, psi, nodes] = given;
-    Tableau tableau;
-    tableau.name = method.name;
-    tableau.origin = method.origin;
-    tableau.parameters = ground.free_parameters();
-    tableau.c = nodes.c;
-    for (const BasisFunction& function : psi) tableau.basis.push_back(function.form);
-    tableau.M = values(psi, nodes.c, ground);
-    check_parameters(tableau, method);
-    const auto known = interpolation(given);
-    if (known) {
-        tableau.node_polynomial = std::make_shared<const RationalPolynomial>(*nodes.polynomial);
-    }
-    const ScaledInverse inverse =
-        known ? ScaledInverse{known->M_inverse, Number(1)} : invert(tableau.M, method, given);
-    const Number scale = Number(1) / inverse.determinant;
-    for (const NumberVector& row : inverse.adjugate) { tableau.M_inverse.push_back(row * scale); }
+    Provenance provenance{method.name, method.origin, {}};
+    for (const BasisFunction& function : psi) { provenance.basis.push_back(function.form); }
+    Galerkin galerkin;
+    galerkin.M = values(psi, nodes.c, ground);
+    check_parameters(nodes.c, galerkin, method);
+    const Inversion M = inversion(galerkin, method, given);
     check_constants(method, psi);
-    tableau.B = integrals(psi, Number(1), ground);
-    for (const Number& node : nodes.c) {
-        const bool is_end = (node - Number(1)).is_zero();
-        tableau.A_psi.push_back(is_end ? tableau.B : integrals(psi, node, ground));
-    }
-    check_parameters(tableau, method);
-    tableau.b = known ? known->b : inverse.adjugate * tableau.B * scale;
-    check_weights(tableau, method);
-    for (const NumberVector& row : tableau.A_psi) {
-        const bool is_end = (nodes.c[tableau.A.size()] - Number(1)).is_zero();
-        tableau.A.push_back(is_end ? tableau.b : inverse.adjugate * row * scale);
-    }
-    complete_partner(tableau, given);
-    return tableau;
+    integrate(galerkin, given);
+    check_parameters(nodes.c, galerkin, method);
+    ButcherPair pair = butcher_pair(galerkin, M, method, given);
+    return {std::move(pair), std::move(provenance), ground.free_parameters(), std::move(galerkin)};
 }
 
 /// sum_k coefficients[k] functions[k]
@@ -382,7 +407,7 @@ Routes both_routes(const Method& method) {
         const Tableau tableau = derive(method, given);
         Routes routes{{tableau.b, tableau.A}, {}};
         std::vector<BasisFunction> phi;
-        for (const NumberVector& row : tableau.M_inverse) {
+        for (const NumberVector& row : tableau.galerkin->M_inverse) {
             phi.push_back({Expression(), combine(row, given.psi), whole(method.basis.source)});
         }
         routes.by_integration.b = integrals(phi, Number(1), given.ground);

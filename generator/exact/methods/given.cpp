@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/exact/numbers/rounded.hpp"
 #include "generator/support/progress.hpp"

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "generator/exact/algebra/number_polynomial.hpp"
-#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/methods/interpolation.hpp"
 #include "generator/exact/numbers/rational.hpp"
 

@@ -77,8 +77,8 @@ bool PartitionedMethod::has_parameters() const {
     return any_coefficient(*this, [](const Number& entry) { return entry.has_parameters(); });
 }
 
-PartitionedMethod partitioned_method(const Tableau& tableau) {
-    return {tableau.b, tableau.b, tableau.A, tableau.A_tilde};
+PartitionedMethod partitioned_method(const ButcherPair& pair) {
+    return {pair.b, pair.b, pair.A, pair.A_tilde};
 }
 
 NumberVector NumberStages::product(const Function& left, const Function& right) const {
@@ -98,13 +98,13 @@ NumberVector NumberStages::apply(Colour colour, const Function& function, long t
     return exact((colour == Colour::f ? method_.A : method_.A_tilde) * function * Number(times));
 }
 
-GalerkinStages::GalerkinStages(const Tableau& tableau)
-    : NumberStages(partitioned_method(tableau)),
-      to_basis_(transpose(tableau.M_inverse)),
-      A_psi_(tableau.A_psi),
-      moments_(transpose(tableau.A_psi)),
-      from_basis_(tableau.M_inverse),
-      b_(tableau.b) {
+GalerkinStages::GalerkinStages(const ButcherPair& pair, const Galerkin& galerkin)
+    : NumberStages(partitioned_method(pair)),
+      to_basis_(transpose(galerkin.M_inverse)),
+      A_psi_(galerkin.A_psi),
+      moments_(transpose(galerkin.A_psi)),
+      from_basis_(galerkin.M_inverse),
+      b_(pair.b) {
     for (NumberVector& row : moments_) { row = NumberStages::product(row, b_); }
     for (std::size_t i = 0; i < b_.size(); ++i) {
         from_basis_[i] = from_basis_[i] * (Number(1) / b_[i]);

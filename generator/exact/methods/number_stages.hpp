@@ -23,7 +23,7 @@ struct PartitionedMethod {
     [[nodiscard]] bool has_parameters() const;
 };
 
-[[nodiscard]] PartitionedMethod partitioned_method(const Tableau& tableau);
+[[nodiscard]] PartitionedMethod partitioned_method(const ButcherPair& pair);
 
 /// Coefficients of which some are known to some digits only.
 struct RoundedMethod {
@@ -65,7 +65,7 @@ private:
 class GalerkinStages : public NumberStages {
 public:
     /// Precondition: the coefficients are exact, as those with free parameters are.
-    explicit GalerkinStages(const Tableau& tableau);
+    GalerkinStages(const ButcherPair& pair, const Galerkin& galerkin);
 
     [[nodiscard]] Scalar defect(Colour colour, const Function& function, long times) const;
     [[nodiscard]] Function apply(Colour colour, const Function& function, long times) const;

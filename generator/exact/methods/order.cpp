@@ -225,14 +225,17 @@ std::optional<Number> OrderConditions::error_constant() const {
 }
 
 Orders orders(const Tableau& tableau, int max_order) {
-    if (!tableau.node_polynomial) {
-        if (tableau.parameters.empty()) { return orders(partitioned_method(tableau), max_order); }
-        return examine(GalerkinStages(tableau), Decided(), exact_defect, max_order);
+    if (const RationalPolynomial* const P = tableau.node_polynomial()) {
+        const auto to_number = [](const RationalPolynomial& defect, const TreePointer&) {
+            return constant_term(defect);
+        };
+        return examine(PolynomialStages(*P), Decided(), to_number, max_order);
     }
-    const auto to_number = [](const RationalPolynomial& defect, const TreePointer&) {
-        return constant_term(defect);
-    };
-    return examine(PolynomialStages(*tableau.node_polynomial), Decided(), to_number, max_order);
+    if (tableau.galerkin && !tableau.parameters.empty()) {
+        const GalerkinStages stages(tableau, *tableau.galerkin);
+        return examine(stages, Decided(), exact_defect, max_order);
+    }
+    return orders(partitioned_method(tableau), max_order);
 }
 
 Orders orders(const PartitionedMethod& method, int max_order) {

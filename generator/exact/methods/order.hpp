@@ -46,11 +46,10 @@ struct Orders {
 
 /// Looks at the conditions of order 1, 2, ..., `max_order` until some fail. In exact arithmetic
 /// where the numbers allow; over Q where the tableau has a `node_polynomial`, at whatever nodes.
-/// With one, and with free parameters, the coefficients are those of Algorithm 4.3. Where trees of
-/// so many vertices have elementary weights that are not known to be equal, in hundreds of
-/// thousands, it stops below `max_order`. With free parameters the order is the generic one.
-/// Precondition: 1 <= max_order <= most_vertices. Throws MathError where a residual cannot be told
-/// from zero.
+/// Where trees of so many vertices have elementary weights that are not known to be equal, in
+/// hundreds of thousands, it stops below `max_order`. With free parameters the order is the generic
+/// one. Precondition: 1 <= max_order <= most_vertices. Throws MathError where a residual cannot be
+/// told from zero.
 [[nodiscard]] Orders orders(const Tableau& tableau, int max_order);
 
 /// By the coefficients alone.

@@ -146,11 +146,11 @@ OscillatorMap completed(EvenMap map, PolynomialArithmetic arithmetic) {
 
 /// NOTE: the determinant by the theorem that a symplectic method has a symplectic map: products of
 /// the map's coefficients, rational functions of the parameters, would take minutes.
-OscillatorMap in_basis(const Tableau& tableau) {
-    EvenMap map = even_map_in_basis(tableau);
+OscillatorMap in_basis(const ButcherPair& pair, const Galerkin& galerkin) {
+    EvenMap map = even_map_in_basis(galerkin, pair.b);
     PolynomialArithmetic arithmetic;
     OscillatorMap result = normalized(map, arithmetic);
-    result.determinant_one = is_symplectic(partitioned_method(tableau));
+    result.determinant_one = is_symplectic(partitioned_method(pair));
     HVI_CHECK(result.determinant_one.holds);
     return result;
 }
@@ -158,15 +158,16 @@ OscillatorMap in_basis(const Tableau& tableau) {
 /// Where there are free parameters. The minors of more functions are too many.
 bool is_for_basis(const Tableau& tableau) {
     constexpr std::size_t most_functions = 8;
-    return !tableau.parameters.empty() && tableau.stages() <= most_functions;
+    return tableau.galerkin && !tableau.parameters.empty() && tableau.stages() <= most_functions;
 }
 
 }  // namespace
 
 OscillatorMap oscillator_map(const Tableau& tableau) {
     const Progress::Stage stage("computing the map of the harmonic oscillator");
-    if (tableau.node_polynomial) { return completed(even_map(*tableau.node_polynomial), {}); }
-    return is_for_basis(tableau) ? in_basis(tableau) : oscillator_map(partitioned_method(tableau));
+    if (const auto* const P = tableau.node_polynomial()) { return completed(even_map(*P), {}); }
+    return is_for_basis(tableau) ? in_basis(tableau, *tableau.galerkin)
+                                 : oscillator_map(partitioned_method(tableau));
 }
 
 OscillatorMap oscillator_map(const PartitionedMethod& method) {
@@ -209,9 +210,9 @@ bool takes_long(const PartitionedMethod& method) {
 
 bool takes_long(const Tableau& tableau) {
     constexpr std::size_t most_terms = 1200;  // four stages have 800, and five 2100
-    if (tableau.node_polynomial || tableau.parameters.empty()) { return false; }
+    if (tableau.node_polynomial() != nullptr || tableau.parameters.empty()) { return false; }
     const std::size_t terms = is_for_basis(tableau)
-                                  ? term_count_in_basis(tableau)
+                                  ? term_count_in_basis(*tableau.galerkin, tableau.b)
                                   : term_count(tableau.A) + term_count(tableau.A_tilde);
     return terms > most_terms;
 }

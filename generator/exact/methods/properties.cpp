@@ -237,19 +237,22 @@ Verdict has_common_weights(const Tableau& tableau) {
 
 Verdict is_symplectic(const Tableau& tableau) {
     const Progress::Stage stage("checking symplecticity");
-    return tableau.node_polynomial ? is_symplectic(PolynomialStages(*tableau.node_polynomial))
-                                   : is_symplectic(partitioned_method(tableau));
+    const RationalPolynomial* const P = tableau.node_polynomial();
+    return P != nullptr ? is_symplectic(PolynomialStages(*P))
+                        : is_symplectic(partitioned_method(tableau));
 }
 
 Verdict is_symmetric(const Tableau& tableau) {
     const Progress::Stage stage("checking symmetry");
-    const auto& P = tableau.node_polynomial;
-    return P ? is_symmetric(PolynomialStages(*P), *P) : is_symmetric(partitioned_method(tableau));
+    const RationalPolynomial* const P = tableau.node_polynomial();
+    return P != nullptr ? is_symmetric(PolynomialStages(*P), *P)
+                        : is_symmetric(partitioned_method(tableau));
 }
 
 Verdict is_runge_kutta(const Tableau& tableau) {
-    const auto& P = tableau.node_polynomial;
-    return P ? is_runge_kutta(PolynomialStages(*P)) : is_runge_kutta(partitioned_method(tableau));
+    const RationalPolynomial* const P = tableau.node_polynomial();
+    return P != nullptr ? is_runge_kutta(PolynomialStages(*P))
+                        : is_runge_kutta(partitioned_method(tableau));
 }
 
 }  // namespace hvi::gen

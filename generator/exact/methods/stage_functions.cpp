@@ -9,11 +9,11 @@ namespace hvi::gen {
 
 namespace {
 
-StageFunctions by_values(const Tableau& tableau) {
-    const std::size_t s = tableau.stages();
+StageFunctions by_values(const ButcherPair& pair) {
+    const std::size_t s = pair.stages();
     NumberMatrix gram(s, NumberVector(s));
-    for (std::size_t i = 0; i < s; ++i) { gram[i][i] = tableau.b[i]; }
-    return {tableau.A, tableau.A_tilde, NumberVector(s, Number(1)), tableau.b, std::move(gram)};
+    for (std::size_t i = 0; i < s; ++i) { gram[i][i] = pair.b[i]; }
+    return {pair.A, pair.A_tilde, NumberVector(s, Number(1)), pair.b, std::move(gram)};
 }
 
 StageFunctions by_powers(const PolynomialStages& stages) {
@@ -39,8 +39,8 @@ StageFunctions by_powers(const PolynomialStages& stages) {
 }  // namespace
 
 StageFunctions stage_functions(const Tableau& tableau) {
-    return tableau.node_polynomial ? by_powers(PolynomialStages(*tableau.node_polynomial))
-                                   : by_values(tableau);
+    const RationalPolynomial* const P = tableau.node_polynomial();
+    return P != nullptr ? by_powers(PolynomialStages(*P)) : by_values(tableau);
 }
 
 std::size_t term_count(const StageFunctions& stages) {

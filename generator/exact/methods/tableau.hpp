@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,30 +13,51 @@ namespace hvi::gen {
 
 class RationalPolynomial;
 
-/// The method of Algorithm 4.3 with everything computed on the way. Letters as in the paper; s is
-/// the number of stages, indices are 0-based.
-struct Tableau {
-    std::string name;                     ///< `gauss:2`, or empty for one given by basis and nodes
-    std::string origin;                   ///< the METHOD as the command line has it
-    std::vector<std::string> parameters;  ///< free symbols, sorted
-    std::vector<Expression> basis;        ///< psi_1 .. psi_s, functions of tau
+/// Where a method comes from.
+struct Provenance {
+    std::string name;               ///< `gauss:2`, or empty for one given by basis and nodes
+    std::string origin;             ///< the METHOD as the command line has it
+    std::vector<Expression> basis;  ///< psi_1 .. psi_s, functions of tau, as they were written
 
+    /// The name, or what stands in its place.
+    [[nodiscard]] const std::string& title() const { return name.empty() ? origin : name; }
+};
+
+/// The Butcher tableaux for q and, with a tilde, for p, which have their weights in common: all
+/// that a step needs to know. Letters as in the paper; indices are 0-based.
+struct ButcherPair {
     NumberVector c;  ///< nodes
-    NumberMatrix M;  ///< M[i][j] = psi_i(c_j)
-    NumberMatrix M_inverse;
-    NumberVector B;        ///< B[i] = integral of psi_i over [0,1]
-    NumberVector b;        ///< weights, b = M^-1 B
-    NumberMatrix A_psi;    ///< A_psi[i][j] = integral of psi_j over [0, c_i]
-    NumberMatrix A;        ///< A^phi = A_psi M^-T
+    NumberVector b;
+    NumberMatrix A;
     NumberMatrix A_tilde;  ///< a~_ij = b_j - b_j a_ji / b_i
     NumberVector c_tilde;  ///< row sums of A_tilde
 
+    [[nodiscard]] std::size_t stages() const { return b.size(); }
+};
+
+/// What Algorithm 4.3 makes of a basis on its way to the tableaux: b = M^-1 B and A = A_psi M^-T.
+struct Galerkin {
+    NumberMatrix M;  ///< M[i][j] = psi_i(c_j)
+    NumberMatrix M_inverse;
+    NumberVector B;      ///< B[i] = integral of psi_i over [0,1]
+    NumberMatrix A_psi;  ///< A_psi[i][j] = integral of psi_j over [0, c_i]
+
     /// P over Q with the nodes for its roots, each once, when the basis spans the polynomials of
     /// lower degree over Q: then sums over the stages are rational (see polynomial_stages.hpp).
-    /// Null otherwise, and of no meaning for coefficients that did not come from Algorithm 4.3.
+    /// Null otherwise.
     std::shared_ptr<const RationalPolynomial> node_polynomial;
+};
 
-    [[nodiscard]] std::size_t stages() const { return c.size(); }
+/// A method, with what is known of it.
+struct Tableau : ButcherPair {
+    Provenance provenance;
+    std::vector<std::string> parameters;  ///< free symbols in its numbers, sorted
+    std::optional<Galerkin> galerkin;  ///< empty for coefficients that Algorithm 4.3 did not make
+
+    /// Galerkin's; null where there is none.
+    [[nodiscard]] const RationalPolynomial* node_polynomial() const {
+        return galerkin ? galerkin->node_polynomial.get() : nullptr;
+    }
 };
 
 }  // namespace hvi::gen

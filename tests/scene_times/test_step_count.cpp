@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/exact/functions/step_count.hpp"
+#include "generator/scene/step_count.hpp"
 
 using namespace hvi::gen;
 

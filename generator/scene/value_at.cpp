@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/value_at.hpp"
+#include "generator/scene/value_at.hpp"
 
 #include <string_view>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/evaluate.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
 
 #include <cmath>
 
-#include "generator/exact/functions/compose.hpp"
+#include "generator/exact/expressions/compose.hpp"
+#include "generator/exact/expressions/spline.hpp"
 #include "generator/exact/functions/division_by_zero.hpp"
-#include "generator/exact/functions/spline.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
 

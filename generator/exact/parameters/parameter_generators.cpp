@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/parameter_generators.hpp"
+#include "generator/exact/parameters/parameter_generators.hpp"
 
 #include <algorithm>
 #include <utility>

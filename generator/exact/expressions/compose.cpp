@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/compose.hpp"
+#include "generator/exact/expressions/compose.hpp"
 
 #include "generator/exact/functions/elementary.hpp"
 

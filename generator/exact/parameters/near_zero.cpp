@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/near_zero.hpp"
+#include "generator/exact/parameters/near_zero.hpp"
 
 namespace hvi::gen {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/entire_quotients.hpp"
+#include "generator/exact/parameters/entire_quotients.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "generator/exact/functions/tangents.hpp"
 #include "generator/exact/numbers/number_value.hpp"
+#include "generator/exact/parameters/tangents.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

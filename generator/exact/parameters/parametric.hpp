@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/functions/entire.hpp"
 #include "generator/exact/numbers/number.hpp"
+#include "generator/exact/parameters/entire.hpp"
 
 namespace hvi::gen {
 

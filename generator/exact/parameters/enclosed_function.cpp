@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/enclosed_function.hpp"
+#include "generator/exact/parameters/enclosed_function.hpp"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "generator/exact/functions/parameter_generators.hpp"
-#include "generator/exact/functions/parametric.hpp"
+#include "generator/exact/parameters/parameter_generators.hpp"
+#include "generator/exact/parameters/parametric.hpp"
 
 namespace hvi::gen {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/exact/functions/ball_series.hpp"
-#include "generator/exact/functions/entire.hpp"
+#include "generator/exact/parameters/ball_series.hpp"
+#include "generator/exact/parameters/entire.hpp"
 
 namespace hvi::gen {
 

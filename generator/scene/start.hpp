@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "generator/exact/functions/value_at.hpp"
 #include "generator/exact/numbers/ground.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/scene/value_at.hpp"
 
 namespace hvi::gen {
 

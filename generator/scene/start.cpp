@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/start.hpp"
+#include "generator/scene/start.hpp"
 
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/functions/division_by_zero.hpp"
-#include "generator/exact/functions/evaluate.hpp"
 
 namespace hvi::gen {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/tangents.hpp"
+#include "generator/exact/parameters/tangents.hpp"
 
 #include <algorithm>
 #include <map>

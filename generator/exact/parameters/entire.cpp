@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/entire.hpp"
+#include "generator/exact/parameters/entire.hpp"
 
 #include <algorithm>
 
-#include "generator/exact/functions/near_zero.hpp"
+#include "generator/exact/parameters/near_zero.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/parametric.hpp"
+#include "generator/exact/parameters/parametric.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "generator/exact/functions/entire_quotients.hpp"
+#include "generator/exact/parameters/entire_quotients.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {

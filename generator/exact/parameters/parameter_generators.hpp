@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/functions/entire.hpp"
 #include "generator/exact/numbers/field.hpp"
+#include "generator/exact/parameters/entire.hpp"
 
 namespace hvi::gen {
 

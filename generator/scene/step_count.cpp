@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/step_count.hpp"
+#include "generator/scene/step_count.hpp"
 
 #include <cmath>
 
-#include "generator/exact/functions/evaluate.hpp"
-#include "generator/exact/functions/start.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
+#include "generator/scene/start.hpp"
 
 namespace hvi::gen {
 

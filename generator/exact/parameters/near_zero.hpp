@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "generator/exact/functions/enclosed_function.hpp"
+#include "generator/exact/parameters/enclosed_function.hpp"
 
 namespace hvi::gen {
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "generator/exact/functions/near_zero.hpp"
 #include "generator/exact/numbers/number_value.hpp"
+#include "generator/exact/parameters/near_zero.hpp"
 
 namespace hvi::gen {
 

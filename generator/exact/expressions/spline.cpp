@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/spline.hpp"
+#include "generator/exact/expressions/spline.hpp"
 
 #include <algorithm>
 

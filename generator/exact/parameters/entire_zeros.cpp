@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "generator/exact/functions/near_zero.hpp"
+#include "generator/exact/parameters/near_zero.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/exact/functions/basis.hpp"
+#include "generator/exact/expressions/basis.hpp"
 
-#include "generator/exact/functions/evaluate.hpp"
-#include "generator/exact/functions/spline.hpp"
+#include "generator/exact/expressions/evaluate.hpp"
+#include "generator/exact/expressions/spline.hpp"
 
 namespace hvi::gen {
 
