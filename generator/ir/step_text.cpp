@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include "generator/exact/numbers/number_text.hpp"
 #include "generator/ir/step.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
 namespace {
-
-std::string text(const Number& number) {
-    constexpr int digits = 50;
-    const auto form = number.closed_form();
-    return form ? to_text(*form) : "~" + number.decimal(digits);
-}
 
 std::string_view text(StageValue::Place place) {
     switch (place) {
@@ -80,7 +75,7 @@ std::string lines(std::string_view letter, const std::vector<StageValue>& values
     std::string result;
     for (std::size_t i = 0; i < values.size(); ++i) {
         result += fmt::format("{}_{}: {}, weight {}, stages", letter, i + 1, text(values[i].place),
-                              text(values[i].weight));
+                              dump(values[i].weight));
         for (const std::size_t stage : values[i].stages) {
             result += fmt::format(" {}", stage + 1);
         }
@@ -91,7 +86,7 @@ std::string lines(std::string_view letter, const std::vector<StageValue>& values
 
 std::string line(std::string_view name, const NumberVector& row) {
     std::string result = fmt::format("{}:", name);
-    for (const Number& entry : row) { result += ' ' + text(entry); }
+    for (const Number& entry : row) { result += ' ' + dump(entry); }
     return result + '\n';
 }
 

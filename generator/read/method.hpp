@@ -80,6 +80,9 @@ void set_parameter(Method& method, Parameter parameter);
 void set_parameter(std::vector<Parameter>& values, const std::vector<std::string>& names,
                    Parameter parameter, std::string_view subject);
 
+/// Stable text of what was read, for people and tests.
+[[nodiscard]] std::string dump(const Method& method);
+
 /// ` --param "w=2"`, as origins have it.
 [[nodiscard]] std::string parameter_option(const Parameter& parameter);
 

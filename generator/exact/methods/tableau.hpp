@@ -60,4 +60,7 @@ struct Tableau : ButcherPair {
     }
 };
 
+/// Stable text of all numbers, for people and tests.
+[[nodiscard]] std::string dump(const Tableau& tableau);
+
 }  // namespace hvi::gen

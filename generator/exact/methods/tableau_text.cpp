@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/numbers/number_text.hpp"
+
+namespace hvi::gen {
+namespace {
+
+std::string line(const std::string& name, const NumberVector& row) {
+    std::string result = name + ":";
+    for (const Number& entry : row) { result += " " + dump(entry); }
+    return result + "\n";
+}
+
+std::string lines(const std::string& name, const NumberMatrix& rows) {
+    std::string result;
+    for (const NumberVector& row : rows) { result += line(name, row); }
+    return result;
+}
+
+std::string text(const Galerkin& galerkin) {
+    return lines("M", galerkin.M) + lines("M^-1", galerkin.M_inverse) + line("B", galerkin.B) +
+           lines("A_psi", galerkin.A_psi);
+}
+
+}  // namespace
+
+std::string dump(const Tableau& tableau) {
+    std::string result = "method: " + tableau.provenance.title() + "\n";
+    for (const Expression& function : tableau.provenance.basis) {
+        result += "psi: " + to_text(function) + "\n";
+    }
+    for (const std::string& name : tableau.parameters) { result += "parameter: " + name + "\n"; }
+    result += line("c", tableau.c) + line("b", tableau.b) + lines("A", tableau.A) +
+              lines("A~", tableau.A_tilde) + line("c~", tableau.c_tilde);
+    return tableau.galerkin ? result + text(*tableau.galerkin) : result;
+}
+
+}  // namespace hvi::gen

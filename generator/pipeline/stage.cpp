@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/pipeline/stage.hpp"
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+std::string dump(const Method& method, const SceneStepper& stepper, Stage stage) {
+    switch (stage) {
+    case Stage::method: return dump(method);
+    case Stage::tableau: return dump(stepper.tableau);
+    case Stage::system: return dump(stepper.lowered);
+    case Stage::step: return dump(stepper.step);
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string dump(const Method& method, const MethodStepper& stepper, Stage stage) {
+    switch (stage) {
+    case Stage::method: return dump(method);
+    case Stage::tableau: return dump(stepper.tableau);
+    case Stage::system: break;
+    case Stage::step: return dump(stepper.step);
+    }
+    throw InputError("without a scene there is no system to print", std::nullopt,
+                     "give a scene, or --hamiltonian");
+}
+
+}  // namespace hvi::gen
