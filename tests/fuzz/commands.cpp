@@ -139,7 +139,8 @@ void carry_out(const RunOptions& options) {
     const auto [method, scene] = read_scene(options.method, options.system);
     static_cast<void>(steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
                                   wish(scene, options.until, scene.run.until, "until")));
-    const StepperWishes wishes = simulation_wishes(options.solver, options.composition);
+    const StepperWishes wishes =
+        simulation_wishes(options.wishes.solver, options.wishes.composition);
     const SceneStepper stepper = scene_stepper(method, scene, wishes);
     check_simulation(stepper);
     check_header(stepper.header);
