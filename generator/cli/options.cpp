@@ -186,6 +186,14 @@ ListOptions list_options(const Words& words) {
     return {words.choice<Topic>("TOPIC").value_or(Topic::all)};
 }
 
+CompletionsOptions completions_options(const Words& words, const CommandLine& line) {
+    const auto shell = words.choice<Shell>("SHELL");
+    if (!shell)
+        throw InputError("no shell is given", line.end(),
+                         names_of(option_of(words.command(), "SHELL").choices));
+    return {*shell, output_option(words)};
+}
+
 /// The command that the line names.
 const CLI::App& command_of(const CLI::App& app, const CommandLine& line) {
     const std::vector<std::string> rest = app.remaining();
@@ -218,6 +226,8 @@ Request request(const CLI::App& parsed, const CommandLine& line) {
     case Command::run: return run_options(words, line);
     case Command::report: return report_options(words, line);
     case Command::list: return list_options(words);
+    case Command::completions: return completions_options(words, line);
+    case Command::manual: return ManualOptions{output_option(words)};
     case Command::symmetries:
     case Command::ensemble:
     case Command::module: break;  // to come

@@ -91,13 +91,24 @@ struct ListOptions {
     Topic topic = Topic::all;
 };
 
+/// What completes words of the command line in a shell.
+struct CompletionsOptions {
+    Shell shell;
+    std::optional<std::filesystem::path> output;
+};
+
+struct ManualOptions {
+    std::optional<std::filesystem::path> output;
+};
+
 /// `--help` or `--version`: the text to print.
 struct Information {
     std::string text;
 };
 
-using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
-                             RunOptions, ReportOptions, ListOptions, Information>;
+using Request =
+    std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions, RunOptions,
+                 ReportOptions, ListOptions, CompletionsOptions, ManualOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

@@ -28,4 +28,6 @@ enum class ReportItem {
     symplecticity,
 };
 
+enum class Shell { bash, zsh, fish };
+
 }  // namespace hvi::gen

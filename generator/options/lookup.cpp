@@ -46,6 +46,18 @@ const CommandEntry& entry_of(Command command) {
     return *found;
 }
 
+std::vector<const OptionEntry*> not_beside(const OptionEntry& option, Command command) {
+    const auto excludes = [](const OptionEntry& one, const OptionEntry& other) {
+        const auto names = split(one.excludes.others, ' ');
+        return std::find(names.begin(), names.end(), other.name) != names.end();
+    };
+    std::vector<const OptionEntry*> others = options_of(command, State::built);
+    std::erase_if(others, [&](const OptionEntry* other) {
+        return !excludes(option, *other) && !excludes(*other, option);
+    });
+    return others;
+}
+
 std::string names_of(std::span<const Choice> choices) {
     std::string text;
     for (std::size_t i = 0; i < choices.size(); ++i) {

@@ -29,9 +29,11 @@ constexpr std::array commands = {
     CommandEntry{module, "module", "SCENE [METHOD]", "Write a module for Python or C",
                  State::to_come},
     CommandEntry{list, "list", "[TOPIC]", "Print what can be named"},
+    CommandEntry{completions, "completions", "SHELL", "Print what completes words in a shell"},
+    CommandEntry{manual, "manual", "", "Print the man page"},
 };
 
-constexpr Commands every{tableau, check, stepper, scheme, run, report, list};
+constexpr Commands every{tableau, check, stepper, scheme, run, report, list, completions, manual};
 constexpr Commands with_method{tableau, check, stepper, scheme, run};
 constexpr Commands with_hamiltonian{stepper, scheme};
 
@@ -63,6 +65,8 @@ constexpr std::array report_items = {
 constexpr std::array topics = {choice("bases", Topic::bases), choice("nodes", Topic::nodes),
                                choice("methods", Topic::methods), choice("scenes", Topic::scenes),
                                choice("functions", Topic::functions)};
+constexpr std::array shells = {choice("bash", Shell::bash), choice("zsh", Shell::zsh),
+                               choice("fish", Shell::fish)};
 
 /// Of what only a system has: the class of a user has none of it.
 constexpr Relation a_system{"SCENE|--hamiltonian"};
@@ -87,6 +91,12 @@ constexpr std::array table = {
                 .placeholder = "TOPIC",
                 .choices = topics,
                 .help = "One of these, else all"},
+    OptionEntry{.name = "SHELL",
+                .of = {completions},
+                .value = Value::choice,
+                .placeholder = "SHELL",
+                .choices = shells,
+                .help = "Whose words are completed"},
 
     // METHOD
     OptionEntry{.name = "--method",
@@ -395,7 +405,7 @@ constexpr std::array table = {
                 .help = "Draw trace/2 on the oscillator as SVG"},
     OptionEntry{.name = "--output",
                 .abbreviation = "-o",
-                .of = {tableau, check, stepper, scheme},
+                .of = {tableau, check, stepper, scheme, completions, manual},
                 .value = Value::file,
                 .placeholder = "FILE",
                 .help = "Write to this file"},

@@ -1,5 +1,6 @@
-// The commands of hvi-gen and their options, in one table: what is parsed, what --help says,
-// what excludes what, and which options a generated header quotes.
+// The commands of hvi-gen and their options, in one table: what is parsed, what --help, the
+// completions of shells and the man page say, what excludes what, and which options a generated
+// header quotes.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -28,6 +29,8 @@ enum class Command {
     ensemble,
     module,
     list,
+    completions,
+    manual,
 };
 
 struct CommandEntry {
@@ -57,7 +60,7 @@ private:
     unsigned bits_ = 0;
 };
 
-/// What stands behind an option, and how it is checked.
+/// What stands behind an option: how it is checked, and what a shell proposes.
 enum class Value {
     none,
     text,
@@ -143,6 +146,10 @@ struct OptionEntry {
 /// Null where there is no command of this name.
 [[nodiscard]] const CommandEntry* find_command(std::string_view name);
 [[nodiscard]] const CommandEntry& entry_of(Command command);
+
+/// The options that exclude this one or are excluded by it, and are built.
+[[nodiscard]] std::vector<const OptionEntry*> not_beside(const OptionEntry& option,
+                                                         Command command);
 
 /// `text, json or latex`
 [[nodiscard]] std::string names_of(std::span<const Choice> choices);

@@ -174,6 +174,10 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "", {"stepper", "--method", "gauss:2", "--name", ""}},
         {2, "method", {"list", "method"}},
         {2, "nodes", {"list", "bases", "nodes"}},
+        {2, "", {"completions"}},
+        {2, "tcsh", {"completions", "tcsh"}},
+        {2, "zsh", {"completions", "bash", "zsh"}},
+        {2, "bash", {"manual", "bash"}},
         // a tableau from elsewhere
         {2, "mine.json", {"check", "--tableau", "mine.json"}},
         {2, "--tableau", {"check", "--tableau", "mine.json", "--method", "gauss:2"}},

@@ -148,6 +148,8 @@ void carry_out(const RunOptions& options) {
 
 void carry_out(const ReportOptions&) {}
 void carry_out(const ListOptions&) {}
+void carry_out(const CompletionsOptions& options) { static_cast<void>(result(options)); }
+void carry_out(const ManualOptions& options) { static_cast<void>(result(options)); }
 void carry_out(const Information& information) { require(!information.text.empty(), "no help"); }
 
 std::string derived(const Grammar& grammar, std::string_view bytes) {

@@ -159,3 +159,19 @@ TEST_CASE("every wish of a stepper is quoted as its option, in the order of the 
           " --separable --solver newton-taylor --lanes none --compose yoshida:4 --energy "
           "--invariants --evaluations --float128 --dense --name N");
 }
+
+TEST_CASE("what stands beside what") {
+    const auto names = [](std::string_view option, Command command) {
+        std::vector<std::string_view> all;
+        for (const OptionEntry* other : not_beside(option_of(command, option), command))
+            all.push_back(other->name);
+        return all;
+    };
+    using Names = std::vector<std::string_view>;
+    CHECK(names("--method-file", Command::tableau) == Names{"--method", "--basis", "--nodes"});
+    CHECK(names("--tableau", Command::check) ==
+          Names{"--method", "--basis", "--nodes", "--method-file"});
+    CHECK(names("--separable", Command::stepper) == Names{"SCENE", "--hamiltonian"});
+    CHECK(names("--step", Command::run) == Names{"--accuracy"});
+    CHECK(names("--explain", Command::stepper).empty());
+}
