@@ -13,6 +13,8 @@ void run(const SchemeOptions& options);
 void run(const RunOptions& options);
 void run(const ReportOptions& options);
 void run(const ListOptions& options);
+void run(const CompletionsOptions& options);
+void run(const ManualOptions& options);
 void run(const Information& information);
 
 /// Writes to the file, or to standard output where none is named.

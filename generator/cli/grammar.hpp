@@ -1,4 +1,4 @@
-// The commands of the program and their options, with the help for each.
+// The table of options as CLI11 knows it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -104,21 +104,19 @@ std::string function_table() {
 }  // namespace
 
 void run(const ListOptions& options) {
-    std::string text;
-    if (options.topic == "bases")
-        text = bases();
-    else if (options.topic == "nodes")
-        text = nodes();
-    else if (options.topic == "methods")
-        text = methods();
-    else if (options.topic == "scenes")
-        text = scene_table();
-    else if (options.topic == "functions")
-        text = function_table();
-    else
-        text = bases() + "\n" + nodes() + "\n" + methods() + "\n" + scene_table() + "\n" +
+    const auto text = [&]() -> std::string {
+        switch (options.topic) {
+        case Topic::bases: return bases();
+        case Topic::nodes: return nodes();
+        case Topic::methods: return methods();
+        case Topic::scenes: return scene_table();
+        case Topic::functions: return function_table();
+        case Topic::all: break;
+        }
+        return bases() + "\n" + nodes() + "\n" + methods() + "\n" + scene_table() + "\n" +
                function_table();
-    write_result({}, text);
+    };
+    write_result({}, text());
 }
 
 }  // namespace hvi::gen

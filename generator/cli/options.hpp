@@ -4,12 +4,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
-#include "generator/pipeline/stepper.hpp"
+#include "generator/options/choices.hpp"
+#include "generator/options/wishes.hpp"
 
 namespace hvi::gen {
 
@@ -20,7 +22,7 @@ struct MethodOptions {
 };
 
 struct TableauOptions {
-    enum class Format { text, json, latex, markdown, csv };
+    using Format = TableauFormat;
 
     MethodOptions method;
     Format format = Format::text;
@@ -29,7 +31,7 @@ struct TableauOptions {
 };
 
 struct CheckOptions {
-    enum class Format { text, json };
+    using Format = CertificateFormat;
 
     MethodOptions method;                          ///< with `tableau` only its parameters
     std::optional<std::filesystem::path> tableau;  ///< a file in place of a method
@@ -48,47 +50,35 @@ struct SystemOptions {
 struct StepperOptions {
     MethodOptions method;                 ///< empty where the scene is to name it
     std::optional<SystemOptions> system;  ///< else that of a class of the user
-    bool separable = false;               ///< for H = T(p) + U(q) of such a class
-    StepperWishes wishes;                 ///< of a system, but for the name of the class
-    std::optional<double> accuracy;       ///< in place of a method
-    Given until;                          ///< the time of that, in place of the scene's
-    bool explain = false;  ///< say on standard error what is solved and what left out
+    StepperWishes wishes;
+    std::optional<double> accuracy;  ///< in place of a method
+    Given until;                     ///< the time of that, in place of the scene's
+    bool explain = false;            ///< say on standard error what is solved and what left out
     std::optional<std::filesystem::path> output;
 };
 
 struct RunOptions {
-    MethodOptions method;  ///< empty where the scene is to name it
-    SystemOptions system;  ///< a scene
-    Solver solver = Solver::automatic;
-    Wish<Lanes> lanes = {Lanes::automatic};
-    std::optional<Composition> composition;
+    MethodOptions method;            ///< empty where the scene is to name it
+    SystemOptions system;            ///< a scene
+    StepperWishes wishes;            ///< solver, lanes and composition alone
     std::optional<double> accuracy;  ///< in place of a method and a step
     Given step, until;               ///< in place of those of the scene
-    bool table = true, picture = true, summary = true;
+    std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };
 
-/// What a report is made of.
-struct ReportParts {
-    bool work = false;  ///< error against run time
-    // At the edges:
-    bool rejections = false, stiff = false, extreme = false, long_runs = false,
-         symplecticity = false;
-};
-
 struct ReportOptions {
-    std::vector<Given> scenes;  ///< names or files
-    Given methods;              ///< names between commas
-    Given steps;                ///< sizes between commas; chosen where there are none
-    Given until;                ///< in place of the scenes'
-    bool peers = false;         ///< integrators of other libraries too
-    ReportParts parts;          ///< work only where there are scenes
-    bool html = true, json = true, csv = true, svg = true;
+    std::vector<Given> scenes;   ///< names or files
+    Given methods;               ///< names between commas
+    Given steps;                 ///< sizes between commas; chosen where there are none
+    Given until;                 ///< in place of the scenes'
+    bool peers = false;          ///< integrators of other libraries too
+    std::set<ReportItem> items;  ///< work only where there are scenes
     std::optional<std::filesystem::path> output;  ///< a directory
 };
 
 struct SchemeOptions {
-    enum class Format { text, json, latex };
+    using Format = EquationsFormat;
 
     MethodOptions method;  ///< its parameters are those of the Hamiltonian as well
     SystemOptions system;
@@ -98,7 +88,17 @@ struct SchemeOptions {
 };
 
 struct ListOptions {
-    std::string topic;  ///< `bases`, `nodes`, `methods`, `scenes`, `functions`, or empty for all
+    Topic topic = Topic::all;
+};
+
+/// What completes words of the command line in a shell.
+struct CompletionsOptions {
+    Shell shell;
+    std::optional<std::filesystem::path> output;
+};
+
+struct ManualOptions {
+    std::optional<std::filesystem::path> output;
 };
 
 /// `--help` or `--version`: the text to print.
@@ -106,8 +106,9 @@ struct Information {
     std::string text;
 };
 
-using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
-                             RunOptions, ReportOptions, ListOptions, Information>;
+using Request =
+    std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions, RunOptions,
+                 ReportOptions, ListOptions, CompletionsOptions, ManualOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

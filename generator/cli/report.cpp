@@ -93,47 +93,48 @@ std::vector<std::string> all_scenes() {
 
 /// On the scenes of the report; where it has none, on some that come with the program.
 void add_edges(Report& report, Builds& builds, const std::vector<ComposedMethod>& methods,
-               const std::vector<Subject>& subjects, const ReportParts& parts) {
+               const std::vector<Subject>& subjects, const std::set<ReportItem>& items) {
     // Each kind of stepper occurs, and a collision.
     const std::vector<std::string> various{"pendulum", "kepler", "henon-heiles", "nonseparable",
                                            "harmonic-oscillator"};
     std::vector<Scene> given;
     for (const Subject& subject : subjects) given.push_back(subject.scene);
-    const auto add = [&](bool is_wished_for, const std::string& name, auto chapter) {
-        if (!is_wished_for) return;
+    const auto add = [&](ReportItem item, const std::string& name, auto chapter) {
+        if (!items.contains(item)) return;
         const TimeSpent::Part part(report.time_spent, name);
         report.edges.push_back(chapter());
     };
-    add(parts.rejections, "rejections", [&] {
+    add(ReportItem::rejections, "rejections", [&] {
         return rejections(builds, methods, given.empty() ? scenes_by_name(various) : given);
     });
-    add(parts.stiff, "stiff", [&] { return stiff(builds, methods); });
-    add(parts.stiff, "chain", [&] { return chain(builds, methods); });
-    add(parts.extreme, "extreme", [&] { return extreme(builds, methods); });
-    add(parts.long_runs, "long runs", [&] { return long_runs(builds, methods); });
-    add(parts.symplecticity, "symplecticity", [&] {
+    add(ReportItem::stiff, "stiff", [&] { return stiff(builds, methods); });
+    add(ReportItem::stiff, "chain", [&] { return chain(builds, methods); });
+    add(ReportItem::extreme, "extreme", [&] { return extreme(builds, methods); });
+    add(ReportItem::long_runs, "long runs", [&] { return long_runs(builds, methods); });
+    add(ReportItem::symplecticity, "symplecticity", [&] {
         return symplecticity(builds, methods, given.empty() ? scenes_by_name(all_scenes()) : given);
     });
 }
 
 /// NOTE: numbers first, as pictures take another program, which may be missing.
 void write(const Report& report, const ReportOptions& options, const fs::path& directory) {
+    const auto has = [&](ReportItem item) { return options.items.contains(item); };
     make_directory(directory);
-    if (options.json) write_file(directory / "report.json", report_json(report));
-    if (options.csv && !report.scenes.empty())
+    if (has(ReportItem::json)) write_file(directory / "report.json", report_json(report));
+    if (has(ReportItem::csv) && !report.scenes.empty())
         write_file(directory / "report.csv", report_csv(report));
-    if (options.csv && !report.scenes.empty())
+    if (has(ReportItem::csv) && !report.scenes.empty())
         write_file(directory / "times.csv", times_csv(report));
-    if (options.csv && !report.edges.empty())
+    if (has(ReportItem::csv) && !report.edges.empty())
         write_file(directory / "edges.csv", edges_csv(report));
-    if (!options.html && !options.svg) return;
+    if (!has(ReportItem::html) && !has(ReportItem::svg)) return;
     const Pictures pictures = report_pictures(report);
-    if (options.svg)
+    if (has(ReportItem::svg))
         for (const auto* subjects : {&pictures.of_scenes, &pictures.of_edges})
             for (const std::vector<Picture>& all : *subjects)
                 for (const Picture& picture : all)
                     write_file(directory / (picture.name + ".svg"), picture.svg);
-    if (options.html) write_file(directory / "report.html", report_html(report, pictures));
+    if (has(ReportItem::html)) write_file(directory / "report.html", report_html(report, pictures));
 }
 
 /// Throws MathError with the first case that is not as expected.
@@ -173,8 +174,8 @@ void run(const ReportOptions& options) {
     const fs::path directory = options.output.value_or("report");
     try {
         if (options.peers) find_peers(builds, wishes, report);
-        if (options.parts.work) add_scenes(report, builds, subjects, wishes);
-        add_edges(report, builds, wishes.methods, subjects, options.parts);
+        if (options.items.contains(ReportItem::work)) add_scenes(report, builds, subjects, wishes);
+        add_edges(report, builds, wishes.methods, subjects, options.items);
     } catch (const Interruption&) { throw; } catch (const Error& error) {
         if (report.incomplete.empty()) report.incomplete = error.what();
         write(report, options, directory);

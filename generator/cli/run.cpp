@@ -147,13 +147,14 @@ public:
     void keep(const SceneStepper& stepper, const Steps& asked, const Simulation& run,
               const RunOptions& options, const std::string& summary) {
         if (!directory_) return;
+        const auto leaves = [&](RunFile file) { return options.files.contains(file); };
         if (!run.ok()) mark_incomplete(table_->path(), run);
-        if (options.table) table_->rename_to(*directory_ / table_name);
-        if (options.summary) write_file(*directory_ / summary_name, summary);
-        if (options.picture)
-            write_file(*directory_ / picture_name,
-                       draw(picture(stepper, asked, run,
-                                    options.table ? *directory_ / table_name : table_->path())));
+        if (leaves(RunFile::table)) table_->rename_to(*directory_ / table_name);
+        if (leaves(RunFile::summary)) write_file(*directory_ / summary_name, summary);
+        const fs::path table_file =
+            leaves(RunFile::table) ? *directory_ / table_name : table_->path();
+        if (leaves(RunFile::picture))
+            write_file(*directory_ / picture_name, draw(picture(stepper, asked, run, table_file)));
     }
 
 private:
@@ -163,7 +164,8 @@ private:
 
 std::optional<fs::path> directory(const SceneStepper& stepper, const RunOptions& options) {
     if (options.output) return options.output;
-    if (options.table || options.picture) return default_directory(stepper);
+    if (options.files.contains(RunFile::table) || options.files.contains(RunFile::picture))
+        return default_directory(stepper);
     return {};
 }
 
@@ -186,8 +188,8 @@ WishedRun wished_run(const RunOptions& options) {
     const NamedExpression step = wish(scene, options.step, scene.run.step, "step");
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
     const Steps steps = steps_until(scene, step, until);
-    StepperWishes wishes = simulation_wishes(options.solver, options.composition);
-    wishes.lanes = options.lanes;
+    StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
+    wishes.lanes = options.wishes.lanes;
     return {scene_stepper(method, scene, wishes), steps};
 }
 
@@ -221,7 +223,7 @@ void run(const RunOptions& options) {
             fmt::format("the run stopped after {} of {} steps: {}", simulation.steps, steps.count,
                         simulation.status),
             {}, directory ? fmt::format("what there is of it is in {}", directory->string()) : "");
-    if (options.summary) write_standard_output(summary);
+    if (options.files.contains(RunFile::summary)) write_standard_output(summary);
 }
 
 }  // namespace hvi::gen

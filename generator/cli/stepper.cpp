@@ -18,9 +18,7 @@ namespace hvi::gen {
 namespace {
 
 void write_method(const StepperOptions& options) {
-    const MethodStepper stepper =
-        method_stepper(method_of(options.method),
-                       {options.separable, options.wishes.composition, options.wishes.class_name});
+    const MethodStepper stepper = method_stepper(method_of(options.method), options.wishes);
     if (options.explain) std::fputs(dump(stepper.step).c_str(), stderr);
     write_result(options.output, stepper.header);
 }

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "generator/cli/command_line.hpp"
+#include "generator/options/option_table.hpp"
 
 namespace hvi::gen {
 
@@ -19,51 +20,66 @@ namespace hvi::gen {
 /// that of the list. Throws InputError where one is missing.
 [[nodiscard]] std::vector<Given> list_items(const Given& list);
 
-using OptionGroups = std::vector<std::vector<std::string>>;
-
-/// A command with the words that CLI11 gave to its options. All but place() and values() throw
-/// InputError for words that are not what they ask for.
+/// A command with the words that CLI11 gave to its options. What reads a value throws InputError
+/// for words that are not what the row of the option asks for. Precondition of all that take an
+/// option: it is one of the command.
 class Words {
 public:
-    Words(const CLI::App& command, const CommandLine& line) : command_(command), line_(line) {}
+    Words(Command command, const CLI::App& parsed, const CommandLine& line)
+        : command_(command), parsed_(parsed), line_(line) {}
 
-    /// CLI11 takes the next word for a value, even when it is another option.
-    void check_values() const;
+    [[nodiscard]] Command command() const { return command_; }
+
+    /// Words that belong to no option.
+    [[nodiscard]] std::vector<std::string> rest() const { return parsed_.remaining(); }
 
     /// The place of the n-th occurrence of an option, by whichever of its names.
-    [[nodiscard]] Place place(const std::string& option, std::size_t n = 0) const;
+    [[nodiscard]] Place place(std::string_view option, std::size_t n = 0) const;
+
+    [[nodiscard]] bool has(std::string_view option) const {
+        return parsed_.count(std::string(option)) > 0;
+    }
 
     /// The values of an option, one for each occurrence.
-    [[nodiscard]] const std::vector<std::string>& values(const std::string& option) const {
-        return command_.get_option(option)->results();
+    [[nodiscard]] const std::vector<std::string>& values(std::string_view option) const {
+        return parsed_.get_option(std::string(option))->results();
     }
 
     /// The same as texts of the option.
-    [[nodiscard]] std::vector<Given> texts(const std::string& option) const;
+    [[nodiscard]] std::vector<Given> texts(std::string_view option) const;
 
     /// The value of an option that can be given once, or null.
-    [[nodiscard]] Given value(const std::string& option) const;
+    [[nodiscard]] Given value(std::string_view option) const;
 
-    [[nodiscard]] bool flag(const std::string& option) const;
+    /// Of those that take a file or a directory; not empty.
+    [[nodiscard]] Given file(std::string_view option) const;
 
-    /// Checks that the options that are given are all of one group.
-    void one_form_of(const OptionGroups& groups) const;
+    [[nodiscard]] std::optional<int> whole_number(std::string_view option) const;
 
-    [[nodiscard]] std::optional<int> number(const std::string& option, int least, int most) const;
+    [[nodiscard]] std::optional<double> fraction(std::string_view option) const;
 
-    /// A positive number below 1.
-    [[nodiscard]] std::optional<double> fraction(const std::string& option) const;
+    template <class Enumeration>
+    [[nodiscard]] std::optional<Enumeration> choice(std::string_view option) const {
+        const Choice* chosen = chosen_of(option, value(option));
+        return chosen ? std::optional(static_cast<Enumeration>(chosen->value)) : std::nullopt;
+    }
 
-    /// The value of an option with a few possible ones; the first when it is not given.
-    [[nodiscard]] std::size_t choice(const std::string& option,
-                                     const std::vector<std::string_view>& choices) const;
-
-    /// The items of a list between commas, which are among the choices; none when it is not given.
-    [[nodiscard]] std::set<std::string> chosen(const std::string& option,
-                                               const std::vector<std::string_view>& choices) const;
+    /// The items of a list between commas; none when it is not given.
+    template <class Enumeration>
+    [[nodiscard]] std::set<Enumeration> choices(std::string_view option) const {
+        std::set<Enumeration> all;
+        if (const Given list = value(option))
+            for (const Given& item : list_items(list))
+                all.insert(static_cast<Enumeration>(chosen_of(option, item)->value));
+        return all;
+    }
 
 private:
-    const CLI::App& command_;
+    /// Null where there is no text.
+    [[nodiscard]] const Choice* chosen_of(std::string_view option, const Given& text) const;
+
+    Command command_;
+    const CLI::App& parsed_;
     const CommandLine& line_;
 };
 

@@ -59,7 +59,8 @@ using Roles = unsigned;
 }
 
 /// What a node computes. A sum has `terms`, ascending by node, at least two, and the first factor
-/// is positive; the other operations have `arguments`.
+/// is positive; or one with a factor other than 1, for an operation that takes nodes. The other
+/// operations have `arguments`.
 struct Computation {
     Operation operation = Operation::constant;
     std::vector<Scaled> terms;

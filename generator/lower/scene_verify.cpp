@@ -23,7 +23,7 @@ void verify(const Graph& graph, Node node) {
     HVI_CHECK(roles == computation.roles);
     const bool is_sum = computation.operation == Operation::sum;
     HVI_CHECK(is_sum == !computation.terms.empty());
-    HVI_CHECK(!is_sum || computation.terms.size() > 1);
+    HVI_CHECK(!is_sum || computation.terms.size() > 1 || !computation.terms[0].factor.is_one());
 }
 
 void verify(const Graph& graph, const std::vector<Scaled>& values, std::size_t count) {

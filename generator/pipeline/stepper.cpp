@@ -5,6 +5,7 @@
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/lower/joint_gradient.hpp"
+#include "generator/options/option_table.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/scene/start.hpp"
@@ -14,32 +15,13 @@ namespace hvi::gen {
 namespace {
 
 /// The command that writes the same header again, wherever to.
-std::string command(const Tableau& tableau, const MethodWishes& wishes) {
-    std::string text = "hvi-gen stepper " + tableau.provenance.origin;
-    if (wishes.separable) text += " --separable";
-    if (wishes.composition) text += " --compose " + wishes.composition->name;
-    if (wishes.class_name) text += " --name " + wishes.class_name->text;
-    return text;
+std::string command(const Tableau& tableau, const StepperWishes& wishes) {
+    return "hvi-gen stepper " + tableau.provenance.origin + options_for(wishes);
 }
 
 std::string command(const Tableau& tableau, const Scene& scene, const StepperWishes& wishes) {
-    std::string text =
-        "hvi-gen stepper " + tableau.provenance.origin + " " + scene.hamiltonian.origin;
-    if (wishes.solver == Solver::fixed_point) text += " --solver fixed-point";
-    if (wishes.solver == Solver::newton) text += " --solver newton";
-    if (wishes.solver == Solver::newton_taylor) text += " --solver newton-taylor";
-    const Lanes lanes = wishes.lanes.choice;
-    if (lanes == Lanes::stages) text += " --lanes stages";
-    if (lanes == Lanes::ensemble) text += " --lanes ensemble";
-    if (lanes == Lanes::none) text += " --lanes none";
-    if (wishes.composition) text += " --compose " + wishes.composition->name;
-    if (wishes.energy) text += " --energy";
-    if (wishes.invariants) text += " --invariants";
-    if (wishes.evaluations) text += " --evaluations";
-    if (wishes.float128) text += " --float128";
-    if (wishes.dense) text += " --dense";
-    if (wishes.class_name) text += " --name " + wishes.class_name->text;
-    return text;
+    return "hvi-gen stepper " + tableau.provenance.origin + " " + scene.hamiltonian.origin +
+           options_for(wishes);
 }
 
 /// What is wished for and not built.
@@ -132,7 +114,7 @@ std::string name_of_class(const Given& wished, const std::string& otherwise) {
 
 }  // namespace
 
-MethodStepper method_stepper(const Method& method, const MethodWishes& wishes) {
+MethodStepper method_stepper(const Method& method, const StepperWishes& wishes) {
     Tableau tableau = derive(method);
     if (wishes.composition) check_composition(*wishes.composition, tableau);
     Step step = plan(tableau, {.is_separable = wishes.separable},

@@ -20,7 +20,7 @@
 
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/lower/lowered_scene.hpp"
-#include "generator/pipeline/wishes.hpp"
+#include "generator/options/wishes.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
@@ -33,8 +33,9 @@ struct MethodStepper {
 };
 
 /// The command line `hvi-gen stepper ...` that writes the same header is quoted in it. Throws
-/// InputError and MathError as check_composition() and the derivation do.
-[[nodiscard]] MethodStepper method_stepper(const Method& method, const MethodWishes& wishes);
+/// InputError and MathError as check_composition() and the derivation do. Precondition: what is
+/// wished for needs no scene.
+[[nodiscard]] MethodStepper method_stepper(const Method& method, const StepperWishes& wishes);
 
 /// A stepper of a scene, and what was found on the way to it.
 struct SceneStepper {

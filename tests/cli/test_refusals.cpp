@@ -1,5 +1,6 @@
 // Refusals of methods, of tableaux and of command lines, as CONTRACT.md has them.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/options/option_table.hpp"
 #include "tests/cli/refusals.hpp"
 
 using namespace hvi::test;
@@ -173,6 +174,10 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "", {"stepper", "--method", "gauss:2", "--name", ""}},
         {2, "method", {"list", "method"}},
         {2, "nodes", {"list", "bases", "nodes"}},
+        {2, "", {"completions"}},
+        {2, "tcsh", {"completions", "tcsh"}},
+        {2, "zsh", {"completions", "bash", "zsh"}},
+        {2, "bash", {"manual", "bash"}},
         // a tableau from elsewhere
         {2, "mine.json", {"check", "--tableau", "mine.json"}},
         {2, "--tableau", {"check", "--tableau", "mine.json", "--method", "gauss:2"}},
@@ -180,7 +185,6 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "--tableau", {"check", "--tableau", ""}},
         {2, "--tableau", {"check", "--tableau"}},
         {2, "--tableau", {"tableau", "--tableau", "mine.json"}},
-        // to come
         {2, "21", {"check", "--method", "gauss:2", "--max-order", "21"}},
         {2, "0", {"check", "--method", "gauss:2", "--max-order", "0"}},
         {2, "latex", {"check", "--method", "gauss:2", "--format", "latex"}},
@@ -234,6 +238,34 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {1, "(2*m[i])", {"stepper", "--param", "m[3]=0", "outer-solar-system"}},
     };
     for (const Refusal& refusal : refusals) check_refused(refusal, refusal.words);
+}
+
+TEST_CASE("what is to come is refused as such, whatever stands around it") {
+    using hvi::gen::State;
+    const auto check_to_come = [](const std::string& place, const std::vector<std::string>& words) {
+        check_refused({2, place, {}}, words);
+        CHECK(hvi_gen(words).err.rfind(
+                  "error: " + place.substr(0, place.find('=')) + " is to come\n", 0) == 0);
+    };
+    std::size_t count = 0;
+    for (const hvi::gen::CommandEntry& entry : hvi::gen::command_table()) {
+        const std::string command(entry.name);
+        if (entry.state == State::to_come) {
+            ++count;
+            for (const std::string more : {"kepler", "--help", "--seed=1"})
+                check_to_come(command, {command, more});
+        }
+        for (const hvi::gen::OptionEntry* option :
+             hvi::gen::options_of(entry.command, State::to_come)) {
+            ++count;
+            const std::string name(option->name);
+            check_to_come(name, {command, name});
+            check_to_come(name, {command, name, "3"});
+            check_to_come(name, {command, "kepler", name, "--method", "gauss:2"});
+            check_to_come(name + "=3", {command, name + "=3"});
+        }
+    }
+    CHECK(count > 0);
 }
 
 TEST_CASE("a tableau that cannot be read: status 2, and the line") {

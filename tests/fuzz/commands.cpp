@@ -139,7 +139,8 @@ void carry_out(const RunOptions& options) {
     const auto [method, scene] = read_scene(options.method, options.system);
     static_cast<void>(steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
                                   wish(scene, options.until, scene.run.until, "until")));
-    const StepperWishes wishes = simulation_wishes(options.solver, options.composition);
+    const StepperWishes wishes =
+        simulation_wishes(options.wishes.solver, options.wishes.composition);
     const SceneStepper stepper = scene_stepper(method, scene, wishes);
     check_simulation(stepper);
     check_header(stepper.header);
@@ -147,6 +148,8 @@ void carry_out(const RunOptions& options) {
 
 void carry_out(const ReportOptions&) {}
 void carry_out(const ListOptions&) {}
+void carry_out(const CompletionsOptions& options) { static_cast<void>(result(options)); }
+void carry_out(const ManualOptions& options) { static_cast<void>(result(options)); }
 void carry_out(const Information& information) { require(!information.text.empty(), "no help"); }
 
 std::string derived(const Grammar& grammar, std::string_view bytes) {

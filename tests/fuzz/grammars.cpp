@@ -33,17 +33,18 @@ composition: yoshida:4 | suzuki:4 | blanes-moan:6 | yoshida:6 | kahan-li:8
 const Grammar& command_lines() {
     static const Grammar grammar(R"(
 line: <command><options>
-command: tableau | check | stepper | scheme | run | report | list | --help | --version | <word>
+command: tableau | check | stepper | scheme | run | report | list | completions | manual | module
+    | --help | --version | <word>
 options: _ | ~<option><options> | ~<option>~<option><options>
 option: --method~<named> | --method=<named> | <key>~<value> | <key>=<value> | <flag>
     | <scene> | <word>
 key: --method | --basis | --nodes | --weights | --method-file | --param | --format | --digits
     | -o | --output | --tableau | --max-order | --plot | --hamiltonian | --coordinates | --momenta
     | --solver | --lanes | --compose | --accuracy | --until | --name | --step | --only | --methods
-    | --steps
+    | --steps | --times | --checkpoint
 flag: --separable | --energy | --invariants | --evaluations | --dense | --float128 | --explain
-    | --generating | --peers | --edges | --help | --version | -h | -- | - | -o | --method
-scene: kepler | pendulum | keplr | qp | SCENE
+    | --generating | --peers | --edges | --tangent | --help | --version | -h | -- | - | -o | --method
+scene: kepler | pendulum | keplr | qp | SCENE | bash
 value: <number> | <word> | <named> | json | text | latex | markdown | csv | auto | newton | stages
     | ensemble | none | <composition> | 1e-6 | 0.5 | work,stiff | html, json | gauss:2, trig3 | q, p
     | <$name>=<number> | 1, cos(pi*tau) | 0, 1 | p^2/2 + q^2/2 | 99999999999999999999 | -1

@@ -17,23 +17,18 @@ struct Wish {
     std::optional<Place> place = {};
 };
 
-/// Of the stepper of a method, for a class of the user.
-struct MethodWishes {
-    bool separable = false;                       ///< H = T(p) + U(q)
-    std::optional<Composition> composition = {};  ///< a step is made of several of the method
-    Given class_name = nullptr;                   ///< by check_class_name(); else the method's
-};
-
-/// Of the stepper of a scene.
+/// Each is an option of `hvi-gen stepper`: options/option_table.cpp says of which. Where there is
+/// no scene, but a class of the user, some cannot be wished for: their options need a scene.
 struct StepperWishes {
+    bool separable = false;  ///< H = T(p) + U(q), of a class of the user
     Solver solver = Solver::automatic;
     Wish<Lanes> lanes = {Lanes::automatic};
     bool energy = false;                          ///< as a member
     bool invariants = false;                      ///< the same
     bool evaluations = false;                     ///< of dH/dq, counted, the same
     bool float128 = false;                        ///< among the numbers that it computes in
-    bool dense = false;                           ///< the curve of a step, the same
-    Given class_name = nullptr;                   ///< the same, or from scene and method
+    bool dense = false;                           ///< the curve of a step, as a member
+    Given class_name = nullptr;                   ///< by check_class_name(); else the method's
     std::optional<Composition> composition = {};  ///< a step is made of several of the method
 };
 

@@ -1,0 +1,31 @@
+// `hvi-gen completions`: what completes words of the command line in a shell.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/completions.hpp"
+
+#include "generator/cli/commands.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+std::string script(Shell shell) {
+    switch (shell) {
+    case Shell::bash: return bash_completions();
+    case Shell::zsh: return zsh_completions();
+    case Shell::fish: return fish_completions();
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+void run(const CompletionsOptions& options) { write_result(options.output, script(options.shell)); }
+
+}  // namespace hvi::gen

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/rules.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/read/nearest.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+[[noreturn]] void refuse_to_come(std::string_view name, const Place& place) {
+    throw InputError(fmt::format("{} is to come", name), place, "it is planned, and not built yet");
+}
+
+void check_built(const Words& words) {
+    for (const OptionEntry* option : options_of(words.command(), State::to_come))
+        if (words.has(option->name)) refuse_to_come(option->name, words.place(option->name));
+}
+
+/// A word that CLI11 could give to nothing.
+void check_rest(const Words& words, const CommandLine& line) {
+    const std::vector<std::string> rest = words.rest();
+    if (rest.empty()) return;
+    const std::string& word = rest.front();
+    const bool takes_method = find_option(words.command(), "--method") != nullptr;
+    const std::string help =
+        fmt::format("`hvi-gen {} --help` lists the options", entry_of(words.command()).name);
+    if (!word.starts_with("-"))
+        throw InputError("unexpected word `" + word + "`", line.place({word}),
+                         takes_method ? "a method is given by --method, as in --method gauss:2"
+                                      : help);
+    std::vector<std::string_view> names;
+    for (const OptionEntry* option : options_of(words.command(), State::built))
+        if (!option->is_word()) names.push_back(option->name);
+    throw InputError("unknown option `" + word + "`", line.place({word}),
+                     did_you_mean(word, names, help));
+}
+
+/// CLI11 takes the next word for a value, even when it is another option.
+void check_value(const Words& words, const OptionEntry& option) {
+    const std::vector<std::string>& values = words.values(option.name);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string_view word = std::string_view(values[i]).substr(0, values[i].find('='));
+        if (word.starts_with('-') && find_option(words.command(), word) != nullptr)
+            throw InputError(fmt::format("{} needs a value", option.name),
+                             words.place(option.name, i));
+    }
+    if (values.size() > 1 && !option.is_repeatable)
+        throw InputError(fmt::format("{} is given twice", option.name),
+                         words.place(option.name, 1));
+}
+
+void check_flag(const Words& words, const OptionEntry& option) {
+    for (const std::string& value : words.values(option.name))
+        if (value != "true")
+            throw InputError(fmt::format("{} takes no value", option.name),
+                             words.place(option.name));
+}
+
+/// What is said where an option does not stand to others as it should; `other` as it is spoken.
+std::string said(const Relation& relation, std::string_view usual, const OptionEntry& option,
+                 const std::string& other) {
+    return relation.what.empty() ? fmt::format("{} {} {}", spoken(option.name), usual, other)
+                                 : fmt::format(fmt::runtime(relation.what), other);
+}
+
+void check_excluded(const Words& words, const OptionEntry& option) {
+    const Relation& excludes = option.excludes;
+    for (const std::string_view other : split(excludes.others, ' ')) {
+        if (find_option(words.command(), other) == nullptr || !words.has(other)) continue;
+        throw InputError(
+            said(excludes, "does not go with", option, spoken(other)), words.place(other),
+            std::string(excludes.help.empty() ? "leave one of them out" : excludes.help));
+    }
+}
+
+void check_needed(const Words& words, const OptionEntry& option) {
+    for (const std::string_view needed : split(option.needs.others, ' ')) {
+        std::string names;
+        bool is_there = false;
+        for (const std::string_view other : split(needed, '|')) {
+            names += (names.empty() ? "" : " or ") + spoken(other);
+            is_there = is_there || words.has(other);
+        }
+        if (!is_there)
+            throw InputError(said(option.needs, "needs", option, names), words.place(option.name),
+                             std::string(option.needs.help));
+    }
+}
+
+}  // namespace
+
+void check_rules(const Words& words, const CommandLine& line) {
+    check_built(words);
+    const auto options = options_of(words.command(), State::built);
+    for (const OptionEntry* option : options)
+        if (option->value != Value::none) check_value(words, *option);
+    check_rest(words, line);
+    for (const OptionEntry* option : options)
+        if (option->value == Value::none) check_flag(words, *option);
+    for (const OptionEntry* option : options)
+        if (words.has(option->name)) check_excluded(words, *option);
+    for (const OptionEntry* option : options)
+        if (words.has(option->name)) check_needed(words, *option);
+}
+
+void check_command(const CommandEntry& command, const CommandLine& line) {
+    if (command.state == State::to_come)
+        refuse_to_come(command.name, line.place({std::string(command.name)}));
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,33 @@
+// What options with a few possible values choose between; their names stand in option_table.cpp.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+namespace hvi::gen {
+
+enum class TableauFormat { text, json, latex, markdown, csv };
+enum class CertificateFormat { text, json };
+enum class EquationsFormat { text, json, latex };
+
+/// What `list` prints.
+enum class Topic { all, bases, nodes, methods, scenes, functions };
+
+/// What a run leaves.
+enum class RunFile { table, picture, summary };
+
+/// Files that a report is written to, and parts that it is made of.
+enum class ReportItem {
+    html,
+    json,
+    csv,
+    svg,
+    work,  ///< error against run time
+    rejections,
+    stiff,
+    extreme,
+    long_runs,
+    symplecticity,
+};
+
+enum class Shell { bash, zsh, fish };
+
+}  // namespace hvi::gen
