@@ -110,6 +110,9 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
                                                              : method_options(words, line);
     options.wishes = wishes_of(words);
     options.explain = words.has("--explain");
+    if (const auto stage = words.choice<Stage>("--dump")) {
+        options.dump = Wish<Stage>{*stage, whole(words.value("--dump"))};
+    }
     options.output = output_option(words);
     return options;
 }

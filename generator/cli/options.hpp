@@ -54,6 +54,7 @@ struct StepperOptions {
     std::optional<double> accuracy;  ///< in place of a method
     Given until;                     ///< the time of that, in place of the scene's
     bool explain = false;            ///< say on standard error what is solved and what left out
+    std::optional<Wish<Stage>> dump = {};  ///< the record of this stage in place of the header
     std::optional<std::filesystem::path> output;
 };
 

@@ -10,6 +10,7 @@
 #include "generator/cli/method.hpp"
 #include "generator/emit/steps/banner.hpp"
 #include "generator/emit/text/names.hpp"
+#include "generator/pipeline/stage.hpp"
 #include "generator/plan/facts.hpp"
 #include "generator/support/process.hpp"
 
@@ -18,9 +19,11 @@ namespace hvi::gen {
 namespace {
 
 void write_method(const StepperOptions& options) {
-    const MethodStepper stepper = method_stepper(method_of(options.method), options.wishes);
+    const Method method = method_of(options.method);
+    const MethodStepper stepper = method_stepper(method, options.wishes);
     if (options.explain) std::fputs(dump(stepper.step).c_str(), stderr);
-    write_result(options.output, stepper.header);
+    write_result(options.output,
+                 options.dump ? dump(method, stepper, *options.dump) : stepper.header);
 }
 
 std::string explanation(const LoweredScene& lowered, const Step& step) {
@@ -38,7 +41,8 @@ void write_scene(const StepperOptions& options) {
     const auto [method, scene] = read_scene(options.method, *options.system);
     const SceneStepper stepper = scene_stepper(method, scene, options.wishes);
     if (options.explain) std::fputs(explanation(stepper.lowered, stepper.step).c_str(), stderr);
-    write_result(options.output, stepper.header);
+    write_result(options.output,
+                 options.dump ? dump(method, stepper, *options.dump) : stepper.header);
 }
 
 /// With the method and the solver that measuring finds.

@@ -28,6 +28,14 @@ enum class ReportItem {
     symplecticity,
 };
 
+/// The records on the way to a header, in the order in which they are made.
+enum class Stage {
+    method,   ///< as it was read
+    tableau,  ///< its exact coefficients
+    system,   ///< H, its derivatives and the rest of a scene, as a graph
+    step,     ///< what is solved, evaluated and kept, and why
+};
+
 enum class Shell { bash, zsh, fish };
 
 }  // namespace hvi::gen

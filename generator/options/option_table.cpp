@@ -65,6 +65,8 @@ constexpr std::array report_items = {
 constexpr std::array topics = {choice("bases", Topic::bases), choice("nodes", Topic::nodes),
                                choice("methods", Topic::methods), choice("scenes", Topic::scenes),
                                choice("functions", Topic::functions)};
+constexpr std::array stages = {choice("method", Stage::method), choice("tableau", Stage::tableau),
+                               choice("system", Stage::system), choice("step", Stage::step)};
 constexpr std::array shells = {choice("bash", Shell::bash), choice("zsh", Shell::zsh),
                                choice("fish", Shell::fish)};
 
@@ -268,6 +270,13 @@ constexpr std::array table = {
                           .help = "a header takes steps for as long as its user likes"}},
     OptionEntry{
         .name = "--explain", .of = {stepper}, .help = "Say what is solved and what is left out"},
+    OptionEntry{.name = "--dump",
+                .of = {stepper},
+                .value = Value::choice,
+                .placeholder = "STAGE",
+                .choices = stages,
+                .help = "In place of the header, what a stage on the way to it hands on",
+                .excludes = {.others = "--accuracy --explain"}},
 
     // Equations
     OptionEntry{.name = "--generating",

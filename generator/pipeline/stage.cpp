@@ -5,8 +5,8 @@
 
 namespace hvi::gen {
 
-std::string dump(const Method& method, const SceneStepper& stepper, Stage stage) {
-    switch (stage) {
+std::string dump(const Method& method, const SceneStepper& stepper, const Wish<Stage>& stage) {
+    switch (stage.choice) {
     case Stage::method: return dump(method);
     case Stage::tableau: return dump(stepper.tableau);
     case Stage::system: return dump(stepper.lowered);
@@ -16,14 +16,14 @@ std::string dump(const Method& method, const SceneStepper& stepper, Stage stage)
     return {};
 }
 
-std::string dump(const Method& method, const MethodStepper& stepper, Stage stage) {
-    switch (stage) {
+std::string dump(const Method& method, const MethodStepper& stepper, const Wish<Stage>& stage) {
+    switch (stage.choice) {
     case Stage::method: return dump(method);
     case Stage::tableau: return dump(stepper.tableau);
     case Stage::system: break;
     case Stage::step: return dump(stepper.step);
     }
-    throw InputError("without a scene there is no system to print", std::nullopt,
+    throw InputError("without a scene there is no system to print", stage.place,
                      "give a scene, or --hamiltonian");
 }
 

@@ -4,22 +4,17 @@
 
 #include <string>
 
+#include "generator/options/choices.hpp"
 #include "generator/pipeline/stepper.hpp"
 
 namespace hvi::gen {
 
-/// What `hvi-gen stepper --dump` prints, in the order in which it is made.
-enum class Stage {
-    method,   ///< as it was read
-    tableau,  ///< its exact coefficients
-    system,   ///< H, its derivatives and the rest of a scene, as a graph
-    step,     ///< what is solved, evaluated and kept, and why
-};
-
-/// The record as it was handed on.
-[[nodiscard]] std::string dump(const Method& method, const SceneStepper& stepper, Stage stage);
+/// What `hvi-gen stepper --dump` prints: the record as it was handed on.
+[[nodiscard]] std::string dump(const Method& method, const SceneStepper& stepper,
+                               const Wish<Stage>& stage);
 
 /// The same. Throws InputError for the system, which the user's class is.
-[[nodiscard]] std::string dump(const Method& method, const MethodStepper& stepper, Stage stage);
+[[nodiscard]] std::string dump(const Method& method, const MethodStepper& stepper,
+                               const Wish<Stage>& stage);
 
 }  // namespace hvi::gen

@@ -178,6 +178,34 @@ TEST_CASE("--explain speaks on standard error") {
     CHECK((outcome.out == hvi_gen({"stepper", "--method", "gauss:2"}).out));
 }
 
+TEST_CASE("--dump prints a record on the way to a header") {
+    const auto record = [](const char* stage, const std::vector<std::string>& scene) {
+        return same_every_time(with({"stepper", "--method", "gauss:2", "--dump", stage}, scene));
+    };
+    const auto says = [](const std::string& text, const char* line) {
+        CAPTURE(text);
+        CHECK(("\n" + text).find("\n" + std::string(line) + "\n") != std::string::npos);
+    };
+    for (const std::vector<std::string>& scene : {std::vector<std::string>{}, {"pendulum"}}) {
+        says(record("method", scene), "node: gauss:2");
+        says(record("tableau", scene), "A: 1/4 1/4-sqrt(3)/6");
+        says(record("tableau", scene), "A_psi: 1/2-sqrt(3)/6 1/6-sqrt(3)/12");  // c and c^2/2
+        CHECK(record("step", scene).find("\nsolve Q_1 ") != std::string::npos);
+    }
+    says(record("step", {}), "slopes: dH/dq(q, p), dH/dp(q, p)");
+    says(record("step", {"pendulum"}), "slopes: dH/dq(q), dH/dp(p)");
+    // H = p^2/2 - cos(q)
+    says(record("system", {"pendulum"}), "#4: cos #1");
+    says(record("system", {"pendulum"}), "d2H/dq dq: #4");
+
+    const Outcome outcome = hvi_gen({"stepper", "--method", "gauss:2", "--dump", "system"});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find("without a scene there is no system") != std::string::npos);
+    CHECK(hvi_gen({"stepper", "--method", "gauss:2", "--dump", "header"}).status == 2);
+    CHECK(hvi_gen({"stepper", "--method", "gauss:2", "--dump", "step", "--explain"}).status == 2);
+}
+
 TEST_CASE("compositions") {
     const std::vector<std::string> verlet = {"stepper", "--method", "stormer-verlet", "kepler"};
     const std::string header = same_every_time(with(verlet, {"--compose", "yoshida:6"}));
