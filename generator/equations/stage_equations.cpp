@@ -9,7 +9,6 @@
 
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/expr/fraction.hpp"
-#include "generator/hamiltonian/gradient.hpp"
 #include "generator/read/names.hpp"
 
 namespace hvi::gen {
@@ -136,11 +135,8 @@ std::optional<Number> small_number(const Expression& expression) {
 
 class Writer {
 public:
-    Writer(const Tableau& tableau, const Hamiltonian& H)
-        : H_(H),
-          gradient_(gradient(H)),
-          names_(stage_names(H, tableau.stages())),
-          nodes_(tableau.c) {
+    Writer(const Tableau& tableau, const Hamiltonian& H, const Gradient& gradient)
+        : H_(H), gradient_(gradient), names_(stage_names(H, tableau.stages())), nodes_(tableau.c) {
         for (const NumberVector& row : tableau.A) A_.push_back(written(row));
         for (const NumberVector& row : tableau.A_tilde) A_tilde_.push_back(written(row));
         b_ = written(tableau.b);
@@ -159,7 +155,7 @@ private:
     [[nodiscard]] bool is_needed(const std::string& variable) const;
 
     const Hamiltonian& H_;
-    Gradient gradient_;
+    const Gradient& gradient_;
     std::vector<Names> names_;
     NumberVector nodes_;
     std::vector<Row> A_, A_tilde_;
@@ -287,8 +283,9 @@ StageEquations Writer::equations() {
 
 }  // namespace
 
-StageEquations stage_equations(const Tableau& tableau, const Hamiltonian& hamiltonian) {
-    return Writer(tableau, hamiltonian).equations();
+StageEquations stage_equations(const Tableau& tableau, const Hamiltonian& hamiltonian,
+                               const Gradient& gradient) {
+    return Writer(tableau, hamiltonian, gradient).equations();
 }
 
 }  // namespace hvi::gen

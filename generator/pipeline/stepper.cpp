@@ -106,7 +106,7 @@ Scheme planned(const Tableau& tableau, const LoweredScene& lowered, const Method
     Scheme scheme = plan(tableau, {.separable = structure.is_separable,
                                    .depends_on_time = lowered.system.time.has_value(),
                                    .kinetic_is_quadratic = structure.kinetic_is_quadratic,
-                                   .is_quadratic = structure.is_quadratic,
+                                   .is_quadratic = structure.has_linear_map,
                                    .is_degenerate = is_degenerate(structure),
                                    .joint_gradient_pays = joint_gradient_pays(lowered.system),
                                    .degrees_of_freedom = lowered.system.degrees_of_freedom(),

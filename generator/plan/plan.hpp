@@ -14,7 +14,7 @@ struct PlanOptions {
     bool separable = false;                       ///< for H = T(p) + U(q) only
     bool depends_on_time = false;                 ///< H = H(q, p, t); if it is separable U(q, t)
     bool kinetic_is_quadratic = false;            ///< and T = p^T K p/2 with constant K
-    bool is_quadratic = false;                    ///< all second derivatives of H are constant
+    bool is_quadratic = false;                    ///< all steps are one linear map
     bool is_degenerate = false;                   ///< a row of d2H/dp2 is zero
     bool joint_gradient_pays = false;             ///< dH/dq and dH/dp at once, for coupled stages
     std::size_t degrees_of_freedom = 0;           ///< of a scene

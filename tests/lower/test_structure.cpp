@@ -60,6 +60,26 @@ TEST_CASE("quadratic and degenerate Hamiltonians") {
     CHECK_FALSE(analysed("p^2/2").found.is_linear_in_p);
 }
 
+TEST_CASE("quadratic in a disguise that exact arithmetic sees through") {
+    const Analysed quotient = analysed("p^2/2+(q^4-1)/(q^2-1)");
+    CHECK(quotient.found.is_quadratic);
+    CHECK_FALSE(varies(quotient.system.graph.at(quotient.found.qq[0][0].node).roles));
+    CHECK(value(quotient.system.graph, quotient.found.qq[0][0], {}) == 2);
+    CHECK(analysed("exp(q)*exp(-q)*p^2").found.is_quadratic);
+    CHECK(analysed("sin(2*q)-2*sin(q)*cos(q)+p^2").found.is_quadratic);
+    CHECK(analysed("(p^2+q^2)*sqrt(k)^2").found.is_quadratic);
+    CHECK_FALSE(analysed("p^2/2+(q^4-1)/(q^2+1)+1e-60*q^4").found.is_quadratic);
+    CHECK_FALSE(analysed("(sin(q)^2+cos(q)^2*(1+1e-40))*p^2/2").found.is_quadratic);
+}
+
+TEST_CASE("an H that depends on time has another form at each time") {
+    CHECK(analysed("p^2/2+q^2/2").found.has_linear_map);
+    CHECK(analysed("p^2/2+q^2/2+q*t").found.is_quadratic);
+    CHECK_FALSE(analysed("p^2/2+q^2/2+q*t").found.has_linear_map);
+    CHECK_FALSE(analysed("p^2/2+(1+t)*q^2/2").found.is_quadratic);
+    CHECK_FALSE(analysed("p^2/2+q^2/2+sin(t)").found.has_linear_map);
+}
+
 TEST_CASE("the first derivatives of a quadratic H at the origin") {
     const Analysed shifted = analysed("(p-q-a)^2/2+3*q+p*q");
     REQUIRE(shifted.found.is_quadratic);
