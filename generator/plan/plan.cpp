@@ -8,12 +8,11 @@
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/plan/equal.hpp"
-#include "generator/plan/graph.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/solver.hpp"
-#include "generator/plan/stage_graph.hpp"
 #include "generator/plan/starting_values.hpp"
 #include "generator/plan/velocity_form.hpp"
+#include "generator/stages/stage_graph.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -138,7 +137,7 @@ void set_places(Scheme& scheme) {
 /// m_ij = 0, and P_j needs Lp_i unless m~_ji = 1 - m_ij = 0.
 StagePattern pattern(const Scheme& scheme) {
     StagePattern result;
-    result.separable = scheme.separable;
+    result.slopes = slopes_of_all(scheme.separable);
     result.p.resize(scheme.momenta.size());
     for (const NumberVector& row : scheme.m) {
         auto& q = result.q.emplace_back();
@@ -151,12 +150,8 @@ StagePattern pattern(const Scheme& scheme) {
 }
 
 void set_blocks(Scheme& scheme) {
-    const StageGraph graph(pattern(scheme));
-    for (const auto& component : components(graph.needs())) {
-        Block block;
-        block.coupled = component.size() > 1;
-        for (const std::size_t v : component) { block.nodes.push_back(graph.node(v)); }
-        scheme.blocks.push_back(std::move(block));
+    for (std::vector<StageNode>& group : groups_in_order(pattern(scheme))) {
+        scheme.blocks.push_back({group.size() > 1, std::move(group)});
     }
     if (scheme.is_explicit()) {
         scheme.decisions.push_back(

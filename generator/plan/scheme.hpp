@@ -11,6 +11,7 @@
 #include "generator/exact/functions/parametric.hpp"
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/exact/numbers/number.hpp"
+#include "generator/stages/stage_node.hpp"
 
 namespace hvi::gen {
 
@@ -26,19 +27,11 @@ struct StageValue {
     Number weight;                    ///< of the slope that is evaluated here
 };
 
-/// What is computed in a step: a stage value or a scaled slope, Lq = h b dH/dp, Lp = -h b dH/dq.
-struct StageNode {
-    enum class Kind { Q, P, Lq, Lp };
-    Kind kind;
-    std::size_t index;  ///< of Scheme::positions for Q and Lp, of Scheme::momenta for P and Lq
-
-    friend bool operator==(const StageNode&, const StageNode&) = default;
-};
-
 /// Nodes that depend on each other and are solved for at once, or a single one that is evaluated.
 struct Block {
     bool coupled = false;
-    std::vector<StageNode> nodes;  ///< by kind, then by index
+    /// By kind, then by index: of Scheme::positions for Q and Lp, of Scheme::momenta for P and Lq.
+    std::vector<StageNode> nodes;
 
     /// The indices of the nodes of one kind, ascending.
     [[nodiscard]] std::vector<std::size_t> of(StageNode::Kind kind) const;
