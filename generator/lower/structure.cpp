@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <string>
 
 #include "generator/lower/constancy.hpp"
@@ -42,33 +41,6 @@ bool settle(Graph& graph, Matrix& matrix) {
 bool depends_on(const Graph& graph, const std::vector<Scaled>& values, Role role) {
     return std::any_of(values.begin(), values.end(),
                        [&](const Scaled& value) { return has(graph.at(value.node).roles, role); });
-}
-
-/// Degrees of freedom of which one's slopes depend on the other.
-std::vector<std::vector<std::size_t>> components(const Structure& found) {
-    const std::size_t n = found.qq.size();
-    std::vector<std::size_t> first(n);
-    std::iota(first.begin(), first.end(), std::size_t{0});
-    const auto join = [&](std::size_t i, std::size_t j) {
-        const auto [kept, replaced] = std::minmax({first[i], first[j]});
-        std::replace(first.begin(), first.end(), replaced, kept);
-    };
-    for (const Matrix* matrix : {&found.qq, &found.qp, &found.pp}) {
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                if (!(*matrix)[i][j].is_zero()) { join(i, j); }
-            }
-        }
-    }
-    std::vector<std::vector<std::size_t>> result;
-    for (std::size_t i = 0; i < n; ++i) {
-        std::vector<std::size_t> members;
-        for (std::size_t j = 0; j < n; ++j) {
-            if (first[j] == i) { members.push_back(j); }
-        }
-        if (!members.empty()) { result.push_back(std::move(members)); }
-    }
-    return result;
 }
 
 /// K p.
@@ -146,7 +118,6 @@ Structure structure(SystemGraph& system) {
     if (found.has_linear_map) { set_linear_part(found, system); }
     found.is_linear_in_p = is_zero(found.pp);
     found.is_linear_in_q = is_zero(found.qq);
-    found.components = components(found);
     return found;
 }
 

@@ -28,8 +28,6 @@ struct Structure {
     std::vector<Scaled> by_q, by_p;     ///< then the first derivatives at q = p = 0
     bool is_linear_in_p = false;        ///< pp is zero, and not all else
     bool is_linear_in_q = false;
-    /// Degrees of freedom that do not couple, each by its indices, by their smallest.
-    std::vector<std::vector<std::size_t>> components;
     std::vector<std::size_t> cyclic;  ///< the q_i that do not occur, so that p_i stays
 };
 

@@ -102,13 +102,6 @@ std::vector<std::string> facts(const LoweredScene& lowered) {
     const Hamiltonian& H = lowered.scene.hamiltonian;
     std::vector<std::string> result{kind_of(found)};
     if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
-    if (found.components.size() > 1) {
-        std::string groups;
-        for (const auto& component : found.components) {
-            groups += fmt::format("{}({})", groups.empty() ? "" : ", ", names(H, component));
-        }
-        result.push_back("these degrees of freedom do not couple: " + groups);
-    }
     if (lowered.system.time) { result.emplace_back("H depends on the time"); }
     if (!found.cyclic.empty()) {
         result.push_back(fmt::format("H does not depend on {}: the momenta are constant",

@@ -24,8 +24,6 @@ Analysed analysed(const std::string& H, const std::string& coordinates = "q",
     return result;
 }
 
-using Groups = std::vector<std::vector<std::size_t>>;
-
 }  // namespace
 
 TEST_CASE("separable Hamiltonians, and those with quadratic kinetic energy") {
@@ -87,16 +85,6 @@ TEST_CASE("the first derivatives of a quadratic H at the origin") {
     CHECK(value(shifted.system.graph, shifted.found.by_q[0], at) == 2 + 3);
     CHECK(value(shifted.system.graph, shifted.found.by_p[0], at) == -2);
     CHECK(analysed("q*p").found.by_q[0].is_zero());
-}
-
-TEST_CASE("degrees of freedom that do not couple") {
-    const auto groups = [](const std::string& H) {
-        return analysed(H, "a, b, c", "pa, pb, pc").found.components;
-    };
-    CHECK(groups("(pa^2+pb^2+pc^2)/2+a^2+b^2+c^2") == Groups{{0}, {1}, {2}});
-    CHECK(groups("(pa^2+pb^2+pc^2)/2+a^2*c^2+b^2") == Groups{{0, 2}, {1}});
-    CHECK(groups("pa*pb+pb*c") == Groups{{0, 1, 2}});
-    CHECK(groups("pa*b+pc^2") == Groups{{0, 1}, {2}});
 }
 
 TEST_CASE("both gradients at once, where that is likely to cost less") {
