@@ -103,12 +103,13 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
 Scheme planned(const Tableau& tableau, const LoweredScene& lowered, const Method& method,
                const StepperWishes& wishes) {
     const Structure& structure = lowered.structure;
+    const bool is_joint = joint_gradient_pays(lowered.system, lowered.gradients);
     Scheme scheme = plan(tableau, {.separable = structure.is_separable,
                                    .depends_on_time = lowered.system.time.has_value(),
                                    .kinetic_is_quadratic = structure.kinetic_is_quadratic,
                                    .is_quadratic = structure.has_linear_map,
                                    .is_degenerate = is_degenerate(structure),
-                                   .joint_gradient_pays = joint_gradient_pays(lowered.system),
+                                   .joint_gradient_pays = is_joint,
                                    .degrees_of_freedom = lowered.system.degrees_of_freedom(),
                                    .has_curve = wishes.dense,
                                    .solver = wishes.solver,

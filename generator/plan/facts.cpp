@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "generator/lower/joint_gradient.hpp"
 #include "generator/lower/kernel.hpp"
 
 namespace hvi::gen {
@@ -132,10 +131,10 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme
         unknowns == 0 ? "no unknowns: nothing is solved for"
                       : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
     if (scheme.has_joint_slopes) {
-        result.push_back("dH/dq and dH/dp once: " + operations(joint_gradient(system)));
+        result.push_back("dH/dq and dH/dp once: " + text(lowered.gradients.joint.counts));
     } else {
-        result.push_back("dH/dq once: " + operations(system.dHdq));
-        result.push_back("dH/dp once: " + operations(system.dHdp));
+        result.push_back("dH/dq once: " + text(lowered.gradients.dHdq.counts));
+        result.push_back("dH/dp once: " + text(lowered.gradients.dHdp.counts));
     }
     if (scheme.takes_newton()) {
         result.push_back("second derivatives once, where Newton's method is needed: " +

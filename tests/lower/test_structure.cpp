@@ -90,7 +90,7 @@ TEST_CASE("the first derivatives of a quadratic H at the origin") {
 TEST_CASE("both gradients at once, where that is likely to cost less") {
     const auto pays = [](const std::string& H, const std::string& q, const std::string& p) {
         const Analysed analysis = analysed(H, q, p);
-        return joint_gradient_pays(analysis.system);
+        return joint_gradient_pays(analysis.system, gradient_kernels(analysis.system));
     };
     // Few operations: the sums of the stages are waited for once, not twice.
     CHECK(pays("(q^2+1)*(p^2+1)/2", "q", "p"));

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "generator/emit/system/scene_code.hpp"
-#include "generator/lower/joint_gradient.hpp"
 
 namespace hvi::gen {
 
@@ -186,23 +185,24 @@ std::vector<Function> two_gradients(const LoweredScene& lowered, const Scheme& s
     const SystemGraph& system = lowered.system;
     const bool separable = scheme.separable;
     const std::vector<std::string> out = components("out", system.degrees_of_freedom());
-    const auto vector = [&](std::string_view name, const std::vector<Scaled>& results, bool has_q,
-                            bool has_p) {
-        return Function{name,  out,   kernel(system.graph, results),
+    const auto vector = [&](std::string_view name, const Kernel& kernel, bool has_q, bool has_p) {
+        return Function{name,  out,   kernel,
                         has_q, has_p, fmt::format("{}& out", vector_type(scheme.has_lanes()))};
     };
-    std::vector<Function> result{vector("dHdq", system.dHdq, true, !separable),
-                                 vector("dHdp", system.dHdp, !separable, true)};
+    std::vector<Function> result{vector("dHdq", lowered.gradients.dHdq, true, !separable),
+                                 vector("dHdp", lowered.gradients.dHdp, !separable, true)};
     result[0].has_time = scheme.depends_on_time;
     result[1].has_time = scheme.depends_on_time && !separable;
     if (scheme.velocity_form) {
-        result.push_back(vector("inverse_mass", lowered.structure.inverse_mass, false, true));
+        result.push_back(vector("inverse_mass",
+                                kernel(system.graph, lowered.structure.inverse_mass), false, true));
     }
     return result;
 }
 
 /// dH/dq and dH/dp.
-Function both_gradients(const SystemGraph& system, const Scheme& scheme) {
+Function both_gradients(const LoweredScene& lowered, const Scheme& scheme) {
+    const SystemGraph& system = lowered.system;
     std::vector<std::string> targets = components("dHdq", system.degrees_of_freedom());
     for (std::string& target : components("dHdp", system.degrees_of_freedom())) {
         targets.push_back(std::move(target));
@@ -210,7 +210,7 @@ Function both_gradients(const SystemGraph& system, const Scheme& scheme) {
     Function function;
     function.name = "gradient";
     function.targets = std::move(targets);
-    function.kernel = kernel(system.graph, joint_gradient(system));
+    function.kernel = lowered.gradients.joint;
     function.out = fmt::format("{0}& dHdq, {0}& dHdp", vector_type(scheme.has_lanes()));
     function.has_time = scheme.depends_on_time;
     return function;
@@ -219,7 +219,7 @@ Function both_gradients(const SystemGraph& system, const Scheme& scheme) {
 /// What steps evaluate.
 std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) {
     std::vector<Function> result = two_gradients(lowered, scheme);
-    if (scheme.has_joint_slopes) { result = {both_gradients(lowered.system, scheme)}; }
+    if (scheme.has_joint_slopes) { result = {both_gradients(lowered, scheme)}; }
     for (Function& function : result) { function.takes_lanes = scheme.has_lanes(); }
     // NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times.
     // Where there is sin, or much, the call does not matter.
