@@ -25,13 +25,14 @@ void write_method(const StepperOptions& options) {
     write_result(options.output, stepper.header);
 }
 
-std::string explanation(const LoweredScene& lowered, const Scheme& scheme) {
+std::string explanation(const SceneStepper& stepper) {
     std::string text = "found in H:\n";
-    for (const std::string& fact : facts(lowered)) text += "  " + fact + "\n";
+    for (const std::string& fact : facts(stepper.lowered)) text += "  " + fact + "\n";
     text += "cost:\n";
-    for (const std::string& cost : costs(lowered, scheme)) text += "  " + cost + "\n";
+    for (const std::string& cost : costs(stepper.lowered, stepper.scheme, stepper.evaluations))
+        text += "  " + cost + "\n";
     text += "plan:\n";
-    for (const Decision& decision : scheme.decisions)
+    for (const Decision& decision : stepper.scheme.decisions)
         text += "  " + decision.what + ": " + decision.why + "\n";
     return text;
 }
@@ -39,7 +40,7 @@ std::string explanation(const LoweredScene& lowered, const Scheme& scheme) {
 void write_scene(const StepperOptions& options) {
     const auto [method, scene] = read_scene(options.method, *options.system);
     const SceneStepper stepper = scene_stepper(method, scene, options.wishes);
-    if (options.explain) std::fputs(explanation(stepper.lowered, stepper.scheme).c_str(), stderr);
+    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
     write_result(options.output, stepper.header);
 }
 
@@ -55,7 +56,7 @@ void write_advised(const StepperOptions& options) {
     wishes.solver = advice.solver;
     wishes.composition = advice.composition;
     const SceneStepper stepper = scene_stepper(method, scene, wishes);
-    if (options.explain) std::fputs(explanation(stepper.lowered, stepper.scheme).c_str(), stderr);
+    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
     std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
     write_result(options.output, with_note(stepper.header, advice.note));
 }

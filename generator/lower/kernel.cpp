@@ -165,6 +165,15 @@ Kernel kernel_of_momenta(const Graph& graph, std::vector<Scaled> results) {
     return kernel_of(Role::momentum, graph, std::move(results));
 }
 
+OperationCounts& OperationCounts::operator+=(const OperationCounts& more) {
+    additions += more.additions;
+    multiplications += more.multiplications;
+    divisions += more.divisions;
+    square_roots += more.square_roots;
+    calls += more.calls;
+    return *this;
+}
+
 bool Kernel::is_divisor(Node node) const {
     return std::binary_search(divisors.begin(), divisors.end(), node);
 }

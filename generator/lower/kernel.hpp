@@ -14,6 +14,7 @@ struct OperationCounts {
     std::size_t square_roots = 0;
     std::size_t calls = 0;  ///< of sin, exp, pow, ...
 
+    OperationCounts& operator+=(const OperationCounts& more);
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 

@@ -149,6 +149,7 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
     members.curve = std::move(curve);
     LoweredScene lowered = hvi::gen::lowered(scene);
     Scheme scheme = planned(tableau, lowered, method, wishes);
+    Evaluations evaluations = hvi::gen::evaluations(lowered, scheme);
     std::string method_name = composed_name(tableau.name, wishes.composition);
     std::string name = name_of_class(
         wishes.class_name, scene.name.empty() ? method_name : scene.name + "-" + method_name);
@@ -156,9 +157,10 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
                               {.class_name = name,
                                .command = command(tableau, scene, wishes),
                                .scene = &lowered,
-                               .wishes = members});
-    return {std::move(tableau), std::move(method_name), method.place,     std::move(lowered),
-            std::move(scheme),  std::move(name),        std::move(header)};
+                               .wishes = members,
+                               .evaluations = &evaluations});
+    return {std::move(tableau), std::move(method_name), method.place,    std::move(lowered),
+            std::move(scheme),  std::move(evaluations), std::move(name), std::move(header)};
 }
 
 }  // namespace hvi::gen

@@ -21,6 +21,7 @@
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/lower/lowered_scene.hpp"
 #include "generator/pipeline/wishes.hpp"
+#include "generator/plan/evaluations.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
@@ -43,6 +44,7 @@ struct SceneStepper {
     std::optional<Place> method_place;  ///< for errors
     LoweredScene lowered;
     Scheme scheme;
+    Evaluations evaluations;
     std::string class_name;
     std::string header;
 };

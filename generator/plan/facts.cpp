@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "generator/lower/kernel.hpp"
-
 namespace hvi::gen {
 
 namespace {
@@ -112,12 +110,9 @@ std::vector<std::string> facts(const LoweredScene& lowered) {
     return result;
 }
 
-std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme) {
-    const SystemGraph& system = lowered.system;
-    const std::size_t n = system.degrees_of_freedom();
-    const auto operations = [&](const std::vector<Scaled>& results) {
-        return text(kernel(system.graph, results).counts);
-    };
+std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme,
+                               const Evaluations& evaluations) {
+    const std::size_t n = lowered.system.degrees_of_freedom();
     std::size_t unknowns = 0;
     for (const Block& block : scheme.blocks) {
         if (!block.coupled) { continue; }
@@ -136,14 +131,15 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme
         result.push_back("dH/dq once: " + text(lowered.gradients.dHdq.counts));
         result.push_back("dH/dp once: " + text(lowered.gradients.dHdp.counts));
     }
-    if (scheme.takes_newton()) {
-        result.push_back("second derivatives once, where Newton's method is needed: " +
-                         operations(second_derivatives(lowered.structure, scheme)));
-    }
-    if (scheme.solver == Solver::newton_taylor) {
+    if (evaluations.second) {
         result.push_back(
-            "d2H/dq2 times a vector, after dH/dq: " +
-            text(kernel_of_direction(system.graph, lowered.structure.qq_along).counts));
+            "second derivatives once, where Newton's method is needed: " +
+            text(kernel(lowered.system.graph, second_derivatives(lowered.structure, scheme))
+                     .counts));
+    }
+    if (evaluations.tangents) {
+        result.push_back("d2H/dq2 times a vector, after dH/dq: " +
+                         text(evaluations.tangents->along.counts));
     }
     const std::size_t forces = scheme.forces_evaluated();
     const std::size_t velocities = scheme.velocity_form ? 1 : scheme.velocities_evaluated();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/lower/lowered_scene.hpp"
+#include "generator/plan/evaluations.hpp"
 #include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
@@ -13,7 +14,8 @@ namespace hvi::gen {
 /// One line each, without a full stop: what is proved of H.
 [[nodiscard]] std::vector<std::string> facts(const LoweredScene& lowered);
 
-/// The same of the work: unknowns, evaluations and their operations.
-[[nodiscard]] std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme);
+/// The same of the work: unknowns, evaluations and the operations of their kernels.
+[[nodiscard]] std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme,
+                                             const Evaluations& evaluations);
 
 }  // namespace hvi::gen

@@ -93,12 +93,15 @@ std::string choices_text(const Scheme& scheme) {
 }
 
 /// What was found in the H of a scene, and what it costs.
-std::string scene_text(const Scheme& scheme, const LoweredScene& lowered) {
+std::string scene_text(const Scheme& scheme, const LoweredScene& lowered,
+                       const Evaluations& evaluations) {
     Writer writer(0);
     writer.line("//").comment("Found in H:").line("//");
     for (const std::string& fact : facts(lowered)) { writer.comment(fact, "//     ", 4); }
     writer.line("//").comment("Cost:").line("//");
-    for (const std::string& cost : costs(lowered, scheme)) { writer.comment(cost, "//     ", 4); }
+    for (const std::string& cost : costs(lowered, scheme, evaluations)) {
+        writer.comment(cost, "//     ", 4);
+    }
     return writer.str();
 }
 
@@ -133,13 +136,14 @@ std::string with_note(std::string header, const std::string& note) {
 
 std::string banner(const Tableau& tableau, const Scheme& scheme, const EmitOptions& options) {
     std::string text = fill(
-        "banner.hpp.in",
-        {{"version", std::string(version)},
-         {"command", one_line(options.command)},
-         {"method", method_text(tableau, scheme)},
-         {"tableau", tableau_text(tableau, scheme)},
-         {"scene", options.scene == nullptr ? std::string() : scene_text(scheme, *options.scene)},
-         {"choices", choices_text(scheme)}});
+        "banner.hpp.in", {{"version", std::string(version)},
+                          {"command", one_line(options.command)},
+                          {"method", method_text(tableau, scheme)},
+                          {"tableau", tableau_text(tableau, scheme)},
+                          {"scene", options.scene == nullptr
+                                        ? std::string()
+                                        : scene_text(scheme, *options.scene, *options.evaluations)},
+                          {"choices", choices_text(scheme)}});
     text.pop_back();
     return text;
 }

@@ -110,7 +110,8 @@ std::string types_for_scene(const Scheme& scheme, const EmitOptions& options) {
     writer.line("using Scalar = Number;");
     writer.line("using Vector = Numbers;");
     writer.blank().insert(parameters_text(*options.scene));
-    writer.blank().insert(system_text(*options.scene, options.wishes, scheme));
+    writer.blank().insert(
+        system_text(*options.scene, options.wishes, scheme, *options.evaluations));
     if (!scheme.is_explicit() && !scheme.is_tabulated && !scheme.has_trajectory_lanes) {
         writer.blank().line("using Solver = {};", solver_type(scheme));
     }

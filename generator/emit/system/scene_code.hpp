@@ -10,6 +10,7 @@
 #include "generator/emit/system/kernel_code.hpp"
 #include "generator/exact/methods/curve.hpp"
 #include "generator/lower/lowered_scene.hpp"
+#include "generator/plan/evaluations.hpp"
 #include "generator/plan/scheme.hpp"
 
 namespace hvi::gen {
@@ -38,7 +39,7 @@ void check_members(const Scene& scene, const SceneWishes& wishes);
 
 /// `struct System`: what a stepper with this scheme needs of H, as straight-line code.
 [[nodiscard]] std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
-                                      const Scheme& scheme);
+                                      const Scheme& scheme, const Evaluations& evaluations);
 
 /// `static State initial(...)`, and the members that are asked for.
 [[nodiscard]] std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,

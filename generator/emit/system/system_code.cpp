@@ -108,80 +108,60 @@ std::vector<std::string> components(std::string_view letter, std::size_t count) 
     return names;
 }
 
-/// The entries that are not zero; those of a symmetric block are computed once.
-Function hessian(const Graph& graph, std::string_view name, const HessianBlock& block,
-                 bool is_symmetric) {
+Function hessian(std::string_view name, const BlockKernel& block) {
     Function function;
     function.name = name;
     function.out = "Matrix& out";
-    Results results;
-    for (std::size_t i = 0; i < block.size(); ++i) {
-        for (std::size_t j = 0; j < (is_symmetric ? i + 1 : block.size()); ++j) {
-            if (block[i][j].is_zero()) { continue; }
-            function.targets.push_back(fmt::format("out({}, {})", i, j));
-            function.is_mirrored = function.is_mirrored || (is_symmetric && i != j);
-            results.push_back(block[i][j]);
-        }
+    for (const auto& [row, column] : block.places) {
+        function.targets.push_back(fmt::format("out({}, {})", row, column));
+        function.is_mirrored = function.is_mirrored || (block.is_symmetric && row != column);
     }
-    function.kernel = kernel(graph, std::move(results));
+    function.kernel = block.kernel;
     return function;
 }
 
 /// Adds what Newton's method evaluates.
-void second_derivatives(std::vector<Function>& functions, const LoweredScene& lowered,
-                        const Scheme& scheme) {
-    const Graph& graph = lowered.system.graph;
-    const Structure& second = lowered.structure;
-    Function qq = hessian(graph, "d2Hdq2", second.qq, true);
-    qq.has_p = !scheme.separable;
-    qq.has_time = scheme.depends_on_time;
-    functions.push_back(std::move(qq));
-    if (scheme.velocity_form) { return; }
+void add_second_derivatives(std::vector<Function>& functions, const SecondDerivatives& second,
+                            const Scheme& scheme) {
     const bool mixed_depends_on_time = scheme.depends_on_time && !scheme.separable;
-    if (!scheme.separable) {
-        functions.push_back(hessian(graph, "d2Hdqdp", second.qp, false));
+    functions.push_back(hessian("d2Hdq2", second.qq));
+    functions.back().has_p = !scheme.separable;
+    functions.back().has_time = scheme.depends_on_time;
+    if (second.qp) {
+        functions.push_back(hessian("d2Hdqdp", *second.qp));
         functions.back().has_time = mixed_depends_on_time;
     }
-    functions.push_back(hessian(graph, "d2Hdp2", second.pp, true));
-    functions.back().has_q = !scheme.separable;
-    functions.back().has_time = mixed_depends_on_time;
+    if (second.pp) {
+        functions.push_back(hessian("d2Hdp2", *second.pp));
+        functions.back().has_q = !scheme.separable;
+        functions.back().has_time = mixed_depends_on_time;
+    }
 }
 
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
-void tangents(std::vector<Function>& functions, const LoweredScene& lowered) {
-    const SystemGraph& system = lowered.system;
-    const Structure& second = lowered.structure;
-    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
-    Function along{"d2Hdq2", out,   kernel_of_direction(system.graph, second.qq_along),
-                   true,     false, ""};
-    Function slope{"dHdq", out, {}, true, false, ""};
-    slope.has_time = system.time.has_value();
-    for (std::size_t k = 0; k < second.direction.size(); ++k) {
-        along.names[second.direction[k]] = fmt::format("v[{}]", k);
+void add_tangents(std::vector<Function>& functions, const Tangents& tangents,
+                  const LoweredScene& lowered) {
+    const std::vector<Node>& direction = lowered.structure.direction;
+    const std::vector<std::string> out = components("out", direction.size());
+    const std::vector<std::string> kept = components("at", tangents.kept.size());
+    Function along{"d2Hdq2", out, tangents.along, true, false, ""};
+    Function slope{"dHdq", out, tangents.slope, true, false, ""};
+    slope.has_time = lowered.system.time.has_value();
+    slope.targets.insert(slope.targets.end(), kept.begin(), kept.end());
+    for (std::size_t k = 0; k < direction.size(); ++k) {
+        along.names[direction[k]] = fmt::format("v[{}]", k);
     }
-    Results results = system.dHdq;
-    for (const Node node : along.kernel.given) {
-        const bool is_position = std::count(system.q.begin(), system.q.end(), node) != 0;
-        if (is_position || along.names.count(node) != 0 || !varies(system.graph.at(node).roles)) {
-            continue;
-        }
-        const std::string place = fmt::format("at[{}]", slope.targets.size() - out.size());
-        along.names[node] = place;
-        slope.targets.push_back(place);
-        results.push_back({{1, 1}, node});
-    }
-    slope.kernel = kernel(system.graph, std::move(results));
-    const bool is_constant = slope.targets.size() == out.size();
-    slope.out = "Vector& out, " + argument(!is_constant, "Tangent& at");
-    along.out = argument(!is_constant, "const Tangent& at") + ", " +
-                argument(uses_any(along.kernel, second.direction), "const Vector& v") +
-                ", Vector& out";
+    for (std::size_t k = 0; k < kept.size(); ++k) { along.names[tangents.kept[k]] = kept[k]; }
+    slope.out = "Vector& out, " + argument(!kept.empty(), "Tangent& at");
+    along.out = argument(!kept.empty(), "const Tangent& at") + ", " +
+                argument(uses_any(along.kernel, direction), "const Vector& v") + ", Vector& out";
     functions.push_back(std::move(slope));
     functions.push_back(std::move(along));
 }
 
 /// dH/dq and dH/dp, one by one.
-std::vector<Function> two_gradients(const LoweredScene& lowered, const Scheme& scheme) {
+std::vector<Function> two_gradients(const LoweredScene& lowered, const Scheme& scheme,
+                                    const Evaluations& evaluations) {
     const SystemGraph& system = lowered.system;
     const bool separable = scheme.separable;
     const std::vector<std::string> out = components("out", system.degrees_of_freedom());
@@ -193,9 +173,8 @@ std::vector<Function> two_gradients(const LoweredScene& lowered, const Scheme& s
                                  vector("dHdp", lowered.gradients.dHdp, !separable, true)};
     result[0].has_time = scheme.depends_on_time;
     result[1].has_time = scheme.depends_on_time && !separable;
-    if (scheme.velocity_form) {
-        result.push_back(vector("inverse_mass",
-                                kernel(system.graph, lowered.structure.inverse_mass), false, true));
+    if (evaluations.inverse_mass) {
+        result.push_back(vector("inverse_mass", *evaluations.inverse_mass, false, true));
     }
     return result;
 }
@@ -217,8 +196,9 @@ Function both_gradients(const LoweredScene& lowered, const Scheme& scheme) {
 }
 
 /// What steps evaluate.
-std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) {
-    std::vector<Function> result = two_gradients(lowered, scheme);
+std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme,
+                             const Evaluations& evaluations) {
+    std::vector<Function> result = two_gradients(lowered, scheme, evaluations);
     if (scheme.has_joint_slopes) { result = {both_gradients(lowered, scheme)}; }
     for (Function& function : result) { function.takes_lanes = scheme.has_lanes(); }
     // NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times.
@@ -228,8 +208,8 @@ std::vector<Function> slopes(const LoweredScene& lowered, const Scheme& scheme) 
         function.is_inlined = scheme.has_trajectory_lanes && function.kernel.counts.calls == 0 &&
                               function.kernel.nodes.size() <= small;
     }
-    if (scheme.takes_newton()) { second_derivatives(result, lowered, scheme); }
-    if (scheme.solver == Solver::newton_taylor) { tangents(result, lowered); }
+    if (evaluations.second) { add_second_derivatives(result, *evaluations.second, scheme); }
+    if (evaluations.tangents) { add_tangents(result, *evaluations.tangents, lowered); }
     return result;
 }
 
@@ -259,12 +239,12 @@ Function quadratic(const LoweredScene& lowered) {
 }
 
 std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
-                                const Scheme& scheme) {
+                                const Scheme& scheme, const Evaluations& evaluations) {
     const auto value = [&](std::string_view name, const Scaled& result) {
         return Function{name, {}, kernel(lowered.system.graph, {result}), true, true, ""};
     };
-    std::vector<Function> result =
-        scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)} : slopes(lowered, scheme);
+    std::vector<Function> result = scheme.is_tabulated ? std::vector<Function>{quadratic(lowered)}
+                                                       : slopes(lowered, scheme, evaluations);
     for (Function& function : result) {
         const bool has_forces = function.name == "dHdq" || function.name == "gradient";
         function.is_counted = wishes.evaluations && has_forces;
@@ -379,18 +359,6 @@ std::string data_text(const LoweredScene& lowered, const GivenNodes& given) {
     return writer.str();
 }
 
-/// NOTE: an array of none would do, were it not that compilers warn of it.
-std::size_t size_of_tangent(const std::vector<Function>& functions) {
-    std::size_t size = 1;
-    for (const Function& function : functions) {
-        size = std::max(
-            size, static_cast<std::size_t>(std::count_if(
-                      function.targets.begin(), function.targets.end(),
-                      [](const std::string& target) { return target.substr(0, 2) == "at"; })));
-    }
-    return size;
-}
-
 std::string about(const Hamiltonian& H) {
     return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(H.expression),
                        fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
@@ -399,8 +367,8 @@ std::string about(const Hamiltonian& H) {
 }  // namespace
 
 std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
-                        const Scheme& scheme) {
-    const std::vector<Function> all = functions(lowered, wishes, scheme);
+                        const Scheme& scheme, const Evaluations& evaluations) {
+    const std::vector<Function> all = functions(lowered, wishes, scheme, evaluations);
     const Kernel initial = kernel_of_inputs(lowered.system.graph, lowered.initial);
     GivenNodes given(lowered);
     for (const Function& function : all) { given.name(function.kernel, function.names); }
@@ -413,8 +381,10 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
     writer.comment(about(lowered.scene.hamiltonian), "/// ");
     writer.open("struct System {{");
     writer.line("using Vector = Numbers;");
-    if (scheme.solver == Solver::newton_taylor) {
-        writer.line("using Tangent = std::array<Scalar, {}>;", size_of_tangent(all));
+    if (evaluations.tangents) {
+        // NOTE: an array of none would do, were it not that compilers warn of it.
+        writer.line("using Tangent = std::array<Scalar, {}>;",
+                    std::max<std::size_t>(1, evaluations.tangents->kept.size()));
     }
     writer.blank();
     write_constructor(writer, lowered, given, library(wishes));
