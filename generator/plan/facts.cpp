@@ -69,20 +69,6 @@ Entries entries(const Graph& graph, const Structure& found) {
     return result;
 }
 
-/// Those that Newton's method evaluates, of symmetric ones half.
-std::vector<Scaled> second_derivatives(const Structure& found, const Scheme& scheme) {
-    std::vector<Scaled> result;
-    for (std::size_t i = 0; i < found.qq.size(); ++i) {
-        for (std::size_t j = 0; j < found.qq.size(); ++j) {
-            if (j <= i) { result.push_back(found.qq[i][j]); }
-            if (scheme.velocity_form) { continue; }
-            if (j <= i) { result.push_back(found.pp[i][j]); }
-            if (!scheme.separable) { result.push_back(found.qp[i][j]); }
-        }
-    }
-    return result;
-}
-
 /// See LinearMap and LinearIncrements of the runtime.
 std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
     const std::size_t multiplications = (is_sheared ? 3 : 12) * n * n;
@@ -132,10 +118,8 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Scheme& scheme
         result.push_back("dH/dp once: " + text(lowered.gradients.dHdp.counts));
     }
     if (evaluations.second) {
-        result.push_back(
-            "second derivatives once, where Newton's method is needed: " +
-            text(kernel(lowered.system.graph, second_derivatives(lowered.structure, scheme))
-                     .counts));
+        result.push_back("second derivatives once, where Newton's method is needed: " +
+                         text(evaluations.second->counts()));
     }
     if (evaluations.tangents) {
         result.push_back("d2H/dq2 times a vector, after dH/dq: " +
