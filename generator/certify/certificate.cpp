@@ -6,7 +6,7 @@
 #include "generator/certify/known.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/numbers/budget.hpp"
-#include "generator/plan/stage_graph.hpp"
+#include "generator/stages/stage_graph.hpp"
 
 namespace hvi::gen {
 namespace {

@@ -13,7 +13,7 @@
 #include "generator/exact/methods/properties.hpp"
 #include "generator/exact/methods/stability.hpp"
 #include "generator/exact/methods/tableau.hpp"
-#include "generator/ir/step.hpp"
+#include "generator/stages/stage_node.hpp"
 
 namespace hvi::gen {
 

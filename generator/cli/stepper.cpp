@@ -26,13 +26,14 @@ void write_method(const StepperOptions& options) {
                  options.dump ? dump(method, stepper, *options.dump) : stepper.header);
 }
 
-std::string explanation(const LoweredScene& lowered, const Step& step) {
+std::string explanation(const SceneStepper& stepper) {
     std::string text = "found in H:\n";
-    for (const std::string& fact : facts(lowered)) text += "  " + fact + "\n";
+    for (const std::string& fact : facts(stepper.lowered)) text += "  " + fact + "\n";
     text += "cost:\n";
-    for (const std::string& cost : costs(lowered, step)) text += "  " + cost + "\n";
+    for (const std::string& cost : costs(stepper.lowered, stepper.step, stepper.evaluations))
+        text += "  " + cost + "\n";
     text += "plan:\n";
-    for (const Decision& decision : step.decisions)
+    for (const Decision& decision : stepper.step.decisions)
         text += "  " + decision.what + ": " + decision.why + "\n";
     return text;
 }
@@ -40,7 +41,7 @@ std::string explanation(const LoweredScene& lowered, const Step& step) {
 void write_scene(const StepperOptions& options) {
     const auto [method, scene] = read_scene(options.method, *options.system);
     const SceneStepper stepper = scene_stepper(method, scene, options.wishes);
-    if (options.explain) std::fputs(explanation(stepper.lowered, stepper.step).c_str(), stderr);
+    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
     write_result(options.output,
                  options.dump ? dump(method, stepper, *options.dump) : stepper.header);
 }
@@ -57,7 +58,7 @@ void write_advised(const StepperOptions& options) {
     wishes.solver = advice.solver;
     wishes.composition = advice.composition;
     const SceneStepper stepper = scene_stepper(method, scene, wishes);
-    if (options.explain) std::fputs(explanation(stepper.lowered, stepper.step).c_str(), stderr);
+    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
     std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
     write_result(options.output, with_note(stepper.header, advice.note));
 }

@@ -5,12 +5,13 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/expr/fraction.hpp"
-#include "generator/hamiltonian/gradient.hpp"
 #include "generator/read/names.hpp"
+#include "generator/stages/stage_graph.hpp"
 
 namespace hvi::gen {
 
@@ -136,8 +137,12 @@ std::optional<Number> small_number(const Expression& expression) {
 
 class Writer {
 public:
-    Writer(const ButcherPair& pair, const Hamiltonian& H)
-        : H_(H), gradient_(gradient(H)), names_(stage_names(H, pair.stages())), nodes_(pair.c) {
+    Writer(const ButcherPair& pair, const Hamiltonian& H, const Gradient& gradient)
+        : H_(H),
+          gradient_(gradient),
+          names_(stage_names(H, pair.stages())),
+          method_(partitioned_method(pair)),
+          nodes_(pair.c) {
         for (const NumberVector& row : pair.A) A_.push_back(written(row));
         for (const NumberVector& row : pair.A_tilde) A_tilde_.push_back(written(row));
         b_ = written(pair.b);
@@ -154,10 +159,13 @@ private:
     [[nodiscard]] std::vector<Expression> terms(const Expression& derivative, const Row& row);
     [[nodiscard]] Expression value(std::size_t variable, const Row& for_q, const Row& for_p);
     [[nodiscard]] bool is_needed(const std::string& variable) const;
+    [[nodiscard]] SlopePattern slopes() const;
+    void set_stages(StageEquations& result);
 
     const Hamiltonian& H_;
-    Gradient gradient_;
+    const Gradient& gradient_;
     std::vector<Names> names_;
+    PartitionedMethod method_;
     NumberVector nodes_;
     std::vector<Row> A_, A_tilde_;
     Row b_;
@@ -231,24 +239,44 @@ bool Writer::is_needed(const std::string& variable) const {
            occurs_in(variable, gradient_.by_momenta);
 }
 
-/// The equations in an order in which each needs only those before it; fewer where there is none.
-std::vector<Equation> in_order(const std::vector<Equation>& equations) {
-    std::set<std::string> unknown;
-    for (const Equation& equation : equations) unknown.insert(equation.left);
-    std::vector<std::pair<const Equation*, std::set<std::string>>> rest;
-    for (const Equation& equation : equations)
-        rest.emplace_back(&equation, symbols_in(equation.right));
-    const auto is_ready = [&](const auto& entry) {
-        return std::none_of(entry.second.begin(), entry.second.end(),
-                            [&](const std::string& name) { return unknown.count(name) != 0; });
+/// Which derivatives have which variables.
+SlopePattern Writer::slopes() const {
+    const auto pattern = [](const std::vector<Expression>& derivatives,
+                            const std::vector<std::string>& names) {
+        Pattern result;
+        for (const Expression& derivative : derivatives) {
+            const std::set<std::string> symbols = symbols_in(derivative);
+            std::vector<bool>& row = result.emplace_back();
+            for (const std::string& name : names) row.push_back(symbols.count(name) != 0);
+        }
+        return result;
     };
-    std::vector<Equation> result;
-    for (;;) {
-        const auto next = std::find_if(rest.begin(), rest.end(), is_ready);
-        if (next == rest.end()) return result;
-        unknown.erase(next->first->left);
-        result.push_back(*next->first);
-        rest.erase(next);
+    return {pattern(gradient_.by_momenta, H_.coordinates),
+            pattern(gradient_.by_momenta, H_.momenta),
+            pattern(gradient_.by_coordinates, H_.coordinates),
+            pattern(gradient_.by_coordinates, H_.momenta)};
+}
+
+/// Adds those of the stage values that a derivative depends on.
+void Writer::set_stages(StageEquations& result) {
+    std::vector<StageNode> values;
+    result.is_explicit = true;
+    for (const std::vector<StageNode>& group : groups_in_order(stage_pattern(method_, slopes()))) {
+        result.is_explicit = result.is_explicit && group.size() == 1;
+        values.insert(values.end(), group.begin(), group.end());
+    }
+    if (!result.is_explicit)
+        std::sort(values.begin(), values.end(), [](const StageNode& a, const StageNode& b) {
+            return std::tie(a.kind, a.variable, a.index) < std::tie(b.kind, b.variable, b.index);
+        });
+    const std::vector<std::string> all = variables(H_);
+    for (const StageNode& node : values) {
+        const bool is_q = node.kind == StageNode::Kind::Q;
+        if (!is_q && node.kind != StageNode::Kind::P) continue;
+        const std::size_t k = is_q ? node.variable : H_.degrees_of_freedom() + node.variable;
+        const std::size_t i = node.index;
+        if (is_needed(all[k]))
+            result.stages.push_back({names_[i].at(all[k]), value(k, A_[i], A_tilde_[i])});
     }
 }
 
@@ -268,24 +296,19 @@ StageEquations Writer::equations() {
     StageEquations result;
     if (is_needed("t"))
         for (std::size_t i = 0; i < names_.size(); ++i) result.stages.push_back(time(i));
+    set_stages(result);
     const std::vector<std::string> all = variables(H_);
-    for (std::size_t k = 0; k < all.size(); ++k) {
+    for (std::size_t k = 0; k < all.size(); ++k)
         result.update.push_back({all[k], value(k, b_, b_)});
-        if (!is_needed(all[k])) continue;
-        for (std::size_t i = 0; i < names_.size(); ++i)
-            result.stages.push_back({names_[i].at(all[k]), value(k, A_[i], A_tilde_[i])});
-    }
-    std::vector<Equation> ordered = in_order(result.stages);
-    result.is_explicit = ordered.size() == result.stages.size();
-    if (result.is_explicit) result.stages = std::move(ordered);
     result.is_exact = is_exact_;
     return result;
 }
 
 }  // namespace
 
-StageEquations stage_equations(const ButcherPair& pair, const Hamiltonian& hamiltonian) {
-    return Writer(pair, hamiltonian).equations();
+StageEquations stage_equations(const ButcherPair& pair, const Hamiltonian& hamiltonian,
+                               const Gradient& gradient) {
+    return Writer(pair, hamiltonian, gradient).equations();
 }
 
 }  // namespace hvi::gen

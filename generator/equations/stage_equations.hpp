@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/exact/methods/tableau.hpp"
+#include "generator/hamiltonian/gradient.hpp"
 #include "generator/read/hamiltonian.hpp"
 
 namespace hvi::gen {
@@ -24,10 +25,9 @@ struct StageEquations {
     bool is_exact = true;          ///< whether each coefficient stands in closed form
 };
 
-/// (4.18) with the coefficients of the method and the derivatives of this H put in. Terms with the
+/// (4.18) with the coefficients of the method and the gradient of this H put in. Terms with the
 /// coefficient 0 are left out; a coefficient without a closed form is a decimal of 20 digits.
-/// Preconditions and errors as for `gradient`.
-[[nodiscard]] StageEquations stage_equations(const ButcherPair& pair,
-                                             const Hamiltonian& hamiltonian);
+[[nodiscard]] StageEquations
+stage_equations(const ButcherPair& pair, const Hamiltonian& hamiltonian, const Gradient& gradient);
 
 }  // namespace hvi::gen

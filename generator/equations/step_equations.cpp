@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "generator/equations/quadratic.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/numbers/rational.hpp"
-#include "generator/hamiltonian/quadratic.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "generator/linear/one_step_map.hpp"
 
@@ -87,13 +87,15 @@ bool has_closed_form(const Tableau& tableau) {
 /// With the map, and H_d^+ where it is asked for; or with the equations of the stages.
 StepEquations completed(StepEquations step, const Derivation& method,
                         const Hamiltonian& hamiltonian, bool generating) {
+    // NOTE: first, since it refuses with their places what has no value or is too long.
+    const Gradient slopes = gradient(hamiltonian);
     const QuadraticProof proof = quadratic_form(hamiltonian, method.ground);
     step.obstacle = proof.obstacle;
     if (proof.form && !has_closed_form(method.tableau))
         step.obstacle = "the coefficients of the method have no closed form";
     if (!proof.form || !step.obstacle.empty()) {
         if (generating) refuse_generating(hamiltonian, step.obstacle);
-        step.stages = stage_equations(method.tableau, hamiltonian);
+        step.stages = stage_equations(method.tableau, hamiltonian, slopes);
         return step;
     }
     step.map = equations(one_step_map(method.tableau, *proof.form, method.ground));

@@ -34,23 +34,6 @@ std::size_t Step::forces_evaluated() const { return positions.size() - (kept.for
 
 std::size_t Step::velocities_evaluated() const { return momenta.size() - (kept.velocity ? 1 : 0); }
 
-std::vector<Evaluation> evaluations(const Step& step) {
-    if (std::holds_alternative<TabulatedStep>(step.form)) { return {Evaluation::constants}; }
-    const bool has_momenta = !std::holds_alternative<VelocityStep>(step.form);
-    std::vector<Evaluation> result{Evaluation::dHdq, Evaluation::dHdp};
-    if (step.slopes == Slopes::joint) { result = {Evaluation::gradient}; }
-    if (!has_momenta) { result.push_back(Evaluation::inverse_mass); }
-    const Iteration* iteration = step.iteration();
-    if (iteration == nullptr) { return result; }
-    if (iteration->takes_newton()) {
-        result.push_back(Evaluation::d2Hdq2);
-        if (!step.is_separable()) { result.push_back(Evaluation::d2Hdqdp); }
-        if (has_momenta) { result.push_back(Evaluation::d2Hdp2); }
-    }
-    if (iteration->solver == Solver::newton_taylor) { result.push_back(Evaluation::tangents); }
-    return result;
-}
-
 bool operator==(const Step& left, const Step& right) { return dump(left) == dump(right); }
 
 }  // namespace hvi::gen

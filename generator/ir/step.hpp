@@ -11,6 +11,7 @@
 #include "generator/exact/algebra/modes.hpp"
 #include "generator/exact/numbers/number.hpp"
 #include "generator/exact/parameters/parametric.hpp"
+#include "generator/stages/stage_node.hpp"
 
 namespace hvi::gen {
 
@@ -28,19 +29,11 @@ struct StageValue {
     Number weight;                    ///< of the slope that is evaluated here
 };
 
-/// What is computed in a step: a stage value or a scaled slope, Lq = h b dH/dp, Lp = -h b dH/dq.
-struct StageNode {
-    enum class Kind { Q, P, Lq, Lp };
-    Kind kind;
-    std::size_t index;  ///< of Step::positions for Q and Lp, of Step::momenta for P and Lq
-
-    friend bool operator==(const StageNode&, const StageNode&) = default;
-};
-
 /// Nodes that depend on each other and are solved for at once, or a single one that is evaluated.
 struct Block {
     bool coupled = false;
-    std::vector<StageNode> nodes;  ///< by kind, then by index
+    /// By kind, then by index: of Scheme::positions for Q and Lp, of Scheme::momenta for P and Lq.
+    std::vector<StageNode> nodes;
 
     /// The indices of the nodes of one kind, ascending.
     [[nodiscard]] std::vector<std::size_t> of(StageNode::Kind kind) const;
@@ -205,22 +198,6 @@ struct Step {
     [[nodiscard]] std::size_t forces_evaluated() const;
     [[nodiscard]] std::size_t velocities_evaluated() const;
 };
-
-/// Functions of H.
-enum class Evaluation {
-    dHdq,
-    dHdp,
-    gradient,      ///< both at once
-    inverse_mass,  ///< K p, where the kinetic energy is p^T K p/2
-    d2Hdq2,
-    d2Hdqdp,
-    d2Hdp2,
-    tangents,   ///< dH/dq with what d2H/dq2 times a vector has in common with it, and that product
-    constants,  ///< of a quadratic H
-};
-
-/// What a step evaluates of H, and its solver.
-[[nodiscard]] std::vector<Evaluation> evaluations(const Step& step);
 
 /// Stable text, for people and tests.
 [[nodiscard]] std::string dump(const Step& step);

@@ -5,40 +5,14 @@
 #include <utility>
 
 #include "generator/lower/pythagoras.hpp"
+#include "generator/lower/written.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-Expression as_expression(const SmallFraction& fraction) {
-    const SmallFraction size = fraction.size();
-    Expression result =
-        Expression::rational(std::to_string(size.above), std::to_string(size.below));
-    return fraction.above < 0 ? Expression::negation(std::move(result)) : result;
-}
-
 Expression multiple(const SmallFraction& factor, const Expression& constant) {
     return factor.is_one() ? constant : Expression::product({as_expression(factor), constant});
-}
-
-/// What the operation makes of expressions without symbols.
-Expression of_operation(const Computation& computation, std::vector<Expression> values) {
-    const auto first = [&] { return std::move(values.front()); };
-    const auto root = [&] { return Expression::call("sqrt", {first()}); };
-    switch (computation.operation) {
-    case Operation::sum: return Expression::sum(std::move(values));
-    case Operation::product: return Expression::product(std::move(values));
-    case Operation::inverse: return Expression::reciprocal(first());
-    case Operation::square_root: return root();
-    case Operation::inverse_square_root: return Expression::reciprocal(root());
-    case Operation::power:
-        return Expression::power(std::move(values.front()), std::move(values.back()));
-    case Operation::call: return Expression::call(computation.name, {first()});
-    case Operation::constant:
-    case Operation::input: break;
-    }
-    HVI_CHECK(false);
-    return {};
 }
 
 /// Of a sum: that of its first term if all are equal in size, else 1; with the sign of the first.
@@ -150,6 +124,10 @@ Scaled Graph::product(const Scaled& a, const Scaled& b) {
     const Node first = std::min(a.node, b.node);
     const Node second = std::max(a.node, b.node);
     if (is_inverse_of(second, first)) { return product(number(a.factor), number(b.factor)); }
+    if (first == second && at(first).operation == Operation::square_root) {
+        const Scaled square{{1, 1}, at(first).arguments.front()};
+        return times(a.factor, times(b.factor, square));
+    }
     Computation computation;
     computation.operation = Operation::product;
     computation.arguments = {first, second};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/joint_gradient.hpp"
 
-#include "generator/lower/kernel.hpp"
+#include <utility>
 
 namespace hvi::gen {
 
@@ -18,10 +18,11 @@ double cost(const OperationCounts& counts) {
 
 }  // namespace
 
-std::vector<Scaled> joint_gradient(const SystemGraph& system) {
+GradientKernels gradient_kernels(const SystemGraph& system) {
     std::vector<Scaled> both = system.dHdq;
     both.insert(both.end(), system.dHdp.begin(), system.dHdp.end());
-    return both;
+    return {kernel(system.graph, system.dHdq), kernel(system.graph, system.dHdp),
+            kernel(system.graph, std::move(both))};
 }
 
 /// NOTE: iterations of gauss:8 with a joint gradient, and with each slope used at once:
@@ -29,10 +30,10 @@ std::vector<Scaled> joint_gradient(const SystemGraph& system) {
 /// h = 0.1, 12.4 and 8.5. Where slopes are used at once, P moves between dH/dp and dH/dq but Q does
 /// not move between dH/dq and the next dH/dp, so that what depends on q alone is shared; and the
 /// sums of the stages are waited for twice, not once.
-bool joint_gradient_pays(const SystemGraph& system) {
+bool joint_gradient_pays(const SystemGraph& system, const GradientKernels& kernels) {
     constexpr double more_iterations = 1.4, sum = 16;
-    const double jointly = cost(kernel(system.graph, joint_gradient(system)).counts) + sum;
-    const double in_turn = cost(kernel(system.graph, system.dHdq).counts) +
+    const double jointly = cost(kernels.joint.counts) + sum;
+    const double in_turn = cost(kernels.dHdq.counts) +
                            cost(kernel_of_momenta(system.graph, system.dHdp).counts) + 2 * sum;
     return more_iterations * jointly < in_turn;
 }

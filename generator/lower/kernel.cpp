@@ -24,7 +24,7 @@ void count(const Graph& graph, Kernel& kernel, Node node) {
         break;
     case Operation::product:
         if (std::none_of(computation.arguments.begin(), computation.arguments.end(),
-                         [&](Node argument) { return is_divisor(graph, kernel, argument); })) {
+                         [&](Node argument) { return kernel.is_divisor(argument); })) {
             ++counts.multiplications;
         }
         break;
@@ -34,6 +34,18 @@ void count(const Graph& graph, Kernel& kernel, Node node) {
     case Operation::power:
     case Operation::call: ++counts.calls; break;
     }
+}
+
+std::vector<Node> divisors(const Graph& graph, const Kernel& kernel) {
+    std::vector<Node> result;
+    for (const Node node : kernel.nodes) {
+        const Operation operation = graph.at(node).operation;
+        const bool is_inverse =
+            operation == Operation::inverse || operation == Operation::inverse_square_root;
+        if (is_inverse && kernel.uses[node] == 1) { result.push_back(node); }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
 }
 
 /// The nodes that a node is computed from; one that stands twice is there twice.
@@ -114,6 +126,7 @@ Kernel kernel(const Graph& graph, std::vector<Scaled> results, IsGiven is_given)
     std::reverse(kernel.given.begin(), kernel.given.end());
     std::reverse(kernel.nodes.begin(), kernel.nodes.end());
     kernel.nodes = Schedule(graph, kernel.nodes).order(results);
+    kernel.divisors = divisors(graph, kernel);
     for (const Node node : kernel.nodes) { count(graph, kernel, node); }
     for (const Scaled& result : results) {
         if (!graph.is_number(result)) { count_factor(kernel.counts, result.factor); }
@@ -152,12 +165,17 @@ Kernel kernel_of_momenta(const Graph& graph, std::vector<Scaled> results) {
     return kernel_of(Role::momentum, graph, std::move(results));
 }
 
-bool is_divisor(const Graph& graph, const Kernel& kernel, Node node) {
-    const Operation operation = graph.at(node).operation;
-    const bool is_inverse =
-        operation == Operation::inverse || operation == Operation::inverse_square_root;
-    return is_inverse && kernel.uses[node] == 1 &&
-           !std::binary_search(kernel.given.begin(), kernel.given.end(), node);
+OperationCounts& OperationCounts::operator+=(const OperationCounts& more) {
+    additions += more.additions;
+    multiplications += more.multiplications;
+    divisions += more.divisions;
+    square_roots += more.square_roots;
+    calls += more.calls;
+    return *this;
+}
+
+bool Kernel::is_divisor(Node node) const {
+    return std::binary_search(divisors.begin(), divisors.end(), node);
 }
 
 }  // namespace hvi::gen

@@ -14,6 +14,7 @@ struct OperationCounts {
     std::size_t square_roots = 0;
     std::size_t calls = 0;  ///< of sin, exp, pow, ...
 
+    OperationCounts& operator+=(const OperationCounts& more);
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
@@ -23,7 +24,12 @@ struct Kernel {
     std::vector<Node> nodes;  ///< each as soon as a result is on its way that needs it
     std::vector<Scaled> results;
     std::vector<std::size_t> uses;  ///< of each node of the graph, by these nodes and results
-    OperationCounts counts;         ///< of nodes and results
+    /// Of the nodes those that are 1/b and used once, ascending: they have no value of their own,
+    /// and in a product with a are the division a/b.
+    std::vector<Node> divisors;
+    OperationCounts counts;  ///< of nodes and results
+
+    [[nodiscard]] bool is_divisor(Node node) const;
 };
 
 /// What is computed at every evaluation. Given are the variables, and what does not depend on them:
@@ -38,8 +44,5 @@ struct Kernel {
 
 /// What is computed for each p at the same q and t. Given is all that does not depend on p.
 [[nodiscard]] Kernel kernel_of_momenta(const Graph& graph, std::vector<Scaled> results);
-
-/// Whether it is 1/b and used once: in a product with a it is the division a/b.
-[[nodiscard]] bool is_divisor(const Graph& graph, const Kernel& kernel, Node node);
 
 }  // namespace hvi::gen

@@ -30,6 +30,7 @@ LoweredScene lowered(const Scene& scene) {
     };
     result.initial = all(scene.initial);
     result.invariants = all(scene.invariants);
+    result.gradients = gradient_kernels(result.system);
     verify(result);
     return result;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/lower/joint_gradient.hpp"
 #include "generator/lower/structure.hpp"
 #include "generator/lower/system.hpp"
 #include "generator/read/scene.hpp"
@@ -16,6 +17,7 @@ struct LoweredScene {
     Scene scene;         ///< without the parameters that are fixed
     SystemGraph system;  ///< the graph of everything here
     Structure structure;
+    GradientKernels gradients;
     std::vector<Scaled> initial;     ///< coordinates, then momenta, of the parameters; or empty
     std::vector<Scaled> invariants;  ///< in the order of the scene
 };

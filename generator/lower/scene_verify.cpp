@@ -60,7 +60,7 @@ void verify(const LoweredScene& lowered) {
     verify(graph, lowered.invariants, lowered.scene.invariants.size());
     HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);
     HVI_CHECK(found.kinetic_is_quadratic == (found.inverse_mass.size() == n));
-    HVI_CHECK(!found.is_quadratic || (found.by_q.size() == n && found.by_p.size() == n));
+    HVI_CHECK(!found.has_linear_map || (found.by_q.size() == n && found.by_p.size() == n));
 }
 
 }  // namespace hvi::gen

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
-#include <optional>
 #include <string>
 
+#include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
 
 namespace hvi::gen {
@@ -25,41 +24,23 @@ bool is_zero(const Matrix& matrix) {
     return holds_for_all(matrix, [](const Scaled& entry) { return entry.is_zero(); });
 }
 
-bool is_constant(const Graph& graph, const Matrix& matrix) {
-    return holds_for_all(matrix,
-                         [&](const Scaled& entry) { return !varies(graph.at(entry.node).roles); });
+/// Whether all entries are constant; then they are nodes that do not vary.
+bool settle(Graph& graph, Matrix& matrix) {
+    Matrix settled = matrix;
+    for (std::vector<Scaled>& row : settled) {
+        for (Scaled& entry : row) {
+            const auto value = constant_value(graph, entry);
+            if (!value) { return false; }
+            entry = *value;
+        }
+    }
+    matrix = std::move(settled);
+    return true;
 }
 
 bool depends_on(const Graph& graph, const std::vector<Scaled>& values, Role role) {
     return std::any_of(values.begin(), values.end(),
                        [&](const Scaled& value) { return has(graph.at(value.node).roles, role); });
-}
-
-/// Degrees of freedom of which one's slopes depend on the other.
-std::vector<std::vector<std::size_t>> components(const Structure& found) {
-    const std::size_t n = found.qq.size();
-    std::vector<std::size_t> first(n);
-    std::iota(first.begin(), first.end(), std::size_t{0});
-    const auto join = [&](std::size_t i, std::size_t j) {
-        const auto [kept, replaced] = std::minmax({first[i], first[j]});
-        std::replace(first.begin(), first.end(), replaced, kept);
-    };
-    for (const Matrix* matrix : {&found.qq, &found.qp, &found.pp}) {
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                if (!(*matrix)[i][j].is_zero()) { join(i, j); }
-            }
-        }
-    }
-    std::vector<std::vector<std::size_t>> result;
-    for (std::size_t i = 0; i < n; ++i) {
-        std::vector<std::size_t> members;
-        for (std::size_t j = 0; j < n; ++j) {
-            if (first[j] == i) { members.push_back(j); }
-        }
-        if (!members.empty()) { result.push_back(std::move(members)); }
-    }
-    return result;
 }
 
 /// K p.
@@ -75,61 +56,11 @@ std::vector<Scaled> product(SystemGraph& system, const Matrix& K) {
     return result;
 }
 
-/// The value of something where all variables are 0, in the same graph.
-class AtOrigin {
-public:
-    explicit AtOrigin(Graph& graph) : graph_(graph) {}
-
-    /// Empty where that is a division by zero.
-    [[nodiscard]] std::optional<Scaled> operator()(const Scaled& a) {
-        const auto value = at(a.node);
-        return value ? std::optional(graph_.times(a.factor, *value)) : std::nullopt;
-    }
-
-private:
-    [[nodiscard]] std::optional<Scaled> at(Node node) {
-        // NOTE: a copy, since the graph grows.
-        const Computation computation = graph_.at(node);
-        if (!varies(computation.roles)) { return Scaled{{1, 1}, node}; }
-        if (computation.operation == Operation::input) { return Graph::number(0); }
-        std::vector<Scaled> arguments;
-        for (const Scaled& term : computation.terms) {
-            const auto value = (*this)(term);
-            if (!value) { return std::nullopt; }
-            arguments.push_back(*value);
-        }
-        for (const Node argument : computation.arguments) {
-            const auto value = at(argument);
-            if (!value) { return std::nullopt; }
-            arguments.push_back(*value);
-        }
-        return made_of(computation, arguments);
-    }
-
-    [[nodiscard]] std::optional<Scaled> made_of(const Computation& computation,
-                                                const std::vector<Scaled>& arguments) {
-        switch (computation.operation) {
-        case Operation::sum: return graph_.sum(arguments);
-        case Operation::product: return graph_.product(arguments[0], arguments[1]);
-        case Operation::square_root: return graph_.half_power(arguments[0], 1);
-        case Operation::power: return graph_.power(arguments[0], arguments[1]);
-        case Operation::call: return graph_.call(computation.name, arguments[0]);
-        default: break;
-        }
-        if (arguments[0].is_zero()) { return std::nullopt; }
-        return graph_.half_power(arguments[0],
-                                 computation.operation == Operation::inverse ? -2 : -1);
-    }
-
-    Graph& graph_;
-};
-
-/// NOTE: where a slope has no value at the origin as it is written H does not pass for quadratic.
+/// NOTE: where a slope has no value at the origin as it is written there is no linear map.
 void set_linear_part(Structure& found, SystemGraph& system) {
-    AtOrigin at_origin(system.graph);
     const auto add = [&](std::vector<Scaled>& values, const Scaled& slope) {
-        const auto value = at_origin(slope);
-        found.is_quadratic = found.is_quadratic && value;
+        const auto value = at_origin(system.graph, slope);
+        found.has_linear_map = found.has_linear_map && value;
         values.push_back(value.value_or(Graph::number(0)));
     };
     for (const Scaled& slope : system.dHdq) { add(found.by_q, slope); }
@@ -175,18 +106,18 @@ Structure structure(SystemGraph& system) {
     found.is_separable = !depends_on(graph, system.dHdq, Role::momentum) &&
                          !depends_on(graph, system.dHdp, Role::coordinate) &&
                          !depends_on(graph, system.dHdp, Role::time);
-    const bool pp_constant = is_constant(graph, found.pp);
+    const bool pp_constant = settle(system.graph, found.pp);
     found.kinetic_is_quadratic = found.is_separable && pp_constant;
     if (found.kinetic_is_quadratic) {
         found.inverse_mass = product(system, found.pp);
         set_direction(found, system);
     }
     found.is_quadratic =
-        pp_constant && is_constant(graph, found.qp) && is_constant(graph, found.qq);
-    if (found.is_quadratic) { set_linear_part(found, system); }
+        pp_constant && settle(system.graph, found.qp) && settle(system.graph, found.qq);
+    found.has_linear_map = found.is_quadratic && !system.time;
+    if (found.has_linear_map) { set_linear_part(found, system); }
     found.is_linear_in_p = is_zero(found.pp);
     found.is_linear_in_q = is_zero(found.qq);
-    found.components = components(found);
     return found;
 }
 

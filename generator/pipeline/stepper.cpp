@@ -91,9 +91,9 @@ Step planned(const Tableau& tableau, const LoweredScene& lowered, const Method& 
         .is_separable = structure.is_separable,
         .depends_on_time = lowered.system.time.has_value(),
         .kinetic_is_quadratic = structure.kinetic_is_quadratic,
-        .is_quadratic = structure.is_quadratic,
+        .is_quadratic = structure.has_linear_map,
         .is_degenerate = is_degenerate(structure),
-        .joint_gradient_pays = joint_gradient_pays(lowered.system),
+        .joint_gradient_pays = joint_gradient_pays(lowered.system, lowered.gradients),
         .degrees_of_freedom = lowered.system.degrees_of_freedom(),
     };
     Step step = plan(tableau, system,
@@ -134,6 +134,7 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
     members.curve = std::move(curve);
     LoweredScene lowered = hvi::gen::lowered(scene);
     Step step = planned(tableau, lowered, method, wishes);
+    Evaluations evaluations = hvi::gen::evaluations(lowered, step);
     std::string method_name = composed_name(tableau.provenance.name, wishes.composition);
     std::string name = name_of_class(
         wishes.class_name, scene.name.empty() ? method_name : scene.name + "-" + method_name);
@@ -141,9 +142,10 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
                               {.class_name = name,
                                .command = command(tableau, scene, wishes),
                                .scene = &lowered,
-                               .wishes = members});
-    return {std::move(tableau), std::move(method_name), method.place,     std::move(lowered),
-            std::move(step),    std::move(name),        std::move(header)};
+                               .wishes = members,
+                               .evaluations = &evaluations});
+    return {std::move(tableau), std::move(method_name), method.place,    std::move(lowered),
+            std::move(step),    std::move(evaluations), std::move(name), std::move(header)};
 }
 
 }  // namespace hvi::gen

@@ -21,6 +21,7 @@
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/lower/lowered_scene.hpp"
 #include "generator/options/wishes.hpp"
+#include "generator/plan/evaluations.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
@@ -44,6 +45,7 @@ struct SceneStepper {
     std::optional<Place> method_place;  ///< for errors
     LoweredScene lowered;
     Step step;
+    Evaluations evaluations;
     std::string class_name;
     std::string header;
 };

@@ -5,9 +5,6 @@
 
 #include <algorithm>
 
-#include "generator/lower/joint_gradient.hpp"
-#include "generator/lower/kernel.hpp"
-
 namespace hvi::gen {
 
 namespace {
@@ -72,20 +69,6 @@ Entries entries(const Graph& graph, const Structure& found) {
     return result;
 }
 
-/// Those that Newton's method evaluates, of symmetric ones half.
-std::vector<Scaled> second_derivatives(const Structure& found, const Step& step) {
-    std::vector<Scaled> result;
-    for (std::size_t i = 0; i < found.qq.size(); ++i) {
-        for (std::size_t j = 0; j < found.qq.size(); ++j) {
-            if (j <= i) { result.push_back(found.qq[i][j]); }
-            if (std::holds_alternative<VelocityStep>(step.form)) { continue; }
-            if (j <= i) { result.push_back(found.pp[i][j]); }
-            if (!step.is_separable()) { result.push_back(found.qp[i][j]); }
-        }
-    }
-    return result;
-}
-
 /// See LinearMap and LinearIncrements of the runtime.
 std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
     const std::size_t multiplications = (is_sheared ? 3 : 12) * n * n;
@@ -102,13 +85,6 @@ std::vector<std::string> facts(const LoweredScene& lowered) {
     const Hamiltonian& H = lowered.scene.hamiltonian;
     std::vector<std::string> result{kind_of(found)};
     if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
-    if (found.components.size() > 1) {
-        std::string groups;
-        for (const auto& component : found.components) {
-            groups += fmt::format("{}({})", groups.empty() ? "" : ", ", names(H, component));
-        }
-        result.push_back("these degrees of freedom do not couple: " + groups);
-    }
     if (lowered.system.time) { result.emplace_back("H depends on the time"); }
     if (!found.cyclic.empty()) {
         result.push_back(fmt::format("H does not depend on {}: the momenta are constant",
@@ -120,12 +96,9 @@ std::vector<std::string> facts(const LoweredScene& lowered) {
     return result;
 }
 
-std::vector<std::string> costs(const LoweredScene& lowered, const Step& step) {
-    const SystemGraph& system = lowered.system;
-    const std::size_t n = system.degrees_of_freedom();
-    const auto operations = [&](const std::vector<Scaled>& results) {
-        return text(kernel(system.graph, results).counts);
-    };
+std::vector<std::string> costs(const LoweredScene& lowered, const Step& step,
+                               const Evaluations& evaluations) {
+    const std::size_t n = lowered.system.degrees_of_freedom();
     std::size_t unknowns = 0;
     for (const Block& block : step.blocks) {
         if (!block.coupled) { continue; }
@@ -140,20 +113,18 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Step& step) {
         unknowns == 0 ? "no unknowns: nothing is solved for"
                       : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
     if (step.slopes == Slopes::joint) {
-        result.push_back("dH/dq and dH/dp once: " + operations(joint_gradient(system)));
+        result.push_back("dH/dq and dH/dp once: " + text(lowered.gradients.joint.counts));
     } else {
-        result.push_back("dH/dq once: " + operations(system.dHdq));
-        result.push_back("dH/dp once: " + operations(system.dHdp));
+        result.push_back("dH/dq once: " + text(lowered.gradients.dHdq.counts));
+        result.push_back("dH/dp once: " + text(lowered.gradients.dHdp.counts));
     }
-    const Iteration* iteration = step.iteration();
-    if (iteration != nullptr && iteration->takes_newton()) {
+    if (evaluations.second) {
         result.push_back("second derivatives once, where Newton's method is needed: " +
-                         operations(second_derivatives(lowered.structure, step)));
+                         text(evaluations.second->counts()));
     }
-    if (iteration != nullptr && iteration->solver == Solver::newton_taylor) {
-        result.push_back(
-            "d2H/dq2 times a vector, after dH/dq: " +
-            text(kernel_of_direction(system.graph, lowered.structure.qq_along).counts));
+    if (evaluations.tangents) {
+        result.push_back("d2H/dq2 times a vector, after dH/dq: " +
+                         text(evaluations.tangents->along.counts));
     }
     const std::size_t forces = step.forces_evaluated();
     const std::size_t velocities =

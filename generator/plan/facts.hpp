@@ -7,13 +7,15 @@
 
 #include "generator/ir/step.hpp"
 #include "generator/lower/lowered_scene.hpp"
+#include "generator/plan/evaluations.hpp"
 
 namespace hvi::gen {
 
 /// One line each, without a full stop: what is proved of H.
 [[nodiscard]] std::vector<std::string> facts(const LoweredScene& lowered);
 
-/// The same of the work: unknowns, evaluations and their operations.
-[[nodiscard]] std::vector<std::string> costs(const LoweredScene& lowered, const Step& step);
+/// The same of the work: unknowns, evaluations and the operations of their kernels.
+[[nodiscard]] std::vector<std::string> costs(const LoweredScene& lowered, const Step& step,
+                                             const Evaluations& evaluations);
 
 }  // namespace hvi::gen

@@ -8,12 +8,11 @@
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/equal.hpp"
-#include "generator/plan/graph.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/solver.hpp"
-#include "generator/plan/stage_graph.hpp"
 #include "generator/plan/starting_values.hpp"
 #include "generator/plan/velocity_form.hpp"
+#include "generator/stages/stage_graph.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -138,7 +137,7 @@ void set_places(Step& step) {
 /// m_ij = 0, and P_j needs Lp_i unless m~_ji = 1 - m_ij = 0.
 StagePattern pattern(const Step& step) {
     StagePattern result;
-    result.separable = step.is_separable();
+    result.slopes = slopes_of_all(step.is_separable());
     result.p.resize(step.momenta.size());
     for (const NumberVector& row : step.m) {
         auto& q = result.q.emplace_back();
@@ -151,12 +150,8 @@ StagePattern pattern(const Step& step) {
 }
 
 void set_blocks(Step& step) {
-    const StageGraph graph(pattern(step));
-    for (const auto& component : components(graph.needs())) {
-        Block block;
-        block.coupled = component.size() > 1;
-        for (const std::size_t v : component) { block.nodes.push_back(graph.node(v)); }
-        step.blocks.push_back(std::move(block));
+    for (std::vector<StageNode>& group : groups_in_order(pattern(step))) {
+        step.blocks.push_back({group.size() > 1, std::move(group)});
     }
     if (step.is_explicit()) {
         step.decisions.push_back(

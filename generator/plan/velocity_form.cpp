@@ -2,7 +2,7 @@
 #include "generator/plan/velocity_form.hpp"
 
 #include "generator/ir/equal.hpp"
-#include "generator/plan/graph.hpp"
+#include "generator/stages/dependency_graph.hpp"
 
 namespace hvi::gen {
 

@@ -36,7 +36,7 @@ std::vector<Candidate> candidates(const Structure& structure, const AdviceWishes
         for (const char* name : explicit_methods)
             if (ComposedMethod method = named(name); !wishes.has_curve || !method.composition)
                 all.push_back({std::move(method)});
-    const Solver solver = structure.is_quadratic ? Solver::automatic : Solver::fixed_point;
+    const Solver solver = structure.has_linear_map ? Solver::automatic : Solver::fixed_point;
     for (const char* name : implicit_methods) all.push_back({named(name), solver});
     return all;
 }

@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/plan/graph.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 #include "tests/emit/tableaux.hpp"
@@ -43,12 +42,6 @@ bool keeps_remainder(const Step& step) {
 Tableau named(const char* name) { return derive(named_method(source(name))); }
 
 }  // namespace
-
-TEST_CASE("components come in the order in which they can be computed") {
-    // 0 needs 1; 1 and 2 need each other; 3 stands alone.
-    const auto found = components({{1}, {2}, {1}, {}});
-    CHECK(found == std::vector<std::vector<std::size_t>>{{1, 2}, {0}, {3}});
-}
 
 TEST_CASE("separable symplectic Euler and Verlet need no solver") {
     const Step euler = plan(tableaux::symplectic_euler(), {.is_separable = true});

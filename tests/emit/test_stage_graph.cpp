@@ -2,7 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "generator/plan/plan.hpp"
-#include "generator/plan/stage_graph.hpp"
+#include "generator/stages/dependency_graph.hpp"
+#include "generator/stages/stage_graph.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;
@@ -27,6 +28,12 @@ bool is_explicit(const PartitionedMethod& method, bool separable) {
 }
 
 }  // namespace
+
+TEST_CASE("components come in the order in which they can be computed") {
+    // 0 needs 1; 1 and 2 need each other; 3 stands alone.
+    const auto found = components({{1}, {2}, {1}, {}});
+    CHECK(found == std::vector<std::vector<std::size_t>>{{1, 2}, {0}, {3}});
+}
 
 TEST_CASE("what Algorithm 4.3 gives is explicit as its scheme is") {
     for (const char* const given :
@@ -57,4 +64,25 @@ TEST_CASE("a Runge-Kutta method without a loop is explicit for every H") {
 TEST_CASE("stages that the step does not use may depend on themselves") {
     CHECK(is_explicit(runge_kutta({{"0", "0"}, {"0", "1/2"}}, {"1", "0"}), false));
     CHECK_FALSE(is_explicit(runge_kutta({{"0", "1/3"}, {"0", "1/2"}}, {"1", "0"}), false));
+}
+
+TEST_CASE("degrees of freedom that are told apart") {
+    using K = StageNode::Kind;
+    const auto groups = [](SlopePattern slopes) {
+        return groups_in_order({{{true}}, {{true}}, std::move(slopes)});
+    };
+    // H = a P_b for the midpoint rule: dH/dp_a = 0, dH/dp_b = a, dH/da = p_b, dH/db = 0.
+    const Pattern none{{false, false}, {false, false}};
+    const auto chain = groups({{{false, false}, {true, false}}, none, none, {{false, true}, {}}});
+    const std::vector<StageNode> expected{{K::Q, 0, 0}, {K::Lq, 0, 1}, {K::Q, 0, 1}};
+    std::vector<StageNode> found;
+    for (const std::vector<StageNode>& group : chain) {
+        REQUIRE(group.size() == 1);
+        const bool is_a_position = group[0].kind == K::Q;
+        if (is_a_position || group[0] == expected[1]) { found.push_back(group[0]); }
+    }
+    CHECK(found == expected);
+    // All as one need each other.
+    CHECK(groups(slopes_of_all(true)).size() == 1);
+    CHECK(groups(slopes_of_all(false)).size() == 1);
 }

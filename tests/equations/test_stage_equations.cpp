@@ -8,7 +8,7 @@ using namespace hvi::gen;
 namespace {
 
 StageEquations equations(const Method& method, const Hamiltonian& H) {
-    return stage_equations(derive(method), H);
+    return stage_equations(derive(method), H, gradient(H));
 }
 
 std::vector<std::string> lines(const StageEquations& equations) {

@@ -45,7 +45,8 @@ TEST_CASE("the map is what the equations of the stages have for a solution") {
                                   "p1^2/(2*m) + p2^2 + k*(q1-q2)^2 + q1*p2/3 - q2 + 0.1*q1*q2"}) {
             const Hamiltonian H = hamiltonian(given);
             Point point = some_point(H);
-            const auto expected = solved(stage_equations(derive(method(name)), H), point);
+            const auto expected =
+                solved(stage_equations(derive(method(name)), H, gradient(H)), point);
             const StepEquations found = step(name, given);
             REQUIRE(found.map);
             const std::vector<std::string> names = variables(found);

@@ -67,21 +67,3 @@ TEST_CASE("steps are equal where nothing is decided differently") {
     other.layout = Layout::stages;
     CHECK_FALSE(gauss == other);
 }
-
-TEST_CASE("which functions of H a step evaluates") {
-    using E = Evaluation;
-    const auto of = [](const char* name, const SystemProperties& system,
-                       const StepWishes& wishes = {}) {
-        return evaluations(plan(derive(method(name)), system, wishes));
-    };
-    CHECK(of("stormer-verlet", {.is_separable = true}) == std::vector{E::dHdq, E::dHdp});
-    CHECK(of("gauss:2", {.is_separable = true}, {.solver = Solver::newton}) ==
-          std::vector{E::dHdq, E::dHdp, E::d2Hdq2, E::d2Hdp2});
-    CHECK(of("gauss:2", {.joint_gradient_pays = true}, {.solver = Solver::automatic}) ==
-          std::vector{E::gradient, E::d2Hdq2, E::d2Hdqdp, E::d2Hdp2});
-    CHECK(of("gauss:2", {.is_separable = true, .kinetic_is_quadratic = true},
-             {.solver = Solver::newton_taylor}) ==
-          std::vector{E::dHdq, E::dHdp, E::inverse_mass, E::tangents});
-    CHECK(of("gauss:2", {.is_separable = true, .is_quadratic = true, .degrees_of_freedom = 1},
-             {.solver = Solver::automatic}) == std::vector{E::constants});
-}

@@ -64,6 +64,6 @@ TEST_CASE("a lowered scene that contradicts itself is found") {
     CHECK(is_found(right, [](LoweredScene& scene) { scene.structure.pp.clear(); }));
     CHECK(is_found(right, [](LoweredScene& scene) { scene.initial.pop_back(); }));
     CHECK(is_found(right, [](LoweredScene& scene) { scene.structure.is_separable = false; }));
-    CHECK(is_found(right, [](LoweredScene& scene) { scene.structure.is_quadratic = true; }));
+    CHECK(is_found(right, [](LoweredScene& scene) { scene.structure.has_linear_map = true; }));
     CHECK(is_found(right, [](LoweredScene& scene) { scene.invariants[0].node = 1000; }));
 }

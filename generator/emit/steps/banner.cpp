@@ -94,12 +94,15 @@ std::string choices_text(const Step& step) {
 }
 
 /// What was found in the H of a scene, and what it costs.
-std::string scene_text(const Step& step, const LoweredScene& lowered) {
+std::string scene_text(const Step& step, const LoweredScene& lowered,
+                       const Evaluations& evaluations) {
     Writer writer(0);
     writer.line("//").comment("Found in H:").line("//");
     for (const std::string& fact : facts(lowered)) { writer.comment(fact, "//     ", 4); }
     writer.line("//").comment("Cost:").line("//");
-    for (const std::string& cost : costs(lowered, step)) { writer.comment(cost, "//     ", 4); }
+    for (const std::string& cost : costs(lowered, step, evaluations)) {
+        writer.comment(cost, "//     ", 4);
+    }
     return writer.str();
 }
 
@@ -134,13 +137,14 @@ std::string with_note(std::string header, const std::string& note) {
 
 std::string banner(const Tableau& tableau, const Step& step, const EmitOptions& options) {
     std::string text = fill(
-        "banner.hpp.in",
-        {{"version", std::string(version)},
-         {"command", one_line(options.command)},
-         {"method", method_text(tableau, step)},
-         {"tableau", tableau_text(tableau, step)},
-         {"scene", options.scene == nullptr ? std::string() : scene_text(step, *options.scene)},
-         {"choices", choices_text(step)}});
+        "banner.hpp.in", {{"version", std::string(version)},
+                          {"command", one_line(options.command)},
+                          {"method", method_text(tableau, step)},
+                          {"tableau", tableau_text(tableau, step)},
+                          {"scene", options.scene == nullptr
+                                        ? std::string()
+                                        : scene_text(step, *options.scene, *options.evaluations)},
+                          {"choices", choices_text(step)}});
     text.pop_back();
     return text;
 }

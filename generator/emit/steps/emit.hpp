@@ -15,6 +15,7 @@ struct EmitOptions {
     std::string command;                  ///< the command line that writes the same header again
     const LoweredScene* scene = nullptr;  ///< whose H it is; null: that of a class of the user
     SceneWishes wishes = {};              ///< of the scene
+    const Evaluations* evaluations = nullptr;  ///< of the scene, if there is one
 };
 
 /// The header: one class hvi::generated::CLASS_NAME. A function of its arguments and of the version

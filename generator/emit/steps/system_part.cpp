@@ -112,7 +112,7 @@ std::string types_for_scene(const Step& step, const EmitOptions& options) {
     writer.line("using Scalar = Number;");
     writer.line("using Vector = Numbers;");
     writer.blank().insert(parameters_text(*options.scene));
-    writer.blank().insert(system_text(*options.scene, options.wishes, step));
+    writer.blank().insert(system_text(*options.scene, options.wishes, step, *options.evaluations));
     if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
         writer.blank().line("using Solver = {};", solver_type(step));
     }

@@ -59,7 +59,7 @@ private:
         constexpr std::size_t longest = 60;
         Code code = this->code(graph_.at(node));
         const bool stays = kernel_.uses[node] == 1 && code.text.size() <= longest;
-        if (!stays && !is_divisor(graph_, kernel_, node)) {
+        if (!stays && !kernel_.is_divisor(node)) {
             const std::string name = fmt::format("t{}", ++locals_);
             writer_.line("const {} {} = {};", value_, name, code.text);
             code = {name};
@@ -118,8 +118,8 @@ private:
     }
 
     [[nodiscard]] Code product(Node a, Node b) const {
-        if (is_divisor(graph_, kernel_, a)) { std::swap(a, b); }
-        if (is_divisor(graph_, kernel_, b)) {
+        if (kernel_.is_divisor(a)) { std::swap(a, b); }
+        if (kernel_.is_divisor(b)) {
             return {operand(at(a), Binding::product) + " / " + below(graph_.at(b)),
                     Binding::product};
         }

@@ -11,6 +11,7 @@
 #include "generator/exact/methods/curve.hpp"
 #include "generator/ir/step.hpp"
 #include "generator/lower/lowered_scene.hpp"
+#include "generator/plan/evaluations.hpp"
 
 namespace hvi::gen {
 
@@ -38,7 +39,7 @@ void check_members(const Scene& scene, const SceneWishes& wishes);
 
 /// `struct System`: what a stepper with this step needs of H, as straight-line code.
 [[nodiscard]] std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
-                                      const Step& step);
+                                      const Step& step, const Evaluations& evaluations);
 
 /// `static State initial(...)`, and the members that are asked for.
 [[nodiscard]] std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,

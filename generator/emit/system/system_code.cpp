@@ -4,7 +4,6 @@
 #include <set>
 
 #include "generator/emit/system/scene_code.hpp"
-#include "generator/lower/joint_gradient.hpp"
 
 namespace hvi::gen {
 
@@ -109,56 +108,112 @@ std::vector<std::string> components(std::string_view letter, std::size_t count) 
     return names;
 }
 
-/// The entries that are not zero; those of a symmetric block are computed once.
-Function hessian(const Graph& graph, std::string_view name, const HessianBlock& block,
-                 bool is_symmetric) {
+Function hessian(std::string_view name, const BlockKernel& block) {
     Function function;
     function.name = name;
     function.out = "Matrix& out";
-    Results results;
-    for (std::size_t i = 0; i < block.size(); ++i) {
-        for (std::size_t j = 0; j < (is_symmetric ? i + 1 : block.size()); ++j) {
-            if (block[i][j].is_zero()) { continue; }
-            function.targets.push_back(fmt::format("out({}, {})", i, j));
-            function.is_mirrored = function.is_mirrored || (is_symmetric && i != j);
-            results.push_back(block[i][j]);
-        }
+    for (const auto& [row, column] : block.places) {
+        function.targets.push_back(fmt::format("out({}, {})", row, column));
+        function.is_mirrored = function.is_mirrored || (block.is_symmetric && row != column);
     }
-    function.kernel = kernel(graph, std::move(results));
+    function.kernel = block.kernel;
     return function;
 }
 
+/// Without what a separable H does not look at.
+Function of_positions(Function function, const Step& step) {
+    function.has_p = !step.is_separable();
+    function.has_time = step.depends_on_time();
+    return function;
+}
+
+Function of_momenta(Function function, const Step& step) {
+    function.has_q = !step.is_separable();
+    function.has_time = step.depends_on_time() && !step.is_separable();
+    return function;
+}
+
+/// Adds what Newton's method evaluates.
+void add_second_derivatives(std::vector<Function>& functions, const SecondDerivatives& second,
+                            const Step& step) {
+    functions.push_back(of_positions(hessian("d2Hdq2", second.qq), step));
+    if (second.qp) { functions.push_back(of_momenta(hessian("d2Hdqdp", *second.qp), step)); }
+    if (second.pp) { functions.push_back(of_momenta(hessian("d2Hdp2", *second.pp), step)); }
+}
+
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
-void tangents(std::vector<Function>& functions, const LoweredScene& lowered) {
-    const SystemGraph& system = lowered.system;
-    const Structure& second = lowered.structure;
-    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
-    Function along{"d2Hdq2", out,   kernel_of_direction(system.graph, second.qq_along),
-                   true,     false, ""};
-    Function slope{"dHdq", out, {}, true, false, ""};
-    slope.has_time = system.time.has_value();
-    for (std::size_t k = 0; k < second.direction.size(); ++k) {
-        along.names[second.direction[k]] = fmt::format("v[{}]", k);
+void add_tangents(std::vector<Function>& functions, const Tangents& tangents,
+                  const LoweredScene& lowered) {
+    const std::vector<Node>& direction = lowered.structure.direction;
+    const std::vector<std::string> out = components("out", direction.size());
+    const std::vector<std::string> kept = components("at", tangents.kept.size());
+    Function along{"d2Hdq2", out, tangents.along, true, false, ""};
+    Function slope{"dHdq", out, tangents.slope, true, false, ""};
+    slope.has_time = lowered.system.time.has_value();
+    slope.targets.insert(slope.targets.end(), kept.begin(), kept.end());
+    for (std::size_t k = 0; k < direction.size(); ++k) {
+        along.names[direction[k]] = fmt::format("v[{}]", k);
     }
-    Results results = system.dHdq;
-    for (const Node node : along.kernel.given) {
-        const bool is_position = std::count(system.q.begin(), system.q.end(), node) != 0;
-        if (is_position || along.names.count(node) != 0 || !varies(system.graph.at(node).roles)) {
-            continue;
-        }
-        const std::string place = fmt::format("at[{}]", slope.targets.size() - out.size());
-        along.names[node] = place;
-        slope.targets.push_back(place);
-        results.push_back({{1, 1}, node});
-    }
-    slope.kernel = kernel(system.graph, std::move(results));
-    const bool is_constant = slope.targets.size() == out.size();
-    slope.out = "Vector& out, " + argument(!is_constant, "Tangent& at");
-    along.out = argument(!is_constant, "const Tangent& at") + ", " +
-                argument(uses_any(along.kernel, second.direction), "const Vector& v") +
-                ", Vector& out";
+    for (std::size_t k = 0; k < kept.size(); ++k) { along.names[tangents.kept[k]] = kept[k]; }
+    slope.out = "Vector& out, " + argument(!kept.empty(), "Tangent& at");
+    along.out = argument(!kept.empty(), "const Tangent& at") + ", " +
+                argument(uses_any(along.kernel, direction), "const Vector& v") + ", Vector& out";
     functions.push_back(std::move(slope));
     functions.push_back(std::move(along));
+}
+
+/// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
+/// there is sin, or much, the call does not matter.
+Function of_lanes(Function function, const Step& step) {
+    constexpr std::size_t small = 32;
+    function.takes_lanes = step.has_lanes();
+    function.is_inlined = step.layout == Layout::trajectories &&
+                          function.kernel.counts.calls == 0 &&
+                          function.kernel.nodes.size() <= small;
+    return function;
+}
+
+/// A function of one result for each degree of freedom, of lanes where a step has some.
+Function slope(const LoweredScene& lowered, const Step& step, std::string_view name,
+               const Kernel& kernel) {
+    Function function;
+    function.name = name;
+    function.targets = components("out", lowered.system.degrees_of_freedom());
+    function.kernel = kernel;
+    function.out = fmt::format("{}& out", vector_type(step.has_lanes()));
+    return of_lanes(std::move(function), step);
+}
+
+/// dH/dq and dH/dp.
+Function both_gradients(const LoweredScene& lowered, const Step& step) {
+    const std::size_t n = lowered.system.degrees_of_freedom();
+    Function function = slope(lowered, step, "gradient", lowered.gradients.joint);
+    function.targets = components("dHdq", n);
+    for (std::string& target : components("dHdp", n)) {
+        function.targets.push_back(std::move(target));
+    }
+    function.out = fmt::format("{0}& dHdq, {0}& dHdp", vector_type(step.has_lanes()));
+    return of_positions(std::move(function), step);
+}
+
+/// What steps evaluate.
+std::vector<Function> slopes(const LoweredScene& lowered, const Step& step,
+                             const Evaluations& evaluations) {
+    std::vector<Function> result;
+    if (step.slopes == Slopes::joint) {
+        result.push_back(both_gradients(lowered, step));
+    } else {
+        const auto& gradients = lowered.gradients;
+        result.push_back(of_positions(slope(lowered, step, "dHdq", gradients.dHdq), step));
+        result.push_back(of_momenta(slope(lowered, step, "dHdp", gradients.dHdp), step));
+    }
+    if (evaluations.inverse_mass) {
+        result.push_back(slope(lowered, step, "inverse_mass", *evaluations.inverse_mass));
+        result.back().has_q = false;
+    }
+    if (evaluations.second) { add_second_derivatives(result, *evaluations.second, step); }
+    if (evaluations.tangents) { add_tangents(result, *evaluations.tangents, lowered); }
+    return result;
 }
 
 /// The constants of a quadratic H that are not zero.
@@ -186,93 +241,14 @@ Function quadratic(const LoweredScene& lowered) {
     return function;
 }
 
-/// A function of one result for each degree of freedom, of lanes where a step has some.
-Function slope(const LoweredScene& lowered, const Step& step, std::string_view name,
-               const Results& results) {
-    const SystemGraph& system = lowered.system;
-    Function function;
-    function.name = name;
-    function.targets = components("out", system.degrees_of_freedom());
-    function.kernel = kernel(system.graph, results);
-    function.out = fmt::format("{}& out", vector_type(step.has_lanes()));
-    return function;
-}
-
-/// dH/dq and dH/dp.
-Function both_gradients(const LoweredScene& lowered, const Step& step) {
-    const SystemGraph& system = lowered.system;
-    Function function = slope(lowered, step, "gradient", joint_gradient(system));
-    function.targets = components("dHdq", system.degrees_of_freedom());
-    for (std::string& target : components("dHdp", system.degrees_of_freedom())) {
-        function.targets.push_back(std::move(target));
-    }
-    function.out = fmt::format("{0}& dHdq, {0}& dHdp", vector_type(step.has_lanes()));
-    return function;
-}
-
-/// Without what a separable H does not look at.
-Function of_positions(Function function, const Step& step) {
-    function.has_p = !step.is_separable();
-    function.has_time = step.depends_on_time();
-    return function;
-}
-
-Function of_momenta(Function function, const Step& step) {
-    function.has_q = !step.is_separable();
-    function.has_time = step.depends_on_time() && !step.is_separable();
-    return function;
-}
-
-/// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
-/// there is sin, or much, the call does not matter.
-Function of_lanes(Function function, const Step& step) {
-    constexpr std::size_t small = 32;
-    function.takes_lanes = step.has_lanes();
-    function.is_inlined = step.layout == Layout::trajectories &&
-                          function.kernel.counts.calls == 0 &&
-                          function.kernel.nodes.size() <= small;
-    return function;
-}
-
-/// What a step evaluates.
-void add(std::vector<Function>& functions, Evaluation evaluation, const LoweredScene& lowered,
-         const Step& step) {
-    const SystemGraph& system = lowered.system;
-    const Structure& second = lowered.structure;
-    const auto put = [&](Function function) { functions.push_back(std::move(function)); };
-    const auto slopes = [&](std::string_view name, const Results& results) {
-        return of_lanes(slope(lowered, step, name, results), step);
-    };
-    const auto matrix = [&](std::string_view name, const HessianBlock& block, bool is_symmetric) {
-        return hessian(system.graph, name, block, is_symmetric);
-    };
-    switch (evaluation) {
-    case Evaluation::dHdq: return put(of_positions(slopes("dHdq", system.dHdq), step));
-    case Evaluation::dHdp: return put(of_momenta(slopes("dHdp", system.dHdp), step));
-    case Evaluation::gradient:
-        return put(of_positions(of_lanes(both_gradients(lowered, step), step), step));
-    case Evaluation::inverse_mass: {
-        Function product = slopes("inverse_mass", second.inverse_mass);
-        product.has_q = false;
-        return put(std::move(product));
-    }
-    case Evaluation::d2Hdq2: return put(of_positions(matrix("d2Hdq2", second.qq, true), step));
-    case Evaluation::d2Hdqdp: return put(of_momenta(matrix("d2Hdqdp", second.qp, false), step));
-    case Evaluation::d2Hdp2: return put(of_momenta(matrix("d2Hdp2", second.pp, true), step));
-    case Evaluation::tangents: return tangents(functions, lowered);
-    case Evaluation::constants: return put(quadratic(lowered));
-    }
-}
-
 std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
-                                const Step& step) {
+                                const Step& step, const Evaluations& evaluations) {
     const auto value = [&](std::string_view name, const Scaled& result) {
         return Function{name, {}, kernel(lowered.system.graph, {result}), true, true, ""};
     };
-    std::vector<Function> result;
-    for (const Evaluation evaluation : evaluations(step)) {
-        add(result, evaluation, lowered, step);
-    }
+    const bool is_map = std::holds_alternative<TabulatedStep>(step.form);
+    std::vector<Function> result =
+        is_map ? std::vector<Function>{quadratic(lowered)} : slopes(lowered, step, evaluations);
     for (Function& function : result) {
         const bool has_forces = function.name == "dHdq" || function.name == "gradient";
         function.is_counted = wishes.evaluations && has_forces;
@@ -387,18 +363,6 @@ std::string data_text(const LoweredScene& lowered, const GivenNodes& given) {
     return writer.str();
 }
 
-/// NOTE: an array of none would do, were it not that compilers warn of it.
-std::size_t size_of_tangent(const std::vector<Function>& functions) {
-    std::size_t size = 1;
-    for (const Function& function : functions) {
-        size = std::max(
-            size, static_cast<std::size_t>(std::count_if(
-                      function.targets.begin(), function.targets.end(),
-                      [](const std::string& target) { return target.substr(0, 2) == "at"; })));
-    }
-    return size;
-}
-
 std::string about(const Hamiltonian& H) {
     return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(H.expression),
                        fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
@@ -406,8 +370,9 @@ std::string about(const Hamiltonian& H) {
 
 }  // namespace
 
-std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes, const Step& step) {
-    const std::vector<Function> all = functions(lowered, wishes, step);
+std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes, const Step& step,
+                        const Evaluations& evaluations) {
+    const std::vector<Function> all = functions(lowered, wishes, step, evaluations);
     const Kernel initial = kernel_of_inputs(lowered.system.graph, lowered.initial);
     GivenNodes given(lowered);
     for (const Function& function : all) { given.name(function.kernel, function.names); }
@@ -420,9 +385,10 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes, 
     writer.comment(about(lowered.scene.hamiltonian), "/// ");
     writer.open("struct System {{");
     writer.line("using Vector = Numbers;");
-    const std::vector<Evaluation> evaluated = evaluations(step);
-    if (std::count(evaluated.begin(), evaluated.end(), Evaluation::tangents) != 0) {
-        writer.line("using Tangent = std::array<Scalar, {}>;", size_of_tangent(all));
+    if (evaluations.tangents) {
+        // NOTE: an array of none would do, were it not that compilers warn of it.
+        writer.line("using Tangent = std::array<Scalar, {}>;",
+                    std::max<std::size_t>(1, evaluations.tangents->kept.size()));
     }
     writer.blank();
     write_constructor(writer, lowered, given, library(wishes));

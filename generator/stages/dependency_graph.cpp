@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/plan/graph.hpp"
+#include "generator/stages/dependency_graph.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,8 @@ namespace {
 
 /// Tarjan's algorithm. A component is complete when all that it needs is, so that components come
 /// out in the order in which they can be computed. The depth of the recursion is at most the number
-/// of vertices: four for each of at most 64 stages.
+/// of vertices: four for each of at most 64 stages and 64 degrees of
+/// freedom.
 class Tarjan {
 public:
     explicit Tarjan(const DependencyGraph& needs)

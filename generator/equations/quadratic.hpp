@@ -1,4 +1,4 @@
-// Which Hamiltonians are quadratic.
+// The matrix of a quadratic Hamiltonian.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,18 +11,16 @@
 
 namespace hvi::gen {
 
-/// H as a quadratic form, where that is proved, or what is in the way.
+/// H as a quadratic form, or what is in the way.
 struct QuadraticProof {
     std::optional<QuadraticForm> form;
     /// Where H is quadratic, and a coefficient of it is no number of the field: which and why.
     std::string obstacle;
 };
 
-/// The form has its coefficients on the field of `ground`. It is proved by exact algebra: the
-/// second derivatives of H are the same for all values of the variables. There is none where that
-/// is not so, cannot be proved (sqrt(q^4)), or where H has no value at q = p = 0 as it is written;
-/// and for an H that depends on time, which has another form at each time.
-/// Throws as `gradient` does.
+/// The form has its coefficients on the field of `ground`. Whether H is quadratic, and the same at
+/// all times, is what its Structure says, as of the H of a stepper. Throws InputError as lower()
+/// does.
 [[nodiscard]] QuadraticProof quadratic_form(const Hamiltonian& hamiltonian, const Ground& ground);
 
 }  // namespace hvi::gen

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/hamiltonian/quadratic.hpp"
+#include "generator/equations/quadratic.hpp"
 #include "tests/read/refusal.hpp"
 
 using namespace hvi::gen;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/equations/quadratic.hpp"
+
+#include <utility>
+
+#include "generator/exact/expressions/evaluate.hpp"
+#include "generator/exact/numbers/rational.hpp"
+#include "generator/lower/constancy.hpp"
+#include "generator/lower/structure.hpp"
+#include "generator/lower/written.hpp"
+#include "generator/support/progress.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The numbers that nodes of constants and parameters stand for.
+class Coefficients {
+public:
+    Coefficients(const Graph& graph, const Ground& ground) : graph_(graph), ground_(ground) {}
+
+    /// 0, with an obstacle, where it has no place on the ground.
+    [[nodiscard]] Number number(const Scaled& coefficient) {
+        const auto text = written(graph_, coefficient);
+        if (!text) {
+            obstacle_ = "a coefficient is too long to be written out";
+            return Number(0);
+        }
+        std::string reason = "it has no closed form in our arithmetic";
+        try {
+            const Number result = evaluate_number(*text, nullptr, ground_);
+            if (is_exact(result)) return result;
+        } catch (const MathError& error) {
+            reason = error.what();
+        } catch (const InputError& error) { reason = error.what(); }
+        obstacle_ = "the coefficient " + to_text(*text) + ": " + reason;
+        return Number(0);
+    }
+
+    [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
+
+private:
+    const Graph& graph_;
+    const Ground& ground_;
+    std::string obstacle_;
+};
+
+/// S of the blocks qq, qp and pp, by its lower triangle.
+NumberMatrix matrix(const Structure& found, Coefficients& coefficients) {
+    const std::size_t n = found.qq.size();
+    NumberMatrix S(2 * n, NumberVector(2 * n));
+    const auto set = [&](std::size_t i, std::size_t j, const Scaled& entry) {
+        S[i][j] = S[j][i] = coefficients.number(entry);
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            set(i, j, found.qq[i][j]);
+            set(n + i, n + j, found.pp[i][j]);
+        }
+        for (std::size_t j = 0; j < n; ++j) set(i, n + j, found.qp[i][j]);
+    }
+    return S;
+}
+
+}  // namespace
+
+QuadraticProof quadratic_form(const Hamiltonian& hamiltonian, const Ground& ground) {
+    const Progress::Stage stage("looking whether the Hamiltonian is quadratic");
+    SystemGraph system = system_graph(hamiltonian, parameter_names(hamiltonian));
+    const Structure found = structure(system);
+    if (!found.has_linear_map) return {};
+    const auto constant = at_origin(system.graph, system.hamiltonian);
+    if (!constant) return {std::nullopt, "H has no value for q = p = 0 as it is written"};
+    Coefficients coefficients(system.graph, ground);
+    QuadraticForm form;
+    form.S = matrix(found, coefficients);
+    for (const auto* slopes : {&found.by_q, &found.by_p})
+        for (const Scaled& slope : *slopes) form.g.push_back(coefficients.number(slope));
+    form.constant = coefficients.number(*constant);
+    if (!coefficients.obstacle().empty()) return {std::nullopt, coefficients.obstacle()};
+    return {std::move(form), ""};
+}
+
+}  // namespace hvi::gen

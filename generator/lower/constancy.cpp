@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/constancy.hpp"
+
+#include <string>
+#include <vector>
+
+#include "generator/exact/expressions/evaluate.hpp"
+#include "generator/exact/numbers/rational.hpp"
+#include "generator/lower/written.hpp"
+#include "generator/scene/value_at.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The value of something where all variables are 0, in the same graph.
+class AtOrigin {
+public:
+    explicit AtOrigin(Graph& graph) : graph_(graph) {}
+
+    /// Empty where that is a division by zero.
+    [[nodiscard]] std::optional<Scaled> operator()(const Scaled& a) {
+        const auto value = at(a.node);
+        return value ? std::optional(graph_.times(a.factor, *value)) : std::nullopt;
+    }
+
+private:
+    [[nodiscard]] std::optional<Scaled> at(Node node) {
+        // NOTE: a copy, since the graph grows.
+        const Computation computation = graph_.at(node);
+        if (!varies(computation.roles)) { return Scaled{{1, 1}, node}; }
+        if (computation.operation == Operation::input) { return Graph::number(0); }
+        std::vector<Scaled> arguments;
+        for (const Scaled& term : computation.terms) {
+            const auto value = (*this)(term);
+            if (!value) { return std::nullopt; }
+            arguments.push_back(*value);
+        }
+        for (const Node argument : computation.arguments) {
+            const auto value = at(argument);
+            if (!value) { return std::nullopt; }
+            arguments.push_back(*value);
+        }
+        return made_of(computation, arguments);
+    }
+
+    [[nodiscard]] std::optional<Scaled> made_of(const Computation& computation,
+                                                const std::vector<Scaled>& arguments) {
+        switch (computation.operation) {
+        case Operation::sum: return graph_.sum(arguments);
+        case Operation::product: return graph_.product(arguments[0], arguments[1]);
+        case Operation::square_root: return graph_.half_power(arguments[0], 1);
+        case Operation::power: return graph_.power(arguments[0], arguments[1]);
+        case Operation::call: return graph_.call(computation.name, arguments[0]);
+        default: break;
+        }
+        if (arguments[0].is_zero()) { return std::nullopt; }
+        return graph_.half_power(arguments[0],
+                                 computation.operation == Operation::inverse ? -2 : -1);
+    }
+
+    Graph& graph_;
+};
+
+/// All inputs, each at a number of its own; the variables at others in each of two points.
+SymbolValues point(const Graph& graph, std::size_t step) {
+    SymbolValues values;
+    for (Node node = 0; node < graph.size(); ++node) {
+        const Computation& computation = graph.at(node);
+        if (computation.operation != Operation::input) { continue; }
+        const std::size_t above = node + (varies(computation.roles) ? 31 + 7 * step : 53);
+        values[computation.name] = ball_of_rational(
+            std::to_string(above) + "/" + std::to_string(97 + 2 * node), first_precision);
+    }
+    return values;
+}
+
+/// NOTE: only to save work, and to refuse is always right: what differs between two points is not
+/// tried to be proved constant, which can take long.
+bool seems_constant(const Graph& graph, const Expression& expression) {
+    try {
+        const Ball first = value_at(expression, point(graph, 0), nullptr);
+        const Ball second = value_at(expression, point(graph, 1), nullptr);
+        return arb_is_finite(first.get()) != 0 && arb_overlaps(first.get(), second.get()) != 0;
+    } catch (const MathError&) { return false; }
+}
+
+/// NOTE: the exact arithmetic refuses what it has no place for.
+bool is_proved_zero(const Expression& expression) {
+    try {
+        return on_new_ground([&](const Ground& ground) {
+            const Number value = evaluate_number(expression, nullptr, ground);
+            return is_exact(value) && value.is_zero();
+        });
+    } catch (const MathError&) { return false; } catch (const InputError&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+std::optional<Scaled> at_origin(Graph& graph, const Scaled& a) { return AtOrigin(graph)(a); }
+
+std::optional<Scaled> constant_value(Graph& graph, const Scaled& a) {
+    if (!varies(graph.at(a.node).roles)) { return a; }
+    const auto varying = written(graph, a);
+    if (!varying || !seems_constant(graph, *varying)) { return std::nullopt; }
+    const auto value = at_origin(graph, a);
+    const auto constant = value ? written(graph, *value) : std::nullopt;
+    if (!constant) { return std::nullopt; }
+    const Expression difference = Expression::sum({*varying, Expression::negation(*constant)});
+    return is_proved_zero(difference) ? value : std::nullopt;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,18 @@
+// What does not depend on the variables, however it is written.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "generator/lower/graph.hpp"
+
+namespace hvi::gen {
+
+/// The value for q = p = t = 0, in the same graph; empty where that is a division by zero.
+[[nodiscard]] std::optional<Scaled> at_origin(Graph& graph, const Scaled& a);
+
+/// A node of parameters and constants alone that has this value for all variables, where there is
+/// one and that is proved: by the graph, or in a field in which variables and parameters are free.
+[[nodiscard]] std::optional<Scaled> constant_value(Graph& graph, const Scaled& a);
+
+}  // namespace hvi::gen

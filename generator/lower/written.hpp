@@ -1,0 +1,24 @@
+// From a graph back to expressions.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "generator/expr/expression.hpp"
+#include "generator/lower/graph.hpp"
+
+namespace hvi::gen {
+
+[[nodiscard]] Expression as_expression(const SmallFraction& fraction);
+
+/// What the operation makes of the values of its terms, factors included, or of its arguments.
+/// Precondition: it is neither a constant nor an input.
+[[nodiscard]] Expression of_operation(const Computation& computation,
+                                      std::vector<Expression> values);
+
+/// The value as an expression of the inputs. Empty where that has more than two thousand words:
+/// what a graph shares a text repeats.
+[[nodiscard]] std::optional<Expression> written(const Graph& graph, const Scaled& a);
+
+}  // namespace hvi::gen

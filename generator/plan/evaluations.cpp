@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/plan/evaluations.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace hvi::gen {
+
+namespace {
+
+BlockKernel block(const Graph& graph, const HessianBlock& entries, bool is_symmetric) {
+    BlockKernel result;
+    result.is_symmetric = is_symmetric;
+    std::vector<Scaled> values;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        for (std::size_t j = 0; j < (is_symmetric ? i + 1 : entries.size()); ++j) {
+            if (entries[i][j].is_zero()) { continue; }
+            result.places.push_back({i, j});
+            values.push_back(entries[i][j]);
+        }
+    }
+    result.kernel = kernel(graph, std::move(values));
+    return result;
+}
+
+SecondDerivatives second_derivatives(const LoweredScene& lowered, const Step& step) {
+    const Graph& graph = lowered.system.graph;
+    const Structure& found = lowered.structure;
+    SecondDerivatives result{block(graph, found.qq, true), {}, {}};
+    if (std::holds_alternative<VelocityStep>(step.form)) { return result; }
+    if (!step.is_separable()) { result.qp = block(graph, found.qp, false); }
+    result.pp = block(graph, found.pp, true);
+    return result;
+}
+
+Tangents tangents(const LoweredScene& lowered) {
+    const SystemGraph& system = lowered.system;
+    const Structure& found = lowered.structure;
+    Tangents result{kernel_of_direction(system.graph, found.qq_along), {}, {}};
+    const auto is_among = [](Node node, const std::vector<Node>& nodes) {
+        return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+    };
+    std::vector<Scaled> values = system.dHdq;
+    for (const Node node : result.along.given) {
+        const bool is_argument = is_among(node, system.q) || is_among(node, found.direction);
+        if (is_argument || !varies(system.graph.at(node).roles)) { continue; }
+        result.kept.push_back(node);
+        values.push_back({{1, 1}, node});
+    }
+    result.slope = kernel(system.graph, std::move(values));
+    return result;
+}
+
+}  // namespace
+
+OperationCounts SecondDerivatives::counts() const {
+    OperationCounts sum = qq.kernel.counts;
+    if (qp) { sum += qp->kernel.counts; }
+    if (pp) { sum += pp->kernel.counts; }
+    return sum;
+}
+
+Evaluations evaluations(const LoweredScene& lowered, const Step& step) {
+    Evaluations result;
+    if (std::holds_alternative<VelocityStep>(step.form)) {
+        result.inverse_mass = kernel(lowered.system.graph, lowered.structure.inverse_mass);
+    }
+    const Iteration* iteration = step.iteration();
+    if (iteration == nullptr) { return result; }
+    if (iteration->takes_newton()) { result.second = second_derivatives(lowered, step); }
+    if (iteration->solver == Solver::newton_taylor) { result.tangents = tangents(lowered); }
+    return result;
+}
+
+}  // namespace hvi::gen

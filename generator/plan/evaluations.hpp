@@ -1,0 +1,49 @@
+// What a stepper evaluates of H, as straight-line code: what is written, and what is counted.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "generator/ir/step.hpp"
+#include "generator/lower/lowered_scene.hpp"
+
+namespace hvi::gen {
+
+/// A block of second derivatives: the entries that are not zero, of a symmetric one those of the
+/// lower half.
+struct BlockKernel {
+    struct Place {
+        std::size_t row, column;
+    };
+    Kernel kernel;
+    std::vector<Place> places;  ///< of its results
+    bool is_symmetric = false;
+};
+
+/// For Newton's method: d2H/dq2 alone where the momenta are eliminated, and of a separable H no
+/// mixed ones.
+struct SecondDerivatives {
+    BlockKernel qq;
+    std::optional<BlockKernel> qp, pp;
+
+    [[nodiscard]] OperationCounts counts() const;
+};
+
+/// d2H/dq2 times a vector v, at one q and for several v.
+struct Tangents {
+    Kernel along;            ///< for each v
+    std::vector<Node> kept;  ///< what it shares with dH/dq, computed for each q
+    Kernel slope;            ///< dH/dq, then what is kept
+};
+
+/// Beside the gradients of LoweredScene::gradients. A tabulated step evaluates nothing.
+struct Evaluations {
+    std::optional<Kernel> inverse_mass;       ///< see Structure
+    std::optional<SecondDerivatives> second;  ///< where Newton's method may be called for
+    std::optional<Tangents> tangents;         ///< for Solver::newton_taylor
+};
+
+[[nodiscard]] Evaluations evaluations(const LoweredScene& lowered, const Step& step);
+
+}  // namespace hvi::gen
