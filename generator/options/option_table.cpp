@@ -275,7 +275,7 @@ constexpr std::array table = {
                 .value = Value::choice,
                 .placeholder = "STAGE",
                 .choices = stages,
-                .help = "In place of the header, what a stage on the way to it hands on",
+                .help = "In place of the header a record on the way to it",
                 .excludes = {.others = "--accuracy --explain"}},
 
     // Equations

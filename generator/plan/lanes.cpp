@@ -39,10 +39,10 @@ std::string obstacle_to_stage_lanes(const Step& step) {
 
 std::string obstacle_to_ensemble(const Step& step) {
     if (step.from_parameter) { return "the coefficients depend on a parameter"; }
-    if (step.is_explicit()) { return ""; }
-    if (step.iteration()->solver != Solver::fixed_point) {
-        return "they are iterated by fixed points";
-    }
+    if (std::holds_alternative<ExplicitStep>(step.form)) { return ""; }
+    const Iteration* iteration = step.iteration();
+    if (iteration == nullptr) { return "they have no curve"; }
+    if (iteration->solver != Solver::fixed_point) { return "they are iterated by fixed points"; }
     return obstacle_in_stages(step);
 }
 

@@ -67,3 +67,12 @@ TEST_CASE("steps are equal where nothing is decided differently") {
     other.layout = Layout::stages;
     CHECK_FALSE(gauss == other);
 }
+
+TEST_CASE("what cannot be had leaves a step that does not contradict itself") {
+    // An explicit step with a curve keeps its slopes, which trajectories side by side do not.
+    const Step curved =
+        plan(tableaux::verlet(), {.is_separable = true}, {.lanes = Lanes::ensemble, .curve = true});
+    CHECK(curved.layout == Layout::one);
+    const Step plain = plan(tableaux::verlet(), {.is_separable = true}, {.lanes = Lanes::ensemble});
+    CHECK(plain.layout == Layout::trajectories);
+}

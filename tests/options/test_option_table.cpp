@@ -173,5 +173,6 @@ TEST_CASE("what stands beside what") {
           Names{"--method", "--basis", "--nodes", "--method-file"});
     CHECK(names("--separable", Command::stepper) == Names{"SCENE", "--hamiltonian"});
     CHECK(names("--step", Command::run) == Names{"--accuracy"});
-    CHECK(names("--explain", Command::stepper).empty());
+    CHECK(names("--explain", Command::stepper) == Names{"--dump"});
+    CHECK(names("--name", Command::stepper).empty());
 }
