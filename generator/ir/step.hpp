@@ -32,7 +32,7 @@ struct StageValue {
 /// Nodes that depend on each other and are solved for at once, or a single one that is evaluated.
 struct Block {
     bool coupled = false;
-    /// By kind, then by index: of Scheme::positions for Q and Lp, of Scheme::momenta for P and Lq.
+    /// By kind, then by index: of Step::positions for Q and Lp, of Step::momenta for P and Lq.
     std::vector<StageNode> nodes;
 
     /// The indices of the nodes of one kind, ascending.
