@@ -56,7 +56,7 @@ Coefficients coefficients_of(const std::filesystem::path& file, const MethodOpti
     return coefficients;
 }
 
-System read_system(const MethodOptions& options, const SystemOptions& system) {
+MethodAndHamiltonian read_system(const MethodOptions& options, const SystemOptions& system) {
     Method method = read_method(options);
     if (!system.scene) {
         Hamiltonian hamiltonian = read_hamiltonian(system);

@@ -20,11 +20,12 @@ namespace hvi::gen {
                                            const MethodOptions& options);
 
 /// A method and a Hamiltonian, read; the parameters of both have their values.
-struct System {
+struct MethodAndHamiltonian {
     Method method;
     Hamiltonian hamiltonian;
 };
-[[nodiscard]] System read_system(const MethodOptions& options, const SystemOptions& system);
+[[nodiscard]] MethodAndHamiltonian read_system(const MethodOptions& options,
+                                               const SystemOptions& system);
 
 /// A method and a scene, read. A parameter that the method has too is fixed to its value; the
 /// values of the others are defaults. Of --hamiltonian each needs one by --param, and the scene

@@ -33,7 +33,7 @@ constexpr const char* summary_name = "summary.txt";
 /// `kepler-gauss_4`.
 fs::path default_directory(const SceneStepper& stepper) {
     const std::string header = file_name(stepper.method_name);
-    return stepper.lowered.scene.name + "-" + header.substr(0, header.rfind('.'));
+    return stepper.scene.name + "-" + header.substr(0, header.rfind('.'));
 }
 
 /// A file that a program of ours fills. Removed at the end of its life unless renamed.
@@ -80,7 +80,7 @@ void note_left_out(const Steps& asked) {
 }
 
 std::string summary(const SceneStepper& stepper, const Steps& asked, const Simulation& run) {
-    const Scene& scene = stepper.lowered.scene;
+    const Scene& scene = stepper.scene;
     std::size_t width = std::string_view("evaluations").size();
     for (const Conserved& kept : run.conserved) width = std::max(width, kept.name.size());
     std::string text;
@@ -111,10 +111,10 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
 
 TrajectoryPicture picture(const SceneStepper& stepper, const Steps& asked, const Simulation& run,
                           const fs::path& table) {
-    const Hamiltonian& H = stepper.lowered.scene.hamiltonian;
+    const Hamiltonian& H = stepper.scene.hamiltonian;
     TrajectoryPicture picture;
     picture.title =
-        stepper.lowered.scene.name + ", " + stepper.method_name + (run.ok() ? "" : " (incomplete)");
+        stepper.scene.name + ", " + stepper.method_name + (run.ok() ? "" : " (incomplete)");
     picture.until = static_cast<double>(run.steps) * asked.size;
     picture.table = table;
     for (const Conserved& kept : run.conserved) picture.kept.push_back({kept.name, kept.start});

@@ -28,9 +28,9 @@ void write_method(const StepperOptions& options) {
 
 std::string explanation(const SceneStepper& stepper) {
     std::string text = "found in H:\n";
-    for (const std::string& fact : facts(stepper.lowered)) text += "  " + fact + "\n";
+    for (const std::string& fact : facts(stepper.system)) text += "  " + fact + "\n";
     text += "cost:\n";
-    for (const std::string& cost : costs(stepper.lowered, stepper.step, stepper.evaluations))
+    for (const std::string& cost : costs(stepper.system, stepper.step, stepper.evaluations))
         text += "  " + cost + "\n";
     text += "plan:\n";
     for (const Decision& decision : stepper.step.decisions)

@@ -21,13 +21,13 @@ namespace {
 constexpr const char* header_name = "stepper.hpp";
 
 /// A statement for each parameter.
-std::string set_parameters(const LoweredScene& lowered) {
-    const NodeNames names = parameter_names(lowered);
+std::string set_parameters(const System& system) {
+    const NodeNames names = parameter_names(system);
     std::string text;
     std::size_t i = 0;
-    for (const Parameter& parameter : lowered.scene.parameters)
+    for (const SystemParameter& parameter : system.parameters)
         text += fmt::format("{}{} = values.at({});", text.empty() ? "" : "\n",
-                            names.at(lowered.system.symbols.at(parameter.name).node), i++);
+                            names.at(parameter.node), i++);
     return text;
 }
 
@@ -64,7 +64,7 @@ EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Sce
     is_explicit_ = stepper.step.is_explicit();
     build_ = builds.order({fill("edge.cpp.in", {{"header", header_name},
                                                 {"stepper", stepper.class_name},
-                                                {"set", set_parameters(stepper.lowered)}}),
+                                                {"set", set_parameters(stepper.system)}}),
                            {{header_name, stepper.header}}});
 }
 

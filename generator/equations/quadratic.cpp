@@ -5,9 +5,9 @@
 
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/numbers/rational.hpp"
+#include "generator/graph/written.hpp"
 #include "generator/lower/constancy.hpp"
-#include "generator/lower/structure.hpp"
-#include "generator/lower/written.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {
@@ -66,8 +66,8 @@ NumberMatrix matrix(const Structure& found, Coefficients& coefficients) {
 
 QuadraticProof quadratic_form(const Hamiltonian& hamiltonian, const Ground& ground) {
     const Progress::Stage stage("looking whether the Hamiltonian is quadratic");
-    SystemGraph system = system_graph(hamiltonian, parameter_names(hamiltonian));
-    const Structure found = structure(system);
+    System system = system_of(hamiltonian, parameter_names(hamiltonian));
+    const Structure& found = system.structure;
     if (!found.has_linear_map) return {};
     const auto constant = at_origin(system.graph, system.hamiltonian);
     if (!constant) return {std::nullopt, "H has no value for q = p = 0 as it is written"};

@@ -6,7 +6,7 @@
 
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/numbers/rational.hpp"
-#include "generator/lower/written.hpp"
+#include "generator/graph/written.hpp"
 #include "generator/scene/value_at.hpp"
 
 namespace hvi::gen {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "generator/lower/graph.hpp"
+#include "generator/graph/graph.hpp"
 
 namespace hvi::gen {
 

@@ -18,7 +18,7 @@ double cost(const OperationCounts& counts) {
 
 }  // namespace
 
-GradientKernels gradient_kernels(const SystemGraph& system) {
+GradientKernels gradient_kernels(const System& system) {
     std::vector<Scaled> both = system.dHdq;
     both.insert(both.end(), system.dHdp.begin(), system.dHdp.end());
     return {kernel(system.graph, system.dHdq), kernel(system.graph, system.dHdp),
@@ -30,7 +30,7 @@ GradientKernels gradient_kernels(const SystemGraph& system) {
 /// h = 0.1, 12.4 and 8.5. Where slopes are used at once, P moves between dH/dp and dH/dq but Q does
 /// not move between dH/dq and the next dH/dp, so that what depends on q alone is shared; and the
 /// sums of the stages are waited for twice, not once.
-bool joint_gradient_pays(const SystemGraph& system, const GradientKernels& kernels) {
+bool joint_gradient_pays(const System& system, const GradientKernels& kernels) {
     constexpr double more_iterations = 1.4, sum = 16;
     const double jointly = cost(kernels.joint.counts) + sum;
     const double in_turn = cost(kernels.dHdq.counts) +

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "generator/ir/system.hpp"
 #include "generator/lower/kernel.hpp"
-#include "generator/lower/system.hpp"
 
 namespace hvi::gen {
 
@@ -12,11 +12,11 @@ struct GradientKernels {
     Kernel joint;  ///< dH/dq, then dH/dp
 };
 
-[[nodiscard]] GradientKernels gradient_kernels(const SystemGraph& system);
+[[nodiscard]] GradientKernels gradient_kernels(const System& system);
 
 /// Whether a fixed-point iteration of coupled stages is likely to cost less when it evaluates both
 /// gradients at the same q and p than when it uses each new slope at once, by the counts of
 /// operations.
-[[nodiscard]] bool joint_gradient_pays(const SystemGraph& system, const GradientKernels& kernels);
+[[nodiscard]] bool joint_gradient_pays(const System& system, const GradientKernels& kernels);
 
 }  // namespace hvi::gen

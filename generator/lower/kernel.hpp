@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/lower/graph.hpp"
+#include "generator/graph/graph.hpp"
 
 namespace hvi::gen {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "generator/lower/graph.hpp"
+#include "generator/graph/graph.hpp"
 
 namespace hvi::gen {
 

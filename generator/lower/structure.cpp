@@ -44,7 +44,7 @@ bool depends_on(const Graph& graph, const std::vector<Scaled>& values, Role role
 }
 
 /// K p.
-std::vector<Scaled> product(SystemGraph& system, const Matrix& K) {
+std::vector<Scaled> product(System& system, const Matrix& K) {
     std::vector<Scaled> result;
     for (const std::vector<Scaled>& row : K) {
         std::vector<Scaled> terms;
@@ -57,7 +57,7 @@ std::vector<Scaled> product(SystemGraph& system, const Matrix& K) {
 }
 
 /// NOTE: where a slope has no value at the origin as it is written there is no linear map.
-void set_linear_part(Structure& found, SystemGraph& system) {
+void set_linear_part(Structure& found, System& system) {
     const auto add = [&](std::vector<Scaled>& values, const Scaled& slope) {
         const auto value = at_origin(system.graph, slope);
         found.has_linear_map = found.has_linear_map && value;
@@ -69,7 +69,7 @@ void set_linear_part(Structure& found, SystemGraph& system) {
 
 /// NOTE: not the sums of qq_ij v_j: as the gradient of v dH/dq it costs as much as a few dH/dq,
 /// however many degrees of freedom there are.
-void set_direction(Structure& found, SystemGraph& system) {
+void set_direction(Structure& found, System& system) {
     std::vector<Scaled> terms;
     for (std::size_t k = 0; k < system.degrees_of_freedom(); ++k) {
         const Scaled v = system.graph.input("direction " + std::to_string(k), Role::direction);
@@ -82,19 +82,7 @@ void set_direction(Structure& found, SystemGraph& system) {
 
 }  // namespace
 
-bool has_linear_part(const Structure& quadratic) {
-    const auto is_not_zero = [](const Scaled& slope) { return !slope.is_zero(); };
-    return std::any_of(quadratic.by_q.begin(), quadratic.by_q.end(), is_not_zero) ||
-           std::any_of(quadratic.by_p.begin(), quadratic.by_p.end(), is_not_zero);
-}
-
-bool is_degenerate(const Structure& structure) {
-    return std::any_of(structure.pp.begin(), structure.pp.end(), [](const auto& row) {
-        return std::all_of(row.begin(), row.end(), [](const Scaled& a) { return a.is_zero(); });
-    });
-}
-
-Structure structure(SystemGraph& system) {
+Structure structure(System& system) {
     Structure found;
     for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {
         found.qq.push_back(gradient(system.graph, system.dHdq[i], system.q));

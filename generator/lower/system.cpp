@@ -1,39 +1,114 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/system.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/lower.hpp"
+#include "generator/lower/structure.hpp"
 
 namespace hvi::gen {
+namespace {
 
-SystemGraph system_graph(const Hamiltonian& hamiltonian,
-                         const std::vector<std::string>& parameters) {
-    SystemGraph system;
-    const auto input = [&](const std::string& name, Role role) {
+/// A system, and what the symbols of its expressions stand for.
+struct NamedSystem {
+    System system;
+    Symbols symbols;
+
+    Node input(const std::string& name, Role role) {
         const Scaled node = system.graph.input(name, role);
-        system.symbols[name] = node;
+        symbols[name] = node;
         return node.node;
-    };
-    for (const std::string& name : hamiltonian.coordinates) {
-        system.q.push_back(input(name, Role::coordinate));
     }
-    for (const std::string& name : hamiltonian.momenta) {
-        system.p.push_back(input(name, Role::momentum));
-    }
-    if (depends_on_time(hamiltonian)) { system.time = input("t", Role::time); }
-    for (const std::string& name : parameters) { input(name, Role::parameter); }
-    for (const Parameter& fixed : hamiltonian.parameters) {
-        system.symbols[fixed.name] = lower(system.graph, fixed.value, {}, fixed.place.source);
-    }
-    system.hamiltonian =
-        lower(system.graph, hamiltonian.expression, system.symbols, hamiltonian.source);
+};
 
+void add_gradient(System& system) {
     std::vector<Node> variables = system.q;
     variables.insert(variables.end(), system.p.begin(), system.p.end());
     const std::vector<Scaled> slopes = gradient(system.graph, system.hamiltonian, variables);
     const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(system.q.size());
     system.dHdq.assign(slopes.begin(), middle);
     system.dHdp.assign(middle, slopes.end());
+}
+
+NamedSystem named_system(const Hamiltonian& hamiltonian,
+                         const std::vector<std::string>& parameters) {
+    NamedSystem result;
+    System& system = result.system;
+    system.hamiltonian_text = hamiltonian.expression;
+    system.coordinates = hamiltonian.coordinates;
+    system.momenta = hamiltonian.momenta;
+    for (const std::string& name : system.coordinates) {
+        system.q.push_back(result.input(name, Role::coordinate));
+    }
+    for (const std::string& name : system.momenta) {
+        system.p.push_back(result.input(name, Role::momentum));
+    }
+    if (depends_on_time(hamiltonian)) { system.time = result.input("t", Role::time); }
+    for (const std::string& name : parameters) { result.input(name, Role::parameter); }
+    for (const Parameter& fixed : hamiltonian.parameters) {
+        result.symbols[fixed.name] = lower(system.graph, fixed.value, {}, fixed.place.source);
+    }
+    system.hamiltonian =
+        lower(system.graph, hamiltonian.expression, result.symbols, hamiltonian.source);
+    add_gradient(system);
+    system.structure = structure(system);
+    return result;
+}
+
+std::vector<SystemValue> values(NamedSystem& into,
+                                const std::vector<NamedExpression>& expressions) {
+    std::vector<SystemValue> result;
+    for (const NamedExpression& each : expressions) {
+        result.push_back(
+            {each.name, each.expression,
+             lower(into.system.graph, each.expression, into.symbols, each.place.source)});
+    }
+    return result;
+}
+
+}  // namespace
+
+System system_of(const Hamiltonian& hamiltonian, const std::vector<std::string>& parameters) {
+    System system = named_system(hamiltonian, parameters).system;
+    verify(system);
     return system;
+}
+
+System system_of(const Scene& scene) {
+    const std::vector<Parameter>& fixed = scene.hamiltonian.parameters;
+    std::vector<Parameter> parameters = scene.parameters;
+    std::erase_if(parameters, [&](const Parameter& parameter) {
+        return std::any_of(fixed.begin(), fixed.end(),
+                           [&](const Parameter& other) { return other.name == parameter.name; });
+    });
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters) { names.push_back(parameter.name); }
+    NamedSystem result = named_system(scene.hamiltonian, names);
+    System& system = result.system;
+    system.name = scene.name;
+    system.description = scene.description;
+    for (const Parameter& parameter : parameters) {
+        system.parameters.push_back(
+            {parameter.name, parameter.value, result.symbols.at(parameter.name).node});
+    }
+    system.initial = values(result, scene.initial);
+    system.invariants = values(result, scene.invariants);
+    verify(system);
+    return std::move(system);
+}
+
+SystemProperties properties(const System& system, const GradientKernels& gradients) {
+    return {
+        .is_separable = system.structure.is_separable,
+        .depends_on_time = system.time.has_value(),
+        .kinetic_is_quadratic = system.structure.kinetic_is_quadratic,
+        .is_quadratic = system.structure.has_linear_map,
+        .is_degenerate = is_degenerate(system.structure),
+        .joint_gradient_pays = joint_gradient_pays(system, gradients),
+        .degrees_of_freedom = system.degrees_of_freedom(),
+    };
 }
 
 }  // namespace hvi::gen

@@ -1,31 +1,27 @@
-// A Hamiltonian system as one graph.
+// From a Hamiltonian, or a whole scene, to a system.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <optional>
+#include <string>
+#include <vector>
 
-#include "generator/lower/graph.hpp"
-#include "generator/lower/lower.hpp"
-#include "generator/read/hamiltonian.hpp"
+#include "generator/ir/properties.hpp"
+#include "generator/ir/system.hpp"
+#include "generator/lower/joint_gradient.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
-/// H(q, p), its variables, and the right sides of Hamilton's equations up to the sign. What they
-/// have in common is one node.
-struct SystemGraph {
-    Graph graph;
-    Symbols symbols;           ///< of variables and parameters, for more expressions of them
-    std::optional<Node> time;  ///< the input t, where H depends on it
-    std::vector<Node> q, p;    ///< inputs, in the order of the Hamiltonian's names
-    Scaled hamiltonian;
-    std::vector<Scaled> dHdq, dHdp;
+/// H, its gradient and its structure. A parameter that has a value is replaced by it; `parameters`
+/// are the inputs among the others. Throws InputError as lower() does. Preconditions: those of
+/// lower(). The result is verified.
+[[nodiscard]] System system_of(const Hamiltonian& hamiltonian,
+                               const std::vector<std::string>& parameters);
 
-    [[nodiscard]] std::size_t degrees_of_freedom() const { return q.size(); }
-};
+/// The same with all that a scene has. Of its parameters those of H that have a value are replaced.
+[[nodiscard]] System system_of(const Scene& scene);
 
-/// A parameter that has a value is replaced by it; `parameters` are the inputs among the others.
-/// Throws InputError as lower() does. Preconditions: those of lower().
-[[nodiscard]] SystemGraph system_graph(const Hamiltonian& hamiltonian,
-                                       const std::vector<std::string>& parameters);
+/// What is proved of it.
+[[nodiscard]] SystemProperties properties(const System& system, const GradientKernels& gradients);
 
 }  // namespace hvi::gen

@@ -9,7 +9,7 @@ std::string dump(const Method& method, const SceneStepper& stepper, const Wish<S
     switch (stage.choice) {
     case Stage::method: return dump(method);
     case Stage::tableau: return dump(stepper.tableau);
-    case Stage::system: return dump(stepper.lowered);
+    case Stage::system: return dump(stepper.system);
     case Stage::step: return dump(stepper.step);
     }
     HVI_CHECK(false);

@@ -4,7 +4,6 @@
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
-#include "generator/lower/joint_gradient.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
@@ -84,25 +83,15 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
     return result;
 }
 
-Step planned(const Tableau& tableau, const LoweredScene& lowered, const Method& method,
-             const StepperWishes& wishes) {
-    const Structure& structure = lowered.structure;
-    const SystemProperties system{
-        .is_separable = structure.is_separable,
-        .depends_on_time = lowered.system.time.has_value(),
-        .kinetic_is_quadratic = structure.kinetic_is_quadratic,
-        .is_quadratic = structure.has_linear_map,
-        .is_degenerate = is_degenerate(structure),
-        .joint_gradient_pays = joint_gradient_pays(lowered.system, lowered.gradients),
-        .degrees_of_freedom = lowered.system.degrees_of_freedom(),
-    };
+Step planned(const Tableau& tableau, const SystemProperties& system, const Method& method,
+             const Scene& scene, const StepperWishes& wishes) {
     Step step = plan(tableau, system,
                      {.solver = wishes.solver,
                       .lanes = wishes.lanes.choice,
                       .curve = wishes.dense,
                       .composition = wishes.composition,
                       .method = method.place});
-    check_solver(step, lowered.scene);
+    check_solver(step, scene);
     check_lanes(step, wishes.lanes);
     check_ensemble(step, wishes);
     return step;
@@ -132,20 +121,22 @@ SceneStepper scene_stepper(const Method& method, const Scene& scene, const Stepp
     check_start(scene);
     auto [tableau, curve] = derived(method, wishes);
     members.curve = std::move(curve);
-    LoweredScene lowered = hvi::gen::lowered(scene);
-    Step step = planned(tableau, lowered, method, wishes);
-    Evaluations evaluations = hvi::gen::evaluations(lowered, step);
+    System system = system_of(scene);
+    GradientKernels gradients = gradient_kernels(system);
+    Step step = planned(tableau, properties(system, gradients), method, scene, wishes);
+    Evaluations evaluations = hvi::gen::evaluations(system, std::move(gradients), step);
     std::string method_name = composed_name(tableau.provenance.name, wishes.composition);
     std::string name = name_of_class(
         wishes.class_name, scene.name.empty() ? method_name : scene.name + "-" + method_name);
     std::string header = emit(tableau, step,
                               {.class_name = name,
                                .command = command(tableau, scene, wishes),
-                               .scene = &lowered,
+                               .system = &system,
                                .wishes = members,
                                .evaluations = &evaluations});
-    return {std::move(tableau), std::move(method_name), method.place,    std::move(lowered),
-            std::move(step),    std::move(evaluations), std::move(name), std::move(header)};
+    return {std::move(tableau), std::move(method_name), method.place,           scene,
+            std::move(system),  std::move(step),        std::move(evaluations), std::move(name),
+            std::move(header)};
 }
 
 }  // namespace hvi::gen

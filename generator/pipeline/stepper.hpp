@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 //     text ──read──▶ Method, Scene ──derive──▶ Tableau ──plan──▶ Step ──emit──▶ header
-//                          └────────lower────▶ LoweredScene ──┘──────────────┘
+//                          └────────lower────▶ System ──┘──────────────────┘
 //
 // read    generator/read            texts to what they say, with the place of every word
 // derive  generator/exact/methods   a method to its exact coefficients; nothing is rounded
@@ -19,7 +19,7 @@
 #include <string>
 
 #include "generator/exact/methods/tableau.hpp"
-#include "generator/lower/lowered_scene.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/options/wishes.hpp"
 #include "generator/plan/evaluations.hpp"
 #include "generator/read/scene.hpp"
@@ -43,7 +43,8 @@ struct SceneStepper {
     Tableau tableau;
     std::string method_name;  ///< `stormer-verlet-yoshida:6`; empty where the method has no name
     std::optional<Place> method_place;  ///< for errors
-    LoweredScene lowered;
+    Scene scene;
+    System system;
     Step step;
     Evaluations evaluations;
     std::string class_name;

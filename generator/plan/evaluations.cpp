@@ -23,9 +23,9 @@ BlockKernel block(const Graph& graph, const HessianBlock& entries, bool is_symme
     return result;
 }
 
-SecondDerivatives second_derivatives(const LoweredScene& lowered, const Step& step) {
-    const Graph& graph = lowered.system.graph;
-    const Structure& found = lowered.structure;
+SecondDerivatives second_derivatives(const System& system, const Step& step) {
+    const Graph& graph = system.graph;
+    const Structure& found = system.structure;
     SecondDerivatives result{block(graph, found.qq, true), {}, {}};
     if (std::holds_alternative<VelocityStep>(step.form)) { return result; }
     if (!step.is_separable()) { result.qp = block(graph, found.qp, false); }
@@ -33,9 +33,8 @@ SecondDerivatives second_derivatives(const LoweredScene& lowered, const Step& st
     return result;
 }
 
-Tangents tangents(const LoweredScene& lowered) {
-    const SystemGraph& system = lowered.system;
-    const Structure& found = lowered.structure;
+Tangents tangents(const System& system) {
+    const Structure& found = system.structure;
     Tangents result{kernel_of_direction(system.graph, found.qq_along), {}, {}};
     const auto is_among = [](Node node, const std::vector<Node>& nodes) {
         return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
@@ -60,15 +59,16 @@ OperationCounts SecondDerivatives::counts() const {
     return sum;
 }
 
-Evaluations evaluations(const LoweredScene& lowered, const Step& step) {
+Evaluations evaluations(const System& system, GradientKernels gradients, const Step& step) {
     Evaluations result;
+    result.gradients = std::move(gradients);
     if (std::holds_alternative<VelocityStep>(step.form)) {
-        result.inverse_mass = kernel(lowered.system.graph, lowered.structure.inverse_mass);
+        result.inverse_mass = kernel(system.graph, system.structure.inverse_mass);
     }
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return result; }
-    if (iteration->takes_newton()) { result.second = second_derivatives(lowered, step); }
-    if (iteration->solver == Solver::newton_taylor) { result.tangents = tangents(lowered); }
+    if (iteration->takes_newton()) { result.second = second_derivatives(system, step); }
+    if (iteration->solver == Solver::newton_taylor) { result.tangents = tangents(system); }
     return result;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/ir/step.hpp"
-#include "generator/lower/lowered_scene.hpp"
+#include "generator/lower/joint_gradient.hpp"
 
 namespace hvi::gen {
 
@@ -37,13 +37,15 @@ struct Tangents {
     Kernel slope;            ///< dH/dq, then what is kept
 };
 
-/// Beside the gradients of LoweredScene::gradients. A tabulated step evaluates nothing.
+/// A tabulated step evaluates nothing, and one of joint slopes both gradients at once alone.
 struct Evaluations {
+    GradientKernels gradients;
     std::optional<Kernel> inverse_mass;       ///< see Structure
     std::optional<SecondDerivatives> second;  ///< where Newton's method may be called for
     std::optional<Tangents> tangents;         ///< for Solver::newton_taylor
 };
 
-[[nodiscard]] Evaluations evaluations(const LoweredScene& lowered, const Step& step);
+[[nodiscard]] Evaluations evaluations(const System& system, GradientKernels gradients,
+                                      const Step& step);
 
 }  // namespace hvi::gen

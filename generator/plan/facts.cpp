@@ -38,10 +38,10 @@ std::string kind_of(const Structure& found) {
     return found.is_separable ? "H = T(p) + U(q)" : "H is not seen to be T(p) + U(q)";
 }
 
-std::string names(const Hamiltonian& H, const std::vector<std::size_t>& degrees) {
+std::string names(const System& system, const std::vector<std::size_t>& degrees) {
     std::string result;
     for (const std::size_t i : degrees) {
-        result += (result.empty() ? "" : ", ") + H.coordinates[i];
+        result += (result.empty() ? "" : ", ") + system.coordinates[i];
     }
     return result;
 }
@@ -80,25 +80,24 @@ std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
 
 }  // namespace
 
-std::vector<std::string> facts(const LoweredScene& lowered) {
-    const Structure& found = lowered.structure;
-    const Hamiltonian& H = lowered.scene.hamiltonian;
+std::vector<std::string> facts(const System& system) {
+    const Structure& found = system.structure;
     std::vector<std::string> result{kind_of(found)};
     if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
-    if (lowered.system.time) { result.emplace_back("H depends on the time"); }
+    if (system.time) { result.emplace_back("H depends on the time"); }
     if (!found.cyclic.empty()) {
         result.push_back(fmt::format("H does not depend on {}: the momenta are constant",
-                                     names(H, found.cyclic)));
+                                     names(system, found.cyclic)));
     }
-    const Entries second = entries(lowered.system.graph, found);
+    const Entries second = entries(system.graph, found);
     result.push_back(fmt::format("{} of {} second derivatives are not zero, {} constant",
                                  second.not_zero, second.all, second.constant));
     return result;
 }
 
-std::vector<std::string> costs(const LoweredScene& lowered, const Step& step,
+std::vector<std::string> costs(const System& system, const Step& step,
                                const Evaluations& evaluations) {
-    const std::size_t n = lowered.system.degrees_of_freedom();
+    const std::size_t n = system.degrees_of_freedom();
     std::size_t unknowns = 0;
     for (const Block& block : step.blocks) {
         if (!block.coupled) { continue; }
@@ -106,17 +105,17 @@ std::vector<std::string> costs(const LoweredScene& lowered, const Step& step,
     }
     if (const auto* map = std::get_if<TabulatedStep>(&step.form)) {
         return {cost_of_map(n, map->as == TabulatedStep::As::shears,
-                            has_linear_part(lowered.structure))};
+                            has_linear_part(system.structure))};
     }
     std::vector<std::string> result;
     result.push_back(
         unknowns == 0 ? "no unknowns: nothing is solved for"
                       : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
     if (step.slopes == Slopes::joint) {
-        result.push_back("dH/dq and dH/dp once: " + text(lowered.gradients.joint.counts));
+        result.push_back("dH/dq and dH/dp once: " + text(evaluations.gradients.joint.counts));
     } else {
-        result.push_back("dH/dq once: " + text(lowered.gradients.dHdq.counts));
-        result.push_back("dH/dp once: " + text(lowered.gradients.dHdp.counts));
+        result.push_back("dH/dq once: " + text(evaluations.gradients.dHdq.counts));
+        result.push_back("dH/dp once: " + text(evaluations.gradients.dHdp.counts));
     }
     if (evaluations.second) {
         result.push_back("second derivatives once, where Newton's method is needed: " +

@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "generator/ir/step.hpp"
-#include "generator/lower/lowered_scene.hpp"
+#include "generator/ir/system.hpp"
 #include "generator/plan/evaluations.hpp"
 
 namespace hvi::gen {
 
 /// One line each, without a full stop: what is proved of H.
-[[nodiscard]] std::vector<std::string> facts(const LoweredScene& lowered);
+[[nodiscard]] std::vector<std::string> facts(const System& system);
 
 /// The same of the work: unknowns, evaluations and the operations of their kernels.
-[[nodiscard]] std::vector<std::string> costs(const LoweredScene& lowered, const Step& step,
+[[nodiscard]] std::vector<std::string> costs(const System& system, const Step& step,
                                              const Evaluations& evaluations);
 
 }  // namespace hvi::gen

@@ -71,8 +71,8 @@ std::optional<std::string> installed_version(Builds& builds, const PeerLibrary& 
     return {};
 }
 
-bool applies(const Peer& peer, const LoweredScene& lowered) {
-    return !peer.needs_separable || (lowered.structure.is_separable && !lowered.system.time);
+bool applies(const Peer& peer, const System& system) {
+    return !peer.needs_separable || (system.structure.is_separable && !system.time);
 }
 
 SceneStepper stepper_for_peers(const Scene& scene) {

@@ -35,7 +35,7 @@ struct PeerLibrary {
 [[nodiscard]] std::optional<std::string> installed_version(Builds& builds,
                                                            const PeerLibrary& library);
 
-[[nodiscard]] bool applies(const Peer& peer, const LoweredScene& lowered);
+[[nodiscard]] bool applies(const Peer& peer, const System& system);
 
 /// A scene with what peers evaluate. Throws as scene_stepper() does.
 [[nodiscard]] SceneStepper stepper_for_peers(const Scene& scene);

@@ -24,27 +24,26 @@ std::string quoted(const std::vector<std::string>& names) {
 
 /// The members of the stepper that compute what a run is to keep. Where H depends on the time the
 /// energy is among the columns too, but nothing is said of its departure.
-std::string values(const LoweredScene& lowered) {
+std::string values(const System& system) {
     std::vector<std::string> items;
-    for (const std::string& name : conserved_names(lowered))
+    for (const std::string& name : conserved_names(system))
         items.push_back(fmt::format("stepper.{}(x)", name));
     return lines(items);
 }
 
 }  // namespace
 
-std::vector<std::string> conserved_names(const LoweredScene& lowered) {
+std::vector<std::string> conserved_names(const System& system) {
     std::vector<std::string> names;
-    if (!lowered.system.time) names.emplace_back("energy");
-    for (const NamedExpression& invariant : lowered.scene.invariants)
-        names.push_back(invariant.name);
+    if (!system.time) names.emplace_back("energy");
+    for (const SystemValue& invariant : system.invariants) names.push_back(invariant.name);
     return names;
 }
 
 void check_simulation(const SceneStepper& stepper) {
     if (!stepper.step.from_parameter) return;
     const std::string& name = stepper.step.from_parameter->numbers.parameter;
-    for (const Parameter& parameter : stepper.lowered.scene.parameters)
+    for (const SystemParameter& parameter : stepper.system.parameters)
         if (parameter.name == name) return;
     throw InputError(fmt::format("the parameter `{}` of the method has no value", name),
                      stepper.method_place, fmt::format("give it one: --param {}=1", name));
@@ -61,21 +60,21 @@ StepperWishes simulation_wishes(Solver solver, std::optional<Composition> compos
 ProgramText simulation_program(const SceneStepper& stepper) { return driver_program(stepper, {}); }
 
 ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
-    const LoweredScene& lowered = stepper.lowered;
-    const std::vector<std::string> conserved = conserved_names(lowered);
+    const System& system = stepper.system;
+    const std::vector<std::string> conserved = conserved_names(system);
     const auto fact = [](bool is_true) { return std::string(is_true ? "true" : "false"); };
     return {fill("driver.cpp.in", {{"driver", driver.header},
                                    {"main", driver.main},
                                    {"header", header_name},
                                    {"stepper", stepper.class_name},
-                                   {"variables", quoted(variables(lowered.scene.hamiltonian))},
+                                   {"variables", quoted(variables(stepper.scene.hamiltonian))},
                                    {"invariants", quoted(conserved)},
                                    {"count", std::to_string(conserved.size())},
-                                   {"values", values(lowered)},
-                                   {"separable", fact(lowered.structure.is_separable)},
+                                   {"values", values(system)},
+                                   {"separable", fact(system.structure.is_separable)},
                                    {"joint", fact(stepper.step.slopes == Slopes::joint)},
-                                   {"quadratic", fact(lowered.structure.kinetic_is_quadratic)},
-                                   {"time", fact(lowered.system.time.has_value())}}),
+                                   {"quadratic", fact(system.structure.kinetic_is_quadratic)},
+                                   {"time", fact(system.time.has_value())}}),
             {{header_name, stepper.header}},
             driver.libraries};
 }
@@ -108,7 +107,7 @@ Simulation run_simulation(const std::filesystem::path& program, const SceneStepp
                    answers.integer("evaluations"),
                    answers.number("seconds_of_step"),
                    {}};
-    const std::vector<std::string> names = conserved_names(stepper.lowered);
+    const std::vector<std::string> names = conserved_names(stepper.system);
     const auto start = answers.numbers("start", names.size()),
                largest = answers.numbers("largest", names.size()),
                last = answers.numbers("last", names.size());

@@ -37,7 +37,7 @@ struct Simulation {
 };
 
 /// The names of what a run keeps: the energy, where H does not depend on the time, and invariants.
-[[nodiscard]] std::vector<std::string> conserved_names(const LoweredScene& lowered);
+[[nodiscard]] std::vector<std::string> conserved_names(const System& system);
 
 /// What steppers of simulations are to have.
 [[nodiscard]] StepperWishes simulation_wishes(Solver solver,

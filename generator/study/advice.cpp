@@ -9,7 +9,7 @@
 #include <memory>
 #include <numeric>
 
-#include "generator/lower/lowered_scene.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/study/contender.hpp"
 #include "generator/study/path_to_accuracy.hpp"
 #include "generator/support/bar.hpp"
@@ -196,9 +196,9 @@ Reference good_reference(const Build& quadruple, const Contender& contender, con
 }  // namespace
 
 Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
-    const LoweredScene lowered = hvi::gen::lowered(scene);
+    const System system = system_of(scene);
     Advice result;
-    result.candidates = candidates(lowered.structure, wishes);
+    result.candidates = candidates(system.structure, wishes);
     const auto parts = static_cast<double>(2 * result.candidates.size() + 2);
     double done = 0;
     Bar bar;
@@ -218,7 +218,7 @@ Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     show("reference");
     result.reference = good_reference(quadruple, contenders.back(), scene, wishes);
     const Course course{
-        result.reference, wishes.until, wishes.first_count, {}, !lowered.system.time.has_value()};
+        result.reference, wishes.until, wishes.first_count, {}, !system.time.has_value()};
     Race race(course, wishes.accuracy, contenders);
     for (std::size_t i = 0; i < contenders.size(); ++i) race.begin(i);
     for (const std::size_t i : race.by_prediction()) {

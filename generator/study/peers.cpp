@@ -41,7 +41,7 @@ std::vector<PeerCurve> peer_curves(const fs::path& program, const PeerLibrary& l
                                    const SceneStepper& stepper, const Course& course) {
     std::vector<PeerCurve> curves;
     for (const Peer& peer : library.peers) {
-        if (!applies(peer, stepper.lowered)) continue;
+        if (!applies(peer, stepper.system)) continue;
         const auto run_of = [equal = peer.takes_equal_steps, until = course.until,
                              first = course.first_count](const WorkPoint& point) {
             return equal ? PeerRun{until, point.steps, tolerance_of_equations}

@@ -81,7 +81,7 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
         report.reference = reference(all.reference, scene, until, first_count, 1e-18);
     }
     const Course course{report.reference, until, first_count, wishes.steps,
-                        !lowered(scene).system.time.has_value()};
+                        !system_of(scene).time.has_value()};
     std::vector<MeasureAgain> again;  // of each curve
     for (const Contender& contender : all.contenders) {
         const auto part = begin("running " + contender.stepper.method_name);

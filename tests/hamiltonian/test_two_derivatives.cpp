@@ -5,9 +5,9 @@
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/expr/functions.hpp"
+#include "generator/graph/written.hpp"
 #include "generator/hamiltonian/gradient.hpp"
-#include "generator/lower/structure.hpp"
-#include "generator/lower/written.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/read/parse.hpp"
 #include "generator/read/scene.hpp"
 #include "generator/scene/value_at.hpp"
@@ -111,14 +111,14 @@ void check_values(const Hamiltonian& H, const Graph& graph, const std::vector<Sc
 }
 
 void check_first(const Hamiltonian& H) {
-    const SystemGraph system = system_graph(H, parameter_names(H));
+    const System system = system_of(H, parameter_names(H));
     check_values(H, system.graph, both(system.dHdq, system.dHdp), both(gradient(H)));
 }
 
 /// Second derivatives: GiNaC's of its first ones.
 void check_second(const Hamiltonian& H) {
-    SystemGraph system = system_graph(H, parameter_names(H));
-    const Structure found = structure(system);
+    const System system = system_of(H, parameter_names(H));
+    const Structure& found = system.structure;
     const Gradient first = gradient(H);
     const auto again = [&](const Expression& derivative) {
         Hamiltonian slope = H;
@@ -135,7 +135,7 @@ void check_second(const Hamiltonian& H) {
 /// Whether all first derivatives are proved to be the same in a field in which all symbols are
 /// free. What is proved to differ fails.
 bool are_proved_same(const Hamiltonian& H) {
-    const SystemGraph system = system_graph(H, parameter_names(H));
+    const System system = system_of(H, parameter_names(H));
     const std::vector<Scaled> found = both(system.dHdq, system.dHdp);
     const std::vector<Expression> expected = both(gradient(H));
     bool all = true;

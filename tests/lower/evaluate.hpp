@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "generator/lower/graph.hpp"
+#include "generator/graph/graph.hpp"
 
 namespace hvi::gen {
 

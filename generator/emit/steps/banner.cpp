@@ -94,13 +94,12 @@ std::string choices_text(const Step& step) {
 }
 
 /// What was found in the H of a scene, and what it costs.
-std::string scene_text(const Step& step, const LoweredScene& lowered,
-                       const Evaluations& evaluations) {
+std::string scene_text(const Step& step, const System& system, const Evaluations& evaluations) {
     Writer writer(0);
     writer.line("//").comment("Found in H:").line("//");
-    for (const std::string& fact : facts(lowered)) { writer.comment(fact, "//     ", 4); }
+    for (const std::string& fact : facts(system)) { writer.comment(fact, "//     ", 4); }
     writer.line("//").comment("Cost:").line("//");
-    for (const std::string& cost : costs(lowered, step, evaluations)) {
+    for (const std::string& cost : costs(system, step, evaluations)) {
         writer.comment(cost, "//     ", 4);
     }
     return writer.str();
@@ -141,9 +140,9 @@ std::string banner(const Tableau& tableau, const Step& step, const EmitOptions& 
                           {"command", one_line(options.command)},
                           {"method", method_text(tableau, step)},
                           {"tableau", tableau_text(tableau, step)},
-                          {"scene", options.scene == nullptr
+                          {"scene", options.system == nullptr
                                         ? std::string()
-                                        : scene_text(step, *options.scene, *options.evaluations)},
+                                        : scene_text(step, *options.system, *options.evaluations)},
                           {"choices", choices_text(step)}});
     text.pop_back();
     return text;

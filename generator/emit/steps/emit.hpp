@@ -11,10 +11,10 @@
 namespace hvi::gen {
 
 struct EmitOptions {
-    std::string class_name;               ///< checked by check_class_name()
-    std::string command;                  ///< the command line that writes the same header again
-    const LoweredScene* scene = nullptr;  ///< whose H it is; null: that of a class of the user
-    SceneWishes wishes = {};              ///< of the scene
+    std::string class_name;          ///< checked by check_class_name()
+    std::string command;             ///< the command line that writes the same header again
+    const System* system = nullptr;  ///< whose H it is; null: that of a class of the user
+    SceneWishes wishes = {};         ///< of the scene
     const Evaluations* evaluations = nullptr;  ///< of the scene, if there is one
 };
 

@@ -216,9 +216,9 @@ EnsembleParts ensemble_parts(const Step& step, const PairStep& form, std::size_t
 }  // namespace
 
 std::string emit_ensemble(const Tableau& tableau, const Step& step, const EmitOptions& options) {
-    HVI_CHECK(options.scene != nullptr);
+    HVI_CHECK(options.system != nullptr);
     const SystemPart system = system_part(tableau, step, options);
-    const std::size_t dimension = options.scene->system.degrees_of_freedom();
+    const std::size_t dimension = options.system->degrees_of_freedom();
     EnsembleParts parts = std::visit(
         [&](const auto& form) { return ensemble_parts(step, form, dimension); }, step.form);
     Holes holes = holes_of(system);

@@ -25,7 +25,7 @@ Holes words_for_numbers(const SceneWishes& wishes) {
 std::string emit_one(const Tableau& tableau, const Step& step, const TabulatedStep& form,
                      const EmitOptions& options) {
     const SystemPart system = system_part(tableau, step, options);
-    const LoweredScene& scene = *options.scene;
+    const System& H = *options.system;
     Holes holes = holes_of(system);
     holes.merge(Holes{
         {"banner", banner(tableau, step, options)},
@@ -33,9 +33,9 @@ std::string emit_one(const Tableau& tableau, const Step& step, const TabulatedSt
         {"math", options.wishes.float128 ? "#include <hvi/detail/numbers/math.hpp>" : ""},
         {"constants", with_rounding(coefficients_text(step))},
         {"tables", fmt::format("m, {}, {}, {}", table_mt(step), weights_q(step), weights_p(step))},
-        {"n", std::to_string(scene.system.degrees_of_freedom())}});
+        {"n", std::to_string(H.degrees_of_freedom())}});
     if (form.as == TabulatedStep::As::matrix) { return fill("increments.hpp.in", holes); }
-    holes["shifted"] = has_linear_part(scene.structure) ? "true" : "false";
+    holes["shifted"] = has_linear_part(H.structure) ? "true" : "false";
     holes.merge(words_for_numbers(options.wishes));
     return fill("linear.hpp.in", holes);
 }

@@ -79,7 +79,7 @@ std::string_view numbers(const SceneWishes& wishes) {
 }
 
 std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options) {
-    const Scene& scene = options.scene->scene;
+    const System& scene = *options.system;
     const std::string method = tableau.provenance.name.empty()
                                    ? "a method of its own basis and nodes"
                                    : tableau.provenance.name;
@@ -111,8 +111,8 @@ std::string types_for_scene(const Step& step, const EmitOptions& options) {
     Writer writer(1);
     writer.line("using Scalar = Number;");
     writer.line("using Vector = Numbers;");
-    writer.blank().insert(parameters_text(*options.scene));
-    writer.blank().insert(system_text(*options.scene, options.wishes, step, *options.evaluations));
+    writer.blank().insert(parameters_text(*options.system));
+    writer.blank().insert(system_text(*options.system, options.wishes, step, *options.evaluations));
     if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
         writer.blank().line("using Solver = {};", solver_type(step));
     }
@@ -124,19 +124,19 @@ std::string constructors_for_scene(const Step& step, const EmitOptions& options,
                                    std::string_view class_name) {
     Writer writer(1);
     const std::string_view constant = constant_if_explicit(step);
-    const std::vector<Parameter>& parameters = options.scene->scene.parameters;
+    const std::vector<SystemParameter>& parameters = options.system->parameters;
     if (!step.from_parameter) {
         writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
         writer.line("{}explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
                     constant, class_name);
         return writer.blank()
-            .insert(scene_members_text(*options.scene, options.wishes, step))
+            .insert(scene_members_text(*options.system, options.wishes, step))
             .str();
     }
     const std::string& name = step.from_parameter->numbers.parameter;
     const bool is_of_scene =
         std::any_of(parameters.begin(), parameters.end(),
-                    [&](const Parameter& parameter) { return parameter.name == name; });
+                    [&](const SystemParameter& parameter) { return parameter.name == name; });
     writer.comment(fmt::format("`{}`: for w = omega h of a basis that is fitted to the frequency "
                                "omega and steps of size h. See status().",
                                is_of_scene ? "parameters." + member_name(name) : "parameter"),
@@ -145,7 +145,7 @@ std::string constructors_for_scene(const Step& step, const EmitOptions& options,
                 is_of_scene ? "" : ", Scalar parameter");
     writer.line("    : system_(parameters), coefficients_({}) {{}}",
                 is_of_scene ? "parameters." + member_name(name) : "parameter");
-    return writer.blank().insert(scene_members_text(*options.scene, options.wishes, step)).str();
+    return writer.blank().insert(scene_members_text(*options.system, options.wishes, step)).str();
 }
 
 std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
@@ -167,7 +167,7 @@ SystemPart for_scene(const Tableau& tableau, const Step& step, const EmitOptions
     if (options.wishes.evaluations) { part.include += "\n#include <cstdint>"; }
     part.purpose = purpose_for_scene(tableau, options);
     part.class_name = "Basic" + options.class_name;
-    const std::size_t n = options.scene->system.degrees_of_freedom();
+    const std::size_t n = options.system->degrees_of_freedom();
     part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>", n);
     part.condition = conditions_for_scene(n, options.wishes);
     part.types = types_for_scene(step, options);
@@ -180,7 +180,7 @@ SystemPart for_scene(const Tableau& tableau, const Step& step, const EmitOptions
 }  // namespace
 
 SystemPart system_part(const Tableau& tableau, const Step& step, const EmitOptions& options) {
-    return options.scene == nullptr ? for_users(step, options) : for_scene(tableau, step, options);
+    return options.system == nullptr ? for_users(step, options) : for_scene(tableau, step, options);
 }
 
 Holes holes_of(const SystemPart& part) {

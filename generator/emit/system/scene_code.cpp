@@ -20,12 +20,12 @@ std::string base_of(const std::string& name) { return name.substr(0, name.find('
 struct ParameterMember {
     std::string name;  // in C++
     bool is_array;
-    std::vector<const Parameter*> parameters;
+    std::vector<const SystemParameter*> parameters;
 };
 
-std::vector<ParameterMember> members_of(const std::vector<Parameter>& parameters) {
+std::vector<ParameterMember> members_of(const std::vector<SystemParameter>& parameters) {
     std::vector<ParameterMember> members;
-    for (const Parameter& parameter : parameters) {
+    for (const SystemParameter& parameter : parameters) {
         const std::string base = base_of(parameter.name);
         const bool is_array = base != parameter.name;
         const bool goes_on = is_array && !members.empty() && members.back().is_array &&
@@ -66,11 +66,11 @@ std::string initializer(const Expression& expression) {
     return qualified_initializer(Constant{name, value, name});
 }
 
-NodeNames parameter_names(const LoweredScene& lowered) {
+NodeNames parameter_names(const System& system) {
     NodeNames names;
-    for (const ParameterMember& member : members_of(lowered.scene.parameters)) {
+    for (const ParameterMember& member : members_of(system.parameters)) {
         for (std::size_t i = 0; i < member.parameters.size(); ++i) {
-            const Node node = lowered.system.symbols.at(member.parameters[i]->name).node;
+            const Node node = member.parameters[i]->node;
             names[node] =
                 "parameters." + member.name + (member.is_array ? fmt::format("[{}]", i) : "");
         }
@@ -78,18 +78,20 @@ NodeNames parameter_names(const LoweredScene& lowered) {
     return names;
 }
 
-std::string parameters_text(const LoweredScene& lowered) {
+std::string parameters_text(const System& system) {
     Writer writer(1);
     writer.line("/// As the scene has them.").open("struct Parameters {{");
-    for (const ParameterMember& member : members_of(lowered.scene.parameters)) {
-        const auto line = [&](const Parameter& parameter, std::string_view begin,
+    for (const ParameterMember& member : members_of(system.parameters)) {
+        const auto line = [&](const SystemParameter& parameter, std::string_view begin,
                               std::string_view end) {
             writer.line("{}{}{}  // {} = {}", begin, initializer(parameter.value), end,
                         parameter.name, to_text(parameter.value));
         };
         if (member.is_array) {
             writer.open("std::array<Scalar, {}> {}{{{{", member.parameters.size(), member.name);
-            for (const Parameter* parameter : member.parameters) { line(*parameter, "", ","); }
+            for (const SystemParameter* parameter : member.parameters) {
+                line(*parameter, "", ",");
+            }
             writer.close("}};");
         } else {
             line(*member.parameters.front(), fmt::format("Scalar {} = ", member.name), ";");
@@ -98,11 +100,10 @@ std::string parameters_text(const LoweredScene& lowered) {
     return writer.close("};").str();
 }
 
-std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,
-                               const Step& step) {
+std::string scene_members_text(const System& system, const SceneWishes& wishes, const Step& step) {
     const std::string_view state = state_of_one(step);
     Writer writer(1);
-    if (!lowered.initial.empty()) {
+    if (!system.initial.empty()) {
         writer.line("/// Where the scene begins.");
         writer
             .open("[[nodiscard]] static constexpr {} initial(const Parameters& parameters) {{",
@@ -117,11 +118,11 @@ std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& w
         writer.blank();
     }
     if (wishes.energy) {
-        write_member(writer, "H = " + to_text(lowered.scene.hamiltonian.expression), state,
-                     "energy", lowered.system.time ? "x.q, x.p, x.t" : "x.q, x.p");
+        write_member(writer, "H = " + to_text(system.hamiltonian_text), state, "energy",
+                     system.time ? "x.q, x.p, x.t" : "x.q, x.p");
     }
     if (wishes.invariants) {
-        for (const NamedExpression& invariant : lowered.scene.invariants) {
+        for (const SystemValue& invariant : system.invariants) {
             write_member(writer, to_text(invariant.expression), state, invariant.name, "x.q, x.p");
         }
     }

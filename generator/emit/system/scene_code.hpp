@@ -10,8 +10,9 @@
 #include "generator/emit/system/kernel_code.hpp"
 #include "generator/exact/methods/curve.hpp"
 #include "generator/ir/step.hpp"
-#include "generator/lower/lowered_scene.hpp"
+#include "generator/ir/system.hpp"
 #include "generator/plan/evaluations.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -32,17 +33,17 @@ struct SceneWishes {
 void check_members(const Scene& scene, const SceneWishes& wishes);
 
 /// The parameters where `parameters` is an object of the struct.
-[[nodiscard]] NodeNames parameter_names(const LoweredScene& lowered);
+[[nodiscard]] NodeNames parameter_names(const System& system);
 
 /// `struct Parameters`, with the values of the scene as defaults.
-[[nodiscard]] std::string parameters_text(const LoweredScene& lowered);
+[[nodiscard]] std::string parameters_text(const System& system);
 
 /// `struct System`: what a stepper with this step needs of H, as straight-line code.
-[[nodiscard]] std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes,
+[[nodiscard]] std::string system_text(const System& system, const SceneWishes& wishes,
                                       const Step& step, const Evaluations& evaluations);
 
 /// `static State initial(...)`, and the members that are asked for.
-[[nodiscard]] std::string scene_members_text(const LoweredScene& lowered, const SceneWishes& wishes,
+[[nodiscard]] std::string scene_members_text(const System& system, const SceneWishes& wishes,
                                              const Step& step);
 
 /// The value of an expression without symbols as a Scalar is initialised with it. Throws as

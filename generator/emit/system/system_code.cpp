@@ -18,16 +18,15 @@ constexpr std::string_view vector_type(bool are_lanes) { return are_lanes ? "Val
 /// constants.
 class GivenNodes {
 public:
-    explicit GivenNodes(const LoweredScene& lowered)
-        : lowered_(lowered), graph_(lowered.system.graph) {
+    explicit GivenNodes(const System& system) : system_(system), graph_(system.graph) {
         const auto variables = [&](const std::vector<Node>& nodes, std::string_view letter) {
             for (std::size_t k = 0; k < nodes.size(); ++k) {
                 names_[nodes[k]] = fmt::format("{}[{}]", letter, k);
             }
         };
-        variables(lowered.system.q, "q");
-        variables(lowered.system.p, "p");
-        if (lowered.system.time) { names_[*lowered.system.time] = "t"; }
+        variables(system.q, "q");
+        variables(system.p, "p");
+        if (system.time) { names_[*system.time] = "t"; }
     }
 
     /// Gives a name to everything that the kernel is given.
@@ -61,7 +60,7 @@ public:
 
     /// The names at hand where there are parameters in place of members and variables.
     [[nodiscard]] NodeNames of_inputs() const {
-        NodeNames names = parameter_names(lowered_);
+        NodeNames names = parameter_names(system_);
         for (const Node node : constants_) { names[node] = names_.at(node); }
         return names;
     }
@@ -71,7 +70,7 @@ public:
     [[nodiscard]] const std::vector<Node>& constants() const { return constants_; }
 
 private:
-    const LoweredScene& lowered_;
+    const System& system_;
     const Graph& graph_;
     NodeNames names_;
     std::vector<Node> members_, constants_;
@@ -143,13 +142,13 @@ void add_second_derivatives(std::vector<Function>& functions, const SecondDeriva
 
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
 void add_tangents(std::vector<Function>& functions, const Tangents& tangents,
-                  const LoweredScene& lowered) {
-    const std::vector<Node>& direction = lowered.structure.direction;
+                  const System& system) {
+    const std::vector<Node>& direction = system.structure.direction;
     const std::vector<std::string> out = components("out", direction.size());
     const std::vector<std::string> kept = components("at", tangents.kept.size());
     Function along{"d2Hdq2", out, tangents.along, true, false, ""};
     Function slope{"dHdq", out, tangents.slope, true, false, ""};
-    slope.has_time = lowered.system.time.has_value();
+    slope.has_time = system.time.has_value();
     slope.targets.insert(slope.targets.end(), kept.begin(), kept.end());
     for (std::size_t k = 0; k < direction.size(); ++k) {
         along.names[direction[k]] = fmt::format("v[{}]", k);
@@ -174,20 +173,20 @@ Function of_lanes(Function function, const Step& step) {
 }
 
 /// A function of one result for each degree of freedom, of lanes where a step has some.
-Function slope(const LoweredScene& lowered, const Step& step, std::string_view name,
+Function slope(const System& system, const Step& step, std::string_view name,
                const Kernel& kernel) {
     Function function;
     function.name = name;
-    function.targets = components("out", lowered.system.degrees_of_freedom());
+    function.targets = components("out", system.degrees_of_freedom());
     function.kernel = kernel;
     function.out = fmt::format("{}& out", vector_type(step.has_lanes()));
     return of_lanes(std::move(function), step);
 }
 
 /// dH/dq and dH/dp.
-Function both_gradients(const LoweredScene& lowered, const Step& step) {
-    const std::size_t n = lowered.system.degrees_of_freedom();
-    Function function = slope(lowered, step, "gradient", lowered.gradients.joint);
+Function both_gradients(const System& system, const Step& step, const Kernel& kernel) {
+    const std::size_t n = system.degrees_of_freedom();
+    Function function = slope(system, step, "gradient", kernel);
     function.targets = components("dHdq", n);
     for (std::string& target : components("dHdp", n)) {
         function.targets.push_back(std::move(target));
@@ -197,29 +196,29 @@ Function both_gradients(const LoweredScene& lowered, const Step& step) {
 }
 
 /// What steps evaluate.
-std::vector<Function> slopes(const LoweredScene& lowered, const Step& step,
+std::vector<Function> slopes(const System& system, const Step& step,
                              const Evaluations& evaluations) {
     std::vector<Function> result;
     if (step.slopes == Slopes::joint) {
-        result.push_back(both_gradients(lowered, step));
+        result.push_back(both_gradients(system, step, evaluations.gradients.joint));
     } else {
-        const auto& gradients = lowered.gradients;
-        result.push_back(of_positions(slope(lowered, step, "dHdq", gradients.dHdq), step));
-        result.push_back(of_momenta(slope(lowered, step, "dHdp", gradients.dHdp), step));
+        const GradientKernels& gradients = evaluations.gradients;
+        result.push_back(of_positions(slope(system, step, "dHdq", gradients.dHdq), step));
+        result.push_back(of_momenta(slope(system, step, "dHdp", gradients.dHdp), step));
     }
     if (evaluations.inverse_mass) {
-        result.push_back(slope(lowered, step, "inverse_mass", *evaluations.inverse_mass));
+        result.push_back(slope(system, step, "inverse_mass", *evaluations.inverse_mass));
         result.back().has_q = false;
     }
     if (evaluations.second) { add_second_derivatives(result, *evaluations.second, step); }
-    if (evaluations.tangents) { add_tangents(result, *evaluations.tangents, lowered); }
+    if (evaluations.tangents) { add_tangents(result, *evaluations.tangents, system); }
     return result;
 }
 
 /// The constants of a quadratic H that are not zero.
-Function quadratic(const LoweredScene& lowered) {
-    const Structure& found = lowered.structure;
-    const std::size_t n = lowered.system.degrees_of_freedom();
+Function quadratic(const System& system) {
+    const Structure& found = system.structure;
+    const std::size_t n = system.degrees_of_freedom();
     Function function{"quadratic", {}, {}, false, false, ""};
     function.out = fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n);
     Results results;
@@ -237,29 +236,29 @@ Function quadratic(const LoweredScene& lowered) {
         add(fmt::format("H.by_q[{}]", i), found.by_q[i]);
         add(fmt::format("H.by_p[{}]", i), found.by_p[i]);
     }
-    function.kernel = kernel(lowered.system.graph, std::move(results));
+    function.kernel = kernel(system.graph, std::move(results));
     return function;
 }
 
-std::vector<Function> functions(const LoweredScene& lowered, const SceneWishes& wishes,
-                                const Step& step, const Evaluations& evaluations) {
+std::vector<Function> functions(const System& system, const SceneWishes& wishes, const Step& step,
+                                const Evaluations& evaluations) {
     const auto value = [&](std::string_view name, const Scaled& result) {
-        return Function{name, {}, kernel(lowered.system.graph, {result}), true, true, ""};
+        return Function{name, {}, kernel(system.graph, {result}), true, true, ""};
     };
     const bool is_map = std::holds_alternative<TabulatedStep>(step.form);
     std::vector<Function> result =
-        is_map ? std::vector<Function>{quadratic(lowered)} : slopes(lowered, step, evaluations);
+        is_map ? std::vector<Function>{quadratic(system)} : slopes(system, step, evaluations);
     for (Function& function : result) {
         const bool has_forces = function.name == "dHdq" || function.name == "gradient";
         function.is_counted = wishes.evaluations && has_forces;
     }
     if (wishes.energy) {
-        result.push_back(value("energy", lowered.system.hamiltonian));
+        result.push_back(value("energy", system.hamiltonian));
         result.back().has_time = step.depends_on_time();
     }
     if (wishes.invariants) {
-        for (std::size_t i = 0; i < lowered.invariants.size(); ++i) {
-            result.push_back(value(lowered.scene.invariants[i].name, lowered.invariants[i]));
+        for (std::size_t i = 0; i < system.invariants.size(); ++i) {
+            result.push_back(value(system.invariants[i].name, system.invariants[i].value));
         }
     }
     return result;
@@ -270,9 +269,8 @@ void mirror(Writer& writer, std::size_t n) {
     writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
 }
 
-void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const Function& function,
+void write(Writer& writer, const System& system, NodeNames names, const Function& function,
            std::string_view library) {
-    const SystemGraph& system = lowered.system;
     for (const auto& [node, name] : function.names) { names[node] = name; }
     std::vector<std::string> arguments;
     const std::string_view vector = vector_type(function.takes_lanes);
@@ -318,42 +316,40 @@ void write(Writer& writer, const LoweredScene& lowered, NodeNames names, const F
     writer.close();
 }
 
-bool uses_parameters(const LoweredScene& lowered, const Kernel& kernel) {
-    const NodeNames names = parameter_names(lowered);
+bool uses_parameters(const System& system, const Kernel& kernel) {
+    const NodeNames names = parameter_names(system);
     return std::any_of(kernel.given.begin(), kernel.given.end(),
                        [&](Node node) { return names.count(node) != 0; });
 }
 
-void write_constructor(Writer& writer, const LoweredScene& lowered, const GivenNodes& given,
+void write_constructor(Writer& writer, const System& system, const GivenNodes& given,
                        std::string_view library) {
     const Kernel setup = given.setup();
     writer.open("constexpr explicit System({}) {{",
-                argument(uses_parameters(lowered, setup), "const Parameters& parameters"));
-    const auto results =
-        write_code(writer, lowered.system.graph, setup, given.of_inputs(), library);
+                argument(uses_parameters(system, setup), "const Parameters& parameters"));
+    const auto results = write_code(writer, system.graph, setup, given.of_inputs(), library);
     for (std::size_t i = 0; i < results.size(); ++i) {
         writer.line("c{}_ = {};", i + 1, results[i]);
     }
     writer.close();
 }
 
-void write_begin(Writer& writer, const LoweredScene& lowered, const GivenNodes& given,
+void write_begin(Writer& writer, const System& system, const GivenNodes& given,
                  const Kernel& initial, std::string_view library) {
     writer.open("static constexpr void begin({}, Vector& q, Vector& p) {{",
-                argument(uses_parameters(lowered, initial), "const Parameters& parameters"));
-    const auto results =
-        write_code(writer, lowered.system.graph, initial, given.of_inputs(), library);
-    const std::size_t n = lowered.system.degrees_of_freedom();
+                argument(uses_parameters(system, initial), "const Parameters& parameters"));
+    const auto results = write_code(writer, system.graph, initial, given.of_inputs(), library);
+    const std::size_t n = system.degrees_of_freedom();
     for (std::size_t k = 0; k < 2 * n; ++k) {
         writer.line("{}[{}] = {};", k < n ? "q" : "p", k % n, results[k]);
     }
     writer.close();
 }
 
-std::string data_text(const LoweredScene& lowered, const GivenNodes& given) {
+std::string data_text(const System& system, const GivenNodes& given) {
     Writer writer(1);
     for (std::size_t i = 0; i < given.constants().size(); ++i) {
-        const Expression& value = lowered.system.graph.at(given.constants()[i]).constant;
+        const Expression& value = system.graph.at(given.constants()[i]).constant;
         writer.line("static constexpr Scalar k{} = {};  // {}", i + 1, initializer(value),
                     to_text(value));
     }
@@ -363,18 +359,25 @@ std::string data_text(const LoweredScene& lowered, const GivenNodes& given) {
     return writer.str();
 }
 
-std::string about(const Hamiltonian& H) {
-    return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(H.expression),
-                       fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
+std::string about(const System& system) {
+    return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(system.hamiltonian_text),
+                       fmt::join(system.coordinates, ", "), fmt::join(system.momenta, ", "));
+}
+
+/// Coordinates, then momenta, where the scene begins.
+Kernel initial_values(const System& system) {
+    Results results;
+    for (const SystemValue& each : system.initial) { results.push_back(each.value); }
+    return kernel_of_inputs(system.graph, results);
 }
 
 }  // namespace
 
-std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes, const Step& step,
+std::string system_text(const System& system, const SceneWishes& wishes, const Step& step,
                         const Evaluations& evaluations) {
-    const std::vector<Function> all = functions(lowered, wishes, step, evaluations);
-    const Kernel initial = kernel_of_inputs(lowered.system.graph, lowered.initial);
-    GivenNodes given(lowered);
+    const std::vector<Function> all = functions(system, wishes, step, evaluations);
+    const Kernel initial = initial_values(system);
+    GivenNodes given(system);
     for (const Function& function : all) { given.name(function.kernel, function.names); }
     // NOTE: what computes members and initial data is given parameters, which have names, and
     // constants, which get theirs here.
@@ -382,7 +385,7 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes, 
     given.name_constants(initial);
 
     Writer writer(1);
-    writer.comment(about(lowered.scene.hamiltonian), "/// ");
+    writer.comment(about(system), "/// ");
     writer.open("struct System {{");
     writer.line("using Vector = Numbers;");
     if (evaluations.tangents) {
@@ -391,19 +394,19 @@ std::string system_text(const LoweredScene& lowered, const SceneWishes& wishes, 
                     std::max<std::size_t>(1, evaluations.tangents->kept.size()));
     }
     writer.blank();
-    write_constructor(writer, lowered, given, library(wishes));
+    write_constructor(writer, system, given, library(wishes));
     for (const Function& function : all) {
         writer.blank();
-        write(writer, lowered, given.names(), function, library(wishes));
+        write(writer, system, given.names(), function, library(wishes));
     }
-    if (!lowered.initial.empty()) {
+    if (!system.initial.empty()) {
         writer.blank();
-        write_begin(writer, lowered, given, initial, library(wishes));
+        write_begin(writer, system, given, initial, library(wishes));
     }
     if (wishes.evaluations) {
         writer.blank().line("mutable std::int64_t evaluations = 0;  // of dH/dq");
     }
-    if (const std::string data = data_text(lowered, given); !data.empty()) {
+    if (const std::string data = data_text(system, given); !data.empty()) {
         writer.blank().insert(data);
     }
     return writer.close("};").str();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/lower/written.hpp"
+#include "generator/graph/written.hpp"
 
 #include <algorithm>
 #include <map>

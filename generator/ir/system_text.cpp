@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/lower/lowered_scene.hpp"
+#include "generator/ir/system.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -63,8 +63,8 @@ std::string lines(const HessianBlock& block, const std::vector<std::string>& row
     return result;
 }
 
-std::string found(const LoweredScene& lowered) {
-    const Structure& structure = lowered.structure;
+std::string found(const System& system) {
+    const Structure& structure = system.structure;
     std::string result;
     const auto add = [&](bool holds, const char* what) {
         if (holds) { result += line("found", what); }
@@ -74,14 +74,13 @@ std::string found(const LoweredScene& lowered) {
     add(structure.is_quadratic, "H is quadratic");
     add(structure.is_linear_in_p, "H is linear in p");
     add(structure.is_linear_in_q, "H is linear in q");
-    add(lowered.system.time.has_value(), "H depends on the time");
+    add(system.time.has_value(), "H depends on the time");
     return result;
 }
 
-std::string derivatives(const LoweredScene& lowered) {
-    const SystemGraph& system = lowered.system;
-    const std::vector<std::string>& q = lowered.scene.hamiltonian.coordinates;
-    const std::vector<std::string>& p = lowered.scene.hamiltonian.momenta;
+std::string derivatives(const System& system) {
+    const std::vector<std::string>& q = system.coordinates;
+    const std::vector<std::string>& p = system.momenta;
     std::string result = line("H", text(system.hamiltonian));
     for (std::size_t i = 0; i < q.size(); ++i) {
         result += line("dH/d" + q[i], text(system.dHdq[i]));
@@ -89,37 +88,33 @@ std::string derivatives(const LoweredScene& lowered) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         result += line("dH/d" + p[i], text(system.dHdp[i]));
     }
-    const Structure& second = lowered.structure;
+    const Structure& second = system.structure;
     return result + lines(second.qq, q, q) + lines(second.qp, q, p) + lines(second.pp, p, p);
 }
 
-}  // namespace
-
-std::string dump(const LoweredScene& lowered) {
-    const Scene& scene = lowered.scene;
-    const Graph& graph = lowered.system.graph;
-    std::string result = line("scene", scene.name);
-    result += line("coordinates", names(scene.hamiltonian.coordinates));
-    result += line("momenta", names(scene.hamiltonian.momenta));
-    for (const Parameter& parameter : scene.parameters) {
-        result += line("parameter " + parameter.name, to_text(parameter.value));
-    }
-    result += found(lowered);
-    for (Node node = 0; node < graph.size(); ++node) {
-        result += line(text(node), text(graph.at(node)));
-    }
-    result += derivatives(lowered);
-    for (std::size_t i = 0; i < lowered.initial.size(); ++i) {
-        result += line("initial " + scene.initial[i].name, text(lowered.initial[i]));
-    }
-    for (std::size_t i = 0; i < lowered.invariants.size(); ++i) {
-        result += line("invariant " + scene.invariants[i].name, text(lowered.invariants[i]));
+std::string lines(const std::string& what, const std::vector<SystemValue>& values) {
+    std::string result;
+    for (const SystemValue& each : values) {
+        result += line(what + " " + each.name, text(each.value));
     }
     return result;
 }
 
-bool operator==(const LoweredScene& left, const LoweredScene& right) {
-    return dump(left) == dump(right);
+}  // namespace
+
+std::string dump(const System& system) {
+    std::string result = line("scene", system.name);
+    result += line("coordinates", names(system.coordinates));
+    result += line("momenta", names(system.momenta));
+    for (const SystemParameter& parameter : system.parameters) {
+        result += line("parameter " + parameter.name, to_text(parameter.value));
+    }
+    result += found(system);
+    for (Node node = 0; node < system.graph.size(); ++node) {
+        result += line(text(node), text(system.graph.at(node)));
+    }
+    return result + derivatives(system) + lines("initial", system.initial) +
+           lines("invariant", system.invariants);
 }
 
 }  // namespace hvi::gen

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "generator/lower/graph.hpp"
+#include "generator/graph/graph.hpp"
 
 namespace hvi::gen {
 

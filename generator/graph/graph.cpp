@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/lower/graph.hpp"
+#include "generator/graph/graph.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "generator/lower/pythagoras.hpp"
-#include "generator/lower/written.hpp"
+#include "generator/graph/pythagoras.hpp"
+#include "generator/graph/written.hpp"
 
 namespace hvi::gen {
 

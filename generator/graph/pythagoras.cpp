@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/lower/pythagoras.hpp"
+#include "generator/graph/pythagoras.hpp"
 
 #include <algorithm>
 #include <optional>

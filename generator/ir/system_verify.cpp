@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
-#include "generator/lower/lowered_scene.hpp"
+#include "generator/ir/system.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -42,22 +42,35 @@ void verify(const Graph& graph, const HessianBlock& block, std::size_t n, bool i
     }
 }
 
+void verify(const Graph& graph, const std::vector<SystemValue>& values) {
+    for (const SystemValue& each : values) { HVI_CHECK(each.value.node < graph.size()); }
+}
+
+void verify_variables(const System& system) {
+    const std::size_t n = system.degrees_of_freedom();
+    HVI_CHECK(system.p.size() == n);
+    HVI_CHECK(system.coordinates.size() == n && system.momenta.size() == n);
+    HVI_CHECK(system.initial.empty() || system.initial.size() == 2 * n);
+    for (const SystemParameter& parameter : system.parameters) {
+        HVI_CHECK(system.graph.at(parameter.node).operation == Operation::input);
+    }
+}
+
 }  // namespace
 
-void verify(const LoweredScene& lowered) {
-    const SystemGraph& system = lowered.system;
-    const Structure& found = lowered.structure;
+void verify(const System& system) {
+    const Structure& found = system.structure;
     const Graph& graph = system.graph;
-    const std::size_t n = lowered.scene.hamiltonian.degrees_of_freedom();
+    const std::size_t n = system.degrees_of_freedom();
     for (Node node = 0; node < graph.size(); ++node) { verify(graph, node); }
-    HVI_CHECK(system.q.size() == n && system.p.size() == n);
+    verify_variables(system);
     verify(graph, system.dHdq, n);
     verify(graph, system.dHdp, n);
     verify(graph, found.qq, n, true);
     verify(graph, found.qp, n, false);
     verify(graph, found.pp, n, true);
-    verify(graph, lowered.initial, lowered.scene.initial.size());
-    verify(graph, lowered.invariants, lowered.scene.invariants.size());
+    verify(graph, system.initial);
+    verify(graph, system.invariants);
     HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);
     HVI_CHECK(found.kinetic_is_quadratic == (found.inverse_mass.size() == n));
     HVI_CHECK(!found.has_linear_map || (found.by_q.size() == n && found.by_p.size() == n));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/expr/expression.hpp"
-#include "generator/lower/graph.hpp"
+#include "generator/graph/graph.hpp"
 
 namespace hvi::gen {
 

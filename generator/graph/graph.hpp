@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "generator/expr/expression.hpp"
-#include "generator/lower/small_fraction.hpp"
+#include "generator/graph/small_fraction.hpp"
 
 namespace hvi::gen {
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/ir/system.hpp"
+
+#include <algorithm>
+
+namespace hvi::gen {
+
+bool has_linear_part(const Structure& quadratic) {
+    const auto is_not_zero = [](const Scaled& slope) { return !slope.is_zero(); };
+    return std::any_of(quadratic.by_q.begin(), quadratic.by_q.end(), is_not_zero) ||
+           std::any_of(quadratic.by_p.begin(), quadratic.by_p.end(), is_not_zero);
+}
+
+bool is_degenerate(const Structure& structure) {
+    return std::any_of(structure.pp.begin(), structure.pp.end(), [](const auto& row) {
+        return std::all_of(row.begin(), row.end(), [](const Scaled& a) { return a.is_zero(); });
+    });
+}
+
+bool operator==(const System& left, const System& right) { return dump(left) == dump(right); }
+
+}  // namespace hvi::gen

@@ -1,0 +1,87 @@
+// A Hamiltonian system: what a scene says, as one graph, and what is found in it.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/graph/graph.hpp"
+
+namespace hvi::gen {
+
+/// A block of the Hessian of H; a zero entry is proved to be one.
+using HessianBlock = std::vector<std::vector<Scaled>>;
+
+/// The second derivatives of H and what they tell. What is true here is proved: a graph computes by
+/// exact algebra, and what it does not see to be constant may be proved so in a field; see
+/// constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p.
+struct Structure {
+    HessianBlock qq, qp,
+        pp;  ///< qp[i][j] is the derivative by q_i and p_j; all in the system's graph
+
+    bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
+    bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix pp
+    std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
+    std::vector<Node> direction;        ///< then inputs v_k of their own,
+    std::vector<Scaled> qq_along;       ///< and qq v
+    bool is_quadratic = false;          ///< all second derivatives are constant
+    bool has_linear_map = false;        ///< and H has no t: all steps are one linear map
+    std::vector<Scaled> by_q, by_p;     ///< then the first derivatives at q = p = 0
+    bool is_linear_in_p = false;        ///< pp is zero, and not all else
+    bool is_linear_in_q = false;
+    std::vector<std::size_t> cyclic;  ///< the q_i that do not occur, so that p_i stays
+};
+
+/// Whether H has terms that are linear in q or p. Precondition: has_linear_map.
+[[nodiscard]] bool has_linear_part(const Structure& quadratic);
+
+/// Whether H does not depend on some momentum, or not more than linearly: a row of pp is zero.
+[[nodiscard]] bool is_degenerate(const Structure& structure);
+
+/// A parameter that stays one: its value is a default.
+struct SystemParameter {
+    std::string name;
+    Expression value;
+    Node node = 0;
+};
+
+/// An expression of the scene with its name.
+struct SystemValue {
+    std::string name;
+    Expression expression;  ///< as it was written
+    Scaled value;
+};
+
+/// H(q, p), its variables, the right sides of Hamilton's equations up to the sign, and what else a
+/// scene has. What they have in common is one node.
+struct System {
+    std::string name, description;  ///< of the scene; may be empty
+    Expression hamiltonian_text;    ///< as it was written
+    std::vector<std::string> coordinates, momenta;
+    std::vector<SystemParameter> parameters;  ///< in the order of the scene
+
+    Graph graph;
+    std::vector<Node> q, p;    ///< inputs, in the order of their names
+    std::optional<Node> time;  ///< the input t, where H depends on it
+    Scaled hamiltonian;
+    std::vector<Scaled> dHdq, dHdp;
+    Structure structure;
+    std::vector<SystemValue> initial;     ///< of coordinates, then of momenta; or empty
+    std::vector<SystemValue> invariants;  ///< in the order of the scene
+
+    [[nodiscard]] std::size_t degrees_of_freedom() const { return q.size(); }
+};
+
+/// Stable text, for people and tests: what each node computes, `#7: product #3 #4`, and which nodes
+/// are H, its derivatives, the initial data and the invariants.
+[[nodiscard]] std::string dump(const System& system);
+
+/// Stops the program (HVI_CHECK) where the record contradicts itself: a node that needs a later one
+/// or depends on something else than its arguments, tables of other sizes than there are variables.
+void verify(const System& system);
+
+/// Whether the texts are.
+[[nodiscard]] bool operator==(const System& left, const System& right);
+
+}  // namespace hvi::gen
