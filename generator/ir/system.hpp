@@ -57,7 +57,7 @@ struct SystemValue {
 /// scene has. What they have in common is one node.
 struct System {
     std::string name, description;  ///< of the scene; may be empty
-    Expression hamiltonian_text;    ///< as it was written
+    Expression expression;          ///< of H, as it was written
     std::vector<std::string> coordinates, momenta;
     std::vector<SystemParameter> parameters;  ///< in the order of the scene
 

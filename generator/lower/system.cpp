@@ -36,7 +36,7 @@ NamedSystem named_system(const Hamiltonian& hamiltonian,
                          const std::vector<std::string>& parameters) {
     NamedSystem result;
     System& system = result.system;
-    system.hamiltonian_text = hamiltonian.expression;
+    system.expression = hamiltonian.expression;
     system.coordinates = hamiltonian.coordinates;
     system.momenta = hamiltonian.momenta;
     for (const std::string& name : system.coordinates) {

@@ -11,7 +11,6 @@ namespace hvi::gen {
 
 /// Pieces of text; see the templates of headers.
 struct SystemPart {
-    std::string about;       ///< in the banner, as comment lines; may be empty
     std::string include;     ///< of the standard library
     std::string purpose;     ///< doc comment of the class
     std::string head;        ///< `template <...>`

@@ -118,7 +118,7 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
         writer.blank();
     }
     if (wishes.energy) {
-        write_member(writer, "H = " + to_text(system.hamiltonian_text), state, "energy",
+        write_member(writer, "H = " + to_text(system.expression), state, "energy",
                      system.time ? "x.q, x.p, x.t" : "x.q, x.p");
     }
     if (wishes.invariants) {

@@ -360,7 +360,7 @@ std::string data_text(const System& system, const GivenNodes& given) {
 }
 
 std::string about(const System& system) {
-    return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(system.hamiltonian_text),
+    return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(system.expression),
                        fmt::join(system.coordinates, ", "), fmt::join(system.momenta, ", "));
 }
 
