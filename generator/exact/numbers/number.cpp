@@ -147,8 +147,7 @@ int Number::sign() const {
 }
 
 std::optional<Expression> Number::closed_form() const {
-    const Element* const element = value().element();
-    return element == nullptr ? std::nullopt : std::optional(hvi::gen::closed_form(*element));
+    return value().element() == nullptr ? std::nullopt : std::optional(value().closed_form());
 }
 
 std::optional<Expression> Number::expanded_form(const std::string& parameter) const {

@@ -46,6 +46,13 @@ struct Number::Value {
         return *inverse_;
     }
 
+    /// Written once: each format of an output and each comment of a header asks for it.
+    /// Precondition: an element.
+    [[nodiscard]] const Expression& closed_form() const {
+        if (!closed_form_) { closed_form_ = hvi::gen::closed_form(*element()); }
+        return *closed_form_;
+    }
+
     /// Remembered: numbers share what they are made of, and are asked for a sign, for digits and
     /// for a double. Precondition: no free parameter.
     [[nodiscard]] Ball enclosure(Precision bits) const {
@@ -58,6 +65,7 @@ struct Number::Value {
 private:
     mutable std::optional<Element> inverse_;
     mutable bool inverse_is_too_large_ = false;
+    mutable std::optional<Expression> closed_form_;
     mutable TightestBall ball_;
 };
 
