@@ -32,7 +32,7 @@ constexpr const char* summary_name = "summary.txt";
 
 /// `kepler-gauss_4`.
 fs::path default_directory(const SceneStepper& stepper) {
-    const std::string header = file_name(stepper.method_name);
+    const std::string header = file_name(stepper.method.name());
     return stepper.scene.name + "-" + header.substr(0, header.rfind('.'));
 }
 
@@ -88,8 +88,8 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
         text += fmt::format("{:<{}}  {}\n", name, width, value);
     };
     line("scene", scene.name + (scene.description.empty() ? "" : ": " + scene.description));
-    line("method",
-         stepper.method_name.empty() ? stepper.tableau.provenance.origin : stepper.method_name);
+    line("method", stepper.method.name().empty() ? stepper.method.tableau.provenance.origin
+                                                 : stepper.method.name());
     line("steps", fmt::format("{} of {}, until t = {:.10g}", run.steps, asked.size,
                               static_cast<double>(run.steps) * asked.size));
     if (asked.left != 0) line("left out", left_out(asked));
@@ -114,7 +114,7 @@ TrajectoryPicture picture(const SceneStepper& stepper, const Steps& asked, const
     const Hamiltonian& H = stepper.scene.hamiltonian;
     TrajectoryPicture picture;
     picture.title =
-        stepper.scene.name + ", " + stepper.method_name + (run.ok() ? "" : " (incomplete)");
+        stepper.scene.name + ", " + stepper.method.name() + (run.ok() ? "" : " (incomplete)");
     picture.until = static_cast<double>(run.steps) * asked.size;
     picture.table = table;
     for (const Conserved& kept : run.conserved) picture.kept.push_back({kept.name, kept.start});

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/exact/algebra/modes.hpp"
+#include "generator/exact/numbers/formats.hpp"
 #include "generator/exact/numbers/number.hpp"
 #include "generator/exact/parameters/parametric.hpp"
 #include "generator/stages/stage_node.hpp"
@@ -80,6 +81,13 @@ struct KeptSlopes {
 
 // ---- forms ----
 
+/// The tables m and mt of a step, with m[i][j] + mt[j][i] == 1 without rounding, in each format.
+/// Empty where m_ij depends on a parameter.
+struct RoundedCoefficients {
+    RoundedMatrix m;
+    RoundedMatrix mt;
+};
+
 /// How an explicit step sums its increments.
 enum class Sums {
     plain,
@@ -94,6 +102,7 @@ struct ExplicitStep {
 /// One linear map, computed when h changes.
 struct TabulatedStep {
     enum class As { shears, matrix } as = As::shears;  ///< a product of shears where these exist
+    RoundedCoefficients coefficients = {};             ///< that the map is computed from
 };
 
 /// Who solves the stage equations.
@@ -124,6 +133,7 @@ struct Iteration {
 /// Slopes of all stages, of positions and momenta, are computed and kept through the step.
 struct PairStep {
     std::optional<Iteration> iteration;  ///< none where no stage depends on itself
+    RoundedCoefficients coefficients = {};
 };
 
 /// The stages of H = p^T K p/2 + U(q) without their momenta, for v = K p and W_j = h K Lp_j:
@@ -140,9 +150,16 @@ struct VelocityForm {
     NumberMatrix n;  ///< positions x positions
 };
 
+/// c and n with n[i][j] - n[j][i] == c[i] - c[j] without rounding, in each format.
+struct RoundedVelocityForm {
+    std::vector<Rounded> c;
+    RoundedMatrix n;
+};
+
 /// Positions alone are solved for: the blocks of the step have no P and no Lq.
 struct VelocityStep {
     VelocityForm form;
+    RoundedVelocityForm rounded;
     Iteration iteration;
     /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
     std::optional<RealModes> modes;

@@ -124,6 +124,30 @@ std::string lines(const RealModes& modes) {
     return result + '\n';
 }
 
+/// `0x3ffffd000001*2^-46`, or `none`.
+std::string text(const std::optional<Dyadic>& value) {
+    if (!value) { return "none"; }
+    return fmt::format("{:#x}*2^{}", value->integer(), value->last());
+}
+
+std::string line(std::string_view name, const std::vector<Rounded>& row, std::size_t format) {
+    std::string result = fmt::format("{} in {} bits:", name, formats[format].bits);
+    for (const Rounded& entry : row) { result += ' ' + text(entry[format]); }
+    return result + '\n';
+}
+
+std::string lines(std::string_view name, const RoundedMatrix& rows) {
+    std::string result;
+    for (std::size_t f = 0; f < formats.size(); ++f) {
+        for (const std::vector<Rounded>& row : rows) { result += line(name, row, f); }
+    }
+    return result;
+}
+
+std::string lines(const RoundedCoefficients& coefficients) {
+    return lines("m", coefficients.m) + lines("mt", coefficients.mt);
+}
+
 std::string lines(const ExplicitStep& form) {
     return fmt::format("form: explicit, {} sums\n",
                        form.sums == Sums::plain ? "plain" : "compensated");
@@ -131,15 +155,18 @@ std::string lines(const ExplicitStep& form) {
 
 std::string lines(const TabulatedStep& form) {
     return fmt::format("form: tabulated as {}\n",
-                       form.as == TabulatedStep::As::shears ? "shears" : "a matrix");
+                       form.as == TabulatedStep::As::shears ? "shears" : "a matrix") +
+           lines(form.coefficients);
 }
 
 std::string lines(const PairStep& form) {
-    return "form: pairs\n" + (form.iteration ? lines(*form.iteration) : "");
+    return "form: pairs\n" + lines(form.coefficients) +
+           (form.iteration ? lines(*form.iteration) : "");
 }
 
 std::string lines(const VelocityStep& form) {
     return "form: positions\n" + line("c", form.form.c) + lines("n", form.form.n) +
+           lines("c", {form.rounded.c}) + lines("n", form.rounded.n) +
            (form.modes ? lines(*form.modes) : "") + lines(form.iteration);
 }
 

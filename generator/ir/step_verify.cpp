@@ -90,13 +90,49 @@ void verify_iteration(const Step& step, const Iteration& iteration) {
     HVI_CHECK(!before || is_table(*before, s, s));
 }
 
+bool is_table(const RoundedMatrix& table, std::size_t rows, std::size_t columns) {
+    return table.size() == rows &&
+           std::all_of(table.begin(), table.end(),
+                       [&](const std::vector<Rounded>& row) { return row.size() == columns; });
+}
+
+/// m_ij + mt_ji = 1 in each format that has both, and where one is missing so is the other.
+void verify_rounded(const Step& step, const RoundedCoefficients& coefficients) {
+    const std::size_t r = step.positions.size(), s = step.momenta.size();
+    HVI_CHECK(is_table(coefficients.m, r, s) && is_table(coefficients.mt, s, r));
+    for (std::size_t i = 0; i < r; ++i) {
+        for (std::size_t j = 0; j < s; ++j) {
+            for (std::size_t f = 0; f < formats.size(); ++f) {
+                const auto& m = coefficients.m[i][j][f];
+                const auto& mt = coefficients.mt[j][i][f];
+                HVI_CHECK(m.has_value() == mt.has_value());
+                HVI_CHECK(!m || Dyadic(1, 0) - *m == *mt);
+            }
+        }
+    }
+}
+
+/// n_ij - n_ji = c_i - c_j in each format.
+void verify_rounded(const RoundedVelocityForm& form, std::size_t r) {
+    HVI_CHECK(form.c.size() == r && is_table(form.n, r, r));
+    for (std::size_t i = 0; i < r; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            for (std::size_t f = 0; f < formats.size(); ++f) {
+                HVI_CHECK(form.n[i][j][f] && form.n[j][i][f] && form.c[i][f] && form.c[j][f]);
+                HVI_CHECK(*form.n[i][j][f] - *form.n[j][i][f] == *form.c[i][f] - *form.c[j][f]);
+            }
+        }
+    }
+}
+
 void verify_form(const Step& step, const ExplicitStep&) {
     HVI_CHECK(step.is_separable() && step.is_explicit());
     HVI_CHECK(step.layout != Layout::stages);
     verify_order(step);
 }
 
-void verify_form(const Step& step, const TabulatedStep&) {
+void verify_form(const Step& step, const TabulatedStep& form) {
+    verify_rounded(step, form.coefficients);
     HVI_CHECK(!step.is_explicit() && step.layout == Layout::one);
     HVI_CHECK(!step.depends_on_time() && !step.from_parameter);
     verify_order(step);
@@ -105,6 +141,7 @@ void verify_form(const Step& step, const TabulatedStep&) {
 void verify_form(const Step& step, const PairStep& form) {
     HVI_CHECK(form.iteration.has_value() != step.is_explicit());
     HVI_CHECK(form.iteration || step.layout == Layout::one);
+    verify_rounded(step, form.coefficients);
     if (form.iteration) { verify_iteration(step, *form.iteration); }
     verify_order(step);
 }
@@ -113,6 +150,7 @@ void verify_form(const Step& step, const VelocityStep& form) {
     const std::size_t r = step.positions.size();
     HVI_CHECK(step.is_separable() && step.coupled_blocks() == 1 && !step.kept.velocity);
     HVI_CHECK(form.form.c.size() == r && is_table(form.form.n, r, r));
+    verify_rounded(form.rounded, r);
     for (const Block& block : step.blocks) {
         HVI_CHECK(block.of(Kind::P).empty() && block.of(Kind::Lq).empty());
     }

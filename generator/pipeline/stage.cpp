@@ -8,7 +8,7 @@ namespace hvi::gen {
 std::string dump(const Method& method, const SceneStepper& stepper, const Wish<Stage>& stage) {
     switch (stage.choice) {
     case Stage::method: return dump(method);
-    case Stage::tableau: return dump(stepper.tableau);
+    case Stage::tableau: return dump(stepper.method);
     case Stage::system: return dump(stepper.system);
     case Stage::step: return dump(stepper.step);
     }
@@ -19,7 +19,7 @@ std::string dump(const Method& method, const SceneStepper& stepper, const Wish<S
 std::string dump(const Method& method, const MethodStepper& stepper, const Wish<Stage>& stage) {
     switch (stage.choice) {
     case Stage::method: return dump(method);
-    case Stage::tableau: return dump(stepper.tableau);
+    case Stage::tableau: return dump(stepper.method);
     case Stage::system: break;
     case Stage::step: return dump(stepper.step);
     }

@@ -14,12 +14,12 @@ namespace hvi::gen {
 namespace {
 
 /// The command that writes the same header again, wherever to.
-std::string command(const Tableau& tableau, const StepperWishes& wishes) {
-    return "hvi-gen stepper " + tableau.provenance.origin + options_for(wishes);
+std::string command(const OneStepMethod& method, const StepperWishes& wishes) {
+    return "hvi-gen stepper " + method.tableau.provenance.origin + options_for(wishes);
 }
 
-std::string command(const Tableau& tableau, const Scene& scene, const StepperWishes& wishes) {
-    return "hvi-gen stepper " + tableau.provenance.origin + " " + scene.hamiltonian.origin +
+std::string command(const OneStepMethod& method, const Scene& scene, const StepperWishes& wishes) {
+    return "hvi-gen stepper " + method.tableau.provenance.origin + " " + scene.hamiltonian.origin +
            options_for(wishes);
 }
 
@@ -62,35 +62,35 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
                          "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
 }
 
+OneStepMethod composed(Tableau tableau, const Method& method, const StepperWishes& wishes) {
+    if (wishes.composition) check_composition(*wishes.composition, tableau);
+    return {std::move(tableau), wishes.composition, method.place};
+}
+
 /// The method, and the curve of its steps where that is asked for.
 struct MethodAndCurve {
-    Tableau tableau;
+    OneStepMethod method;
     std::optional<Curve> curve;
 };
 
 MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
     MethodAndCurve result = on_new_ground([&](const Ground& ground) {
         const Derivation derivation = derive_on(ground, method);
-        return MethodAndCurve{derivation.tableau, wishes.dense
-                                                      ? std::optional(curve(method, derivation))
-                                                      : std::nullopt};
+        return MethodAndCurve{composed(derivation.tableau, method, wishes),
+                              wishes.dense ? std::optional(curve(method, derivation))
+                                           : std::nullopt};
     });
-    if (!wishes.composition) return result;
-    check_composition(*wishes.composition, result.tableau);
-    if (wishes.dense)
+    if (wishes.composition && wishes.dense)
         throw InputError("--dense is not built for compositions, whose steps have no one curve",
                          wishes.composition->place);
     return result;
 }
 
-Step planned(const Tableau& tableau, const SystemProperties& system, const Method& method,
-             const Scene& scene, const StepperWishes& wishes) {
-    Step step = plan(tableau, system,
-                     {.solver = wishes.solver,
-                      .lanes = wishes.lanes.choice,
-                      .curve = wishes.dense,
-                      .composition = wishes.composition,
-                      .method = method.place});
+Step planned(const OneStepMethod& method, const SystemProperties& system, const Scene& scene,
+             const StepperWishes& wishes) {
+    Step step =
+        plan(method, system,
+             {.solver = wishes.solver, .lanes = wishes.lanes.choice, .curve = wishes.dense});
     check_solver(step, scene);
     check_lanes(step, wishes.lanes);
     check_ensemble(step, wishes);
@@ -103,40 +103,35 @@ std::string name_of_class(const Given& wished, const std::string& otherwise) {
 
 }  // namespace
 
-MethodStepper method_stepper(const Method& method, const StepperWishes& wishes) {
-    Tableau tableau = derive(method);
-    if (wishes.composition) check_composition(*wishes.composition, tableau);
-    Step step = plan(tableau, {.is_separable = wishes.separable},
-                     {.composition = wishes.composition, .method = method.place});
-    const std::string name = name_of_class(
-        wishes.class_name, composed_name(tableau.provenance.name, wishes.composition));
+MethodStepper method_stepper(const Method& wished, const StepperWishes& wishes) {
+    OneStepMethod method = composed(derive(wished), wished, wishes);
+    Step step = plan(method, {.is_separable = wishes.separable});
+    const std::string name = name_of_class(wishes.class_name, method.name());
     std::string header =
-        emit(tableau, step, {.class_name = name, .command = command(tableau, wishes)});
-    return {std::move(tableau), std::move(step), std::move(header)};
+        emit(method, step, {.class_name = name, .command = command(method, wishes)});
+    return {std::move(method), std::move(step), std::move(header)};
 }
 
-SceneStepper scene_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes) {
+SceneStepper scene_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
     SceneWishes members{wishes.energy, wishes.invariants, wishes.evaluations, wishes.float128, {}};
     check_members(scene, members);
     check_start(scene);
-    auto [tableau, curve] = derived(method, wishes);
+    auto [method, curve] = derived(wished, wishes);
     members.curve = std::move(curve);
     System system = system_of(scene);
     GradientKernels gradients = gradient_kernels(system);
-    Step step = planned(tableau, properties(system, gradients), method, scene, wishes);
+    Step step = planned(method, properties(system, gradients), scene, wishes);
     Evaluations evaluations = hvi::gen::evaluations(system, std::move(gradients), step);
-    std::string method_name = composed_name(tableau.provenance.name, wishes.composition);
     std::string name = name_of_class(
-        wishes.class_name, scene.name.empty() ? method_name : scene.name + "-" + method_name);
-    std::string header = emit(tableau, step,
+        wishes.class_name, scene.name.empty() ? method.name() : scene.name + "-" + method.name());
+    std::string header = emit(method, step,
                               {.class_name = name,
-                               .command = command(tableau, scene, wishes),
+                               .command = command(method, scene, wishes),
                                .system = &system,
                                .wishes = members,
                                .evaluations = &evaluations});
-    return {std::move(tableau), std::move(method_name), method.place,           scene,
-            std::move(system),  std::move(step),        std::move(evaluations), std::move(name),
-            std::move(header)};
+    return {std::move(method),      scene,           std::move(system), std::move(step),
+            std::move(evaluations), std::move(name), std::move(header)};
 }
 
 }  // namespace hvi::gen

@@ -1,14 +1,15 @@
 // From a method, and a Hamiltonian or none, to a C++ header: the whole way.
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-//     text ──read──▶ Method, Scene ──derive──▶ Tableau ──plan──▶ Step ──emit──▶ header
-//                          └────────lower────▶ System ──┘──────────────────┘
+//     text ──read──▶ Method, Scene ──derive──▶ OneStepMethod ──plan──▶ Step ──emit──▶ header
+//                          └────────lower────▶ System ─────────┘───────────────┘
 //
 // read    generator/read            texts to what they say, with the place of every word
 // derive  generator/exact/methods   a method to its exact coefficients; nothing is rounded
 // lower   generator/lower           H, its derivatives and its structure as one graph without GiNaC
-// plan    generator/plan            what a step solves, evaluates, keeps and leaves out, and why
-// emit    generator/emit            these decisions as text; coefficients are rounded here
+// plan    generator/plan            what a step solves, evaluates, keeps and leaves out, and why;
+//                                   its coefficients are rounded here
+// emit    generator/emit            these decisions as text
 //
 // Each is a function of what stands before it alone, and none looks back. Reading is the business
 // of the command line; the others are called here, and what was wished for and cannot be had is
@@ -18,7 +19,7 @@
 #include <optional>
 #include <string>
 
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/ir/one_step_method.hpp"
 #include "generator/lower/system.hpp"
 #include "generator/options/wishes.hpp"
 #include "generator/plan/evaluations.hpp"
@@ -28,7 +29,7 @@ namespace hvi::gen {
 
 /// A stepper for a class of the user, and what was found on the way to it.
 struct MethodStepper {
-    Tableau tableau;
+    OneStepMethod method;
     Step step;
     std::string header;
 };
@@ -40,9 +41,7 @@ struct MethodStepper {
 
 /// A stepper of a scene, and what was found on the way to it.
 struct SceneStepper {
-    Tableau tableau;
-    std::string method_name;  ///< `stormer-verlet-yoshida:6`; empty where the method has no name
-    std::optional<Place> method_place;  ///< for errors
+    OneStepMethod method;
     Scene scene;
     System system;
     Step step;

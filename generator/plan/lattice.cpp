@@ -17,10 +17,6 @@ int magnitude(const Dyadic& value) {
     return value.is_zero() ? of_zero : value.leading();
 }
 
-bool is_in_range(const Dyadic& value, const Format& format) {
-    return value.is_zero() || (value.leading() >= format.least && value.leading() <= format.most);
-}
-
 std::optional<Dyadic> on_lattice(const Number& m, const Format& format) {
     const int larger = std::max(magnitude(m.nearest_of(format.bits)),
                                 magnitude((Number(1) - m).nearest_of(format.bits)));
@@ -37,32 +33,6 @@ std::optional<Dyadic> complement(const std::optional<Dyadic>& m, const Format& f
 }
 
 }  // namespace
-
-Rounded nearest(const Number& value) {
-    Rounded result;
-    for (std::size_t f = 0; f < formats.size(); ++f) {
-        const Dyadic rounded = value.nearest_of(formats[f].bits);
-        if (is_in_range(rounded, formats[f])) { result[f] = rounded; }
-    }
-    return result;
-}
-
-Rounded nearest_or_small(const Number& value) {
-    Rounded result = nearest(value);
-    for (std::size_t f = 0; f < formats.size(); ++f) {
-        const bool small = magnitude(value.nearest_of(formats[f].bits)) < formats[f].least;
-        if (small) { result[f] = value.nearest_multiple(formats[f].least - formats[f].bits + 1); }
-    }
-    return result;
-}
-
-bool is_power_of_two(const Number& value) {
-    if (value.has_parameters()) { return false; }
-    const Rounded in_formats = nearest(value);
-    return std::all_of(in_formats.begin(), in_formats.end(), [&](const auto& rounded) {
-        return rounded && rounded->bits() == 1 && rounded == in_formats.front();
-    });
-}
 
 RoundedCoefficients rounded(const Step& step) {
     const std::size_t rows = step.positions.size();

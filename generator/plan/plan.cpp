@@ -9,6 +9,7 @@
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/equal.hpp"
 #include "generator/plan/lanes.hpp"
+#include "generator/plan/lattice.hpp"
 #include "generator/plan/solver.hpp"
 #include "generator/plan/starting_values.hpp"
 #include "generator/plan/velocity_form.hpp"
@@ -170,18 +171,18 @@ void set_blocks(Step& step) {
 /// bring it to 4e-14 and cost a fifth, on six bodies three fifths. For a step of yoshida:6,
 /// blanes-moan:6 and kahan-li:8 they cost 6 % or less, and rounding falls from 1e-11 to 4e-13 where
 /// kahan-li:8 is off by 5e-11.
-void set_sums(Step& step, const StepWishes& wishes) {
+void set_sums(Step& step, const OneStepMethod& method, const StepWishes& wishes) {
     constexpr int least_order = 6;
     if (!step.is_explicit()) { return; }
     if (wishes.curve) {
         step.form = PairStep{};
         step.decisions.push_back(
             {"the slopes are kept, in compensated sums", "the curve of a step is made of them"});
-    } else if (wishes.composition && wishes.composition->order >= least_order) {
+    } else if (method.composition && method.composition->order >= least_order) {
         step.form = ExplicitStep{Sums::compensated};
         step.decisions.push_back(
             {"compensated summation",
-             fmt::format("errors of order {} come down to round-off", wishes.composition->order)});
+             fmt::format("errors of order {} come down to round-off", method.composition->order)});
     } else {
         step.form = ExplicitStep{Sums::plain};
         step.decisions.push_back(
@@ -235,7 +236,7 @@ bool tabulate(Step& step, const SystemProperties& system) {
     }
     const bool are_symmetric = system.degrees_of_freedom == 1 || step.is_separable();
     if (are_symmetric && !system.is_degenerate) {
-        step.form = TabulatedStep{TabulatedStep::As::shears};
+        step.form = TabulatedStep{.as = TabulatedStep::As::shears};
         step.decisions = {
             {"no solver",
              "H is quadratic: a step is a product of three shears where these exist for h, else "
@@ -244,7 +245,7 @@ bool tabulate(Step& step, const SystemProperties& system) {
              "the shears are symplectic however they round; --solver fixed-point iterates with "
              "it"}};
     } else {
-        step.form = TabulatedStep{TabulatedStep::As::matrix};
+        step.form = TabulatedStep{.as = TabulatedStep::As::matrix};
         step.decisions = {
             {"no solver",
              "H is quadratic: a step is a product with a matrix, computed when h changes"},
@@ -264,7 +265,7 @@ void eliminate_momenta(Step& step) {
     const auto coupled =
         std::count_if(order.begin(), order.end(), [](const Block& block) { return block.coupled; });
     if (coupled != 1) { return; }
-    step.form = VelocityStep{std::move(form), {}, {}};
+    step.form = VelocityStep{std::move(form), {}, {}, {}};
     step.blocks = std::move(order);
     step.kept.velocity = false;
     step.decisions.push_back(
@@ -305,8 +306,8 @@ void note_zeros(Step& step) {
     }
 }
 
-void set_from_parameter(Step& step, const Tableau& tableau,
-                        const std::optional<hvi::gen::Place>& method) {
+void set_from_parameter(Step& step, const OneStepMethod& method) {
+    const Tableau& tableau = method.tableau;
     const auto depends = [](const NumberVector& numbers) {
         return std::any_of(numbers.begin(), numbers.end(),
                            [](const Number& number) { return number.has_parameters(); });
@@ -349,52 +350,62 @@ void set_from_parameter(Step& step, const Tableau& tableau,
         from.numbers = parametric(tableau.b, others);
     } catch (const InputError& error) {
         if (error.place()) { throw; }
-        throw InputError(error.what(), method, error.help());
+        throw InputError(error.what(), method.place, error.help());
     }
     step.from_parameter = std::move(from);
     note_zeros(step);
 }
 
-Step verified(Step step) {
+void round_coefficients(const Step&, ExplicitStep&) {}
+void round_coefficients(const Step& step, TabulatedStep& form) {
+    form.coefficients = rounded(step);
+}
+void round_coefficients(const Step& step, PairStep& form) { form.coefficients = rounded(step); }
+void round_coefficients(const Step&, VelocityStep& form) { form.rounded = rounded(form.form); }
+
+/// What is left to do once all is decided.
+Step completed(Step step) {
+    std::visit([&](auto& form) { round_coefficients(step, form); }, step.form);
     verify(step);
     return step;
 }
 
 }  // namespace
 
-Step plan(const Tableau& tableau, const SystemProperties& system, const StepWishes& wishes) {
+Step plan(const OneStepMethod& method, const SystemProperties& system, const StepWishes& wishes) {
+    verify(method);
+    const auto& [tableau, composition, place] = method;
     Step step;
     step.slopes = system.is_separable ? Slopes::of_parts : Slopes::one_by_one;
     step.partner = partner(tableau);
     WeightedStages stages = weighted_stages(tableau);
-    if (wishes.composition) {
-        stages = composed(stages, *wishes.composition);
-        step.decisions.push_back(
-            {fmt::format("{} steps in a row", wishes.composition->steps.size()),
-             fmt::format("they make a method of order {}: {}", wishes.composition->order,
-                         wishes.composition->name)});
+    if (composition) {
+        stages = composed(stages, *composition);
+        step.decisions.push_back({fmt::format("{} steps in a row", composition->steps.size()),
+                                  fmt::format("they make a method of order {}: {}",
+                                              composition->order, composition->name)});
     }
     set_stages(step, stages);
     set_places(step);
     set_blocks(step);
-    set_sums(step, wishes);
+    set_sums(step, method, wishes);
     set_kept(step);
     if (system.depends_on_time) { set_times(step); }
-    set_from_parameter(step, tableau, wishes.method);
+    set_from_parameter(step, method);
     // NOTE: trajectories side by side differ in how stiff H is for them, and are all iterated.
     const bool is_ensemble = wishes.lanes == Lanes::ensemble;
     const Solver solver =
         is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
     const bool may_tabulate = solver == Solver::automatic && !wishes.curve;
-    if (system.is_quadratic && may_tabulate && tabulate(step, system)) { return verified(step); }
+    if (system.is_quadratic && may_tabulate && tabulate(step, system)) { return completed(step); }
     if (!step.is_explicit()) { step.form = PairStep{Iteration{}}; }
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.
-    if (system.kinetic_is_quadratic && !wishes.composition) { eliminate_momenta(step); }
+    if (system.kinetic_is_quadratic && !composition) { eliminate_momenta(step); }
     set_solver(step, solver, system.joint_gradient_pays);
     set_lanes(step, wishes.lanes);
-    if (!wishes.composition) { set_extrapolation(step, tableau); }
-    return verified(std::move(step));
+    if (!composition) { set_extrapolation(step, tableau); }
+    return completed(std::move(step));
 }
 
 }  // namespace hvi::gen

@@ -1,11 +1,8 @@
-// From a tableau to a step: what is solved for, what is evaluated, what is left out.
+// From a method to a step: what is solved for, what is evaluated, what is left out.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <optional>
-
-#include "generator/exact/methods/composition.hpp"
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/ir/one_step_method.hpp"
 #include "generator/ir/properties.hpp"
 #include "generator/ir/step.hpp"
 
@@ -23,14 +20,12 @@ enum class Lanes {
 struct StepWishes {
     Solver solver = Solver::of_user;
     Lanes lanes = Lanes::none;
-    bool curve = false;                           ///< the stages of a step are asked for
-    std::optional<Composition> composition = {};  ///< a step is made of several of the method
-    std::optional<Place> method = {};             ///< where it was given, for errors
+    bool curve = false;  ///< the stages of a step are asked for
 };
 
-/// Throws InputError when the tableau has free parameters in places that parametric() refuses.
-/// Precondition: a composed method has none. The result is verified.
-[[nodiscard]] Step plan(const Tableau& tableau, const SystemProperties& system,
+/// Throws InputError when the method has free parameters in places that parametric() refuses. The
+/// method and the result are verified.
+[[nodiscard]] Step plan(const OneStepMethod& method, const SystemProperties& system,
                         const StepWishes& wishes = {});
 
 }  // namespace hvi::gen

@@ -46,7 +46,7 @@ void check_simulation(const SceneStepper& stepper) {
     for (const SystemParameter& parameter : stepper.system.parameters)
         if (parameter.name == name) return;
     throw InputError(fmt::format("the parameter `{}` of the method has no value", name),
-                     stepper.method_place, fmt::format("give it one: --param {}=1", name));
+                     stepper.method.place, fmt::format("give it one: --param {}=1", name));
 }
 
 StepperWishes simulation_wishes(Solver solver, std::optional<Composition> composition) {

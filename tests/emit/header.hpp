@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 inline std::string header(const Tableau& tableau, bool separable = false,
                           std::string name = "Method") {
-    return emit(tableau, plan(tableau, {.is_separable = separable}),
+    return emit({tableau}, plan({tableau}, {.is_separable = separable}),
                 {std::move(name), "hvi-gen stepper --method by-hand"});
 }
 

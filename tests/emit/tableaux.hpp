@@ -21,9 +21,11 @@ inline Tableau make(NumberVector c, NumberVector b, NumberMatrix A) {
     tableau.provenance = {"by-hand", "--method by-hand", {}};
     const std::size_t s = b.size();
     tableau.A_tilde.assign(s, NumberVector(s));
+    tableau.c_tilde.assign(s, Number(0));
     for (std::size_t i = 0; i < s; ++i) {
         for (std::size_t j = 0; j < s; ++j) {
             tableau.A_tilde[i][j] = b[j] - b[j] * A[j][i] / b[i];
+            tableau.c_tilde[i] = tableau.c_tilde[i] + tableau.A_tilde[i][j];
         }
     }
     tableau.c = std::move(c);

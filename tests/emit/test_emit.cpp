@@ -95,7 +95,7 @@ TEST_CASE("the text of a header is well laid out") {
 }
 
 TEST_CASE("a command cannot end its comment") {
-    const std::string text = emit(tableaux::midpoint(), plan(tableaux::midpoint(), {}),
+    const std::string text = emit({tableaux::midpoint()}, plan({tableaux::midpoint()}, {}),
                                   {"Method", "hvi-gen stepper --method \"a\nint x;\\"});
     CHECK_THAT(text, !Contains("\nint x;"));
     CHECK_THAT(text, !Contains("\\\n"));

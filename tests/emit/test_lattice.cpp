@@ -57,7 +57,7 @@ TEST_CASE("coefficients are complementary in every format, and nearest on their 
     for (const auto& tableau :
          {tableaux::lobatto_3(), tableaux::negative_weight(), tableaux::two_midpoints(),
           tableaux::midpoint(), tableaux::verlet(), composition({ratio(1, 7), ratio(6, 7)})}) {
-        const Step step = plan(tableau, {.is_separable = false});
+        const Step step = plan({tableau}, {.is_separable = false});
         const RoundedCoefficients coefficients = rounded(step);
         for (std::size_t i = 0; i < step.positions.size(); ++i) {
             for (std::size_t j = 0; j < step.momenta.size(); ++j) {
@@ -97,7 +97,7 @@ TEST_CASE("what float cannot hold is empty, or small where that will do") {
     CHECK_FALSE(nearest(power_of_two(128))[0]);
     // Of 1 and of a number above 2^24 float holds no difference.
     const Number small = power_of_two(-26) * ratio(1, 3);
-    const Step step = plan(composition({small, Number(1) - small}), {.is_separable = false});
+    const Step step = plan({composition({small, Number(1) - small})}, {.is_separable = false});
     Step steep = step;
     steep.m[0][0] = power_of_two(25) + ratio(1, 3);
     CHECK_FALSE(rounded(steep).m[0][0][0]);

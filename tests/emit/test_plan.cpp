@@ -44,12 +44,12 @@ Tableau named(const char* name) { return derive(named_method(source(name))); }
 }  // namespace
 
 TEST_CASE("separable symplectic Euler and Verlet need no solver") {
-    const Step euler = plan(tableaux::symplectic_euler(), {.is_separable = true});
+    const Step euler = plan({tableaux::symplectic_euler()}, {.is_separable = true});
     CHECK(euler.is_explicit());
     CHECK(euler.forces_evaluated() == 1);
     CHECK(euler.velocities_evaluated() == 1);
 
-    const Step verlet = plan(tableaux::verlet(), {.is_separable = true});
+    const Step verlet = plan({tableaux::verlet()}, {.is_separable = true});
     CHECK(verlet.is_explicit());
     CHECK(verlet.momenta.size() == 1);
     CHECK(verlet.momenta[0].stages == Indices{0, 1});
@@ -59,7 +59,7 @@ TEST_CASE("separable symplectic Euler and Verlet need no solver") {
     CHECK(verlet.forces_evaluated() == 1);
     CHECK(verlet.velocities_evaluated() == 1);
 
-    const Step position = plan(tableaux::position_verlet(), {.is_separable = true});
+    const Step position = plan({tableaux::position_verlet()}, {.is_separable = true});
     CHECK(position.is_explicit());
     CHECK(position.positions.size() == 1);
     CHECK(position.kept.velocity);
@@ -69,12 +69,12 @@ TEST_CASE("separable symplectic Euler and Verlet need no solver") {
 TEST_CASE("for general H nothing is explicit") {
     for (const auto& tableau : {tableaux::symplectic_euler(), tableaux::verlet(),
                                 tableaux::lobatto_3(), tableaux::midpoint()}) {
-        CHECK_FALSE(plan(tableau, {.is_separable = false}).is_explicit());
+        CHECK_FALSE(plan({tableau}, {.is_separable = false}).is_explicit());
     }
 }
 
 TEST_CASE("symplectic Euler for general H solves for p alone") {
-    const Step step = plan(tableaux::symplectic_euler(), {.is_separable = false});
+    const Step step = plan({tableaux::symplectic_euler()}, {.is_separable = false});
     const Block& block = only_coupled(step);
     CHECK(block.of(Kind::P) == Indices{0});
     CHECK(block.of(Kind::Lp) == Indices{0});
@@ -83,7 +83,7 @@ TEST_CASE("symplectic Euler for general H solves for p alone") {
 }
 
 TEST_CASE("lobatto:3 solves for one force when H is separable") {
-    const Step step = plan(tableaux::lobatto_3(), {.is_separable = true});
+    const Step step = plan({tableaux::lobatto_3()}, {.is_separable = true});
     const Block& block = only_coupled(step);
     CHECK(block.of(Kind::Q) == Indices{1});
     CHECK(block.of(Kind::Lp) == Indices{1});
@@ -96,7 +96,7 @@ TEST_CASE("lobatto:3 solves for one force when H is separable") {
 
 TEST_CASE("stages that decouple are solved one after the other") {
     for (const bool separable : {false, true}) {
-        const Step step = plan(tableaux::two_midpoints(), {.is_separable = separable});
+        const Step step = plan({tableaux::two_midpoints()}, {.is_separable = separable});
         CHECK(step.coupled_blocks() == 2);
         CHECK(step.partner == Partner::same);
         CHECK(step.blocks.front().of(Kind::Q) == Indices{0});
@@ -104,7 +104,7 @@ TEST_CASE("stages that decouple are solved one after the other") {
 }
 
 TEST_CASE("A == A~ is said where it is proved, and the contrary too") {
-    const auto partner = [](const char* name) { return plan(named(name), {}).partner; };
+    const auto partner = [](const char* name) { return plan({named(name)}, {}).partner; };
     CHECK(partner("gauss:4") == Partner::same);
     CHECK(partner("gauss:7") == Partner::same);  // nodes without a closed form
     CHECK(partner("radau-left:7") == Partner::different);
@@ -118,12 +118,12 @@ TEST_CASE("A == A~ is said where it is proved, and the contrary too") {
     midpoint.c = {half};
     midpoint.A = {{half}};
     midpoint.A_tilde = {{Number(1) - half}};
-    CHECK(plan(midpoint, {}).partner == Partner::undecided);
+    CHECK(plan({midpoint}, {}).partner == Partner::undecided);
 }
 
 TEST_CASE("the dump of a step is stable") {
     CHECK(
-        dump(plan(tableaux::verlet(), {.is_separable = true})) ==
+        dump(plan({tableaux::verlet()}, {.is_separable = true})) ==
         "slopes: dH/dq(q), dH/dp(p)\n"
         "tables: A != A~\n"
         "Q_1: start, weight 1/2, stages 1\n"
@@ -152,13 +152,13 @@ TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
     const auto keeps = [](const Tableau& tableau, const char* name, bool separable,
                           Lanes lanes = Lanes::none) {
         const auto text = std::make_shared<const Source>(Source{"--compose", name});
-        const Step step = plan(tableau, {.is_separable = separable},
-                               {.lanes = lanes, .composition = named_composition(text)});
+        const Step step =
+            plan({tableau, named_composition(text)}, {.is_separable = separable}, {.lanes = lanes});
         const std::string said = "compensated summation: errors of order ";
         CHECK((dump(step).find("\n" + said) != std::string::npos) == keeps_remainder(step));
         return keeps_remainder(step);
     };
-    CHECK_FALSE(keeps_remainder(plan(tableaux::verlet(), {.is_separable = true})));
+    CHECK_FALSE(keeps_remainder(plan({tableaux::verlet()}, {.is_separable = true})));
     CHECK_FALSE(keeps(tableaux::verlet(), "yoshida:4", true));
     CHECK_FALSE(keeps(tableaux::verlet(), "suzuki:4", true));
     CHECK(keeps(tableaux::verlet(), "yoshida:6", true));
@@ -173,7 +173,7 @@ TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
 TEST_CASE("extrapolation is exact for polynomials through the nodes") {
     // Slopes 1, c, c^2 of Lobatto: L_i = b_i c_i^k goes to b_i (1 + c_i)^k.
     const Tableau tableau = tableaux::lobatto_3();
-    const Step step = plan(tableau, {.is_separable = false});
+    const Step step = plan({tableau}, {.is_separable = false});
     REQUIRE(iteration(step).extrapolation);
     const Extrapolation& from = *step.iteration()->extrapolation;
     for (int k = 0; k < 3; ++k) {
@@ -195,7 +195,7 @@ TEST_CASE("extrapolation is exact for polynomials through the nodes") {
 TEST_CASE("of few stages the slopes of two steps are extrapolated") {
     const auto takes_two = [](const char* method, Solver solver, Lanes lanes = Lanes::none) {
         const Iteration found = iteration(
-            plan(named(method), {.is_separable = true}, {.solver = solver, .lanes = lanes}));
+            plan({named(method)}, {.is_separable = true}, {.solver = solver, .lanes = lanes}));
         return found.extrapolation && found.extrapolation->before;
     };
     CHECK(takes_two("midpoint", Solver::fixed_point));
@@ -209,7 +209,7 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
 
     // Exact for polynomials of degree 2 s - 1: slopes at c - 1 and at c - 2 go to those at c.
     const Tableau tableau = named("gauss:2");
-    const Step step = plan(tableau, {.is_separable = true}, {.solver = Solver::automatic});
+    const Step step = plan({tableau}, {.is_separable = true}, {.solver = Solver::automatic});
     const Extrapolation from = iteration(step).extrapolation.value();
     for (int k = 0; k < 4; ++k) {
         const auto power = [&](const Number& x) {
@@ -231,7 +231,7 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
 
 TEST_CASE("coefficients that depend on a parameter are quotients, constants are left out") {
     // Row 1 of m is 0 and row 3 is 1, m_2,2 is 1/2.
-    const Step step = plan(derive(method("1, cos(w*tau), sin(w*tau)", "0, 1/2, 1")), {});
+    const Step step = plan({derive(method("1, cos(w*tau), sin(w*tau)", "0, 1/2, 1"))}, {});
     REQUIRE(step.from_parameter);
     const FromParameter& from = *step.from_parameter;
     CHECK(from.numbers.parameter == "w");
@@ -248,7 +248,7 @@ TEST_CASE("coefficients that depend on a parameter are quotients, constants are 
 
 TEST_CASE("the times of stages depend on a parameter where nodes do") {
     const auto times = [](const char* basis, const char* nodes) {
-        return plan(derive(method(basis, nodes)), {.depends_on_time = true});
+        return plan({derive(method(basis, nodes))}, {.depends_on_time = true});
     };
     const Step fixed = times("1, tau, cos(w*tau), sin(w*tau)", "0, 1/3, 2/3, 1");
     REQUIRE(fixed.from_parameter);
@@ -266,7 +266,7 @@ TEST_CASE("the times of stages depend on a parameter where nodes do") {
 TEST_CASE("the places without a method are among the choices") {
     const auto choices = [](const char* basis, const char* nodes) {
         std::string text;
-        for (const Decision& decision : plan(derive(method(basis, nodes)), {}).decisions) {
+        for (const Decision& decision : plan({derive(method(basis, nodes))}, {}).decisions) {
             text += decision.what + ": " + decision.why + '\n';
         }
         return text;
@@ -285,15 +285,16 @@ TEST_CASE("the places without a method are among the choices") {
 }
 
 TEST_CASE("a parameter that cancels is no argument") {
-    const Step step = plan(derive(method("w, w*tau", "gauss:2")), {});
+    const Step step = plan({derive(method("w, w*tau", "gauss:2"))}, {});
     CHECK_FALSE(step.from_parameter);
     CHECK(iteration(step).extrapolation);
 }
 
 TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~") {
     const auto modes = [](const char* method) {
-        const Step step = plan(named(method), {.is_separable = true, .kinetic_is_quadratic = true},
-                               {.solver = Solver::newton});
+        const Step step =
+            plan({named(method)}, {.is_separable = true, .kinetic_is_quadratic = true},
+                 {.solver = Solver::newton});
         return std::get<VelocityStep>(step.form).modes;
     };
     // Gauss 2: roots of x^2 - x/12 + 1/144, as A A~ = A^2 and A has the eigenvalues of the Pade
@@ -318,7 +319,7 @@ TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~"
 
 TEST_CASE("who solves the equations") {
     const auto takes_newton = [](const char* method, bool quadratic, bool in_time, Solver solver) {
-        const Step step = plan(named(method),
+        const Step step = plan({named(method)},
                                {.is_separable = quadratic,
                                 .depends_on_time = in_time,
                                 .kinetic_is_quadratic = quadratic},
@@ -340,7 +341,7 @@ TEST_CASE("who solves the equations") {
 TEST_CASE("both slopes at once, where both are unknown") {
     const auto joint = [](const char* method, bool separable, bool pays) {
         const Step step =
-            plan(named(method), {.is_separable = separable, .joint_gradient_pays = pays},
+            plan({named(method)}, {.is_separable = separable, .joint_gradient_pays = pays},
                  {.solver = Solver::automatic});
         return step.slopes == Slopes::joint;
     };
@@ -357,7 +358,7 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
     const auto tabulated = [](const char* method, SystemProperties system,
                               StepWishes wishes = {.solver = Solver::automatic}) {
         system.is_quadratic = true;
-        return std::holds_alternative<TabulatedStep>(plan(named(method), system, wishes).form);
+        return std::holds_alternative<TabulatedStep>(plan({named(method)}, system, wishes).form);
     };
     const char* gauss = "gauss:2";
     CHECK(tabulated(gauss, {.is_separable = true, .degrees_of_freedom = 1}));
@@ -374,7 +375,7 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
 
     const SystemProperties one = {.is_separable = true, .degrees_of_freedom = 1};
     CHECK_FALSE(tabulated("stormer-verlet", one));  // explicit
-    const Step seen = plan(named(gauss), one, {.solver = Solver::automatic});
+    const Step seen = plan({named(gauss)}, one, {.solver = Solver::automatic});
     CHECK_FALSE(std::holds_alternative<TabulatedStep>(seen.form));
     CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::of_user}));
     CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::automatic, .curve = true}));
@@ -386,7 +387,7 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
 TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product") {
     const auto sheared = [](bool separable, std::size_t n) {
         return is_tabulated_as(
-            plan(named("gauss:2"),
+            plan({named("gauss:2")},
                  {.is_separable = separable, .is_quadratic = true, .degrees_of_freedom = n},
                  {.solver = Solver::automatic}),
             TabulatedStep::As::shears);
@@ -398,7 +399,7 @@ TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product"
 }
 
 TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were there") {
-    const Step step = plan(named("chebyshev:3"),
+    const Step step = plan({named("chebyshev:3")},
                            {.is_separable = false,
                             .is_quadratic = true,
                             .is_degenerate = true,
@@ -414,7 +415,7 @@ TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were 
 TEST_CASE("why the step of a quadratic H is iterated is among the choices") {
     const auto reason = [](const SystemProperties& system, Solver solver) -> std::string {
         for (const Decision& decision :
-             plan(named("gauss:2"), system, {.solver = solver}).decisions) {
+             plan({named("gauss:2")}, system, {.solver = solver}).decisions) {
             if (decision.what == "iterated, though H is quadratic") { return decision.why; }
         }
         return "";

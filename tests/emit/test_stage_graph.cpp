@@ -44,7 +44,7 @@ TEST_CASE("what Algorithm 4.3 gives is explicit as its scheme is") {
         const Tableau tableau = derive(any_method(given));
         for (const bool separable : {true, false}) {
             CHECK(is_explicit(partitioned_method(tableau), separable) ==
-                  plan(tableau, {.is_separable = separable}).is_explicit());
+                  plan({tableau}, {.is_separable = separable}).is_explicit());
         }
     }
 }

@@ -15,7 +15,7 @@ using namespace hvi::gen;
 namespace {
 
 Step positions_step() {
-    return plan(derive(method("gauss:3")), {.is_separable = true, .kinetic_is_quadratic = true},
+    return plan({derive(method("gauss:3"))}, {.is_separable = true, .kinetic_is_quadratic = true},
                 {.solver = Solver::automatic});
 }
 
@@ -31,7 +31,7 @@ bool is_found(Step step, const std::function<void(Step&)>& mistake) {
 }  // namespace
 
 TEST_CASE("a step that contradicts itself is found") {
-    const Step verlet = plan(tableaux::verlet(), {.is_separable = true});
+    const Step verlet = plan({tableaux::verlet()}, {.is_separable = true});
     CHECK(is_found(verlet, [](Step& step) { step.m.pop_back(); }));
     CHECK(is_found(verlet, [](Step& step) { step.blocks.pop_back(); }));
     CHECK(is_found(verlet, [](Step& step) { std::swap(step.blocks[1], step.blocks[2]); }));
@@ -47,16 +47,26 @@ TEST_CASE("a step that contradicts itself is found") {
     const Step gauss = positions_step();
     const auto form = [](Step& step) -> VelocityStep& { return std::get<VelocityStep>(step.form); };
     CHECK(is_found(gauss, [&](Step& step) { form(step).form.n.pop_back(); }));
+    CHECK(is_found(gauss, [&](Step& step) { form(step).rounded.n[1][0][2] = Dyadic(1, -3); }));
+    CHECK(is_found(gauss, [&](Step& step) { form(step).rounded.c[0][0].reset(); }));
     CHECK(is_found(gauss, [&](Step& step) { form(step).form.c.pop_back(); }));
     CHECK(is_found(gauss, [&](Step& step) { form(step).iteration.extrapolation->last.clear(); }));
     CHECK(is_found(gauss, [](Step& step) { step.kept.velocity = true; }));
     CHECK(is_found(gauss, [](Step& step) { step.form = ExplicitStep{}; }));
+
+    const Step pairs = plan({tableaux::lobatto_3()}, {.is_separable = false});
+    const auto mt = [](Step& step) -> RoundedMatrix& {
+        return std::get<PairStep>(step.form).coefficients.mt;
+    };
+    CHECK(is_found(pairs, [&](Step& step) { mt(step)[0][1][3] = Dyadic(1, -2); }));
+    CHECK(is_found(pairs, [&](Step& step) { mt(step)[1][1][0].reset(); }));
+    CHECK(is_found(pairs, [&](Step& step) { mt(step).pop_back(); }));
 }
 
 TEST_CASE("steps are equal where nothing is decided differently") {
     const Step gauss = positions_step();
     CHECK(gauss == positions_step());
-    CHECK_FALSE(gauss == plan(tableaux::verlet(), {.is_separable = true}));
+    CHECK_FALSE(gauss == plan({tableaux::verlet()}, {.is_separable = true}));
     Step other = gauss;
     other.m[0][0] = other.m[0][0] + Number(1) / Number(1000000);
     CHECK_FALSE(gauss == other);
@@ -70,9 +80,10 @@ TEST_CASE("steps are equal where nothing is decided differently") {
 
 TEST_CASE("what cannot be had leaves a step that does not contradict itself") {
     // An explicit step with a curve keeps its slopes, which trajectories side by side do not.
-    const Step curved =
-        plan(tableaux::verlet(), {.is_separable = true}, {.lanes = Lanes::ensemble, .curve = true});
+    const Step curved = plan({tableaux::verlet()}, {.is_separable = true},
+                             {.lanes = Lanes::ensemble, .curve = true});
     CHECK(curved.layout == Layout::one);
-    const Step plain = plan(tableaux::verlet(), {.is_separable = true}, {.lanes = Lanes::ensemble});
+    const Step plain =
+        plan({tableaux::verlet()}, {.is_separable = true}, {.lanes = Lanes::ensemble});
     CHECK(plain.layout == Layout::trajectories);
 }

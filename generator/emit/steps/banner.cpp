@@ -134,12 +134,12 @@ std::string with_note(std::string header, const std::string& note) {
     return header.insert(end + 1, "// " + note + "\n");
 }
 
-std::string banner(const Tableau& tableau, const Step& step, const EmitOptions& options) {
+std::string banner(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     std::string text = fill(
         "banner.hpp.in", {{"version", std::string(version)},
                           {"command", one_line(options.command)},
-                          {"method", method_text(tableau, step)},
-                          {"tableau", tableau_text(tableau, step)},
+                          {"method", method_text(method.tableau, step)},
+                          {"tableau", tableau_text(method.tableau, step)},
                           {"scene", options.system == nullptr
                                         ? std::string()
                                         : scene_text(step, *options.system, *options.evaluations)},

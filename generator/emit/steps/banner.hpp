@@ -9,7 +9,7 @@
 namespace hvi::gen {
 
 /// What made the header, from what, the exact tableau, and what was left out.
-[[nodiscard]] std::string banner(const Tableau& tableau, const Step& step,
+[[nodiscard]] std::string banner(const OneStepMethod& method, const Step& step,
                                  const EmitOptions& options);
 
 /// The command that a header says it was written by.

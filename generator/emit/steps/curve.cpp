@@ -1,7 +1,6 @@
 // The curve of the last step.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/implicit_parts.hpp"
-#include "generator/plan/lattice.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {

@@ -5,9 +5,9 @@
 
 namespace hvi::gen {
 
-std::string emit(const Tableau& tableau, const Step& step, const EmitOptions& options) {
-    if (step.layout == Layout::trajectories) { return emit_ensemble(tableau, step, options); }
-    return std::visit([&](const auto& form) { return emit_one(tableau, step, form, options); },
+std::string emit(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
+    if (step.layout == Layout::trajectories) { return emit_ensemble(method, step, options); }
+    return std::visit([&](const auto& form) { return emit_one(method, step, form, options); },
                       step.form);
 }
 

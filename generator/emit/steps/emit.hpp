@@ -5,7 +5,7 @@
 #include <string>
 
 #include "generator/emit/system/scene_code.hpp"
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/ir/one_step_method.hpp"
 #include "generator/ir/step.hpp"
 
 namespace hvi::gen {
@@ -19,8 +19,8 @@ struct EmitOptions {
 };
 
 /// The header: one class hvi::generated::CLASS_NAME. A function of its arguments and of the version
-/// of the program alone. Precondition: `step` is plan(tableau, ...).
-[[nodiscard]] std::string emit(const Tableau& tableau, const Step& step,
+/// of the program alone. Precondition: `step` is plan(method, ...).
+[[nodiscard]] std::string emit(const OneStepMethod& method, const Step& step,
                                const EmitOptions& options);
 
 }  // namespace hvi::gen

@@ -215,14 +215,15 @@ EnsembleParts ensemble_parts(const Step& step, const PairStep& form, std::size_t
 
 }  // namespace
 
-std::string emit_ensemble(const Tableau& tableau, const Step& step, const EmitOptions& options) {
+std::string emit_ensemble(const OneStepMethod& method, const Step& step,
+                          const EmitOptions& options) {
     HVI_CHECK(options.system != nullptr);
-    const SystemPart system = system_part(tableau, step, options);
+    const SystemPart system = system_part(method, step, options);
     const std::size_t dimension = options.system->degrees_of_freedom();
     EnsembleParts parts = std::visit(
         [&](const auto& form) { return ensemble_parts(step, form, dimension); }, step.form);
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(tableau, step, options)},
+    holes.merge(Holes{{"banner", banner(method, step, options)},
                       {"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
                       {"trajectory", system.state},

@@ -232,15 +232,15 @@ std::string weights_text(const Step& step) {
     return with_rounding(writer.str());
 }
 
-std::string emit_one(const Tableau& tableau, const Step& step, const ExplicitStep& form,
+std::string emit_one(const OneStepMethod& method, const Step& step, const ExplicitStep& form,
                      const EmitOptions& options) {
     const ExplicitParts parts =
         form.sums == Sums::compensated ? compensated_parts(step) : plain_parts(step);
     const std::string weights = weights_text(step);
-    const SystemPart system = system_part(tableau, step, options);
+    const SystemPart system = system_part(method, step, options);
     const bool rounds = are_rounded(weights) || are_rounded(system.types);
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(tableau, step, options)},
+    holes.merge(Holes{{"banner", banner(method, step, options)},
                       {"support", support(step, parts, options.wishes, rounds)},
                       {"parameter", parameter_text(step)},
                       {"begins", begins(step)},

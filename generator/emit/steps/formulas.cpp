@@ -27,6 +27,20 @@ std::string factor(const Step& step, const StageValue& value, std::string_view l
 
 }  // namespace
 
+Constant weight(const StageValue& value) {
+    std::string name;
+    for (const std::size_t stage : value.stages) {
+        name += fmt::format("{}b_{}", name.empty() ? "" : "+", stage + 1);
+    }
+    return {name, nearest(value.weight), exact_text(value.weight)};
+}
+
+std::vector<Constant> weights(const std::vector<StageValue>& values) {
+    std::vector<Constant> result;
+    for (const StageValue& value : values) { result.push_back(weight(value)); }
+    return result;
+}
+
 std::string weights_q(const Step& step) { return is_merged(step) ? "b_q" : "b"; }
 std::string weights_p(const Step& step) { return is_merged(step) ? "b_p" : "b"; }
 std::string_view table_mt(const Step& step) { return step.partner == Partner::same ? "m" : "mt"; }

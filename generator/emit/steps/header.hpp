@@ -13,17 +13,17 @@
 namespace hvi::gen {
 
 // One trajectory. Precondition of each: step.form is `form`.
-[[nodiscard]] std::string emit_one(const Tableau& tableau, const Step& step,
+[[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const ExplicitStep& form, const EmitOptions& options);
-[[nodiscard]] std::string emit_one(const Tableau& tableau, const Step& step,
+[[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const TabulatedStep& form, const EmitOptions& options);
-[[nodiscard]] std::string emit_one(const Tableau& tableau, const Step& step, const PairStep& form,
-                                   const EmitOptions& options);
-[[nodiscard]] std::string emit_one(const Tableau& tableau, const Step& step,
+[[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
+                                   const PairStep& form, const EmitOptions& options);
+[[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const VelocityStep& form, const EmitOptions& options);
 
 /// Trajectories side by side.
-[[nodiscard]] std::string emit_ensemble(const Tableau& tableau, const Step& step,
+[[nodiscard]] std::string emit_ensemble(const OneStepMethod& method, const Step& step,
                                         const EmitOptions& options);
 
 /// The weights b_p of kicks and b_q of drifts, as tables; see Move.

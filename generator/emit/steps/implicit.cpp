@@ -39,9 +39,9 @@ std::string runtime_includes(std::vector<std::string> names) {
 
 namespace {
 
-std::string emit_implicit(const Tableau& tableau, const Step& step, const auto& form,
+std::string emit_implicit(const OneStepMethod& method, const Step& step, const auto& form,
                           const EmitOptions& options) {
-    const SystemPart system = system_part(tableau, step, options);
+    const SystemPart system = system_part(method, step, options);
     ImplicitParts parts = step.layout == Layout::stages
                               ? lane_parts(step, form, options.wishes)
                               : hvi::gen::parts(step, form, options.wishes);
@@ -50,7 +50,7 @@ std::string emit_implicit(const Tableau& tableau, const Step& step, const auto& 
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }
     for (const std::string& header : solver_headers(step)) { parts.runtime.push_back(header); }
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(tableau, step, options)},
+    holes.merge(Holes{{"banner", banner(method, step, options)},
                       {"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
                       {"parameter", parameter_text(step)},
@@ -68,14 +68,14 @@ std::string emit_implicit(const Tableau& tableau, const Step& step, const auto& 
 
 }  // namespace
 
-std::string emit_one(const Tableau& tableau, const Step& step, const PairStep& form,
+std::string emit_one(const OneStepMethod& method, const Step& step, const PairStep& form,
                      const EmitOptions& options) {
-    return emit_implicit(tableau, step, form, options);
+    return emit_implicit(method, step, form, options);
 }
 
-std::string emit_one(const Tableau& tableau, const Step& step, const VelocityStep& form,
+std::string emit_one(const OneStepMethod& method, const Step& step, const VelocityStep& form,
                      const EmitOptions& options) {
-    return emit_implicit(tableau, step, form, options);
+    return emit_implicit(method, step, form, options);
 }
 
 }  // namespace hvi::gen

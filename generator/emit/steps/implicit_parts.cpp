@@ -2,7 +2,6 @@
 #include "generator/emit/steps/implicit_parts.hpp"
 
 #include "generator/emit/steps/clock.hpp"
-#include "generator/plan/lattice.hpp"
 
 namespace hvi::gen {
 
@@ -44,8 +43,7 @@ std::string end_of_step(const Step& step, std::string_view iterations) {
     return clock_ends(step, fmt::format("s_.end(x, {})", iterations));
 }
 
-std::string coefficients_text(const Step& step) {
-    const RoundedCoefficients coefficients = rounded(step);
+std::string coefficients_text(const Step& step, const RoundedCoefficients& coefficients) {
     Writer writer(1);
     table(writer, weights_p(step), weights(step.positions));
     refuse_float(writer, weights(step.positions));

@@ -62,7 +62,8 @@ struct ImplicitParts {
 constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix& values);
 
 /// The weights and the tables m and mt, as lines of the class.
-[[nodiscard]] std::string coefficients_text(const Step& step);
+[[nodiscard]] std::string coefficients_text(const Step& step,
+                                            const RoundedCoefficients& coefficients);
 
 /// The table `curve`: by how much the curve departs from its chord, for each of the slopes that the
 /// step keeps. Empty for a straight line. Functions are those of the namespace `library`.

@@ -22,16 +22,16 @@ Holes words_for_numbers(const SceneWishes& wishes) {
 
 }  // namespace
 
-std::string emit_one(const Tableau& tableau, const Step& step, const TabulatedStep& form,
+std::string emit_one(const OneStepMethod& method, const Step& step, const TabulatedStep& form,
                      const EmitOptions& options) {
-    const SystemPart system = system_part(tableau, step, options);
+    const SystemPart system = system_part(method, step, options);
     const System& H = *options.system;
     Holes holes = holes_of(system);
     holes.merge(Holes{
-        {"banner", banner(tableau, step, options)},
+        {"banner", banner(method, step, options)},
         {"format", std::to_string(hvi::runtime_format)},
         {"math", options.wishes.float128 ? "#include <hvi/detail/numbers/math.hpp>" : ""},
-        {"constants", with_rounding(coefficients_text(step))},
+        {"constants", with_rounding(coefficients_text(step, form.coefficients))},
         {"tables", fmt::format("m, {}, {}, {}", table_mt(step), weights_q(step), weights_p(step))},
         {"n", std::to_string(H.degrees_of_freedom())}});
     if (form.as == TabulatedStep::As::matrix) { return fill("increments.hpp.in", holes); }

@@ -5,7 +5,6 @@
 #include "generator/emit/steps/increments.hpp"
 #include "generator/emit/steps/slope_calls.hpp"
 #include "generator/emit/steps/starting_values.hpp"
-#include "generator/plan/lattice.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -316,7 +315,7 @@ std::string members_of_pairs(const Step& step) {
 std::string constants_text(const Step& step, const PairStep& form, const SceneWishes& wishes) {
     if (step.from_parameter) { return functions_of_parameter(step); }
     Writer writer(1);
-    writer.insert(coefficients_text(step));
+    writer.insert(coefficients_text(step, form.coefficients));
     if (const std::string times = times_text(step); !times.empty()) {
         writer.blank().insert(times);
     }

@@ -181,7 +181,7 @@ void write_weights(Writer& writer, Body& body, std::string_view table,
 }
 
 void write_m(Writer& writer, Body& body, const Step& step) {
-    const RoundedCoefficients constants = rounded(step);
+    const RoundedCoefficients& constants = std::get<PairStep>(step.form).coefficients;
     for (std::size_t i = 0; i < step.positions.size(); ++i) {
         for (std::size_t j = 0; j < step.momenta.size(); ++j) {
             if (step.partner == Partner::same && j > i) { continue; }

@@ -179,8 +179,9 @@ SystemPart for_scene(const Tableau& tableau, const Step& step, const EmitOptions
 
 }  // namespace
 
-SystemPart system_part(const Tableau& tableau, const Step& step, const EmitOptions& options) {
-    return options.system == nullptr ? for_users(step, options) : for_scene(tableau, step, options);
+SystemPart system_part(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
+    return options.system == nullptr ? for_users(step, options)
+                                     : for_scene(method.tableau, step, options);
 }
 
 Holes holes_of(const SystemPart& part) {

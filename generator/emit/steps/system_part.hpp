@@ -22,7 +22,7 @@ struct SystemPart {
     std::string alias;       ///< what follows the class; may be empty
 };
 
-[[nodiscard]] SystemPart system_part(const Tableau& tableau, const Step& step,
+[[nodiscard]] SystemPart system_part(const OneStepMethod& method, const Step& step,
                                      const EmitOptions& options);
 
 /// The holes of the templates of headers that are called as these pieces are, but for `state`; the

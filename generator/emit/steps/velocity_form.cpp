@@ -6,7 +6,6 @@
 #include "generator/emit/steps/slope_calls.hpp"
 #include "generator/emit/steps/starting_values.hpp"
 #include "generator/ir/equal.hpp"
-#include "generator/plan/lattice.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -309,7 +308,7 @@ std::string newton_of_positions(const Step& step, const VelocityStep& form,
 std::string constants_text(const Step& step, const VelocityStep& velocities,
                            const SceneWishes& wishes) {
     const VelocityForm& form = velocities.form;
-    const RoundedVelocityForm values = rounded(form);
+    const RoundedVelocityForm& values = velocities.rounded;
     Writer writer(1);
     writer.line("static constexpr std::size_t stages = {};", form.c.size()).blank();
     table(writer, "b", weights(step.positions));

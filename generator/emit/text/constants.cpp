@@ -139,18 +139,4 @@ void refuse_float(Writer& writer, const std::vector<Constant>& constants) {
     }
 }
 
-Constant weight(const StageValue& value) {
-    std::string name;
-    for (const std::size_t stage : value.stages) {
-        name += fmt::format("{}b_{}", name.empty() ? "" : "+", stage + 1);
-    }
-    return {name, nearest(value.weight), exact_text(value.weight)};
-}
-
-std::vector<Constant> weights(const std::vector<StageValue>& values) {
-    std::vector<Constant> result;
-    for (const StageValue& value : values) { result.push_back(weight(value)); }
-    return result;
-}
-
 }  // namespace hvi::gen

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/emit/text/text.hpp"
-#include "generator/plan/lattice.hpp"
+#include "generator/exact/numbers/formats.hpp"
 
 namespace hvi::gen {
 

@@ -28,6 +28,8 @@ public:
     }
 
     [[nodiscard]] bool is_zero() const { return integer_ == 0; }
+    /// Odd, or zero.
+    [[nodiscard]] WideInteger integer() const { return integer_; }
     /// Of the integer.
     [[nodiscard]] int bits() const {
         int count = 0;

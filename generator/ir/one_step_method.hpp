@@ -1,0 +1,36 @@
+// A method that takes a step, exact: what a step is planned from, and its header written.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/exact/methods/composition.hpp"
+#include "generator/exact/methods/tableau.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+/// A tableau, or a composition: several steps of it in a row.
+struct OneStepMethod {
+    Tableau tableau;
+    std::optional<Composition> composition = {};
+    std::optional<Place> place = {};  ///< where it was given, for errors
+
+    /// `stormer-verlet-yoshida:6`; empty where the method has no name.
+    [[nodiscard]] std::string name() const {
+        return composed_name(tableau.provenance.name, composition);
+    }
+};
+
+/// Stable text, for people and tests: the steps of a composition, and all numbers.
+[[nodiscard]] std::string dump(const OneStepMethod& method);
+
+/// Stops the program (HVI_CHECK) where the record contradicts itself: tables that do not fit, steps
+/// of a composition that are no palindrome or whose sum is not 1.
+void verify(const OneStepMethod& method);
+
+/// Whether the texts are.
+[[nodiscard]] bool operator==(const OneStepMethod& left, const OneStepMethod& right);
+
+}  // namespace hvi::gen
