@@ -104,7 +104,7 @@ SystemProperties properties(const System& system, const GradientKernels& gradien
         .is_separable = system.structure.is_separable,
         .depends_on_time = system.time.has_value(),
         .kinetic_is_quadratic = system.structure.kinetic_is_quadratic,
-        .is_quadratic = system.structure.has_linear_map,
+        .has_linear_map = system.structure.has_linear_map,
         .is_degenerate = is_degenerate(system.structure),
         .joint_gradient_pays = joint_gradient_pays(system, gradients),
         .degrees_of_freedom = system.degrees_of_freedom(),

@@ -225,7 +225,7 @@ void set_times(Step& step) {
 /// milliseconds.
 bool tabulate(Step& step, const SystemProperties& system) {
     constexpr std::size_t most_unknowns = 64;
-    if (step.is_explicit() || step.from_parameter || system.depends_on_time) { return false; }
+    if (step.is_explicit() || step.from_parameter) { return false; }
     const std::size_t unknowns =
         system.degrees_of_freedom * (step.positions.size() + step.momenta.size());
     if (unknowns > most_unknowns) {
@@ -397,7 +397,7 @@ Step plan(const OneStepMethod& method, const SystemProperties& system, const Ste
     const Solver solver =
         is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
     const bool may_tabulate = solver == Solver::automatic && !wishes.curve;
-    if (system.is_quadratic && may_tabulate && tabulate(step, system)) { return completed(step); }
+    if (system.has_linear_map && may_tabulate && tabulate(step, system)) { return completed(step); }
     if (!step.is_explicit()) { step.form = PairStep{Iteration{}}; }
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.

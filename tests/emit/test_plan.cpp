@@ -357,7 +357,7 @@ TEST_CASE("both slopes at once, where both are unknown") {
 TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
     const auto tabulated = [](const char* method, SystemProperties system,
                               StepWishes wishes = {.solver = Solver::automatic}) {
-        system.is_quadratic = true;
+        system.has_linear_map = true;
         return std::holds_alternative<TabulatedStep>(plan({named(method)}, system, wishes).form);
     };
     const char* gauss = "gauss:2";
@@ -379,16 +379,13 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
     CHECK_FALSE(std::holds_alternative<TabulatedStep>(seen.form));
     CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::of_user}));
     CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::automatic, .curve = true}));
-    SystemProperties driven = one;
-    driven.depends_on_time = true;
-    CHECK_FALSE(tabulated(gauss, driven));
 }
 
 TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product") {
     const auto sheared = [](bool separable, std::size_t n) {
         return is_tabulated_as(
             plan({named("gauss:2")},
-                 {.is_separable = separable, .is_quadratic = true, .degrees_of_freedom = n},
+                 {.is_separable = separable, .has_linear_map = true, .degrees_of_freedom = n},
                  {.solver = Solver::automatic}),
             TabulatedStep::As::shears);
     };
@@ -401,7 +398,7 @@ TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product"
 TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were there") {
     const Step step = plan({named("chebyshev:3")},
                            {.is_separable = false,
-                            .is_quadratic = true,
+                            .has_linear_map = true,
                             .is_degenerate = true,
                             .degrees_of_freedom = 1},
                            {.solver = Solver::automatic});
@@ -420,7 +417,7 @@ TEST_CASE("why the step of a quadratic H is iterated is among the choices") {
         }
         return "";
     };
-    SystemProperties system = {.is_quadratic = true, .degrees_of_freedom = 2};
+    SystemProperties system = {.has_linear_map = true, .degrees_of_freedom = 2};
     CHECK(reason(system, Solver::automatic).empty());
     system.is_separable = true;
     CHECK(reason(system, Solver::automatic).empty());
