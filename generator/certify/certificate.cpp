@@ -4,20 +4,18 @@
 #include <utility>
 
 #include "generator/certify/known.hpp"
-#include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/stages/stage_graph.hpp"
 
 namespace hvi::gen {
 namespace {
 
-std::vector<std::size_t> negative(const PartitionedMethod& method) {
-    const auto is_negative = [](const Number& number) {
-        return !number.has_parameters() && number.sign() < 0;
-    };
+bool is_negative(const Number& number) { return !number.has_parameters() && number.sign() < 0; }
+
+std::vector<std::size_t> negative(const NumberVector& b, const NumberVector& b_tilde) {
     std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < method.stages(); ++i) {
-        if (is_negative(method.b[i]) || is_negative(method.b_tilde[i])) { result.push_back(i + 1); }
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        if (is_negative(b[i]) || is_negative(b_tilde[i])) { result.push_back(i + 1); }
     }
     return result;
 }
@@ -39,14 +37,12 @@ Properties properties_of(const Method& method, int max_order) {
             has_common_weights(method), orders(method, max_order)};
 }
 
-/// Nothing where the map is too long.
-template <class Method>
-void set_oscillator(Certificate& certificate, const Method& method) {
+void set_map(Findings& findings, const auto& method) {
     try {
-        certificate.oscillator = oscillator_map(method);
+        findings.oscillator = oscillator_map(method);
     } catch (const TooLarge&) { return; }
-    if (certificate.parameters.empty()) {
-        certificate.stability = linear_stability(*certificate.oscillator, stability_limit);
+    if (findings.parameters.empty()) {
+        findings.stability = linear_stability(*findings.oscillator, stability_limit);
     }
 }
 
@@ -59,16 +55,27 @@ bool Properties::is_proved() const {
            orders_proved;
 }
 
-bool Certificate::is_proved() const {
-    return Properties::is_proved() && !within_digits && (!oscillator || oscillator->proved) &&
+bool Findings::is_proved() const {
+    return !within_digits && (!oscillator || oscillator->proved) &&
            (!stability || stability->proved);
+}
+
+bool Certificate::is_proved() const { return Properties::is_proved() && Findings::is_proved(); }
+
+void set_signs(Findings& findings, const NumberVector& c, const NumberVector& b) {
+    findings.negative_weights = negative(b, b);
+    findings.nodes_outside = outside(c);
+}
+
+void set_oscillator(Findings& findings, const PartitionedMethod& method) {
+    set_map(findings, method);
 }
 
 void set_signs(Certificate& certificate, const NodesAndMethod& given) {
     certificate.stages = given.c.size();
     certificate.coupled_separable = coupled_stages(given.method, true);
     certificate.coupled_general = coupled_stages(given.method, false);
-    certificate.negative_weights = negative(given.method);
+    certificate.negative_weights = negative(given.method.b, given.method.b_tilde);
     certificate.nodes_outside = outside(given.c);
 }
 
@@ -83,23 +90,10 @@ Certificate certify(const Tableau& tableau, int max_order) {
     result.origin = tableau.provenance.origin;
     result.parameters = tableau.parameters;
     set_signs(result, {tableau.c, partitioned_method(tableau)});
-    if (!takes_long(tableau)) { set_oscillator(result, tableau); }
+    if (!takes_long(tableau)) { set_map(result, tableau); }
     result.known_as = known_names(tableau);
     result.adjoint = known_adjoints(tableau);
     return result;
-}
-
-Certificate certify(const Method& method, int max_order) {
-    try {
-        Certificate result = certify(derive(method), max_order);
-        if (!result.parameters.empty()) {
-            result.exceptions = exceptions(method, result.orders.general, max_order);
-        }
-        return result;
-    } catch (const TooLarge& error) {
-        const auto& basis = method.basis;
-        throw MathError(error.what(), basis.place({0, basis.source->text.size()}), error.help());
-    }
 }
 
 Certificate certify(const NodesAndMethod& given, const std::vector<std::string>& parameters,
@@ -108,7 +102,7 @@ Certificate certify(const NodesAndMethod& given, const std::vector<std::string>&
     static_cast<Properties&>(result) = properties_of(given.method, max_order);
     result.parameters = parameters;
     set_signs(result, given);
-    if (!takes_long(given.method)) { set_oscillator(result, given.method); }
+    if (!takes_long(given.method)) { set_map(result, given.method); }
     return result;
 }
 

@@ -36,7 +36,8 @@ struct Properties {
     [[nodiscard]] bool is_proved() const;
 };
 
-struct Certificate : Properties {
+/// What there is to say of every method.
+struct Findings {
     std::string name;                     ///< `gauss:2`, or empty for one given by basis and nodes
     std::string origin;                   ///< the METHOD as the command line has it
     std::vector<std::string> parameters;  ///< free symbols, sorted
@@ -44,19 +45,25 @@ struct Certificate : Properties {
     /// Of coefficients only some digits are known: what is said to hold does so for some of the
     /// numbers that they can be, and is not proved; what fails, fails for all of them.
     bool within_digits = false;
-
-    std::vector<std::string> known_as;         ///< the named methods that it is
-    std::vector<std::string> adjoint;          ///< those that its adjoint is
-    std::vector<ExceptionalValue> exceptions;  ///< of a parameter: where the order is higher
-
-    /// The stage values that are solved for at once for H = T(p) + U(q), and for any H.
-    std::vector<std::vector<StageNode>> coupled_separable, coupled_general;
     std::vector<std::size_t> negative_weights;  ///< 1-based; empty with a free parameter
     std::vector<std::size_t> nodes_outside;     ///< of [0, 1]; the same
 
     /// Empty where only some digits are known, and for coefficients so long that it takes_long().
     std::optional<OscillatorMap> oscillator;
     std::optional<LinearStability> stability;  ///< the same; empty also with a free parameter
+
+    /// Of what stands here.
+    [[nodiscard]] bool is_proved() const;
+};
+
+/// Of a tableau.
+struct Certificate : Findings, Properties {
+    std::vector<std::string> known_as;         ///< the named methods that it is
+    std::vector<std::string> adjoint;          ///< those that its adjoint is
+    std::vector<ExceptionalValue> exceptions;  ///< of a parameter: where the order is higher
+
+    /// The stage values that are solved for at once for H = T(p) + U(q), and for any H.
+    std::vector<std::vector<StageNode>> coupled_separable, coupled_general;
 
     [[nodiscard]] bool is_proved() const;
 };
@@ -68,9 +75,6 @@ inline constexpr long stability_limit = 20;
 /// and those of the adjoint, which are those of methods with the same nodes. Preconditions as for
 /// orders().
 [[nodiscard]] Certificate certify(const Tableau& tableau, int max_order);
-
-/// The same, with the exceptional values of a free parameter.
-[[nodiscard]] Certificate certify(const Method& method, int max_order);
 
 /// The same for coefficients that came from elsewhere; name and origin are left empty.
 [[nodiscard]] Certificate certify(const NodesAndMethod& given,
@@ -84,5 +88,11 @@ inline constexpr long stability_limit = 20;
 
 /// Weights below zero, nodes outside of [0, 1], stages that need no solver.
 void set_signs(Certificate& certificate, const NodesAndMethod& given);
+
+/// Those of c and b, the same for both variables.
+void set_signs(Findings& findings, const NumberVector& c, const NumberVector& b);
+
+/// The map of the oscillator and where it is stable; nothing where the map is too long.
+void set_oscillator(Findings& findings, const PartitionedMethod& method);
 
 }  // namespace hvi::gen

@@ -11,26 +11,25 @@ namespace hvi::gen {
 
 namespace {
 
-std::string plot(const Certificate& certificate, const Given& file) {
+std::string plot(const Findings& findings, const Given& file) {
     const Place place = whole(file);
-    if (!certificate.oscillator) {
+    if (!findings.oscillator) {
         throw MathError("there is no picture of coefficients that are too long, or known to some "
                         "digits only",
                         place, "give exact ones, or those of a known method to the last digit");
     }
-    if (!certificate.stability) {
-        throw InputError("a picture needs a value for the parameter " +
-                             certificate.parameters.front(),
-                         place, "for example --param " + certificate.parameters.front() + "=1");
+    if (!findings.stability) {
+        throw InputError("a picture needs a value for the parameter " + findings.parameters.front(),
+                         place, "for example --param " + findings.parameters.front() + "=1");
     }
-    const std::string& name = certificate.name.empty() ? certificate.origin : certificate.name;
-    return stability_svg(name, *certificate.oscillator, *certificate.stability);
+    const std::string& name = findings.name.empty() ? findings.origin : findings.name;
+    return stability_svg(name, *findings.oscillator, *findings.stability);
 }
 
-void write(const CheckOptions& options, const Certificate& certificate, const auto& whole) {
+void write(const CheckOptions& options, const Findings& findings, const auto& whole) {
     const Progress::Stage stage("writing the certificate");
     const bool as_json = options.format == CheckOptions::Format::json;
-    if (options.plot) { write_result(options.plot->text, plot(certificate, options.plot)); }
+    if (options.plot) { write_result(options.plot->text, plot(findings, options.plot)); }
     write_result(options.output, as_json ? render_json(whole) : render_text(whole));
 }
 
@@ -42,8 +41,8 @@ void run(const CheckOptions& options) {
             audit(coefficients_of(*options.tableau, options.method), options.max_order);
         write(options, found.certificate, found);
     } else {
-        const Certificate certificate = certify(method_of(options.method), options.max_order);
-        write(options, certificate, certificate);
+        std::visit([&](const auto& certificate) { write(options, certificate, certificate); },
+                   certify(method_of(options.method), options.max_order));
     }
 }
 

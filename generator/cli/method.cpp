@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "generator/exact/methods/galerkin.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/scene.hpp"
@@ -46,8 +45,6 @@ Method method_of(const MethodOptions& options) {
                    [&](Parameter parameter) { set_parameter(method, std::move(parameter)); });
     return method;
 }
-
-Tableau tableau_of(const MethodOptions& options) { return derive(method_of(options)); }
 
 Coefficients coefficients_of(const std::filesystem::path& file, const MethodOptions& options) {
     Coefficients coefficients = coefficients_from_file(file);

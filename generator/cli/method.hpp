@@ -1,9 +1,8 @@
-// From the METHOD of the command line to a tableau.
+// What the command line says of METHOD and SCENE, read.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "generator/cli/options.hpp"
-#include "generator/exact/methods/tableau.hpp"
 #include "generator/read/coefficients.hpp"
 #include "generator/read/scene.hpp"
 
@@ -11,9 +10,6 @@ namespace hvi::gen {
 
 /// Reads the method, and gives its parameters their values.
 [[nodiscard]] Method method_of(const MethodOptions& options);
-
-/// The same, and derives its tableau.
-[[nodiscard]] Tableau tableau_of(const MethodOptions& options);
 
 /// Reads a tableau in place of a method, and gives its parameters the same values.
 [[nodiscard]] Coefficients coefficients_of(const std::filesystem::path& file,

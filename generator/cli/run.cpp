@@ -88,7 +88,7 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
         text += fmt::format("{:<{}}  {}\n", name, width, value);
     };
     line("scene", scene.name + (scene.description.empty() ? "" : ": " + scene.description));
-    line("method", stepper.method.name().empty() ? stepper.method.tableau.provenance.origin
+    line("method", stepper.method.name().empty() ? stepper.method.provenance().origin
                                                  : stepper.method.name());
     line("steps", fmt::format("{} of {}, until t = {:.10g}", run.steps, asked.size,
                               static_cast<double>(run.steps) * asked.size));

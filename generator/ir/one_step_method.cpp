@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/ir/one_step_method.hpp"
 
-#include <algorithm>
-
+#include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/numbers/number_text.hpp"
 #include "generator/ir/equal.hpp"
 
 namespace hvi::gen {
 namespace {
 
-bool is_square(const NumberMatrix& table, std::size_t size) {
-    return table.size() == size &&
-           std::all_of(table.begin(), table.end(),
-                       [&](const NumberVector& row) { return row.size() == size; });
+void verify(const Tableau& tableau) {
+    const std::size_t s = tableau.stages();
+    HVI_CHECK(s > 0 && tableau.c.size() == s && tableau.c_tilde.size() == s);
+    HVI_CHECK(is_table(tableau.A, s, s) && is_table(tableau.A_tilde, s, s));
+}
+
+void verify(const GalerkinRule& rule) {
+    const std::size_t s = rule.functions(), r = rule.nodes();
+    HVI_CHECK(s > 0 && r > s && rule.b.size() == r);
+    HVI_CHECK(is_table(rule.Psi, s, r) && is_table(rule.A_psi, r, s));
+    HVI_CHECK(is_table(rule.gram, s, s) && is_table(rule.n, r, r));
 }
 
 void verify(const Composition& composition) {
@@ -37,17 +43,17 @@ std::string dump(const OneStepMethod& method) {
         }
         if (method.composition->with_adjoint) { result += "every second step: of the adjoint\n"; }
     }
-    return result + dump(method.tableau);
+    return result + std::visit([](const auto& base) { return dump(base); }, method.base);
 }
 
 void verify(const OneStepMethod& method) {
-    const Tableau& tableau = method.tableau;
-    const std::size_t s = tableau.stages();
-    HVI_CHECK(s > 0 && tableau.c.size() == s && tableau.c_tilde.size() == s);
-    HVI_CHECK(is_square(tableau.A, s) && is_square(tableau.A_tilde, s));
-    if (!method.composition) { return; }
-    HVI_CHECK(tableau.parameters.empty());
-    verify(*method.composition);
+    std::visit(
+        [&](const auto& base) {
+            verify(base);
+            HVI_CHECK(!method.composition || base.parameters.empty());
+        },
+        method.base);
+    if (method.composition) { verify(*method.composition); }
 }
 
 bool operator==(const OneStepMethod& left, const OneStepMethod& right) {

@@ -6,21 +6,23 @@
 #include <string>
 
 #include "generator/exact/methods/composition.hpp"
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
-/// A tableau, or a composition: several steps of it in a row.
+/// A tableau or a Galerkin rule, or a composition: several steps of it in a row.
 struct OneStepMethod {
-    Tableau tableau;
+    DerivedMethod base;
     std::optional<Composition> composition = {};
     std::optional<Place> place = {};  ///< where it was given, for errors
 
-    /// `stormer-verlet-yoshida:6`; empty where the method has no name.
-    [[nodiscard]] std::string name() const {
-        return composed_name(tableau.provenance.name, composition);
+    [[nodiscard]] const Provenance& provenance() const {
+        return std::visit([](const auto& method) -> const Provenance& { return method.provenance; },
+                          base);
     }
+    /// `stormer-verlet-yoshida:6`; empty where the method has no name.
+    [[nodiscard]] std::string name() const { return composed_name(provenance().name, composition); }
 };
 
 /// Stable text, for people and tests: the steps of a composition, and all numbers.

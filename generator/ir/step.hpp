@@ -144,7 +144,8 @@ struct PairStep {
 /// Put (4.18d) into Lq_j = h b_j K P_j and that into (4.18c); with S = m diag(b) m^T there comes
 /// c_i = sum_j m_ij b_j and n_ij = c_i - S_ij, and S is symmetric. That condition makes a Nystrom
 /// method symplectic, whatever its weights (Hairer, Lubich & Wanner, Geometric Numerical
-/// Integration, Theorem IV.2.5 divided by the weights).
+/// Integration, Theorem IV.2.5 divided by the weights). The general Galerkin form has the same, see
+/// GalerkinRule.
 struct VelocityForm {
     NumberVector c;  ///< of the positions
     NumberMatrix n;  ///< positions x positions
@@ -194,7 +195,7 @@ struct Step {
     std::vector<StageValue> positions;
     std::vector<StageValue> momenta;
     NumberVector c;             ///< where H depends on time: T_i = t + c_i h of the positions
-    NumberMatrix m;             ///< positions x momenta
+    NumberMatrix m;             ///< positions x momenta; empty rows where there are no momenta
     std::vector<Block> blocks;  ///< each needs only what stands before it
     KeptSlopes kept;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free

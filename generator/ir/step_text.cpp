@@ -178,7 +178,7 @@ std::string dump(const Step& step) {
     result += lines("Q", step.positions);
     result += lines("P", step.momenta);
     if (step.depends_on_time()) { result += line("times", step.c); }
-    result += lines("m", step.m);
+    if (!step.momenta.empty()) { result += lines("m", step.m); }
     for (const Block& block : step.blocks) { result += line(block); }
     if (step.kept.force) { result += "kept: dH/dq\n"; }
     if (step.kept.velocity) { result += "kept: dH/dp\n"; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
+#include "generator/exact/algebra/matrix.hpp"
 #include "generator/ir/equal.hpp"
 #include "generator/ir/step.hpp"
 #include "generator/support/error.hpp"
@@ -10,15 +11,10 @@ namespace {
 
 using Kind = StageNode::Kind;
 
-bool is_table(const NumberMatrix& table, std::size_t rows, std::size_t columns) {
-    return table.size() == rows &&
-           std::all_of(table.begin(), table.end(),
-                       [&](const NumberVector& row) { return row.size() == columns; });
-}
-
 void verify_stages(const Step& step) {
     const std::size_t r = step.positions.size(), s = step.momenta.size();
-    HVI_CHECK(r > 0 && s > 0);
+    // NOTE: positions of the general Galerkin form have no momenta beside them.
+    HVI_CHECK(r > 0 && (s > 0 || std::holds_alternative<VelocityStep>(step.form)));
     HVI_CHECK(is_table(step.m, r, s));
     HVI_CHECK(step.c.empty() || step.c.size() == r);
     for (const auto* values : {&step.positions, &step.momenta}) {

@@ -15,11 +15,11 @@ namespace {
 
 /// The command that writes the same header again, wherever to.
 std::string command(const OneStepMethod& method, const StepperWishes& wishes) {
-    return "hvi-gen stepper " + method.tableau.provenance.origin + options_for(wishes);
+    return "hvi-gen stepper " + method.provenance().origin + options_for(wishes);
 }
 
 std::string command(const OneStepMethod& method, const Scene& scene, const StepperWishes& wishes) {
-    return "hvi-gen stepper " + method.tableau.provenance.origin + " " + scene.hamiltonian.origin +
+    return "hvi-gen stepper " + method.provenance().origin + " " + scene.hamiltonian.origin +
            options_for(wishes);
 }
 
@@ -62,9 +62,16 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
                          "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
 }
 
-OneStepMethod composed(Tableau tableau, const Method& method, const StepperWishes& wishes) {
-    if (wishes.composition) check_composition(*wishes.composition, tableau);
-    return {std::move(tableau), wishes.composition, method.place};
+OneStepMethod composed(DerivedMethod base, const Method& method, const StepperWishes& wishes) {
+    if (wishes.composition) {
+        if (std::holds_alternative<GalerkinRule>(base))
+            throw InputError("compositions of the general Galerkin form are to come",
+                             wishes.composition->place,
+                             "compose a method with as many nodes as "
+                             "functions");
+        check_composition(*wishes.composition, std::get<Tableau>(base));
+    }
+    return {std::move(base), wishes.composition, method.place};
 }
 
 /// The method, and the curve of its steps where that is asked for.
@@ -74,13 +81,13 @@ struct MethodAndCurve {
 };
 
 MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
+    if (!wishes.dense) return {composed(derive_any(method), method, wishes), std::nullopt};
     MethodAndCurve result = on_new_ground([&](const Ground& ground) {
         const Derivation derivation = derive_on(ground, method);
         return MethodAndCurve{composed(derivation.tableau, method, wishes),
-                              wishes.dense ? std::optional(curve(method, derivation))
-                                           : std::nullopt};
+                              curve(method, derivation)};
     });
-    if (wishes.composition && wishes.dense)
+    if (wishes.composition)
         throw InputError("--dense is not built for compositions, whose steps have no one curve",
                          wishes.composition->place);
     return result;
@@ -104,7 +111,7 @@ std::string name_of_class(const Given& wished, const std::string& otherwise) {
 }  // namespace
 
 MethodStepper method_stepper(const Method& wished, const StepperWishes& wishes) {
-    OneStepMethod method = composed(derive(wished), wished, wishes);
+    OneStepMethod method = composed(derive_any(wished), wished, wishes);
     Step step = plan(method, {.is_separable = wishes.separable});
     const std::string name = name_of_class(wishes.class_name, method.name());
     std::string header =

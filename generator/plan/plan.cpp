@@ -8,6 +8,7 @@
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/equal.hpp"
+#include "generator/plan/general_form.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/lattice.hpp"
 #include "generator/plan/solver.hpp"
@@ -212,9 +213,8 @@ void set_kept(Step& step) {
     }
 }
 
-/// The time is a coordinate with velocity 1, so that (4.18c) gives T_i = t + h sum_j a_ij.
-void set_times(Step& step) {
-    step.c = position_times(step);
+void set_times(Step& step, NumberVector c) {
+    step.c = std::move(c);
     step.decisions.push_back({"the state has a time", "H depends on it"});
 }
 
@@ -306,8 +306,8 @@ void note_zeros(Step& step) {
     }
 }
 
-void set_from_parameter(Step& step, const OneStepMethod& method) {
-    const Tableau& tableau = method.tableau;
+void set_from_parameter(Step& step, const Tableau& tableau,
+                        const std::optional<hvi::gen::Place>& method) {
     const auto depends = [](const NumberVector& numbers) {
         return std::any_of(numbers.begin(), numbers.end(),
                            [](const Number& number) { return number.has_parameters(); });
@@ -350,7 +350,7 @@ void set_from_parameter(Step& step, const OneStepMethod& method) {
         from.numbers = parametric(tableau.b, others);
     } catch (const InputError& error) {
         if (error.place()) { throw; }
-        throw InputError(error.what(), method.place, error.help());
+        throw InputError(error.what(), method, error.help());
     }
     step.from_parameter = std::move(from);
     note_zeros(step);
@@ -370,11 +370,15 @@ Step completed(Step step) {
     return step;
 }
 
-}  // namespace
+/// NOTE: trajectories side by side differ in how stiff H is for them, and are all iterated.
+Solver solver_for(const StepWishes& wishes) {
+    const bool is_ensemble = wishes.lanes == Lanes::ensemble;
+    return is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
+}
 
-Step plan(const OneStepMethod& method, const SystemProperties& system, const StepWishes& wishes) {
-    verify(method);
-    const auto& [tableau, composition, place] = method;
+Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemProperties& system,
+             const StepWishes& wishes) {
+    const std::optional<Composition>& composition = method.composition;
     Step step;
     step.slopes = system.is_separable ? Slopes::of_parts : Slopes::one_by_one;
     step.partner = partner(tableau);
@@ -390,12 +394,10 @@ Step plan(const OneStepMethod& method, const SystemProperties& system, const Ste
     set_blocks(step);
     set_sums(step, method, wishes);
     set_kept(step);
-    if (system.depends_on_time) { set_times(step); }
-    set_from_parameter(step, method);
-    // NOTE: trajectories side by side differ in how stiff H is for them, and are all iterated.
-    const bool is_ensemble = wishes.lanes == Lanes::ensemble;
-    const Solver solver =
-        is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
+    // The time is a coordinate with velocity 1: (4.18c) gives T_i = t + h sum_j a_ij.
+    if (system.depends_on_time) { set_times(step, position_times(step)); }
+    set_from_parameter(step, tableau, method.place);
+    const Solver solver = solver_for(wishes);
     const bool may_tabulate = solver == Solver::automatic && !wishes.curve;
     if (system.has_linear_map && may_tabulate && tabulate(step, system)) { return completed(step); }
     if (!step.is_explicit()) { step.form = PairStep{Iteration{}}; }
@@ -404,8 +406,36 @@ Step plan(const OneStepMethod& method, const SystemProperties& system, const Ste
     if (system.kinetic_is_quadratic && !composition) { eliminate_momenta(step); }
     set_solver(step, solver, system.joint_gradient_pays);
     set_lanes(step, wishes.lanes);
-    if (!composition) { set_extrapolation(step, tableau); }
+    if (!composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
     return completed(std::move(step));
+}
+
+Step planned(const GalerkinRule& rule, const OneStepMethod& method, const SystemProperties& system,
+             const StepWishes& wishes) {
+    check_general_form(rule, method.place, system);
+    Step step;
+    step.slopes = Slopes::of_parts;
+    step.partner = Partner::different;
+    const Quadrature quadrature = set_rule(step, rule);
+    if (std::holds_alternative<ExplicitStep>(step.form)) {
+        set_places(step);
+        set_blocks(step);
+        set_sums(step, method, wishes);
+    }
+    set_kept(step);
+    if (system.depends_on_time) { set_times(step, quadrature.c); }
+    set_solver(step, solver_for(wishes), system.joint_gradient_pays);
+    set_lanes(step, wishes.lanes);
+    set_extrapolation(step, quadrature);
+    return completed(std::move(step));
+}
+
+}  // namespace
+
+Step plan(const OneStepMethod& method, const SystemProperties& system, const StepWishes& wishes) {
+    verify(method);
+    return std::visit([&](const auto& base) { return planned(base, method, system, wishes); },
+                      method.base);
 }
 
 }  // namespace hvi::gen

@@ -31,16 +31,16 @@ NumberVector nodes_behind(const NumberVector& c, int steps) {
 
 /// The polynomial through the slopes f_j at these nodes, in the next step: f(c_i) is the sum of
 /// l_j(c_i) f_j, so N_ij = (b_i/b_j) l_j(c_i) for L_j = h b_j f_j. Of step `block` of the nodes.
-NumberMatrix extrapolation(const Tableau& tableau, const NumberVector& nodes, std::size_t block) {
-    const std::size_t s = tableau.stages();
+NumberMatrix extrapolation(const Quadrature& rule, const NumberVector& nodes, std::size_t block) {
+    const std::size_t s = rule.b.size();
     NumberMatrix N(s, NumberVector(s));
     for (std::size_t i = 0; i < s; ++i) {
         for (std::size_t j = 0; j < s; ++j) {
-            Number value = tableau.b[i] / tableau.b[j];
+            Number value = rule.b[i] / rule.b[j];
             const Number& node = nodes[block * s + j];
             for (std::size_t k = 0; k < nodes.size(); ++k) {
                 if (k == block * s + j) { continue; }
-                value = value * ((tableau.c[i] - nodes[k]) / (node - nodes[k]));
+                value = value * ((rule.c[i] - nodes[k]) / (node - nodes[k]));
             }
             N[i][j] = value;
         }
@@ -50,12 +50,12 @@ NumberMatrix extrapolation(const Tableau& tableau, const NumberVector& nodes, st
 
 /// How much the extrapolation may magnify rounding: the largest sum_j |N_ij|. In doubles, since for
 /// many stages the exact N is costly and then of no use.
-double magnification(const Tableau& tableau) {
-    const std::size_t s = tableau.stages();
+double magnification(const Quadrature& rule) {
+    const std::size_t s = rule.b.size();
     std::vector<double> b, c;
     for (std::size_t i = 0; i < s; ++i) {
-        b.push_back(tableau.b[i].nearest_double());
-        c.push_back(tableau.c[i].nearest_double());
+        b.push_back(rule.b[i].nearest_double());
+        c.push_back(rule.c[i].nearest_double());
     }
     double largest = 0.0;
     for (std::size_t i = 0; i < s; ++i) {
@@ -77,17 +77,17 @@ double magnification(const Tableau& tableau) {
 /// NOTE: measured on Kepler's problem, the pendulum and Henon-Heiles, with steps of two sizes: for
 /// two and three stages 7 to 20 % fewer evaluations than of one step, for four 0 to 11 %, for eight
 /// 5 to 30 % more. A stepper for any H keeps to one step, so that what it remembers is simple.
-bool takes_two_steps(Solver solver, Layout layout, const Tableau& tableau) {
+bool takes_two_steps(Solver solver, Layout layout, const Quadrature& rule) {
     constexpr std::size_t most_stages = 3;
     const bool is_iterated = solver == Solver::automatic || solver == Solver::fixed_point ||
                              solver == Solver::newton_taylor;
-    return is_iterated && layout != Layout::trajectories && tableau.stages() <= most_stages &&
-           are_distinct(nodes_behind(tableau.c, 2));
+    return is_iterated && layout != Layout::trajectories && rule.b.size() <= most_stages &&
+           are_distinct(nodes_behind(rule.c, 2));
 }
 
 }  // namespace
 
-void set_extrapolation(Step& step, const Tableau& tableau) {
+void set_extrapolation(Step& step, const Quadrature& rule) {
     constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
     Iteration* iteration = iteration_of(step);
     if (iteration == nullptr) { return; }
@@ -98,25 +98,25 @@ void set_extrapolation(Step& step, const Tableau& tableau) {
         return;
     }
     const bool has_no_momenta = std::holds_alternative<VelocityStep>(step.form);
-    const bool merged = step.positions.size() != tableau.stages() ||
-                        (!has_no_momenta && step.momenta.size() != tableau.stages());
-    if (merged || !are_distinct(tableau.c)) {
+    const bool merged = step.positions.size() != rule.b.size() ||
+                        (!has_no_momenta && step.momenta.size() != rule.b.size());
+    if (merged || !are_distinct(rule.c)) {
         step.decisions.push_back(
             {"slopes at the start of the step are the starting values of the iteration",
              "no polynomial interpolates slopes at equal nodes"});
         return;
     }
-    if (magnification(tableau) > most) {
+    if (magnification(rule) > most) {
         step.decisions.push_back(
             {"slopes at the start of the step are the starting values of the iteration",
              "extrapolating the last step's slopes would magnify their rounding too much"});
         return;
     }
-    const bool takes_two = takes_two_steps(iteration->solver, step.layout, tableau);
-    const NumberVector nodes = nodes_behind(tableau.c, takes_two ? 2 : 1);
-    iteration->extrapolation = Extrapolation{extrapolation(tableau, nodes, 0), {}};
+    const bool takes_two = takes_two_steps(iteration->solver, step.layout, rule);
+    const NumberVector nodes = nodes_behind(rule.c, takes_two ? 2 : 1);
+    iteration->extrapolation = Extrapolation{extrapolation(rule, nodes, 0), {}};
     if (takes_two) {
-        iteration->extrapolation->before = extrapolation(tableau, nodes, 1);
+        iteration->extrapolation->before = extrapolation(rule, nodes, 1);
         step.decisions.push_back(
             {"the slopes of the last two steps, extrapolated, are the starting values of the "
              "iteration",

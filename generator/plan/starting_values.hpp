@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/exact/methods/tableau.hpp"
 #include "generator/ir/step.hpp"
 
 namespace hvi::gen {
 
+/// Nodes and their weights.
+struct Quadrature {
+    NumberVector c, b;
+};
+
 /// Sets Iteration::extrapolation where it is of use, and says why. Precondition: as for
 /// set_solver().
-void set_extrapolation(Step& step, const Tableau& tableau);
+void set_extrapolation(Step& step, const Quadrature& rule);
 
 }  // namespace hvi::gen

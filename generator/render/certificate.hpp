@@ -5,6 +5,7 @@
 #include <string>
 
 #include "generator/certify/audit.hpp"
+#include "generator/certify/rule_certificate.hpp"
 
 namespace hvi::gen {
 
@@ -13,6 +14,10 @@ namespace hvi::gen {
 
 /// The schema `hvi-check/1`.
 [[nodiscard]] std::string render_json(const Certificate& certificate);
+
+/// The same of the general form: what is asked of partitioned methods is null in JSON.
+[[nodiscard]] std::string render_text(const RuleCertificate& certificate);
+[[nodiscard]] std::string render_json(const RuleCertificate& certificate);
 
 /// The same with what was found out about a tableau that someone else made: in JSON under `audit`.
 [[nodiscard]] std::string render_text(const Audit& audit);

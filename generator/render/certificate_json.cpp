@@ -11,6 +11,8 @@ namespace {
 
 constexpr int digits_of_certificate = 50;
 
+}  // namespace
+
 Json failures_json(const OrderConditions& conditions) {
     if (conditions.is_at_least) { return nullptr; }
     Json json = Json::array();
@@ -25,6 +27,8 @@ Json error_constant_json(const OrderConditions& conditions) {
     const auto constant = conditions.error_constant();
     return constant ? entry_json(*constant, digits_of_certificate) : Json(nullptr);
 }
+
+namespace {
 
 Json places_json(const std::vector<Number>& places) {
     Json json = Json::array();
@@ -57,23 +61,23 @@ Json limit_json(const LimitOfHalfTrace& limit) {
             {"stable", limit.is_stable}};
 }
 
-Json stability_json(const Certificate& certificate) {
+}  // namespace
+
+Json stability_json(const Findings& findings) {
     Json json;
-    const auto& map = certificate.oscillator;
+    const auto& map = findings.oscillator;
     const auto half_trace = map ? closed_form(map->half_trace) : std::nullopt;
     json["half_trace"] = half_trace ? Json(to_text(*half_trace)) : Json(nullptr);
     json["determinant_is_one"] = map && map->determinant_one.holds && map->determinant_one.proved;
-    const auto& stability = certificate.stability;
+    const auto& stability = findings.stability;
     json["stable"] = stability ? intervals_json(stability->stable) : Json(nullptr);
     json["poles"] = stability ? places_json(stability->poles) : Json(nullptr);
     json["touching"] = stability ? touching_json(stability->touching) : Json(nullptr);
     json["at_infinity"] = stability ? limit_json(stability->at_infinity) : Json(nullptr);
     json["until"] = stability_limit;
-    if (!map) { json["not_looked_at"] = why_no_oscillator(certificate); }
+    if (!map) { json["not_looked_at"] = why_no_oscillator(findings); }
     return json;
 }
-
-}  // namespace
 
 namespace {
 

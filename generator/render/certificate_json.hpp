@@ -9,4 +9,9 @@ namespace hvi::gen {
 
 [[nodiscard]] Json certificate_json(const Certificate& certificate);
 
+// What certificates of tableaux and of the general form share.
+[[nodiscard]] Json failures_json(const OrderConditions& conditions);
+[[nodiscard]] Json error_constant_json(const OrderConditions& conditions);
+[[nodiscard]] Json stability_json(const Findings& findings);
+
 }  // namespace hvi::gen

@@ -13,16 +13,18 @@ namespace hvi::gen {
 namespace {
 
 /// What is not proved, and why.
-std::string evidence(bool proved, const Certificate& certificate) {
+std::string evidence(bool proved, const Findings& findings) {
     if (proved) { return ""; }
-    return certificate.within_digits ? ", within digits" : ", by enclosures of 50 digits";
+    return findings.within_digits ? ", within digits" : ", by enclosures of 50 digits";
 }
 
-std::string yes_or_no(const Verdict& verdict, const Certificate& certificate) {
-    return (verdict.holds ? "yes" : "no") + evidence(verdict.proved, certificate);
+}  // namespace
+
+std::string yes_or_no(const Verdict& verdict, const Findings& findings) {
+    return (verdict.holds ? "yes" : "no") + evidence(verdict.proved, findings);
 }
 
-std::string order_text(const OrderConditions& conditions, const Certificate& certificate) {
+std::string order_text(const OrderConditions& conditions, const Findings& findings) {
     const auto satisfied = std::accumulate(
         conditions.conditions.begin(),
         conditions.conditions.begin() +
@@ -34,7 +36,7 @@ std::string order_text(const OrderConditions& conditions, const Certificate& cer
             : fmt::format(", and {} of order {} fail{}", conditions.failures.size(),
                           conditions.order + 1, conditions.failures.size() == 1 ? "s" : "");
     return fmt::format("{}{}: {} conditions hold{}{}", conditions.is_at_least ? "at least " : "",
-                       conditions.order, satisfied, rest, evidence(conditions.proved, certificate));
+                       conditions.order, satisfied, rest, evidence(conditions.proved, findings));
 }
 
 void write_failures(NamedLines& lines, const OrderConditions& conditions) {
@@ -53,6 +55,8 @@ void write_failures(NamedLines& lines, const OrderConditions& conditions) {
                                 ", the norm of the first coefficients of the local error");
     }
 }
+
+namespace {
 
 std::string conserved(const Certificate& certificate) {
     if (certificate.conserves_quadratic()) { return "all linear and quadratic invariants"; }
@@ -111,6 +115,19 @@ std::string indices(const std::vector<std::size_t>& numbers, std::string_view le
     return text;
 }
 
+}  // namespace
+
+void write_signs(NamedLines& lines, const Findings& findings) {
+    if (!findings.negative_weights.empty()) {
+        lines.line("negative", indices(findings.negative_weights, "b"));
+    }
+    if (!findings.nodes_outside.empty()) {
+        lines.line("outside [0,1]", indices(findings.nodes_outside, "c"));
+    }
+}
+
+namespace {
+
 void write_stability(NamedLines& lines, const LinearStability& stability) {
     std::string intervals;
     for (const StabilityInterval& interval : stability.stable) {
@@ -152,10 +169,12 @@ std::optional<std::string> half_trace_text(const PolynomialQuotient& half_trace)
     return is_readable(text) ? "trace/2 = " + text : too_long;
 }
 
-void write_oscillator(NamedLines& lines, const Certificate& certificate) {
-    const auto& map = certificate.oscillator;
+}  // namespace
+
+void write_oscillator(NamedLines& lines, const Findings& findings) {
+    const auto& map = findings.oscillator;
     if (!map) {
-        lines.line("oscillator", "not looked at: " + why_no_oscillator(certificate));
+        lines.line("oscillator", "not looked at: " + why_no_oscillator(findings));
         return;
     }
     if (const auto text = half_trace_text(map->half_trace)) { lines.line("oscillator", *text); }
@@ -165,10 +184,8 @@ void write_oscillator(NamedLines& lines, const Certificate& certificate) {
     } else if (map->determinant_one.proved) {
         lines.line("determinant", "1, by exact arithmetic");
     }
-    if (certificate.stability) { write_stability(lines, *certificate.stability); }
+    if (findings.stability) { write_stability(lines, *findings.stability); }
 }
-
-}  // namespace
 
 void write_certificate(NamedLines& lines, const Certificate& certificate) {
     const Orders& orders = certificate.orders;
@@ -188,12 +205,7 @@ void write_certificate(NamedLines& lines, const Certificate& certificate) {
     lines.line("explicit", explicit_text(certificate));
     write_coupled(lines, "  separable", certificate.coupled_separable);
     write_coupled(lines, "  any H", certificate.coupled_general);
-    if (!certificate.negative_weights.empty()) {
-        lines.line("negative", indices(certificate.negative_weights, "b"));
-    }
-    if (!certificate.nodes_outside.empty()) {
-        lines.line("outside [0,1]", indices(certificate.nodes_outside, "c"));
-    }
+    write_signs(lines, certificate);
     lines.blank();
     write_oscillator(lines, certificate);
     lines.blank();

@@ -1,4 +1,4 @@
-// A tableau as comma-separated values.
+// A method as comma-separated values.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -19,17 +19,25 @@ std::string field(const std::optional<std::string>& text) {
     return quoted + "\"";
 }
 
-}  // namespace
-
-std::string render_csv(const Tableau& tableau, int digits) {
+std::string entries(const std::vector<Part>& parts, int digits) {
     std::string text = "matrix,row,column,exact,decimal,double\n";
-    for_each_entry(tableau, digits,
+    for_each_entry(parts, digits,
                    [&](const Part& part, std::size_t row, std::size_t column, const Entry& entry) {
                        text += fmt::format("{},{},{},{},{},{}\n", part.name, row, column,
                                            field(entry.exact_text()), field(entry.decimal),
                                            field(entry.hex));
                    });
     return text;
+}
+
+}  // namespace
+
+std::string render_csv(const Tableau& tableau, int digits) {
+    return entries(parts(tableau), digits);
+}
+
+std::string render_csv(const GalerkinRule& rule, int digits) {
+    return entries(all_parts(rule), digits);
 }
 
 }  // namespace hvi::gen

@@ -49,4 +49,24 @@ std::vector<Part> parts(const Tableau& tableau) {
     return result;
 }
 
+std::vector<Part> parts(const GalerkinRule& rule) {
+    return {vector_part("c", rule.c), vector_part("b", rule.b),     vector_part("B", rule.B),
+            {"Psi", false, rule.Psi}, {"A_psi", false, rule.A_psi}, {"gram", false, rule.gram}};
+}
+
+std::vector<Part> nystrom_parts(const GalerkinRule& rule) {
+    NystromTableau tableau = nystrom(rule);
+    return {vector_part("c", rule.c),
+            {"A_bar", false, std::move(tableau.A_bar)},
+            vector_part("b_bar", tableau.b_bar),
+            vector_part("b", rule.b)};
+}
+
+std::vector<Part> all_parts(const GalerkinRule& rule) {
+    std::vector<Part> result = parts(rule);
+    const std::vector<Part> more = nystrom_parts(rule);
+    result.insert(result.end(), {more[1], more[2]});
+    return result;
+}
+
 }  // namespace hvi::gen

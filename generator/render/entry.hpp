@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/methods/tableau.hpp"
 
 namespace hvi::gen {
@@ -27,7 +28,7 @@ struct Entry {
 /// Precondition: digits >= 1.
 [[nodiscard]] Entry make_entry(const Number& number, int digits);
 
-/// A vector or a matrix of a tableau under its name in output.
+/// A vector or a matrix of a method under its name in output.
 struct Part {
     std::string_view name;
     bool is_vector;
@@ -37,10 +38,19 @@ struct Part {
 /// All vectors and matrices: c, b, c_tilde, A, A_tilde, and Galerkin's M, M_inverse, B, A_psi.
 [[nodiscard]] std::vector<Part> parts(const Tableau& tableau);
 
+/// The same of the general form: c, b, B, Psi, A_psi and gram.
+[[nodiscard]] std::vector<Part> parts(const GalerkinRule& rule);
+
+/// And of its Nystrom method: c, A_bar, b_bar and b.
+[[nodiscard]] std::vector<Part> nystrom_parts(const GalerkinRule& rule);
+
+/// Both; what they share, once.
+[[nodiscard]] std::vector<Part> all_parts(const GalerkinRule& rule);
+
 /// Calls `visit(part, row, column, entry)` for every entry, rows and columns counted from 1.
 template <class Visitor>
-void for_each_entry(const Tableau& tableau, int digits, Visitor&& visit) {
-    for (const Part& part : parts(tableau))
+void for_each_entry(const std::vector<Part>& parts, int digits, Visitor&& visit) {
+    for (const Part& part : parts)
         for (std::size_t i = 0; i < part.rows.size(); ++i)
             for (std::size_t j = 0; j < part.rows[i].size(); ++j)
                 visit(part, i + 1, j + 1, make_entry(part.rows[i][j], digits));

@@ -1,4 +1,4 @@
-// A tableau as JSON, schema hvi-tableau/1.
+// A method as JSON: schema hvi-tableau/1 for tableaux, hvi-galerkin/1 for the general form.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <utility>
 
@@ -24,6 +24,16 @@ Json part_json(const Part& part, int digits) {
     return json;
 }
 
+Json basis_json(const Provenance& provenance) {
+    Json json = Json::array();
+    for (const Expression& function : provenance.basis) json.push_back(to_text(function));
+    return json;
+}
+
+void add(Json& json, const std::vector<Part>& parts, int digits) {
+    for (const Part& part : parts) json[std::string(part.name)] = part_json(part, digits);
+}
+
 }  // namespace
 
 Json entry_json(const Number& number, int digits) {
@@ -41,10 +51,21 @@ std::string render_json(const Tableau& tableau, int digits) {
     json["name"] = tableau.provenance.name;
     json["stages"] = tableau.stages();
     json["parameters"] = tableau.parameters;
-    json["basis"] = Json::array();
-    for (const Expression& function : tableau.provenance.basis)
-        json["basis"].push_back(to_text(function));
-    for (const Part& part : parts(tableau)) json[std::string(part.name)] = part_json(part, digits);
+    json["basis"] = basis_json(tableau.provenance);
+    add(json, parts(tableau), digits);
+    return json.dump(2) + "\n";
+}
+
+std::string render_json(const GalerkinRule& rule, int digits) {
+    Json json;
+    json["schema"] = "hvi-galerkin/1";
+    json["name"] = rule.provenance.name;
+    json["functions"] = rule.functions();
+    json["nodes"] = rule.nodes();
+    json["parameters"] = rule.parameters;
+    json["basis"] = basis_json(rule.provenance);
+    add(json, parts(rule), digits);
+    add(json["nystroem"], nystrom_parts(rule), digits);
     return json.dump(2) + "\n";
 }
 

@@ -1,7 +1,8 @@
-// A tableau as a displayed formula of LaTeX, the two halves side by side.
+// A method as displayed formulas of LaTeX.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include "generator/exact/algebra/matrix.hpp"
 #include "generator/render/entry.hpp"
 #include "generator/render/render.hpp"
 
@@ -35,6 +36,17 @@ std::string array(const NumberVector& c, const NumberMatrix& A, const NumberVect
     return text + "\\hline\n" + row_line("", b, digits) + "\n\\end{array}\n";
 }
 
+std::string matrix(const NumberMatrix& rows, int digits) {
+    std::string text =
+        fmt::format("\\left(\\begin{{array}}{{{}}}\n", std::string(rows.size(), 'c'));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        text += cell(rows[i][0], digits);
+        for (std::size_t j = 1; j < rows[i].size(); ++j) text += " & " + cell(rows[i][j], digits);
+        text += i + 1 < rows.size() ? " \\\\\n" : "\n";
+    }
+    return text + "\\end{array}\\right)\n";
+}
+
 }  // namespace
 
 std::string render_latex(const Tableau& tableau, int digits) {
@@ -42,6 +54,23 @@ std::string render_latex(const Tableau& tableau, int digits) {
            "\\[\n\\renewcommand{\\arraystretch}{1.5}\n" +
            array(tableau.c, tableau.A, tableau.b, digits) + "\\qquad\n" +
            array(tableau.c_tilde, tableau.A_tilde, tableau.b, digits) + "\\]\n";
+}
+
+std::string render_latex(const GalerkinRule& rule, int digits) {
+    const NystromTableau tableau = nystrom(rule);
+    std::string text =
+        fmt::format("% hvi-gen tableau {} --format latex\n", rule.provenance.origin) +
+        "% A_psi with B, Psi^T with the weights in front, the Gram matrix; (4.6)\n"
+        "\\[\n\\renewcommand{\\arraystretch}{1.5}\n" +
+        array(rule.c, rule.A_psi, rule.B, digits) + "\\qquad\n" +
+        array(rule.b, transpose(rule.Psi), rule.B, digits) + "\\qquad\n" +
+        matrix(rule.gram, digits) + "\\]\n";
+    text += "% for H = p^T K p/2 + U(q), with b_bar and b below\n"
+            "\\[\n\\renewcommand{\\arraystretch}{1.5}\n" +
+            array(rule.c, tableau.A_bar, tableau.b_bar, digits);
+    constexpr std::string_view end = "\n\\end{array}\n";
+    text.erase(text.size() - end.size());
+    return text + " \\\\\n" + row_line("", rule.b, digits) + std::string(end) + "\\]\n";
 }
 
 }  // namespace hvi::gen

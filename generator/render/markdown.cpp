@@ -1,4 +1,4 @@
-// A tableau as tables of GitHub's Markdown.
+// A method as tables of GitHub's Markdown.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -22,16 +22,17 @@ std::string table_row(const std::string& head, const NumberVector& row, int digi
     return line + "\n";
 }
 
-/// c | A with b below; `c_name` and `a_name` stand in the head.
+/// c | A with b below, under these names.
 std::string butcher_table(std::string_view c_name, const NumberVector& c, std::string_view a_name,
-                          const NumberMatrix& A, const NumberVector& b, int digits) {
+                          std::string_view b_name, const NumberMatrix& A, const NumberVector& b,
+                          int digits) {
     std::string text = fmt::format("| {} | {} |", c_name, a_name);
     for (std::size_t j = 1; j < b.size(); ++j) text += " |";
     text += "\n|---|";
     for (std::size_t j = 0; j < b.size(); ++j) text += "---|";
     text += "\n";
     for (std::size_t i = 0; i < c.size(); ++i) text += table_row(code(c[i], digits), A[i], digits);
-    return text + table_row("**b**", b, digits);
+    return text + table_row(fmt::format("**{}**", b_name), b, digits);
 }
 
 std::string list(const std::vector<std::string>& items) {
@@ -40,26 +41,49 @@ std::string list(const std::vector<std::string>& items) {
     return text;
 }
 
-}  // namespace
-
-std::string render_markdown(const Tableau& tableau, int digits) {
+std::string basis_text(const Provenance& provenance) {
     std::vector<std::string> basis;
-    for (const Expression& function : tableau.provenance.basis) basis.push_back(to_text(function));
-    std::string text = fmt::format("# Tableau of `{}`\n\n", tableau.provenance.title());
-    text += fmt::format("- stages: {}\n- basis functions: {}\n", tableau.stages(), list(basis));
-    if (!tableau.parameters.empty()) text += "- parameters: " + list(tableau.parameters) + "\n";
-    text += "\n" + butcher_table("c", tableau.c, "A", tableau.A, tableau.b, digits);
-    text += "\n" + butcher_table("c_tilde", tableau.c_tilde, "A_tilde", tableau.A_tilde, tableau.b,
-                                 digits);
-    text += "\n## Entries\n\n| matrix | row | column | exact | decimal | double |\n"
-            "|---|---|---|---|---|---|\n";
-    for_each_entry(tableau, digits,
+    for (const Expression& function : provenance.basis) basis.push_back(to_text(function));
+    return fmt::format("- basis functions: {}\n", list(basis));
+}
+
+std::string parameters_text(const std::vector<std::string>& names) {
+    return names.empty() ? "" : "- parameters: " + list(names) + "\n";
+}
+
+std::string entries_text(const std::vector<Part>& parts, int digits) {
+    std::string text = "\n## Entries\n\n| matrix | row | column | exact | decimal | double |\n"
+                       "|---|---|---|---|---|---|\n";
+    for_each_entry(parts, digits,
                    [&](const Part& part, std::size_t row, std::size_t column, const Entry& entry) {
                        text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", part.name, row,
                                            column, code(entry.exact_text()), code(entry.decimal),
                                            code(entry.hex));
                    });
     return text;
+}
+
+}  // namespace
+
+std::string render_markdown(const Tableau& tableau, int digits) {
+    std::string text = fmt::format("# Tableau of `{}`\n\n", tableau.provenance.title());
+    text += fmt::format("- stages: {}\n", tableau.stages()) + basis_text(tableau.provenance) +
+            parameters_text(tableau.parameters);
+    text += "\n" + butcher_table("c", tableau.c, "A", "b", tableau.A, tableau.b, digits);
+    text += "\n" + butcher_table("c_tilde", tableau.c_tilde, "A_tilde", "b", tableau.A_tilde,
+                                 tableau.b, digits);
+    return text + entries_text(parts(tableau), digits);
+}
+
+std::string render_markdown(const GalerkinRule& rule, int digits) {
+    std::string text = fmt::format("# General Galerkin form of `{}`\n\n", rule.provenance.title());
+    text += fmt::format("- functions: {}\n- nodes: {}\n", rule.functions(), rule.nodes()) +
+            basis_text(rule.provenance) + parameters_text(rule.parameters);
+    const NystromTableau tableau = nystrom(rule);
+    text += "\n" + butcher_table("c", rule.c, "A_psi", "B", rule.A_psi, rule.B, digits);
+    text += "\nFor H = p^T K p/2 + U(q):\n\n" +
+            butcher_table("c", rule.c, "A_bar", "b_bar", tableau.A_bar, tableau.b_bar, digits);
+    return text + table_row("**b**", rule.b, digits) + entries_text(all_parts(rule), digits);
 }
 
 }  // namespace hvi::gen

@@ -56,12 +56,12 @@ std::string value_text(const Number& number) {
     return is_integer ? exact : fmt::format("{} = {}", exact, *entry.decimal);
 }
 
-std::string why_no_oscillator(const Certificate& certificate) {
-    if (certificate.within_digits) { return "only some digits are known"; }
+std::string why_no_oscillator(const Findings& findings) {
+    if (findings.within_digits) { return "only some digits are known"; }
     const std::string too_long = "the coefficients are too long";
-    if (certificate.parameters.empty()) { return too_long; }
-    return too_long + "; a value for the parameter " + certificate.parameters.front() +
-           " makes them short: --param " + certificate.parameters.front() + "=1";
+    if (findings.parameters.empty()) { return too_long; }
+    return too_long + "; a value for the parameter " + findings.parameters.front() +
+           " makes them short: --param " + findings.parameters.front() + "=1";
 }
 
 std::string stage_name(const StageNode& node) {

@@ -37,11 +37,18 @@ private:
 /// how many terms it has.
 [[nodiscard]] std::string value_text(const Number& number);
 
-/// Why a certificate has no map of the oscillator, and what would help. Precondition: it has none.
-[[nodiscard]] std::string why_no_oscillator(const Certificate& certificate);
+/// Why there is no map of the oscillator, and what would help. Precondition: it has none.
+[[nodiscard]] std::string why_no_oscillator(const Findings& findings);
 
 /// `Q_1`, counted from 1.
 [[nodiscard]] std::string stage_name(const StageNode& node);
+
+// What certificates of tableaux and of the general form share.
+[[nodiscard]] std::string yes_or_no(const Verdict& verdict, const Findings& findings);
+[[nodiscard]] std::string order_text(const OrderConditions& conditions, const Findings& findings);
+void write_failures(NamedLines& lines, const OrderConditions& conditions);
+void write_signs(NamedLines& lines, const Findings& findings);
+void write_oscillator(NamedLines& lines, const Findings& findings);
 
 /// All that a certificate says but for its title and its last line.
 void write_certificate(NamedLines& lines, const Certificate& certificate);

@@ -1,9 +1,10 @@
-// A tableau in the formats that people and programs read.
+// A method in the formats that people and programs read.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>
 
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/methods/tableau.hpp"
 
 namespace hvi::gen {
@@ -27,5 +28,13 @@ namespace hvi::gen {
 
 /// A line for each entry, as RFC 4180 has it but for line ends, which are those of Unix.
 [[nodiscard]] std::string render_csv(const Tableau& tableau, int digits);
+
+/// The same of the general Galerkin form (4.6): c | A_psi with B below, b | Psi^T, the Gram matrix,
+/// and the Nystrom method c | A_bar with b_bar and b; the schema is `hvi-galerkin/1`.
+[[nodiscard]] std::string render_text(const GalerkinRule& rule, int digits);
+[[nodiscard]] std::string render_json(const GalerkinRule& rule, int digits);
+[[nodiscard]] std::string render_latex(const GalerkinRule& rule, int digits);
+[[nodiscard]] std::string render_markdown(const GalerkinRule& rule, int digits);
+[[nodiscard]] std::string render_csv(const GalerkinRule& rule, int digits);
 
 }  // namespace hvi::gen

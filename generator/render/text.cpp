@@ -8,6 +8,7 @@
 #include "generator/render/entry.hpp"
 #include "generator/render/layout.hpp"
 #include "generator/render/render.hpp"
+#include "generator/render/text_parts.hpp"
 
 namespace hvi::gen {
 
@@ -36,25 +37,6 @@ Shown shown(const ButcherPair& pair, Form&& form) {
     };
     return {vector(pair.c), matrix(pair.A), vector(pair.c_tilde), matrix(pair.A_tilde),
             vector(pair.b)};
-}
-
-void append(std::string& text, const Lines& lines) {
-    for (const std::string& line : lines) text += line + "\n";
-}
-
-std::string vector_entries(std::string_view name, const std::vector<std::string>& vector) {
-    std::string text;
-    for (std::size_t i = 0; i < vector.size(); ++i)
-        append(text, wrapped(fmt::format(" {}[{}] = ", name, i + 1), vector[i]));
-    return text + "\n";
-}
-
-std::string matrix_entries(std::string_view name, const Cells& matrix) {
-    std::string text;
-    for (std::size_t i = 0; i < matrix.size(); ++i)
-        for (std::size_t j = 0; j < matrix[i].size(); ++j)
-            append(text, wrapped(fmt::format(" {}[{},{}] = ", name, i + 1, j + 1), matrix[i][j]));
-    return text + "\n";
 }
 
 std::string entry_by_entry(const Shown& shown) {
@@ -113,25 +95,11 @@ std::string decimal_part(const ButcherPair& pair, int digits) {
     return fmt::format("to {} digits\n\n{}", digits, entry_by_entry(with_digits(digits)));
 }
 
-std::string heading(const Tableau& tableau) {
-    std::string text;
-    append(text, wrapped("", tableau.provenance.title()));
-    text += "\n";
-    append(text, wrapped("stages      ", std::to_string(tableau.stages())));
-    std::string basis;
-    for (const Expression& function : tableau.provenance.basis)
-        basis += (basis.empty() ? "" : ", ") + to_text(function);
-    append(text, wrapped("basis       ", basis));
-    if (!tableau.parameters.empty())
-        append(text,
-               wrapped("parameters  ", fmt::format("{}", fmt::join(tableau.parameters, ", "))));
-    return text + "\n";
-}
-
 }  // namespace
 
 std::string render_text(const Tableau& tableau, int digits) {
-    std::string text = heading(tableau);
+    std::string text = heading(tableau.provenance, tableau.parameters,
+                               fmt::format("stages      {}\n", tableau.stages()));
     text += exact_part(tableau, digits);
     if (tableau.parameters.empty()) text += decimal_part(tableau, digits);
     text.pop_back();

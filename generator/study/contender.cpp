@@ -26,8 +26,9 @@ Contender contender(Builds& builds, const ComposedMethod& method, const Scene& s
     SceneStepper stepper =
         scene_stepper(method.method, scene, simulation_wishes(solver, method.composition));
     check_simulation(stepper);
-    const int order = composed_order(orders(stepper.method.tableau, highest_order).general.order,
-                                     method.composition);
+    const int order =
+        composed_order(orders(std::get<Tableau>(stepper.method.base), highest_order).general.order,
+                       method.composition);
     Build build = builds.order(simulation_program(stepper));
     return {std::move(stepper), order, std::move(build)};
 }

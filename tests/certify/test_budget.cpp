@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/certify/certificate.hpp"
+#include "generator/certify/rule_certificate.hpp"
 #include "tests/exact/exact.hpp"
 
 using namespace hvi::gen;

@@ -20,6 +20,7 @@
 
 #include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/render/render.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/simulate/simulation.hpp"
@@ -103,17 +104,23 @@ void check_json(const std::string& text) {
     require(nlohmann::json::accept(text), "JSON that is none");
 }
 
-/// A tableau that one format can show, all of them can.
-void carry_out(const TableauOptions& options) {
-    const Tableau tableau = tableau_of(options.method);
-    require(!render_text(tableau, options.digits).empty(), "no text");
+/// What one format can show, all of them can.
+void check_formats(const auto& method, int digits) {
+    require(!render_text(method, digits).empty(), "no text");
     try {
-        check_json(render_json(tableau, options.digits));
-        for (const auto render : {render_latex, render_markdown, render_csv})
-            require(!render(tableau, options.digits).empty(), "no text");
+        check_json(render_json(method, digits));
+        for (const std::string& text :
+             {render_latex(method, digits), render_markdown(method, digits),
+              render_csv(method, digits)})
+            require(!text.empty(), "no text");
     } catch (const MathError& error) {
         throw std::logic_error(std::string("text can say what others cannot: ") + error.what());
     }
+}
+
+void carry_out(const TableauOptions& options) {
+    std::visit([&](const auto& method) { check_formats(method, options.digits); },
+               derive_any(method_of(options.method)));
 }
 
 void carry_out(CheckOptions options) {

@@ -168,9 +168,9 @@ TEST_CASE("what stands beside what") {
         return all;
     };
     using Names = std::vector<std::string_view>;
-    CHECK(names("--method-file", Command::tableau) == Names{"--method", "--basis", "--nodes"});
+    CHECK(names("--method-file", Command::tableau) == Names{"--method", "--basis", "--nodes", "--weights"});
     CHECK(names("--tableau", Command::check) ==
-          Names{"--method", "--basis", "--nodes", "--method-file"});
+          Names{"--method", "--basis", "--nodes", "--weights", "--method-file"});
     CHECK(names("--separable", Command::stepper) == Names{"SCENE", "--hamiltonian"});
     CHECK(names("--step", Command::run) == Names{"--accuracy"});
     CHECK(names("--explain", Command::stepper) == Names{"--dump"});

@@ -9,8 +9,8 @@
 namespace hvi::gen {
 namespace {
 
-std::string method_title(const Tableau& tableau) {
-    const std::string& name = tableau.provenance.name;
+std::string method_title(const Provenance& provenance) {
+    const std::string& name = provenance.name;
     return name.empty() ? "A method of its own basis and nodes" : name;
 }
 
@@ -44,10 +44,18 @@ std::string tableau_text(const Tableau& tableau, const Step& step) {
     return writer.str();
 }
 
-std::string negative_weights(const Tableau& tableau) {
+std::string tableau_text(const GalerkinRule& rule, const Step&) {
+    Writer writer(0);
+    list(writer, "c", rule.c);
+    list(writer, "b", rule.b);
+    list(writer, "n", rule.n);
+    return writer.str();
+}
+
+std::string negative_weights(const NumberVector& b) {
     std::string names;
-    for (std::size_t i = 0; i < tableau.b.size(); ++i) {
-        if (!tableau.b[i].has_parameters() && tableau.b[i].sign() < 0) {
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        if (!b[i].has_parameters() && b[i].sign() < 0) {
             names += fmt::format("{}b_{}", names.empty() ? "" : ", ", i + 1);
         }
     }
@@ -66,21 +74,37 @@ std::string_view partner_text(Partner partner) {
            "method conserves q^T C p for constant C.";
 }
 
-std::string method_text(const Tableau& tableau, const Step& step) {
+/// What it is, its basis, what it conserves, and negative weights.
+std::string described(const Provenance& provenance, const std::string& kind,
+                      std::string_view conserved, const NumberVector& b) {
     Writer writer(0);
     std::string basis;
-    for (const Expression& psi : tableau.provenance.basis) {
+    for (const Expression& psi : provenance.basis) {
         basis += (basis.empty() ? "" : ", ") + to_text(psi);
     }
-    writer.comment(fmt::format(
-        "{}: symplectic, {} stage{}, for {} Hamiltonians.", method_title(tableau), tableau.stages(),
-        tableau.stages() == 1 ? "" : "s", step.is_separable() ? "separable" : "general"));
+    writer.comment(fmt::format("{}: {}.", method_title(provenance), kind));
     if (!basis.empty()) { writer.comment(fmt::format("Basis functions of tau: {}.", basis)); }
-    writer.comment(partner_text(step.partner));
-    if (const std::string names = negative_weights(tableau); !names.empty()) {
+    writer.comment(conserved);
+    if (const std::string names = negative_weights(b); !names.empty()) {
         writer.comment(fmt::format("Negative weights: {}.", names));
     }
     return writer.str();
+}
+
+std::string method_text(const Tableau& tableau, const Step& step) {
+    return described(tableau.provenance,
+                     fmt::format("symplectic, {} stage{}, for {} Hamiltonians", tableau.stages(),
+                                 tableau.stages() == 1 ? "" : "s",
+                                 step.is_separable() ? "separable" : "general"),
+                     partner_text(step.partner), tableau.b);
+}
+
+std::string method_text(const GalerkinRule& rule, const Step&) {
+    return described(rule.provenance,
+                     fmt::format("symplectic, {} function{} and {} nodes, for H = p^T K p/2 + U(q)",
+                                 rule.functions(), rule.functions() == 1 ? "" : "s", rule.nodes()),
+                     "The general Galerkin form (4.6), which conserves q^T C p for constant C.",
+                     rule.b);
 }
 
 std::string choices_text(const Step& step) {
@@ -135,15 +159,19 @@ std::string with_note(std::string header, const std::string& note) {
 }
 
 std::string banner(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
-    std::string text = fill(
-        "banner.hpp.in", {{"version", std::string(version)},
-                          {"command", one_line(options.command)},
-                          {"method", method_text(method.tableau, step)},
-                          {"tableau", tableau_text(method.tableau, step)},
-                          {"scene", options.system == nullptr
-                                        ? std::string()
-                                        : scene_text(step, *options.system, *options.evaluations)},
-                          {"choices", choices_text(step)}});
+    const auto of_base = [&](auto text) {
+        return std::visit([&](const auto& base) { return text(base); }, method.base);
+    };
+    std::string text =
+        fill("banner.hpp.in",
+             {{"version", std::string(version)},
+              {"command", one_line(options.command)},
+              {"method", of_base([&](const auto& base) { return method_text(base, step); })},
+              {"tableau", of_base([&](const auto& base) { return tableau_text(base, step); })},
+              {"scene", options.system == nullptr
+                            ? std::string()
+                            : scene_text(step, *options.system, *options.evaluations)},
+              {"choices", choices_text(step)}});
     text.pop_back();
     return text;
 }

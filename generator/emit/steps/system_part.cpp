@@ -78,11 +78,10 @@ std::string_view numbers(const SceneWishes& wishes) {
                            : "float, double or long double";
 }
 
-std::string purpose_for_scene(const Tableau& tableau, const EmitOptions& options) {
+std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& options) {
     const System& scene = *options.system;
-    const std::string method = tableau.provenance.name.empty()
-                                   ? "a method of its own basis and nodes"
-                                   : tableau.provenance.name;
+    const std::string method =
+        provenance.name.empty() ? "a method of its own basis and nodes" : provenance.name;
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     Writer writer(0);
     writer.comment(fmt::format("{} with {}, computed in Number: {}. "
@@ -161,11 +160,11 @@ std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
     return writer.str();
 }
 
-SystemPart for_scene(const Tableau& tableau, const Step& step, const EmitOptions& options) {
+SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitOptions& options) {
     SystemPart part;
     part.include = "#include <array>\n#include <cmath>";
     if (options.wishes.evaluations) { part.include += "\n#include <cstdint>"; }
-    part.purpose = purpose_for_scene(tableau, options);
+    part.purpose = purpose_for_scene(provenance, options);
     part.class_name = "Basic" + options.class_name;
     const std::size_t n = options.system->degrees_of_freedom();
     part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>", n);
@@ -181,7 +180,7 @@ SystemPart for_scene(const Tableau& tableau, const Step& step, const EmitOptions
 
 SystemPart system_part(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     return options.system == nullptr ? for_users(step, options)
-                                     : for_scene(method.tableau, step, options);
+                                     : for_scene(method.provenance(), step, options);
 }
 
 Holes holes_of(const SystemPart& part) {

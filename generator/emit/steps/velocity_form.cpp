@@ -317,8 +317,11 @@ std::string constants_text(const Step& step, const VelocityStep& velocities,
     for (std::size_t i = 0; i < form.c.size(); ++i) {
         c.push_back({fmt::format("c_{}", i + 1), values.c[i], exact_text(form.c[i])});
     }
-    writer.blank().comment("The momenta are eliminated: n_ij = sum_k a_ik a~_kj/b_j, rounded with "
-                           "c so that n_ij - n_ji is c_i - c_j exactly.");
+    const char* const n =
+        step.momenta.empty() ? "(4.6): n_ij = c_i - A_i G^-1 A_j^T" : "n_ij = sum_k a_ik a~_kj/b_j";
+    writer.blank().comment(fmt::format("The momenta are eliminated: {}, rounded with c so that "
+                                       "n_ij - n_ji is c_i - c_j exactly.",
+                                       n));
     table(writer, "c", c);
     table(writer, "n", constants("n", form.n, values.n));
     writer.line("static_assert(hvi::detail::symplectic(c, n), \"the method is symplectic\");");

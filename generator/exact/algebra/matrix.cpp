@@ -171,6 +171,12 @@ bool is_zero(const NumberMatrix& matrix) {
     });
 }
 
+bool is_table(const NumberMatrix& matrix, std::size_t height, std::size_t width) {
+    return matrix.size() == height &&
+           std::all_of(matrix.begin(), matrix.end(),
+                       [&](const NumberVector& row) { return row.size() == width; });
+}
+
 NumberMatrix rows(const NumberMatrix& matrix, std::size_t first, std::size_t last) {
     return {matrix.begin() + static_cast<long>(first), matrix.begin() + static_cast<long>(last)};
 }

@@ -17,6 +17,7 @@ namespace hvi::gen {
 [[nodiscard]] NumberMatrix identity(std::size_t size);
 [[nodiscard]] NumberMatrix zeros(std::size_t height, std::size_t width);
 [[nodiscard]] bool is_zero(const NumberMatrix& matrix);
+[[nodiscard]] bool is_table(const NumberMatrix& matrix, std::size_t height, std::size_t width);
 
 /// Rows first .. last - 1.
 [[nodiscard]] NumberMatrix rows(const NumberMatrix& matrix, std::size_t first, std::size_t last);

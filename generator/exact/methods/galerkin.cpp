@@ -4,12 +4,9 @@
 #include <algorithm>
 
 #include "generator/exact/algebra/matrix.hpp"
-#include "generator/exact/expressions/basis.hpp"
-#include "generator/exact/expressions/evaluate.hpp"
-#include "generator/exact/functions/factor.hpp"
-#include "generator/exact/functions/independence.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
+#include "generator/exact/methods/ingredients.hpp"
 #include "generator/exact/methods/interpolation.hpp"
-#include "generator/exact/methods/nodes.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/support/progress.hpp"
@@ -17,23 +14,6 @@
 namespace hvi::gen {
 
 namespace {
-
-/// Everything exact that a method's text stands for.
-struct Ingredients {
-    Ground ground;
-    std::vector<BasisFunction> psi;
-    Nodes nodes;
-};
-
-Ingredients ingredients(const Method& method, Ground ground) {
-    for (const Parameter& parameter : method.parameters) {
-        ground.set_parameter(parameter.name,
-                             evaluate_number(parameter.value, parameter.source, ground));
-    }
-    Nodes nodes = quadrature_nodes(method.nodes, ground);
-    auto psi = basis_functions(method.basis, nodes.c, ground);
-    return {std::move(ground), std::move(psi), std::move(nodes)};
-}
 
 void check_counts(const Method& method, const Ingredients& given) {
     const std::size_t functions = given.psi.size();
@@ -43,86 +23,6 @@ void check_counts(const Method& method, const Ingredients& given) {
                             std::to_string(functions) + ")",
                         whole(method.nodes.source), "every function needs a node of its own");
     }
-    if (method.weights || nodes > functions) {
-        throw InputError(
-            "the general Galerkin form (4.6), with " +
-                std::string(method.weights ? "its own weights" : "more nodes than functions") +
-                ", is to come",
-            whole((method.weights ? *method.weights : method.nodes).source),
-            "give as many nodes as basis functions, and no weights");
-    }
-}
-
-/// sum_i v_i psi_i, as text.
-std::string combination_text(const NumberVector& v, const std::vector<BasisFunction>& psi) {
-    std::vector<Expression> terms;
-    for (std::size_t i = v.size(); i-- > 0;) {
-        if (v[i].is_zero()) continue;
-        const auto factor = v[i].closed_form();
-        if (!factor) return "a combination of the basis functions";
-        const bool negative = factor->kind == Expression::Kind::negation;
-        const Expression& size = negative ? factor->arguments[0] : *factor;
-        Expression term = to_text(size) == "1"          ? psi[i].form
-                          : to_text(psi[i].form) == "1" ? size
-                                                        : Expression::product({size, psi[i].form});
-        terms.push_back(negative ? Expression::negation(std::move(term)) : std::move(term));
-    }
-    return "`" + to_text(Expression::sum(std::move(terms))) + "`";
-}
-
-/// The coefficients of the functions and of 1 in the independent terms that occur in them.
-NumberMatrix in_terms(const std::vector<BasisFunction>& psi, const ExactFunction& last) {
-    std::vector<ExactTerm> shapes;
-    NumberMatrix rows;
-    const auto append = [&](const ExactFunction& function) {
-        NumberVector row(shapes.size());
-        for (const ExactTerm& term : function.terms()) {
-            std::size_t column = 0;
-            while (column < shapes.size() && !same_shape(shapes[column], term)) ++column;
-            if (column == shapes.size()) {
-                shapes.push_back(term);
-                row.emplace_back();
-            }
-            row[column] = term.coefficient;
-        }
-        rows.push_back(std::move(row));
-    };
-    for (const BasisFunction& function : psi) append(function.function);
-    append(last);
-    for (NumberVector& row : rows) row.resize(shapes.size());
-    return rows;
-}
-
-bool has_independent_terms(const std::vector<BasisFunction>& psi) {
-    for (const BasisFunction& function : psi) {
-        for (const ExactTerm& term : function.function.terms()) {
-            if (term.factor != nullptr && !is_independent(*term.factor)) return false;
-        }
-    }
-    return true;
-}
-
-bool proved_independent_of_one(const std::vector<BasisFunction>& psi) {
-    std::vector<ExactFunction> functions{ExactFunction(Number(1))};
-    for (const BasisFunction& function : psi) functions.push_back(function.function);
-    return proved_independent(functions);
-}
-
-/// Section 4.4.3: the method is consistent when 1 is in the span of the basis.
-void check_constants(const Method& method, const std::vector<BasisFunction>& psi) {
-    for (const BasisFunction& function : psi) {
-        const auto constant = function.function.constant();
-        if (constant && !constant->is_zero()) return;
-    }
-    // 1 is in the span when a combination of psi_1 .. psi_s, 1 vanishes that has 1 in it.
-    const auto combination = left_null_vector(in_terms(psi, ExactFunction(Number(1))));
-    if (combination && !combination->back().is_zero()) return;
-    if (!has_independent_terms(psi) && !proved_independent_of_one(psi)) {
-        throw MathError("cannot decide whether constants are in the span of the basis",
-                        whole(method.basis.source), "write the basis with the function 1 in it");
-    }
-    throw MathError("constants are not in the span of the basis, so the method is not consistent",
-                    whole(method.basis.source), "add the function 1");
 }
 
 /// M^-1 and b by interpolation, for polynomials over Q at all the roots of one.
@@ -156,78 +56,6 @@ ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredie
                     whole(method.nodes.source), "choose other nodes, or other functions");
 }
 
-/// Numbers with free parameters have no enclosures, and so no sum with those that have nothing
-/// else: refused for what is known so far.
-void check_parameters(const NumberVector& nodes, const Galerkin& galerkin, const Method& method) {
-    bool parameters = false;
-    bool enclosed = false;
-    const auto look = [&](const NumberVector& numbers) {
-        for (const Number& number : numbers) {
-            parameters = parameters || number.has_parameters();
-            enclosed = enclosed || !is_exact(number);
-        }
-    };
-    look(nodes);
-    look(galerkin.B);
-    for (const NumberMatrix* matrix : {&galerkin.M, &galerkin.A_psi}) {
-        for (const NumberVector& row : *matrix) look(row);
-    }
-    if (parameters && enclosed) {
-        throw InputError("a method with a free parameter and with numbers that have no closed form "
-                         "is not built yet",
-                         whole(method.basis.source), "give the parameter a value with --param");
-    }
-}
-
-/// What `work` returns for a basis function; its errors get the function's place, and `where()`.
-template <class Work, class Where>
-Number of_function(const BasisFunction& function, Where where, Work work) {
-    try {
-        return work();
-    } catch (const MathError& error) {
-        if (error.place()) throw;
-        throw MathError(error.what() + where(), function.place, error.help());
-    } catch (const InputError& error) {
-        if (error.place()) throw;
-        throw InputError(error.what() + where(), function.place, error.help());
-    }
-}
-
-std::string node_text(const NumberVector& nodes, std::size_t i) {
-    const auto form = nodes[i].closed_form();
-    return "node " + std::to_string(i + 1) +
-           ", c = " + (form ? to_text(*form) : nodes[i].decimal(16));
-}
-
-NumberVector integrals(const std::vector<BasisFunction>& functions, const Number& end,
-                       const Ground& ground) {
-    const Progress::Stage stage("integrating the basis");
-    NumberVector result;
-    for (const BasisFunction& function : functions) {
-        const auto nowhere = [] { return std::string(); };
-        result.push_back(of_function(function, nowhere,
-                                     [&] { return function.function.integral(end, ground); }));
-    }
-    return result;
-}
-
-/// M, row by row: psi_i(c_j).
-NumberMatrix values(const std::vector<BasisFunction>& functions, const NumberVector& nodes,
-                    const Ground& ground) {
-    const Progress::Stage stage("evaluating the basis at the nodes");
-    NumberMatrix result;
-    for (const BasisFunction& function : functions) {
-        NumberVector row;
-        for (std::size_t j = 0; j < nodes.size(); ++j) {
-            const auto where = [&] { return " at " + node_text(nodes, j); };
-            row.push_back(of_function(function, where,
-                                      [&] { return function.function.at(nodes[j], ground); }));
-        }
-        result.push_back(std::move(row));
-    }
-    return result;
-}
-
 /// Whether the basis spans the polynomials of degree less than s. Precondition: M is regular.
 bool spans_polynomials(const std::vector<BasisFunction>& psi) {
     for (const BasisFunction& function : psi) {
@@ -259,8 +87,8 @@ void check_weights(const ButcherPair& pair, const Method& method) {
         throw MathError("the weight of " + node_text(pair.c, i) +
                             ", is zero, and step 5 divides by it",
                         whole(method.nodes.source),
-                        "the general Galerkin form with chosen --weights, which is to come, can "
-                        "have such nodes");
+                        "the general Galerkin form, with more nodes than functions, can have such "
+                        "nodes");
     }
 }
 
@@ -335,15 +163,6 @@ Inversion inversion(Galerkin& galerkin, const Method& method, const Ingredients&
     return {std::move(inverse.adjugate), scale, std::nullopt};
 }
 
-/// Sets `B` and `A_psi`.
-void integrate(Galerkin& galerkin, const Ingredients& given) {
-    const auto& [ground, psi, nodes] = given;
-    galerkin.B = integrals(psi, Number(1), ground);
-    for (const Number& node : nodes.c) {
-        galerkin.A_psi.push_back(node.is_one() ? galerkin.B : integrals(psi, node, ground));
-    }
-}
-
 /// Steps 3 to 5.
 ButcherPair butcher_pair(const Galerkin& galerkin, const Inversion& M, const Method& method,
                          const Ingredients& given) {
@@ -359,19 +178,37 @@ ButcherPair butcher_pair(const Galerkin& galerkin, const Inversion& M, const Met
     return pair;
 }
 
+/// Throws MathError where weights were given and are others than b = M^-1 B: with as many nodes as
+/// functions no others are consistent.
+void check_given_weights(const Method& method, const ButcherPair& pair, const Ingredients& given) {
+    if (!method.weights) { return; }
+    const NumberVector b = given_weights(method, given);
+    for (std::size_t i = 0; i < pair.stages(); ++i) {
+        const Number difference = b[i] - pair.b[i];
+        if (difference.is_zero()) { continue; }
+        throw MathError("with as many nodes as functions the rule has to be exact on the span of "
+                        "the basis, so that its weights are M^-1 B: that of " +
+                            node_text(pair.c, i) + ", is off by " + text_of(difference),
+                        method.weights->place(method.weights->items[i].range),
+                        "leave out --weights, or give more nodes than functions");
+    }
+}
+
 Tableau derive(const Method& method, const Ingredients& given) {
     const auto& [ground, psi, nodes] = given;
-    Provenance provenance{method.name, method.origin, {}};
-    for (const BasisFunction& function : psi) { provenance.basis.push_back(function.form); }
     Galerkin galerkin;
     galerkin.M = values(psi, nodes.c, ground);
-    check_parameters(nodes.c, galerkin, method);
+    check_parameters(method, {{nodes.c}, galerkin.M});
     const Inversion M = inversion(galerkin, method, given);
     check_constants(method, psi);
-    integrate(galerkin, given);
-    check_parameters(nodes.c, galerkin, method);
+    auto [B, A_psi] = basis_integrals(given);
+    galerkin.B = std::move(B);
+    galerkin.A_psi = std::move(A_psi);
+    check_parameters(method, {{nodes.c, galerkin.B}, galerkin.M, galerkin.A_psi});
     ButcherPair pair = butcher_pair(galerkin, M, method, given);
-    return {std::move(pair), std::move(provenance), ground.free_parameters(), std::move(galerkin)};
+    check_given_weights(method, pair, given);
+    return {std::move(pair), provenance(method, psi), ground.free_parameters(),
+            std::move(galerkin)};
 }
 
 /// sum_k coefficients[k] functions[k]
@@ -390,6 +227,11 @@ Derivation derive_on(const Ground& ground, const Method& method) {
     const Progress::Stage stage("reading nodes and basis exactly");
     const Ingredients given = ingredients(method, ground);
     check_counts(method, given);
+    if (given.nodes.c.size() > given.psi.size()) {
+        throw InputError("more nodes than functions make no tableau, but the general Galerkin form "
+                         "(4.6), which is not built for this yet",
+                         whole(method.nodes.source), "give as many nodes as basis functions");
+    }
     try {
         return {derive(method, given), given.ground};
     } catch (const TooLarge& error) {
@@ -399,6 +241,20 @@ Derivation derive_on(const Ground& ground, const Method& method) {
 
 Tableau derive(const Method& method) {
     return on_new_ground([&](const Ground& ground) { return derive_on(ground, method).tableau; });
+}
+
+DerivedMethod derive_any(const Method& method) {
+    return on_new_ground([&](const Ground& ground) -> DerivedMethod {
+        const Progress::Stage stage("reading nodes and basis exactly");
+        const Ingredients given = ingredients(method, ground);
+        check_counts(method, given);
+        try {
+            if (given.nodes.c.size() > given.psi.size()) { return galerkin_rule(method, given); }
+            return derive(method, given);
+        } catch (const TooLarge& error) {
+            throw MathError(error.what(), whole(method.basis.source), error.help());
+        }
+    });
 }
 
 Routes both_routes(const Method& method) {

@@ -209,6 +209,27 @@ Orders examine(const Stages& stages, Decide decide, ToNumber to_number, int max_
             examine(stages, decide, to_number, TreeFamily::nystrom, max_order)};
 }
 
+/// `examine` of the stages, in exact arithmetic where the numbers allow.
+template <class Examine>
+auto on_stages(const PartitionedMethod& method, Examine examine) {
+    if (method.is_exact()) {
+        try {
+            return examine(NumberStages(method), Decided(), exact_defect);
+        } catch (const TooLarge&) {
+            if (method.has_parameters()) { throw; }
+        }
+    }
+    const EnclosedDefect to_number(method);
+    // NOTE: enclosures of zero narrower than 10^-50 take 167 bits and some more for what is lost.
+    for (Precision bits = 4 * first_precision; bits <= last_precision; bits *= 2) {
+        try {
+            return examine(BallStages(method, bits), Decided(), to_number);
+        } catch (const TooWide&) { continue; }
+    }
+    throw MathError("cannot decide whether an order condition holds with " +
+                    std::to_string(last_precision) + " bits");
+}
+
 }  // namespace
 
 std::optional<Number> OrderConditions::error_constant() const {
@@ -239,22 +260,17 @@ Orders orders(const Tableau& tableau, int max_order) {
 }
 
 Orders orders(const PartitionedMethod& method, int max_order) {
-    if (method.is_exact()) {
-        try {
-            return examine(NumberStages(method), Decided(), exact_defect, max_order);
-        } catch (const TooLarge&) {
-            if (method.has_parameters()) { throw; }
-        }
-    }
-    const EnclosedDefect to_number(method);
-    // NOTE: enclosures of zero narrower than 10^-50 take 167 bits and some more for what is lost.
-    for (Precision bits = 4 * first_precision; bits <= last_precision; bits *= 2) {
-        try {
-            return examine(BallStages(method, bits), Decided(), to_number, max_order);
-        } catch (const TooWide&) { continue; }
-    }
-    throw MathError("cannot decide whether an order condition holds with " +
-                    std::to_string(last_precision) + " bits");
+    return on_stages(method, [&](const auto& stages, auto decide, auto to_number) {
+        return examine(stages, decide, to_number, max_order);
+    });
+}
+
+OrderConditions nystrom_order(const PartitionedMethod& method, int max_order) {
+    const Progress::Stage stage("checking order conditions");
+    HVI_CHECK(max_order >= 1 && max_order <= most_vertices);
+    return on_stages(method, [&](const auto& stages, auto decide, auto to_number) {
+        return examine(stages, decide, to_number, TreeFamily::nystrom, max_order);
+    });
 }
 
 Orders orders(const RoundedMethod& method, int max_order) {

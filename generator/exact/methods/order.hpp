@@ -55,6 +55,9 @@ struct Orders {
 /// By the coefficients alone.
 [[nodiscard]] Orders orders(const PartitionedMethod& method, int max_order);
 
+/// Of trees for a quadratic kinetic energy alone.
+[[nodiscard]] OrderConditions nystrom_order(const PartitionedMethod& method, int max_order);
+
 /// The largest orders of which each condition by itself can hold, for some of the numbers that the
 /// coefficients can be. Failures are proved; their residuals are those of the coefficients as
 /// written.
