@@ -31,8 +31,12 @@ void list(Writer& writer, std::string_view letter, const NumberMatrix& values) {
     }
 }
 
-std::string tableau_text(const Tableau& tableau, const Step& step) {
+constexpr std::string_view paper =
+    "in Leok & Zhang, Discrete Hamiltonian variational integrators, exactly:";
+
+std::string numbers_text(const Tableau& tableau, const Step& step) {
     Writer writer(0);
+    writer.comment(fmt::format("The tableau of (4.18) {}", paper)).line("//");
     list(writer, "c", tableau.c);
     list(writer, "b", tableau.b);
     list(writer, "a", tableau.A);
@@ -44,8 +48,10 @@ std::string tableau_text(const Tableau& tableau, const Step& step) {
     return writer.str();
 }
 
-std::string tableau_text(const GalerkinRule& rule, const Step&) {
+std::string numbers_text(const GalerkinRule& rule, const Step&) {
     Writer writer(0);
+    writer.comment(fmt::format("The rule of (4.6) and n_ij = c_i - A_i G^-1 A_j^T {}", paper));
+    writer.line("//");
     list(writer, "c", rule.c);
     list(writer, "b", rule.b);
     list(writer, "n", rule.n);
@@ -167,7 +173,7 @@ std::string banner(const OneStepMethod& method, const Step& step, const EmitOpti
              {{"version", std::string(version)},
               {"command", one_line(options.command)},
               {"method", of_base([&](const auto& base) { return method_text(base, step); })},
-              {"tableau", of_base([&](const auto& base) { return tableau_text(base, step); })},
+              {"numbers", of_base([&](const auto& base) { return numbers_text(base, step); })},
               {"scene", options.system == nullptr
                             ? std::string()
                             : scene_text(step, *options.system, *options.evaluations)},
