@@ -1,0 +1,15 @@
+// Whether an expression is zero for all values of its symbols.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/hamiltonian/algebra.hpp"
+
+namespace hvi::gen {
+
+enum class Vanishing { proved, refuted, unknown };
+
+/// Refuted by an enclosure of the value at a point; proved by GiNaC's normal form, in which
+/// functions are free symbols, or in exact arithmetic.
+[[nodiscard]] Vanishing vanishing(const Algebra& algebra, const GiNaC::ex& expression);
+
+}  // namespace hvi::gen
