@@ -2,15 +2,10 @@
 #include "generator/equations/stage_equations.hpp"
 
 #include <algorithm>
-#include <map>
-#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "generator/exact/numbers/rational.hpp"
-#include "generator/expr/fraction.hpp"
-#include "generator/read/names.hpp"
 #include "generator/stages/stage_graph.hpp"
 
 namespace hvi::gen {
