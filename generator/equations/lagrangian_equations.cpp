@@ -81,10 +81,10 @@ private:
     LagrangianEquations& result_;
 };
 
-LagrangianEquations equations(StepTitle title, const Method& method, const Lagrangian& L,
+LagrangianEquations equations(const Method& method, const Lagrangian& L,
                               std::vector<std::string> momenta) {
     LagrangianEquations result;
-    static_cast<StepTitle&>(result) = std::move(title);
+    static_cast<StepTitle&>(result) = title_of(method, L);
     result.lagrangian = L.expression;
     result.coordinates = L.coordinates;
     result.velocities = L.velocities;
@@ -100,12 +100,11 @@ LagrangianEquations equations(StepTitle title, const Method& method, const Lagra
 
 LagrangianEquations lagrangian_equations(const Method& method, const Lagrangian& lagrangian) {
     check_regular(lagrangian);
-    return equations(title_of(method, lagrangian), method, lagrangian, momentum_names(lagrangian));
+    return equations(method, lagrangian, momentum_names(lagrangian));
 }
 
 LagrangianEquations lagrangian_equations(const Method& method, const Hamiltonian& hamiltonian) {
-    return equations(title_of(method, hamiltonian), method, legendre_transform(hamiltonian),
-                     hamiltonian.momenta);
+    return equations(method, legendre_transform(hamiltonian), hamiltonian.momenta);
 }
 
 }  // namespace hvi::gen

@@ -161,6 +161,7 @@ Lagrangian legendre_transform(const Hamiltonian& hamiltonian) {
     L.expression = renamed(algebra.written(transformed(*given, *found.inverse, fibre(algebra))),
                            renaming(hamiltonian.momenta, L.velocities));
     L.source = text_of(L.expression, "the Lagrangian");
+    L.parameters = hamiltonian.parameters;
     L.origin = hamiltonian.origin;
     return L;
 }
@@ -176,6 +177,7 @@ Hamiltonian legendre_transform(const Lagrangian& lagrangian) {
     H.expression = renamed(algebra.written(transformed(given, *found.inverse, fibre(algebra))),
                            renaming(lagrangian.velocities, H.momenta));
     H.source = text_of(H.expression, "the Hamiltonian");
+    H.parameters = lagrangian.parameters;
     H.origin = lagrangian.origin;
     return H;
 }
@@ -183,7 +185,8 @@ Hamiltonian legendre_transform(const Lagrangian& lagrangian) {
 void check_regular(const Lagrangian& lagrangian) {
     const Progress::Stage stage("looking whether the Lagrangian is regular");
     const Algebra algebra(lagrangian);
-    static_cast<void>(regular(algebra, mass_matrix_and_rest(algebra).M));
+    const GiNaC::matrix mass_matrix = mass_matrix_and_rest(algebra).M;
+    if (!is_surely_regular(algebra, mass_matrix)) static_cast<void>(regular(algebra, mass_matrix));
 }
 
 std::vector<std::string> momentum_names(const Lagrangian& lagrangian) {

@@ -12,10 +12,10 @@ namespace hvi::gen {
 ///     L(q, v) = p v - H, where v = dH/dp,
 ///             = (v - b)^T K^-1 (v - b)/2 - U.
 ///
-/// The velocities are called x_dot of x, parameters that have a value are replaced by it, and the
-/// same H gives the same expression. Throws MathError, with the place of H, where it is not of this
-/// form, and where K is singular: with its rank, and where L vanishes by saying so (Leok & Zhang,
-/// Example 1.1). Throws what gradient() throws.
+/// The velocities are called x_dot of x, parameters that have a value are replaced by it, which the
+/// record keeps, and the same H gives the same expression. Throws MathError, with the place of H,
+/// where it is not of this form, and where K is singular: with its rank, and where L vanishes by
+/// saying so (Leok & Zhang, Example 1.1). Throws what gradient() throws.
 [[nodiscard]] Lagrangian legendre_transform(const Hamiltonian& hamiltonian);
 
 /// For L = v^T M v/2 + a v - U the same: H = p v - L = (p - a)^T M^-1 (p - a)/2 + U. The momenta

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/hamiltonian/vanishing.hpp"
 
+#include <arb_mat.h>
+
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/numbers/rational.hpp"
@@ -25,8 +29,9 @@ SymbolValues point(const Algebra& algebra, std::size_t number) {
     return values;
 }
 
+constexpr std::size_t points = 4;  ///< that are tried
+
 bool is_refuted(const Algebra& algebra, const Expression& expression) {
-    constexpr std::size_t points = 4;
     for (std::size_t number = 0; number < points; ++number) {
         try {
             const Ball value = value_at(expression, point(algebra, number), nullptr);
@@ -48,7 +53,33 @@ bool is_proved(const Expression& expression) {
     }
 }
 
+/// Throws MathError where an entry has no value.
+bool is_regular_at(const SymbolValues& values, const std::vector<Expression>& entries, slong n) {
+    arb_mat_t matrix;
+    arb_mat_init(matrix, n, n);
+    const std::unique_ptr<arb_mat_struct, void (*)(arb_mat_t)> owner(matrix, &arb_mat_clear);
+    for (slong k = 0; k < n * n; ++k)
+        arb_set(arb_mat_entry(matrix, k / n, k % n),
+                value_at(entries[static_cast<std::size_t>(k)], values, nullptr).get());
+    Ball determinant;
+    arb_mat_det(determinant.get(), matrix, first_precision);
+    return arb_is_finite(determinant.get()) != 0 && arb_contains_zero(determinant.get()) == 0;
+}
+
 }  // namespace
+
+bool is_surely_regular(const Algebra& algebra, const GiNaC::matrix& matrix) {
+    std::vector<Expression> entries;
+    for (unsigned i = 0; i < matrix.rows(); ++i)
+        for (unsigned j = 0; j < matrix.rows(); ++j)
+            entries.push_back(algebra.written(matrix(i, j)));
+    for (std::size_t number = 0; number < points; ++number) {
+        try {
+            if (is_regular_at(point(algebra, number), entries, matrix.rows())) return true;
+        } catch (const MathError&) {}  // it has no value there
+    }
+    return false;
+}
 
 Vanishing vanishing(const Algebra& algebra, const GiNaC::ex& expression) {
     if (expression.is_zero()) return Vanishing::proved;

@@ -12,4 +12,9 @@ enum class Vanishing { proved, refuted, unknown };
 /// functions are free symbols, or in exact arithmetic.
 [[nodiscard]] Vanishing vanishing(const Algebra& algebra, const GiNaC::ex& expression);
 
+/// Whether an enclosure of its determinant at a point proves that a matrix is regular for almost
+/// all values of the symbols. Where it does not, the matrix may be so all the same. NOTE: to write
+/// out the determinant takes seconds from six rows on.
+[[nodiscard]] bool is_surely_regular(const Algebra& algebra, const GiNaC::matrix& matrix);
+
 }  // namespace hvi::gen

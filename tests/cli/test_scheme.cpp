@@ -158,6 +158,7 @@ TEST_CASE("scheme --lagrangian of a Hamiltonian, and of a Lagrangian") {
     has(printed({"hoop.toml"}),
         "hamiltonian   p_th^2/(2*R^2*m)-R*g*m*cos(th)-R^2*W^2*m*sin(th)^2/2\n");
     has(printed({"hoop.toml", "--lagrangian", "--param", "R=3"}), "\n p_th = 9*m*v\n");
+    has(printed({"hoop.toml", "--param", "R=3"}), "values        R = 3\n");
     has(printed({"hoop.toml", "--lagrangian", "--format", "json"}),
         "\"schema\": \"hvi-scheme-lagrangian/1\"");
     has(printed({"hoop.toml", "--lagrangian", "--format", "latex"}),

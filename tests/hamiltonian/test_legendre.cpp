@@ -155,6 +155,7 @@ TEST_CASE("Lagrangians that are not quadratic, or degenerate") {
     const Refusal flat = refused(lagrangian("(a+b)^2/2 - x*y", "x, y", "a, b"));
     CHECK(flat.what == "the Lagrangian is degenerate: its mass matrix d2L/dv2 has the rank 1 of 2");
     CHECK(flat.status == 1);
+    CHECK(refused(lagrangian("(sin(x)*a+cos(x)*b)^2", "x, y", "a, b")).says("rank 1 of 2"));
     CHECK(refused(lagrangian("q*v")).says("has the rank 0 of 1"));
     CHECK(refused(lagrangian("v^2/2")).what.empty());
 }
@@ -164,4 +165,20 @@ TEST_CASE("values of parameters take part") {
     CHECK(refusal([&] { return legendre_transform(H); }).status == 1);
     assign(H.parameters, parse_parameter(source("n=2")));
     CHECK(to_text(legendre_transform(H).expression) == "m*q_dot^2/2");
+}
+
+TEST_CASE("a chain of eight pendulums is regular, and nobody writes out its determinant") {
+    const auto term = [](int i, int j) {
+        const std::string k = std::to_string(i), l = std::to_string(j);
+        return "+" + std::to_string(9 - std::max(i, j)) + "*w[" + k + "]*w[" + l + "]*cos(a[" + k +
+               "]-a[" + l + "])/2";
+    };
+    std::string terms;
+    for (int i = 1; i <= 8; ++i)
+        for (int j = 1; j <= 8; ++j) terms += term(i, j);
+    const Lagrangian chain = lagrangian(terms, "a[1..8]", "w[1..8]");
+    CHECK(refusal([&] {
+              check_regular(chain);
+              return 0;
+          }).what.empty());
 }
