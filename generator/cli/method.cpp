@@ -53,7 +53,28 @@ Coefficients coefficients_of(const std::filesystem::path& file, const MethodOpti
     return coefficients;
 }
 
-MethodAndHamiltonian read_system(const MethodOptions& options, const SystemOptions& system) {
+namespace {
+
+MethodAndSystem with_parameters(Method method, Scene scene, const std::vector<Given>& parameters) {
+    check_together(method, scene.hamiltonian);
+    set_parameters(parameters, [&](Parameter parameter) {
+        set_parameter(method, scene, std::move(parameter));
+    });
+    return {std::move(method), std::move(scene.hamiltonian)};
+}
+
+MethodAndSystem with_parameters(Method method, LagrangianScene scene,
+                                const std::vector<Given>& parameters) {
+    check_together(method, variables(scene.lagrangian), "the Lagrangian");
+    set_parameters(parameters, [&](Parameter parameter) {
+        set_parameter(method, scene, std::move(parameter));
+    });
+    return {std::move(method), std::move(scene.lagrangian)};
+}
+
+}  // namespace
+
+MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& system) {
     Method method = read_method(options);
     if (!system.scene) {
         Hamiltonian hamiltonian = read_hamiltonian(system);
@@ -63,12 +84,11 @@ MethodAndHamiltonian read_system(const MethodOptions& options, const SystemOptio
         });
         return {std::move(method), std::move(hamiltonian)};
     }
-    Scene scene = find_scene(system.scene);
-    check_together(method, scene.hamiltonian);
-    set_parameters(options.parameters, [&](Parameter parameter) {
-        set_parameter(method, scene, std::move(parameter));
-    });
-    return {std::move(method), std::move(scene.hamiltonian)};
+    const auto complete = [&](auto& scene) {
+        return with_parameters(std::move(method), std::move(scene), options.parameters);
+    };
+    AnyScene scene = find_any_scene(system.scene);
+    return std::visit(complete, scene);
 }
 
 namespace {

@@ -15,13 +15,13 @@ namespace hvi::gen {
 [[nodiscard]] Coefficients coefficients_of(const std::filesystem::path& file,
                                            const MethodOptions& options);
 
-/// A method and a Hamiltonian, read; the parameters of both have their values.
-struct MethodAndHamiltonian {
+/// A method, and H or L, read; the parameters of both have their values.
+struct MethodAndSystem {
     Method method;
-    Hamiltonian hamiltonian;
+    std::variant<Hamiltonian, Lagrangian> system;
 };
-[[nodiscard]] MethodAndHamiltonian read_system(const MethodOptions& options,
-                                               const SystemOptions& system);
+[[nodiscard]] MethodAndSystem read_system(const MethodOptions& options,
+                                          const SystemOptions& system);
 
 /// A method and a scene, read. A parameter that the method has too is fixed to its value; the
 /// values of the others are defaults. Of --hamiltonian each needs one by --param, and the scene

@@ -84,6 +84,7 @@ struct SchemeOptions {
     MethodOptions method;  ///< its parameters are those of the Hamiltonian as well
     SystemOptions system;
     bool generating = false;  ///< the generating function of type II too
+    bool lagrangian = false;  ///< the equations (4.14) in place of (4.18)
     Format format = Format::text;
     std::optional<std::filesystem::path> output;
 };

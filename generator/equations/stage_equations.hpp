@@ -5,16 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "generator/equations/stage_terms.hpp"
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/hamiltonian/gradient.hpp"
 #include "generator/read/hamiltonian.hpp"
 
 namespace hvi::gen {
-
-struct Equation {
-    std::string left;
-    Expression right;
-};
 
 struct StageEquations {
     /// Of the values that a derivative of H depends on, in each stage: `Q_1` of the variable q, and

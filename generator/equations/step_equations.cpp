@@ -2,7 +2,6 @@
 #include "generator/equations/step_equations.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "generator/equations/quadratic.hpp"
@@ -105,29 +104,6 @@ StepEquations completed(StepEquations step, const Derivation& method,
     return step;
 }
 
-/// The values of both, and the names of what has none.
-void name_parameters(StepEquations& step, const Method& method, const Hamiltonian& hamiltonian) {
-    step.values = hamiltonian.parameters;
-    for (const Parameter& parameter : method.parameters) assign(step.values, parameter);
-    std::sort(step.values.begin(), step.values.end(),
-              [](const Parameter& a, const Parameter& b) { return a.name < b.name; });
-    std::set<std::string> names;
-    for (const auto& list : {parameter_names(method), parameter_names(hamiltonian)})
-        names.insert(list.begin(), list.end());
-    for (const Parameter& known : step.values) names.erase(known.name);
-    step.parameters.assign(names.begin(), names.end());
-}
-
-/// METHOD has the values of its own parameters.
-std::string origin_of(const Method& method, const Hamiltonian& hamiltonian) {
-    std::string text = method.origin + " " + hamiltonian.origin;
-    const std::vector<std::string> known = parameter_names(method);
-    for (const Parameter& parameter : hamiltonian.parameters)
-        if (std::find(known.begin(), known.end(), parameter.name) == known.end())
-            text += " --param \"" + parameter.name + "=" + to_text(parameter.value) + "\"";
-    return text;
-}
-
 }  // namespace
 
 std::vector<std::string> variables(const StepEquations& step) {
@@ -139,12 +115,10 @@ std::vector<std::string> variables(const StepEquations& step) {
 StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,
                              bool generating) {
     StepEquations step;
-    step.name = method.name;
-    step.origin = origin_of(method, hamiltonian);
+    static_cast<StepTitle&>(step) = title_of(method, hamiltonian);
     step.hamiltonian = hamiltonian.expression;
     step.coordinates = hamiltonian.coordinates;
     step.momenta = hamiltonian.momenta;
-    name_parameters(step, method, hamiltonian);
     return on_new_ground([&](const Ground& ground) {
         return completed(step, derive_on(ground, method), hamiltonian, generating);
     });

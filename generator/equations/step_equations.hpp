@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/equations/stage_equations.hpp"
+#include "generator/equations/step_title.hpp"
 #include "generator/read/hamiltonian.hpp"
 
 namespace hvi::gen {
@@ -29,13 +30,9 @@ struct GeneratingEquations {
     bool is_at_least = false;         ///< and it may be larger
 };
 
-struct StepEquations {
-    std::string name;    ///< of the method; empty for one given by basis and nodes
-    std::string origin;  ///< METHOD and the Hamiltonian as the command line has them
+struct StepEquations : StepTitle {
     Expression hamiltonian;
     std::vector<std::string> coordinates, momenta;
-    std::vector<std::string> parameters;  ///< free symbols of H and of the method, sorted
-    std::vector<Parameter> values;        ///< of the others, sorted by name
 
     std::optional<MapEquations> map;  ///< where H is quadratic
     std::string obstacle;             ///< why there is none all the same

@@ -55,8 +55,8 @@ struct Expression {
                                  const std::map<std::string, std::string>& names);
 
 /// The expression in LaTeX's mathematics: `\frac{\pi - 2}{2\pi}`, `\sin\left(w/3\right)`. Names of
-/// Greek letters become these letters, `w_1`, `w1` and `w[1]` an indexed w, and `w1_max` one with
-/// two indices. A name with a brace in it is LaTeX already.
+/// Greek letters become these letters, `w_1`, `w1` and `w[1]` an indexed w, `w1_max` one with two
+/// indices, and `w_dot` a w with a dot. A name with a brace in it is LaTeX already.
 [[nodiscard]] std::string to_latex(const Expression& expression);
 
 }  // namespace hvi::gen

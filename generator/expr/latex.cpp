@@ -62,17 +62,23 @@ std::vector<std::string_view> words_of(std::string_view name) {
     return whole ? std::vector{name} : words;
 }
 
-/// `w1`, `w_1` and `w[1]` are w with an index, `w1_max` and `w_max[1]` are w with two. What stands
-/// in brackets comes first, as the digits do: X_2[1], like X1_2, is of x_1 in stage 2.
+/// `w1`, `w_1` and `w[1]` are w with an index, `w1_max` and `w_max[1]` are w with two, and `w1_dot`
+/// is w with an index and a dot. What stands in brackets comes first, as the digits do: X_2[1],
+/// like X1_2, is of x_1 in stage 2.
 std::string symbol_latex(std::string_view name) {
     if (name.find('{') != std::string_view::npos) return std::string(name);
     const std::size_t bracket = std::min(name.find('['), name.size());
-    const std::vector<std::string_view> words = words_of(name.substr(0, bracket));
+    std::vector<std::string_view> words = words_of(name.substr(0, bracket));
+    const auto dot = std::find(words.begin() + 1, words.end(), "dot");
+    const bool is_velocity = dot != words.end();
+    if (is_velocity) words.erase(dot);
     std::string indices;
     if (bracket < name.size()) indices = name.substr(bracket + 1, name.size() - bracket - 2);
     for (std::size_t k = 1; k < words.size(); ++k)
         indices += (indices.empty() ? "" : ",") + word_latex(words[k]);
-    return word_latex(words.front()) + (indices.empty() ? "" : "_{" + indices + "}");
+    const std::string stem = word_latex(words.front());
+    return (is_velocity ? "\\dot{" + stem + "}" : stem) +
+           (indices.empty() ? "" : "_{" + indices + "}");
 }
 
 std::string call_latex(const Expression& call, const std::string& exponent = {}) {

@@ -208,11 +208,21 @@ std::string padded(std::size_t number) {
 }  // namespace
 
 Algebra::Algebra(const Hamiltonian& hamiltonian)
-    : whole_{hamiltonian.source, {0, hamiltonian.source->text.size()}} {
-    check_size(hamiltonian.expression, whole_);
+    : Algebra(hamiltonian.expression, hamiltonian.source, hamiltonian.parameters,
+              hvi::gen::variables(hamiltonian)) {}
+
+Algebra::Algebra(const Lagrangian& lagrangian)
+    : Algebra(lagrangian.expression, lagrangian.source, lagrangian.parameters,
+              hvi::gen::variables(lagrangian)) {}
+
+Algebra::Algebra(const Expression& function, const std::shared_ptr<const Source>& source,
+                 const std::vector<Parameter>& parameters,
+                 const std::vector<std::string>& variables)
+    : whole_(whole(source)) {
+    check_size(function, whole_);
     std::map<std::string, ex> symbols;
-    check_numbers(hamiltonian.expression, hamiltonian.source);
-    for (const Parameter& parameter : hamiltonian.parameters) {
+    check_numbers(function, source);
+    for (const Parameter& parameter : parameters) {
         on_new_ground([&](const Ground& ground) { return exact_value(parameter, ground); });
         symbols[parameter.name] = Reader(parameter.source, symbols).read(parameter.value);
     }
@@ -221,10 +231,11 @@ Algebra::Algebra(const Hamiltonian& hamiltonian)
         ranks_[name] = kind + padded(list.size());
         symbols[name] = list.emplace_back(name);
     };
-    for (const std::string& name : parameter_names(hamiltonian)) add(name, '1', parameters_);
-    if (depends_on_time(hamiltonian)) add("t", '1', parameters_);
-    for (const std::string& name : hvi::gen::variables(hamiltonian)) add(name, '2', variables_);
-    hamiltonian_ = Reader(hamiltonian.source, symbols).read(hamiltonian.expression);
+    for (const std::string& name : parameter_names(function, variables))
+        add(name, '1', parameters_);
+    if (depends_on_time(function)) add("t", '1', parameters_);
+    for (const std::string& name : variables) add(name, '2', variables_);
+    function_ = Reader(source, symbols).read(function);
 }
 
 GiNaC::ex Algebra::derivative(const ex& expression, const GiNaC::symbol& variable) const {

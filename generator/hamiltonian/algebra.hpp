@@ -1,5 +1,5 @@
-// A Hamiltonian in GiNaC's hands: the one place where expressions become GiNaC's, and come back.
-// SPDX-License-Identifier: GPL-2.0-or-later
+// A Hamiltonian or a Lagrangian in GiNaC's hands: the one place where expressions become GiNaC's,
+// and come back. SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <ginac/ginac.h>
@@ -8,20 +8,23 @@
 #include <string>
 #include <vector>
 
-#include "generator/read/hamiltonian.hpp"
+#include "generator/read/lagrangian.hpp"
 
 namespace hvi::gen {
 
-/// H and its symbols. Parameters that have a value are replaced by it.
+/// H or L, and its symbols. Parameters that have a value are replaced by it.
 class Algebra {
 public:
     /// Throws InputError with its place for a division by zero, and where a number, a power or the
     /// derivatives of H are larger than one can use; MathError with its place where a number is not
     /// real.
     explicit Algebra(const Hamiltonian& hamiltonian);
+    explicit Algebra(const Lagrangian& lagrangian);
 
-    [[nodiscard]] const GiNaC::ex& hamiltonian() const { return hamiltonian_; }
-    /// Coordinates, then momenta.
+    [[nodiscard]] const GiNaC::ex& function() const { return function_; }
+    /// Of its text.
+    [[nodiscard]] const Place& place() const { return whole_; }
+    /// Coordinates, then momenta or velocities.
     [[nodiscard]] const std::vector<GiNaC::symbol>& variables() const { return variables_; }
     /// Those without a value, and the time where it occurs: by it nothing is differentiated.
     [[nodiscard]] const std::vector<GiNaC::symbol>& parameters() const { return parameters_; }
@@ -35,11 +38,14 @@ public:
     [[nodiscard]] Expression written(const GiNaC::ex& expression) const;
 
 private:
+    Algebra(const Expression& function, const std::shared_ptr<const Source>& source,
+            const std::vector<Parameter>& parameters, const std::vector<std::string>& variables);
+
     Place whole_;
     std::vector<GiNaC::symbol> variables_;
     std::vector<GiNaC::symbol> parameters_;
     std::map<std::string, std::string> ranks_;  ///< of symbols, by name: as text that sorts so
-    GiNaC::ex hamiltonian_;
+    GiNaC::ex function_;
 };
 
 }  // namespace hvi::gen

@@ -6,16 +6,31 @@
 
 namespace hvi::gen {
 
+namespace {
+
+/// The derivatives by the variables from number `begin` on, n of them.
+std::vector<Expression> derivatives(const Algebra& algebra, std::size_t begin, std::size_t n) {
+    std::vector<Expression> result;
+    for (std::size_t i = begin; i < begin + n; ++i)
+        result.push_back(
+            algebra.written(algebra.derivative(algebra.function(), algebra.variables()[i])));
+    return result;
+}
+
+}  // namespace
+
 Gradient gradient(const Hamiltonian& hamiltonian) {
     const Progress::Stage stage("differentiating the Hamiltonian");
     const Algebra algebra(hamiltonian);
-    Gradient result;
-    for (const GiNaC::symbol& variable : algebra.variables()) {
-        const bool is_coordinate = result.by_coordinates.size() < hamiltonian.degrees_of_freedom();
-        auto& derivatives = is_coordinate ? result.by_coordinates : result.by_momenta;
-        derivatives.push_back(algebra.written(algebra.derivative(algebra.hamiltonian(), variable)));
-    }
-    return result;
+    const std::size_t n = hamiltonian.degrees_of_freedom();
+    return {derivatives(algebra, 0, n), derivatives(algebra, n, n)};
+}
+
+LagrangianGradient gradient(const Lagrangian& lagrangian) {
+    const Progress::Stage stage("differentiating the Lagrangian");
+    const Algebra algebra(lagrangian);
+    const std::size_t n = lagrangian.degrees_of_freedom();
+    return {derivatives(algebra, 0, n), derivatives(algebra, n, n)};
 }
 
 }  // namespace hvi::gen

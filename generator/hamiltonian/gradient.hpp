@@ -1,10 +1,10 @@
-// The derivatives of a Hamiltonian.
+// The derivatives of a Hamiltonian, and of a Lagrangian.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <vector>
 
-#include "generator/read/hamiltonian.hpp"
+#include "generator/read/lagrangian.hpp"
 
 namespace hvi::gen {
 
@@ -19,5 +19,14 @@ struct Gradient {
 /// zero, and where a number, a power or the derivatives are larger than one can use; MathError with
 /// its place where a number is not real.
 [[nodiscard]] Gradient gradient(const Hamiltonian& hamiltonian);
+
+/// Of L: what p' and p are, p' = dL/dq and p = dL/dv.
+struct LagrangianGradient {
+    std::vector<Expression> by_coordinates;  ///< dL/dq_i
+    std::vector<Expression> by_velocities;   ///< dL/dv_i
+};
+
+/// The same for L.
+[[nodiscard]] LagrangianGradient gradient(const Lagrangian& lagrangian);
 
 }  // namespace hvi::gen

@@ -32,12 +32,6 @@ void declare(Vocabulary& vocabulary, const NameList& list, std::string_view subj
     }
 }
 
-std::vector<std::string> texts(const NameList& list) {
-    std::vector<std::string> names;
-    for (const DeclaredName& declared : list.names) names.push_back(declared.name);
-    return names;
-}
-
 /// The same names, as if the whole text declared them.
 NameList placed(const std::vector<std::string>& names,
                 const std::shared_ptr<const Source>& source) {
@@ -89,22 +83,6 @@ void find_variables(Hamiltonian& H) {
     }
 }
 
-/// Whether what stands in H can stand there.
-void check_words(const Hamiltonian& H, const Vocabulary& variables) {
-    check_functions(H.expression, H.source, "a Hamiltonian");
-    walk(H.expression, [&](const Expression& part) {
-        if (part.kind != Expression::Kind::symbol) return true;
-        if (is_constant(part.name) || part.name == "t") return true;
-        const Place place{H.source, part.range};
-        check_symbol_name(part.name, place);
-        variables.check_index(part.name, place);
-        return true;
-    });
-    if (parameter_names(H).size() > most_parameters)
-        throw InputError(fmt::format("there are more than {} parameters", most_parameters),
-                         whole(H.source));
-}
-
 /// Where a symbol stands in a list.
 std::optional<Place> find_symbol(const List& list, const std::vector<std::string>& names) {
     std::optional<Place> place;
@@ -123,16 +101,42 @@ std::optional<Place> find_symbol(const List& list, const std::vector<std::string
 
 }  // namespace
 
-Vocabulary declared_variables(const NameList& coordinates, const NameList& momenta) {
+Vocabulary declared_variables(const NameList& coordinates, const NameList& conjugate,
+                              const ConjugateWords& words) {
     Vocabulary vocabulary;
     declare(vocabulary, coordinates, "a coordinate");
-    declare(vocabulary, momenta, "a momentum");
-    const std::size_t n = coordinates.names.size(), m = momenta.names.size();
+    declare(vocabulary, conjugate, words.subject);
+    const std::size_t n = coordinates.names.size(), m = conjugate.names.size();
     if (m != n)
-        throw InputError(fmt::format("{} coordinate{} and {} moment{}", n, n == 1 ? "" : "s", m,
-                                     m == 1 ? "um" : "a"),
-                         momenta.place, "each coordinate has a momentum of its own");
+        throw InputError(fmt::format("{} coordinate{} and {} {}", n, n == 1 ? "" : "s", m,
+                                     m == 1 ? words.singular : words.plural),
+                         conjugate.place,
+                         fmt::format("each coordinate has {} of its own", words.subject));
     return vocabulary;
+}
+
+std::vector<std::string> texts(const NameList& list) {
+    std::vector<std::string> names;
+    for (const DeclaredName& declared : list.names) names.push_back(declared.name);
+    return names;
+}
+
+void check_words_of(const Expression& function, const std::shared_ptr<const Source>& source,
+                    const Vocabulary& variables, std::string_view subject) {
+    check_functions(function, source, subject);
+    std::set<std::string> parameters;
+    walk(function, [&](const Expression& part) {
+        if (part.kind != Expression::Kind::symbol) return true;
+        if (is_constant(part.name) || part.name == "t") return true;
+        const Place place{source, part.range};
+        check_symbol_name(part.name, place);
+        variables.check_index(part.name, place);
+        if (!variables.contains(part.name)) parameters.insert(part.name);
+        return true;
+    });
+    if (parameters.size() > most_parameters)
+        throw InputError(fmt::format("there are more than {} parameters", most_parameters),
+                         whole(source));
 }
 
 void check_functions(const Expression& expression, const std::shared_ptr<const Source>& source,
@@ -153,7 +157,7 @@ Hamiltonian hamiltonian_of(std::shared_ptr<const Source> expression, const NameL
     H.expression = parse_indexed_expression(H.source);
     H.coordinates = texts(coordinates);
     H.momenta = texts(momenta);
-    check_words(H, variables);
+    check_words_of(H.expression, H.source, variables, "a Hamiltonian");
     return H;
 }
 
@@ -168,8 +172,9 @@ Hamiltonian hamiltonian_from_text(std::shared_ptr<const Source> expression,
         H.source = std::move(expression);
         H.expression = parse_indexed_expression(H.source);
         find_variables(H);
-        check_words(
-            H, declared_variables(placed(H.coordinates, H.source), placed(H.momenta, H.source)));
+        const Vocabulary found =
+            declared_variables(placed(H.coordinates, H.source), placed(H.momenta, H.source));
+        check_words_of(H.expression, H.source, found, "a Hamiltonian");
     }
     H.origin = fmt::format("--hamiltonian \"{}\"", to_text(H.expression));
     if (coordinates != nullptr)
@@ -185,20 +190,24 @@ std::vector<std::string> variables(const Hamiltonian& hamiltonian) {
 }
 
 std::vector<std::string> parameter_names(const Hamiltonian& hamiltonian) {
-    const std::vector<std::string> all = variables(hamiltonian);
+    return parameter_names(hamiltonian.expression, variables(hamiltonian));
+}
+
+std::vector<std::string> parameter_names(const Expression& function,
+                                         const std::vector<std::string>& variables) {
     std::set<std::string> names;
-    walk(hamiltonian.expression, [&](const Expression& part) {
-        if (part.kind == Expression::Kind::symbol && !is_reserved(part.name) &&
-            !contains(all, part.name))
-            names.insert(part.name);
-        return true;
-    });
+    insert_parameters(function, names);
+    for (const std::string& variable : variables) names.erase(variable);
     return {names.begin(), names.end()};
 }
 
 bool depends_on_time(const Hamiltonian& hamiltonian) {
+    return depends_on_time(hamiltonian.expression);
+}
+
+bool depends_on_time(const Expression& function) {
     bool found = false;
-    walk(hamiltonian.expression, [&](const Expression& part) {
+    walk(function, [&](const Expression& part) {
         found = found || (part.kind == Expression::Kind::symbol && part.name == "t");
         return !found;
     });
@@ -206,13 +215,18 @@ bool depends_on_time(const Hamiltonian& hamiltonian) {
 }
 
 void check_together(const Method& method, const Hamiltonian& hamiltonian) {
-    const std::vector<std::string> names = variables(hamiltonian);
+    check_together(method, variables(hamiltonian), "the Hamiltonian");
+}
+
+void check_together(const Method& method, const std::vector<std::string>& variables,
+                    std::string_view owner) {
     std::vector<const List*> lists{&method.basis, &method.nodes};
     if (method.weights) lists.push_back(&*method.weights);
     for (const List* list : lists)
-        if (const auto place = find_symbol(*list, names))
-            throw InputError("a parameter of the method is called as a variable of the Hamiltonian",
-                             place, "take another name for one of them");
+        if (const auto place = find_symbol(*list, variables))
+            throw InputError(
+                fmt::format("a parameter of the method is called as a variable of {}", owner),
+                place, "take another name for one of them");
 }
 
 void set_parameter(Method& method, Hamiltonian& hamiltonian, Parameter parameter) {
@@ -221,23 +235,23 @@ void set_parameter(Method& method, Hamiltonian& hamiltonian, Parameter parameter
     if (!in_hamiltonian && !in_method) {
         std::vector<std::string> names = parameter_names(hamiltonian);
         for (const std::string& name : parameter_names(method)) names.push_back(name);
-        refuse_parameter(parameter, hamiltonian, names);
+        refuse_parameter(parameter, variables(hamiltonian), "the Hamiltonian", names);
     }
     if (in_hamiltonian) assign(hamiltonian.parameters, parameter);
     if (in_method) set_parameter(method, std::move(parameter));
 }
 
-void refuse_parameter(const Parameter& parameter, const Hamiltonian& hamiltonian,
-                      const std::vector<std::string>& names) {
-    if (contains(variables(hamiltonian), parameter.name))
+void refuse_parameter(const Parameter& parameter, const std::vector<std::string>& variables,
+                      std::string_view owner, const std::vector<std::string>& names) {
+    if (contains(variables, parameter.name))
         throw InputError(
-            fmt::format("`{}` is a variable of the Hamiltonian, and no parameter", parameter.name),
+            fmt::format("`{}` is a variable of {}, and no parameter", parameter.name, owner),
             parameter.place);
     const std::string otherwise =
         names.empty() ? "there are no parameters"
                       : fmt::format("the parameters are {}", fmt::join(names, ", "));
     throw InputError(
-        fmt::format("neither the Hamiltonian nor the method has a parameter `{}`", parameter.name),
+        fmt::format("neither {} nor the method has a parameter `{}`", owner, parameter.name),
         parameter.place, did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));
 }
 

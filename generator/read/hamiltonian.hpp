@@ -41,9 +41,25 @@ hamiltonian_from_text(std::shared_ptr<const Source> expression,
 [[nodiscard]] Hamiltonian hamiltonian_of(std::shared_ptr<const Source> expression,
                                          const NameList& coordinates, const NameList& momenta);
 
+/// What the variables are called that belong to the coordinates.
+struct ConjugateWords {
+    std::string_view subject;  ///< `a momentum`
+    std::string_view singular, plural;
+};
+constexpr ConjugateWords words_of_momenta{"a momentum", "momentum", "momenta"};
+
 /// The names of variables, declared. Throws InputError for names that are reserved or given twice,
-/// for too many, and where coordinates and momenta are no pairs.
-[[nodiscard]] Vocabulary declared_variables(const NameList& coordinates, const NameList& momenta);
+/// for too many, and where coordinates and the variables that belong to them are no pairs.
+[[nodiscard]] Vocabulary declared_variables(const NameList& coordinates, const NameList& conjugate,
+                                            const ConjugateWords& words = words_of_momenta);
+
+/// Without their places.
+[[nodiscard]] std::vector<std::string> texts(const NameList& list);
+
+/// Throws InputError for what cannot stand in a function of these variables, of parameters and of
+/// the time, and for too many parameters. `subject` is what messages call it: `a Hamiltonian`.
+void check_words_of(const Expression& function, const std::shared_ptr<const Source>& source,
+                    const Vocabulary& variables, std::string_view subject);
 
 /// Throws InputError for what cannot stand in an expression of variables and parameters: `roots`,
 /// `bspline`. `subject` is what messages call it.
@@ -56,19 +72,30 @@ void check_functions(const Expression& expression, const std::shared_ptr<const S
 /// The symbols of H that are parameters, with a value or without, sorted.
 [[nodiscard]] std::vector<std::string> parameter_names(const Hamiltonian& hamiltonian);
 
+/// Those of any function of variables.
+[[nodiscard]] std::vector<std::string> parameter_names(const Expression& function,
+                                                       const std::vector<std::string>& variables);
+
 /// Whether the time `t` occurs in H.
 [[nodiscard]] bool depends_on_time(const Hamiltonian& hamiltonian);
+[[nodiscard]] bool depends_on_time(const Expression& function);
 
 /// Throws InputError where a parameter of the method is called as a variable of H is. (A parameter
 /// of the same name in both is one parameter.)
 void check_together(const Method& method, const Hamiltonian& hamiltonian);
 
+/// The same for other variables; `owner` is what messages call what has them: `the Lagrangian`.
+void check_together(const Method& method, const std::vector<std::string>& variables,
+                    std::string_view owner);
+
 /// Gives a value to a symbol wherever it occurs, in place of one that it has. Throws InputError
 /// when it is a variable, and when neither the method nor H has it.
 void set_parameter(Method& method, Hamiltonian& hamiltonian, Parameter parameter);
 
-/// Throws InputError for a parameter that is none of `names`.
-[[noreturn]] void refuse_parameter(const Parameter& parameter, const Hamiltonian& hamiltonian,
-                                   const std::vector<std::string>& names);
+/// Throws InputError for a parameter that is none of `names`; `owner` is what messages call what
+/// has the variables.
+[[noreturn]] void refuse_parameter(const Parameter& parameter,
+                                   const std::vector<std::string>& variables,
+                                   std::string_view owner, const std::vector<std::string>& names);
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// Scenes: a Hamiltonian with its numbers, and what one wants to know of its motion.
+// Scenes: a Hamiltonian or a Lagrangian with its numbers, and what one wants to know of its motion.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "generator/read/hamiltonian.hpp"
+#include "generator/read/lagrangian.hpp"
 
 namespace hvi::gen {
 
@@ -28,29 +30,46 @@ struct RunWishes {
     std::optional<NamedExpression> until;  ///< the same
 };
 
-/// A scene as it was given, checked as far as words go: every symbol is a variable, a parameter
-/// with a value, pi, e, or, in H and [exact], the time t; names are free and differ.
-struct Scene {
+/// What a scene says besides H or L, checked as far as words go: every symbol is a variable, a
+/// parameter with a value, pi, e, or, in H, L and [exact], the time t; names are free and differ.
+struct SceneData {
     std::string name;         ///< the key `name`, else that of the file without its ending
     std::string description;  ///< the key `description`: one line; or empty
-    Hamiltonian hamiltonian;  ///< no parameter of it has a value yet
     std::vector<Parameter> parameters;        ///< all, in the order of the file
     std::vector<NamedExpression> invariants;  ///< in the order of the file
-    std::vector<NamedExpression> initial;     ///< of the coordinates, then of the momenta
+    std::vector<NamedExpression> initial;     ///< of the coordinates, then of the other variables
     std::vector<NamedExpression> exact;       ///< the same, as functions of t; or empty
     RunWishes run;
     std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
 };
 
+/// A scene with a Hamiltonian: its other variables are momenta.
+struct Scene : SceneData {
+    Hamiltonian hamiltonian;  ///< no parameter of it has a value yet
+};
+
+/// A scene with a Lagrangian: its other variables are velocities.
+struct LagrangianScene : SceneData {
+    Lagrangian lagrangian;  ///< no parameter of it has a value yet
+};
+
+using AnyScene = std::variant<Scene, LagrangianScene>;
+
 /// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
 /// line of the file.
-[[nodiscard]] Scene scene_from_file(const std::filesystem::path& path);
+[[nodiscard]] AnyScene any_scene_from_file(const std::filesystem::path& path);
 
 /// The same for the text of such a file; the source's name is that of the file.
+[[nodiscard]] AnyScene any_scene_from_toml(const Source& file);
+
+/// The same where a Hamiltonian is wanted. Throws MathError for a Lagrangian.
 [[nodiscard]] Scene scene_from_toml(const Source& file);
 
 /// The scene that the command line names: one that comes with the program (`kepler`), else that of
 /// the file. Throws InputError, with what may have been meant, where there is neither.
+[[nodiscard]] AnyScene find_any_scene(const Given& name_or_file);
+
+/// The same where a Hamiltonian is wanted. Throws MathError for a Lagrangian.
 [[nodiscard]] Scene find_scene(const Given& name_or_file);
 
 /// Names and descriptions of the scenes that come with the program, by name.
@@ -68,5 +87,6 @@ struct SceneEntry {
 /// Fixes the value of a parameter of the scene's Hamiltonian, initial values and the rest, or of
 /// the method's. Throws InputError as set_parameter() of a Hamiltonian does.
 void set_parameter(Method& method, Scene& scene, Parameter parameter);
+void set_parameter(Method& method, LagrangianScene& scene, Parameter parameter);
 
 }  // namespace hvi::gen

@@ -32,6 +32,8 @@ struct SceneRules {
 constexpr std::string_view made_of_parameters = "it is made of numbers, parameters, pi and e";
 constexpr SceneRules hamiltonian_rules{"the Hamiltonian", true, true,
                                        "give it a value: add it to [parameters]"};
+constexpr SceneRules lagrangian_rules{"the Lagrangian", true, true,
+                                      "give it a value: add it to [parameters]"};
 constexpr SceneRules invariant_rules{"an invariant", true, false, "add it to [parameters]"};
 constexpr SceneRules initial_rules{"an initial value", false, false, made_of_parameters};
 constexpr SceneRules exact_rules{"an exact solution", false, true,
@@ -74,7 +76,7 @@ class SceneReader {
 public:
     explicit SceneReader(const Source& source) : source_(source), file_(source) {}
 
-    [[nodiscard]] Scene read();
+    [[nodiscard]] AnyScene read();
 
 private:
     [[nodiscard]] const toml::node& required(std::string_view key, std::string_view example) const;
@@ -85,7 +87,13 @@ private:
                                              const SceneRules& rules);
     void check_words(const Expression& expression, const std::shared_ptr<const Source>& source,
                      const SceneRules& rules);
+    void check_mechanics() const;
+    void check_absent(std::string_view key, std::string_view other, std::string_view fault,
+                      std::string_view help) const;
     [[nodiscard]] Hamiltonian hamiltonian();
+    [[nodiscard]] Lagrangian lagrangian();
+    void read_data(SceneData& scene, const SceneRules& rules, const Expression& function,
+                   const std::shared_ptr<const Source>& source);
     [[nodiscard]] std::vector<Parameter> parameters();
     void add_parameter(std::vector<Parameter>& list, DeclaredName name, const toml::node& value);
     [[nodiscard]] std::vector<NamedExpression> invariants();
@@ -185,6 +193,27 @@ void SceneReader::check_words(const Expression& expression,
                          Place{source, {0, source->text.size()}});
 }
 
+void SceneReader::check_absent(std::string_view key, std::string_view other, std::string_view fault,
+                               std::string_view help) const {
+    const auto entry = file_.table().find(key);
+    if (entry == file_.table().end()) return;
+    throw InputError(fmt::format("`{}` {} `{}`", key, fault, other),
+                     file_.place(entry->first.source()), std::string(help));
+}
+
+/// Whether there is one of H and L, with the variables of it.
+void SceneReader::check_mechanics() const {
+    if (file_.table().contains("lagrangian")) {
+        check_absent("hamiltonian", "lagrangian", "stands beside",
+                     "a scene has one of the two; the other follows from it");
+        check_absent("momenta", "lagrangian", "stands beside",
+                     "a Lagrangian has velocities; momenta follow from it, p = dL/dv");
+    } else {
+        check_absent("velocities", "lagrangian", "stands without",
+                     "a Hamiltonian has momenta: write momenta = [...]");
+    }
+}
+
 /// NOTE: its symbols are looked at once the parameters are known.
 Hamiltonian SceneReader::hamiltonian() {
     const toml::node& node =
@@ -195,6 +224,17 @@ Hamiltonian SceneReader::hamiltonian() {
     Hamiltonian H = hamiltonian_of(file_.source(node, file_.text(node)), coordinates, momenta);
     H.origin = quoted_file_name(source_.name);
     return H;
+}
+
+/// NOTE: the same.
+Lagrangian SceneReader::lagrangian() {
+    const toml::node& node = *file_.table().get("lagrangian");
+    const NameList coordinates = names("coordinates", "[\"x\", \"y\"]");
+    const NameList velocities = names("velocities", "[\"vx\", \"vy\"]");
+    words_ = declared_variables(coordinates, velocities, words_of_velocities);
+    Lagrangian L = lagrangian_of(file_.source(node, file_.text(node)), coordinates, velocities);
+    L.origin = quoted_file_name(source_.name);
+    return L;
 }
 
 void SceneReader::add_parameter(std::vector<Parameter>& list, DeclaredName name,
@@ -289,7 +329,7 @@ void SceneReader::add_values(std::map<std::string, NamedExpression>& found, cons
     }
 }
 
-/// One for each variable: those of the coordinates, then of the momenta.
+/// One for each variable: those of the coordinates, then of the others.
 std::vector<NamedExpression> SceneReader::values(const toml::table& table,
                                                  const SceneRules& rules) {
     std::map<std::string, NamedExpression> found;
@@ -325,33 +365,46 @@ RunWishes SceneReader::run() {
     return wishes;
 }
 
-Scene SceneReader::read() {
-    file_.check_keys(file_.table(), "scene",
-                     {"name", "description", "coordinates", "momenta", "hamiltonian", "parameters",
-                      "invariants", "initial", "exact", "run"});
-    Scene scene;
-    scene.name = file_.name();
-    if (scene.name.empty()) scene.name = name_of_file(source_.name);
-    scene.description = description();
-    scene.hamiltonian = hamiltonian();
-    variables_ = variables(scene.hamiltonian);
+/// What follows once the variables are known, which are those of `function`, H or L.
+void SceneReader::read_data(SceneData& scene, const SceneRules& rules, const Expression& function,
+                            const std::shared_ptr<const Source>& source) {
     scene.parameters = parameters();
-    check_words(scene.hamiltonian.expression, scene.hamiltonian.source, hamiltonian_rules);
+    check_words(function, source, rules);
     scene.invariants = invariants();
     static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
     scene.initial = values(*section("initial", "x = 0"), initial_rules);
     if (const toml::table* table = section("exact", "q = \"cos(t)\""))
         scene.exact = values(*table, exact_rules);
     scene.run = run();
-    return scene;
+}
+
+AnyScene SceneReader::read() {
+    file_.check_keys(file_.table(), "scene",
+                     {"name", "description", "coordinates", "momenta", "velocities", "hamiltonian",
+                      "lagrangian", "parameters", "invariants", "initial", "exact", "run"});
+    check_mechanics();
+    SceneData data;
+    data.name = file_.name();
+    if (data.name.empty()) data.name = name_of_file(source_.name);
+    data.description = description();
+    if (file_.table().contains("lagrangian")) {
+        Lagrangian L = lagrangian();
+        variables_ = variables(L);
+        read_data(data, lagrangian_rules, L.expression, L.source);
+        return LagrangianScene{std::move(data), std::move(L)};
+    }
+    Hamiltonian H = hamiltonian();
+    variables_ = variables(H);
+    read_data(data, hamiltonian_rules, H.expression, H.source);
+    return Scene{std::move(data), std::move(H)};
 }
 
 }  // namespace
 
-Scene scene_from_toml(const Source& file) { return SceneReader(file).read(); }
+AnyScene any_scene_from_toml(const Source& file) { return SceneReader(file).read(); }
 
-Scene scene_from_file(const std::filesystem::path& path) {
-    return scene_from_toml(toml_source(path));
+AnyScene any_scene_from_file(const std::filesystem::path& path) {
+    return any_scene_from_toml(toml_source(path));
 }
 
 }  // namespace hvi::gen

@@ -4,17 +4,23 @@
 
 #include <string>
 
+#include "generator/equations/lagrangian_equations.hpp"
 #include "generator/equations/step_equations.hpp"
 
 namespace hvi::gen {
 
 /// For a terminal of 80 columns; q' is q at the end of the step.
 [[nodiscard]] std::string render_text(const StepEquations& step);
+[[nodiscard]] std::string render_text(const LagrangianEquations& step);
 
 /// The schema `hvi-scheme/1`.
 [[nodiscard]] std::string render_json(const StepEquations& step);
 
+/// The schema `hvi-scheme-lagrangian/1`.
+[[nodiscard]] std::string render_json(const LagrangianEquations& step);
+
 /// A displayed formula to paste, for amsmath: from q_n to q_{n+1} as in Section 6 of the paper.
 [[nodiscard]] std::string render_latex(const StepEquations& step);
+[[nodiscard]] std::string render_latex(const LagrangianEquations& step);
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// The equations of a step as JSON, schema hvi-scheme/1.
+// The equations of a step as JSON.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <utility>
 
@@ -21,12 +21,16 @@ Json matrix_json(const MapEquations& map) {
     return json;
 }
 
+/// `mark` stands behind the names on the left.
+void append(Json& json, const std::vector<Equation>& equations, std::string_view mark = "") {
+    for (const Equation& equation : equations)
+        json.push_back(equation.left + std::string(mark) + " = " + to_text(equation.right));
+}
+
 Json stages_json(const StageEquations& equations) {
     Json json = Json::array();
-    for (const Equation& stage : equations.stages)
-        json.push_back(stage.left + " = " + to_text(stage.right));
-    for (const Equation& update : equations.update)
-        json.push_back(update.left + "' = " + to_text(update.right));
+    append(json, equations.stages);
+    append(json, equations.update, "'");
     return json;
 }
 
@@ -39,18 +43,45 @@ Json generating_json(const GeneratingEquations& found) {
             {"is_at_least", found.is_at_least}};
 }
 
-}  // namespace
-
-std::string render_json(const StepEquations& step) {
+Json values_json(const StepTitle& step) {
     Json values = Json::object();
     for (const Parameter& known : step.values) values[known.name] = to_text(known.value);
+    return values;
+}
+
+}  // namespace
+
+std::string render_json(const LagrangianEquations& step) {
+    Json legendre = Json::array(), stages = Json::array(), update = Json::array();
+    append(legendre, step.legendre);
+    append(stages, step.positions);
+    for (const ImplicitEquation& equation : step.velocities_in_stages)
+        stages.push_back(to_text(equation.left) + " = " + to_text(equation.right));
+    append(update, step.update, "'");
+    Json json;
+    json["schema"] = "hvi-scheme-lagrangian/1";
+    json["name"] = step.name;
+    json["lagrangian"] = to_text(step.lagrangian);
+    json["coordinates"] = step.coordinates;
+    json["velocities"] = step.velocities;
+    json["momenta"] = step.momenta;
+    json["parameters"] = step.parameters;
+    json["values"] = values_json(step);
+    json["legendre"] = std::move(legendre);
+    json["stages"] = std::move(stages);
+    json["update"] = std::move(update);
+    json["exact"] = step.is_exact;
+    return json.dump(2) + "\n";
+}
+
+std::string render_json(const StepEquations& step) {
     Json json;
     json["schema"] = "hvi-scheme/1";
     json["name"] = step.name;
     json["hamiltonian"] = to_text(step.hamiltonian);
     json["variables"] = variables(step);
     json["parameters"] = step.parameters;
-    json["values"] = std::move(values);
+    json["values"] = values_json(step);
     json["map"] = step.map ? matrix_json(*step.map) : Json(nullptr);
     json["offset"] = step.map ? texts(step.map->offset) : Json(nullptr);
     json["stages"] = step.stages ? stages_json(*step.stages) : Json(nullptr);

@@ -106,6 +106,13 @@ std::string function_latex(const std::string& left, const Expression& function,
     return fmt::format(", \\\\\n{} &= {}", left, sum.text());
 }
 
+std::string displayed(const std::string& command, const std::string& lines) {
+    return fmt::format("% hvi-gen scheme {} --format latex\n"
+                       "% needs \\usepackage{{amsmath}}\n"
+                       "\\[\n\\begin{{aligned}}\n{}.\n\\end{{aligned}}\n\\]\n",
+                       command, lines);
+}
+
 }  // namespace
 
 std::string render_latex(const StepEquations& step) {
@@ -117,10 +124,23 @@ std::string render_latex(const StepEquations& step) {
         if (step.generating->exact)
             lines += function_latex("H_{d,\\mathrm{exact}}^{+}", *step.generating->exact, step);
     }
-    return fmt::format("% hvi-gen scheme {}{} --format latex\n"
-                       "% needs \\usepackage{{amsmath}}\n"
-                       "\\[\n\\begin{{aligned}}\n{}.\n\\end{{aligned}}\n\\]\n",
-                       step.origin, option, lines);
+    return displayed(step.origin + option, lines);
+}
+
+std::string render_latex(const LagrangianEquations& step) {
+    std::map<std::string, std::string> now = names_at(step.coordinates, "n");
+    now.merge(names_at(step.momenta, "n"));
+    now["t"] = at("t", "n");
+    std::string lines = "L &= " + to_latex(step.lagrangian);
+    const auto append = [&](const std::string& left, const Expression& right) {
+        lines += fmt::format(", \\\\\n{} &= {}", left, to_latex(renamed(right, now)));
+    };
+    for (const Equation& position : step.positions)
+        append(to_latex(Expression::symbol(position.left)), position.right);
+    for (const ImplicitEquation& stage : step.velocities_in_stages)
+        append(to_latex(stage.left), stage.right);
+    for (const Equation& update : step.update) append(at(update.left, "n+1"), update.right);
+    return displayed(step.origin + " --lagrangian", lines);
 }
 
 }  // namespace hvi::gen

@@ -11,6 +11,9 @@ namespace hvi::gen {
 
 namespace {
 
+constexpr std::string_view inexact =
+    "\nA decimal stands where there is no closed form, to 20 digits.\n";
+
 /// The new value of a variable: a row of the map, without what is zero.
 Expression new_value(const MapEquations& map, std::size_t row,
                      const std::vector<std::string>& names) {
@@ -26,30 +29,6 @@ Expression new_value(const MapEquations& map, std::size_t row,
     return Expression::sum(std::move(terms));
 }
 
-/// Lines of a name and what is said of it, and equations.
-class Page {
-public:
-    explicit Page(const StepEquations& step) : step_(step) {}
-
-    [[nodiscard]] std::string text();
-
-private:
-    void line(const std::string& head, const std::string& text) {
-        for (const std::string& line : wrapped(head, text)) text_ += line + "\n";
-    }
-    void fact(std::string_view name, const std::string& text) {
-        if (!text.empty()) line(fmt::format("{:<14}", name), text);
-    }
-    void equation(const std::string& left, const Expression& right);
-    void head();
-    void map();
-    void stages();
-    void generating();
-
-    const StepEquations& step_;
-    std::string text_;
-};
-
 /// How much stands before the terms that the step size multiplies, in `q+h*(...)`; 0 where it is no
 /// such sum.
 std::size_t length_before_slopes(const Expression& right) {
@@ -61,6 +40,30 @@ std::size_t length_before_slopes(const Expression& right) {
                       change.arguments[1].kind == Expression::Kind::sum;
     return fits ? to_text(right.arguments[0]).size() + std::string_view("+h*(").size() : 0;
 }
+
+/// Lines of a name and what is said of it, and equations.
+class Page {
+public:
+    void line(const std::string& head, const std::string& text) {
+        for (const std::string& line : wrapped(head, text)) text_ += line + "\n";
+    }
+    void fact(std::string_view name, const std::string& text) {
+        if (!text.empty()) line(fmt::format("{:<14}", name), text);
+    }
+    void names(std::string_view name, const std::vector<std::string>& list) {
+        fact(name, fmt::format("{}", fmt::join(list, ", ")));
+    }
+    /// A line of its own, as it is.
+    void remark(std::string_view text) { text_ += text; }
+    void equation(const std::string& left, const Expression& right);
+    void title(const StepTitle& step) { line("", step.name.empty() ? step.origin : step.name); }
+    void parameters(const StepTitle& step);
+
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
 
 /// A long one is broken between the terms that the step size multiplies, or has a line for each of
 /// its terms.
@@ -83,71 +86,110 @@ void Page::equation(const std::string& left, const Expression& right) {
     }
 }
 
-void Page::head() {
-    line("", step_.name.empty() ? step_.origin : step_.name);
-    text_ += "\n";
-    fact("hamiltonian", to_text(step_.hamiltonian));
-    fact("coordinates", fmt::format("{}", fmt::join(step_.coordinates, ", ")));
-    fact("momenta", fmt::format("{}", fmt::join(step_.momenta, ", ")));
-    fact("parameters", fmt::format("{}", fmt::join(step_.parameters, ", ")));
+void Page::parameters(const StepTitle& step) {
+    names("parameters", step.parameters);
     std::string values;
-    for (const Parameter& known : step_.values)
+    for (const Parameter& known : step.values)
         values +=
             fmt::format("{}{} = {}", values.empty() ? "" : ", ", known.name, to_text(known.value));
     fact("values", values);
-    text_ += "\n";
+    remark("\n");
 }
 
-void Page::map() {
-    const std::vector<std::string> names = variables(step_);
+void write_head(Page& page, const StepEquations& step) {
+    page.title(step);
+    page.remark("\n");
+    page.fact("hamiltonian", to_text(step.hamiltonian));
+    page.names("coordinates", step.coordinates);
+    page.names("momenta", step.momenta);
+    page.parameters(step);
+}
+
+void write_map(Page& page, const StepEquations& step) {
+    const std::vector<std::string> names = variables(step);
     for (std::size_t i = 0; i < names.size(); ++i)
-        equation(names[i] + "'", new_value(*step_.map, i, names));
+        page.equation(names[i] + "'", new_value(*step.map, i, names));
 }
 
-void Page::stages() {
-    const StageEquations& equations = *step_.stages;
-    if (!step_.obstacle.empty()) {
-        line("", "H is quadratic, but the map has no formula here: " + step_.obstacle);
-        text_ += "\n";
+void write_stages(Page& page, const StepEquations& step) {
+    const StageEquations& equations = *step.stages;
+    if (!step.obstacle.empty()) {
+        page.line("", "H is quadratic, but the map has no formula here: " + step.obstacle);
+        page.remark("\n");
     }
-    if (!equations.is_explicit) text_ += "stages, to be solved together:\n\n";
-    for (const Equation& stage : equations.stages) equation(stage.left, stage.right);
-    if (!equations.is_explicit) text_ += "\nand with them:\n\n";
-    for (const Equation& update : equations.update) equation(update.left + "'", update.right);
-    if (equations.is_explicit) text_ += "\nEach line needs those above it only.\n";
-    if (!equations.is_exact)
-        text_ += "\nA decimal stands where there is no closed form, to 20 digits.\n";
+    if (!equations.is_explicit) page.remark("stages, to be solved together:\n\n");
+    for (const Equation& stage : equations.stages) page.equation(stage.left, stage.right);
+    if (!equations.is_explicit) page.remark("\nand with them:\n\n");
+    for (const Equation& update : equations.update) page.equation(update.left + "'", update.right);
+    if (equations.is_explicit) page.remark("\nEach line needs those above it only.\n");
+    if (!equations.is_exact) page.remark(inexact);
 }
 
-void Page::generating() {
-    const GeneratingEquations& found = *step_.generating;
+void write_generating(Page& page, const StepEquations& step) {
+    const GeneratingEquations& found = *step.generating;
     std::map<std::string, std::string> at_the_end;
-    for (const std::string& name : step_.momenta) at_the_end[name] = name + "'";
-    text_ += "\ngenerating function of type II, by (4.19):\n\n";
-    equation("H_d^+", renamed(found.discrete, at_the_end));
+    for (const std::string& name : step.momenta) at_the_end[name] = name + "'";
+    page.remark("\ngenerating function of type II, by (4.19):\n\n");
+    page.equation("H_d^+", renamed(found.discrete, at_the_end));
     if (found.exact) {
-        text_ += "\nexact discrete Hamiltonian, (4.1):\n\n";
-        equation("H_d,exact^+", renamed(*found.exact, at_the_end));
+        page.remark("\nexact discrete Hamiltonian, (4.1):\n\n");
+        page.equation("H_d,exact^+", renamed(*found.exact, at_the_end));
     }
-    text_ += "\n";
-    fact("gives map", fmt::format("{}, by p = D_1 H_d^+ and q' = D_2 H_d^+ (3.10)",
-                                  found.gives_map ? "yes" : "no"));
-    fact("symmetric", found.is_symmetric ? "yes, the mixed second derivatives agree"
-                                         : "no, the mixed second derivatives differ");
-    fact("difference", fmt::format("H_d^+ - H_d,exact^+ = O(h^{}){}", found.order_of_difference,
-                                   found.is_at_least ? " at least" : ""));
+    page.remark("\n");
+    page.fact("gives map", fmt::format("{}, by p = D_1 H_d^+ and q' = D_2 H_d^+ (3.10)",
+                                       found.gives_map ? "yes" : "no"));
+    page.fact("symmetric", found.is_symmetric ? "yes, the mixed second derivatives agree"
+                                              : "no, the mixed second derivatives differ");
+    page.fact("difference",
+              fmt::format("H_d^+ - H_d,exact^+ = O(h^{}){}", found.order_of_difference,
+                          found.is_at_least ? " at least" : ""));
 }
 
-std::string Page::text() {
-    head();
-    if (step_.map) map();
-    if (step_.stages) stages();
-    if (step_.generating) generating();
-    return text_;
+/// What does not fit into a line begins a new one at the equals sign.
+void write_implicit(Page& page, const ImplicitEquation& equation) {
+    const std::string left = to_text(equation.left);
+    const std::size_t length = left.size() + to_text(equation.right).size();
+    if (length + std::string_view("  = ").size() <= terminal_columns) {
+        page.equation(left, equation.right);
+        return;
+    }
+    page.line(" ", left);
+    page.equation("  ", equation.right);
+}
+
+void write_lagrangian_head(Page& page, const LagrangianEquations& step) {
+    page.title(step);
+    page.remark("\n");
+    page.fact("lagrangian", to_text(step.lagrangian));
+    page.names("coordinates", step.coordinates);
+    page.names("velocities", step.velocities);
+    page.names("momenta", step.momenta);
+    page.parameters(step);
 }
 
 }  // namespace
 
-std::string render_text(const StepEquations& step) { return Page(step).text(); }
+std::string render_text(const StepEquations& step) {
+    Page page;
+    write_head(page, step);
+    if (step.map) write_map(page, step);
+    if (step.stages) write_stages(page, step);
+    if (step.generating) write_generating(page, step);
+    return page.text();
+}
+
+std::string render_text(const LagrangianEquations& step) {
+    Page page;
+    write_lagrangian_head(page, step);
+    page.remark("momenta, by p = dL/dv:\n\n");
+    for (const Equation& momentum : step.legendre) page.equation(momentum.left, momentum.right);
+    page.remark("\nstages by (4.14), to be solved together for the velocities in them:\n\n");
+    for (const Equation& position : step.positions) page.equation(position.left, position.right);
+    for (const ImplicitEquation& stage : step.velocities_in_stages) write_implicit(page, stage);
+    page.remark("\nand with them:\n\n");
+    for (const Equation& update : step.update) page.equation(update.left + "'", update.right);
+    if (!step.is_exact) page.remark(inexact);
+    return page.text();
+}
 
 }  // namespace hvi::gen

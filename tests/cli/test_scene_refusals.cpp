@@ -247,3 +247,42 @@ TEST_CASE("help points to what was meant") {
     CHECK(hvi_gen({"tableau", "--methd", "x"}).err.find("`--method`") != std::string::npos);
     CHECK(hvi_gen({"tableau", "gauss:3"}).err.find("--method") != std::string::npos);
 }
+
+TEST_CASE("what has no Lagrangian, and what a Lagrangian cannot do yet: status 1") {
+    const auto refused = [](const Refusal& refusal, const std::vector<std::string>& words) {
+        check_refused(refusal, words);
+    };
+    const std::vector<std::string> scheme = {"scheme", "--method", "gauss:2", "--lagrangian"};
+    const auto lagrangian_of = [&](const std::string& H) {
+        std::vector<std::string> words = scheme;
+        words.insert(words.end(), {"--hamiltonian", H});
+        return words;
+    };
+    refused({1, "q*p", {}}, lagrangian_of("q*p"));
+    refused({1, "q*p + q", {}}, lagrangian_of("q*p + q"));
+    refused({1, "sqrt(1+p^2)", {}}, lagrangian_of("sqrt(1+p^2)"));
+    refused({2, "--generating", {}},
+            {"scheme", "--method", "gauss:2", "--lagrangian", "--generating", "kepler"});
+    const Outcome zero = hvi_gen(lagrangian_of("q*p"));
+    CHECK(zero.err.find("error: the associated Lagrangian is identically zero\n") == 0);
+
+    const Directory directory;
+    const auto scene = [&](const std::string& name, const std::string& L) {
+        write(directory / name, "coordinates = \"q\"\nvelocities = \"v\"\nlagrangian = \"" + L +
+                                    "\"\n[initial]\nq = 1\nv = 0\n"
+                                    "[run]\nmethod = \"gauss:2\"\nstep = 1\nuntil = 2\n");
+        return (directory / name).string();
+    };
+    const std::string spring = scene("spring.toml", "v^2/2 - q^2/2");
+    const std::string cubic = scene("cubic.toml", "v^3");
+    const std::string flat = scene("flat.toml", "q*v");
+    for (const std::string& file : {cubic, flat}) {
+        refused({1, file == cubic ? "v^3" : "q*v", {}}, {"scheme", "--method", "gauss:2", file});
+        refused({1, file == cubic ? "v^3" : "q*v", {}},
+                {"scheme", "--method", "gauss:2", "--lagrangian", file});
+    }
+    refused({1, "v^2/2 - q^2/2", {}}, {"stepper", "--method", "gauss:2", spring});
+    refused({1, "v^2/2 - q^2/2", {}}, {"stepper", "--accuracy", "1e-6", spring});
+    refused({1, "v^2/2 - q^2/2", {}}, {"run", spring});
+    refused({1, "v^2/2 - q^2/2", {}}, {"report", spring});
+}

@@ -132,3 +132,39 @@ TEST_CASE("scheme of what has indices, and of what depends on time") {
     same_every_time({"scheme", "--method", "gauss:3", "outer-solar-system"});
     same_every_time({"scheme", "--method", "gauss:3", "--format", "latex", "point-vortices"});
 }
+
+TEST_CASE("scheme --lagrangian of a Hamiltonian, and of a Lagrangian") {
+    const Directory directory;
+    write(directory / "hoop.toml",
+          "coordinates = \"th\"\nvelocities = \"v\"\n"
+          "lagrangian = \"m*R^2*(v^2 + W^2*sin(th)^2)/2 + m*g*R*cos(th)\"\n"
+          "[parameters]\nm = 1\nR = 1\nW = 2\ng = 1\n[initial]\nth = 1\nv = 0\n");
+    const auto printed = [&](const std::vector<std::string>& words) {
+        const Outcome outcome =
+            hvi_gen(with({"scheme", "--method", "gauss:1"}, words), directory.path());
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        return outcome.out;
+    };
+    const auto has = [](const std::string& text, const std::string& part) {
+        INFO(text);
+        CHECK(text.find(part) != std::string::npos);
+    };
+    const std::string given = printed({"hoop.toml", "--lagrangian"});
+    has(given, "lagrangian    m*R^2*(v^2+W^2*sin(th)^2)/2+m*g*R*cos(th)\n");
+    has(given, "\n p_th = R^2*m*v\n");
+    has(given, "\n Th_1 = th+h*V_1/2\n");
+    has(given, "\n th' = th+h*V_1\n");
+    has(printed({"hoop.toml"}),
+        "hamiltonian   p_th^2/(2*R^2*m)-R*g*m*cos(th)-R^2*W^2*m*sin(th)^2/2\n");
+    has(printed({"hoop.toml", "--lagrangian", "--param", "R=3"}), "\n p_th = 9*m*v\n");
+    has(printed({"hoop.toml", "--param", "R=3"}), "values        R = 3\n");
+    has(printed({"hoop.toml", "--lagrangian", "--format", "json"}),
+        "\"schema\": \"hvi-scheme-lagrangian/1\"");
+    has(printed({"hoop.toml", "--lagrangian", "--format", "latex"}),
+        "% hvi-gen scheme --method gauss:1 hoop.toml --lagrangian --format latex\n");
+    const std::string pendulum =
+        same_every_time({"scheme", "--method", "gauss:2", "--lagrangian", "double-pendulum"});
+    CHECK(pendulum.find("velocities    theta1_dot, theta2_dot\n") != std::string::npos);
+    CHECK(pendulum.find("sin(theta1-theta2)^2") == std::string::npos);
+}

@@ -59,6 +59,10 @@ TEST_CASE("names") {
     CHECK(to_latex(Expression::symbol("X_2[1]")) == "X_{1,2}");
     CHECK(to_latex(Expression::symbol("X1_2")) == "X_{1,2}");
     CHECK(latex("ecc") == R"(\mathit{ecc})");
+    CHECK(latex("x_dot") == R"(\dot{x})");
+    CHECK(latex("Theta1_dot_2") == R"(\dot{\Theta}_{1,2})");
+    CHECK(to_latex(Expression::symbol("x_dot[3]")) == R"(\dot{x}_{3})");
+    CHECK(latex("dot_a") == R"(\mathit{dot}_{a})");
     CHECK(latex("omega_max") == R"(\omega_{\mathit{max}})");
     CHECK(latex("a_b_c") == "a_{b,c}");
     CHECK(latex("q12_3") == "q_{12,3}");

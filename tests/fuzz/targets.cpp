@@ -114,25 +114,33 @@ void coefficients(std::string_view bytes) {
     });
 }
 
+/// `function` is the H or the L of the scene.
+template <class Function>
+void check_scene(const SceneData& result, const Function& function) {
+    check_ranges(function.expression, *function.source);
+    check_printing(function.expression);
+    require(result.parameters.size() <= 64, "too many parameters");
+    require(result.initial.size() == 2 * function.degrees_of_freedom(), "not all initial values");
+    require(result.exact.empty() || result.exact.size() == result.initial.size(),
+            "not all exact solutions");
+    for (const auto* list : {&result.invariants, &result.initial, &result.exact}) {
+        for (const NamedExpression& entry : *list) {
+            check_ranges(entry.expression, *entry.place.source);
+            check_printing(entry.expression);
+        }
+    }
+    require(!result.name.empty(), "a scene without a name");
+    require((result.description + function.origin).find('\n') == std::string::npos,
+            "a description or an origin of several lines");
+}
+
+void check_any(const Scene& scene) { check_scene(scene, scene.hamiltonian); }
+void check_any(const LagrangianScene& scene) { check_scene(scene, scene.lagrangian); }
+
 void scene(std::string_view bytes) {
     attempt_to_read([&] {
-        const Scene result = scene_from_toml({"fuzz.toml", std::string(bytes)});
-        const Hamiltonian& H = result.hamiltonian;
-        check_ranges(H.expression, *H.source);
-        check_printing(H.expression);
-        require(result.parameters.size() <= 64, "too many parameters");
-        require(result.initial.size() == 2 * H.degrees_of_freedom(), "not all initial values");
-        require(result.exact.empty() || result.exact.size() == result.initial.size(),
-                "not all exact solutions");
-        for (const auto* list : {&result.invariants, &result.initial, &result.exact}) {
-            for (const NamedExpression& entry : *list) {
-                check_ranges(entry.expression, *entry.place.source);
-                check_printing(entry.expression);
-            }
-        }
-        require(!result.name.empty(), "a scene without a name");
-        require((result.description + H.origin).find('\n') == std::string::npos,
-                "a description or an origin of several lines");
+        const AnyScene result = any_scene_from_toml({"fuzz.toml", std::string(bytes)});
+        std::visit([](const auto& found) { check_any(found); }, result);
     });
 }
 

@@ -256,3 +256,53 @@ TEST_CASE("the same equations give the same bytes") {
     CHECK(render_json(generating()) == render_json(generating()));
     CHECK(render_latex(generating()) == render_latex(generating()));
 }
+
+namespace {
+
+/// (4.14) of an oscillator whose mass depends on where it is.
+LagrangianEquations oscillator_of_velocities(const std::string& mass) {
+    LagrangianEquations result;
+    result.name = "gauss:1";
+    result.origin = "--method gauss:1 mine.toml";
+    result.lagrangian = expression(mass + "*q_dot^2/2-q^2/2");
+    result.coordinates = {"q"};
+    result.velocities = {"q_dot"};
+    result.momenta = {"p"};
+    result.legendre = {{"p", expression(mass + "*q_dot")}};
+    result.positions = {{"Q_1", expression("q+h*Q_dot_1/2")}};
+    result.velocities_in_stages = {{expression(mass + "*Q_dot_1"), expression("p-h*Q_1/2")}};
+    result.update = {{"q", expression("q+h*Q_dot_1")}, {"p", expression("p-h*Q_1")}};
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("the equations of a Lagrangian") {
+    const LagrangianEquations step = oscillator_of_velocities("m");
+    const std::string text = render_text(step);
+    CHECK(contains(text, "lagrangian    m*q_dot^2/2-q^2/2\ncoordinates   q\nvelocities    q_dot\n"
+                         "momenta       p\n"));
+    CHECK(contains(text, "\n p = m*q_dot\n"));
+    CHECK(contains(text, "\n Q_1 = q+h*Q_dot_1/2\n m*Q_dot_1 = p-h*Q_1/2\n"));
+    CHECK(contains(text, "\n q' = q+h*Q_dot_1\n p' = p-h*Q_1\n"));
+    CHECK(!contains(text, "decimal"));
+    const Json json = Json::parse(render_json(step));
+    CHECK(keys(json) == std::vector<std::string>{"schema", "name", "lagrangian", "coordinates",
+                                                 "velocities", "momenta", "parameters", "values",
+                                                 "legendre", "stages", "update", "exact"});
+    CHECK(json["stages"] == Json{"Q_1 = q+h*Q_dot_1/2", "m*Q_dot_1 = p-h*Q_1/2"});
+    CHECK(json["update"] == Json{"q' = q+h*Q_dot_1", "p' = p-h*Q_1"});
+    const std::string latex = render_latex(step);
+    CHECK(
+        contains(latex, "% hvi-gen scheme --method gauss:1 mine.toml --lagrangian --format latex"));
+    CHECK(contains(latex, "m\\dot{Q}_{1} &= p_{n} - \\frac{hQ_{1}}{2}"));
+    CHECK(contains(latex, "p_{n+1} &= p_{n} - hQ_{1}.\n"));
+}
+
+TEST_CASE("a long left side has a line of its own") {
+    const std::string mass =
+        "(" + std::string("mass_of_one+mass_of_two+mass_of_three+mass_of_four+mass_of_five") + ")";
+    const std::string text = render_text(oscillator_of_velocities(mass));
+    CHECK(contains(text, mass + "*Q_dot_1\n    = p-h*Q_1/2\n"));
+    CHECK(longest_line(text) <= 80);
+}

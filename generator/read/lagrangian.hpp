@@ -1,0 +1,41 @@
+// What the user said as a Lagrangian: its expression, and which of its symbols are variables.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "generator/read/hamiltonian.hpp"
+
+namespace hvi::gen {
+
+constexpr ConjugateWords words_of_velocities{"a velocity", "velocity", "velocities"};
+
+/// L(q, v) or L(q, v, t) as it was given, checked as far as a Hamiltonian is.
+struct Lagrangian {
+    Expression expression;
+    std::shared_ptr<const Source>
+        source;  ///< its text: the ranges in `expression` are ranges there
+    std::vector<std::string> coordinates;
+    std::vector<std::string> velocities;  ///< velocities[i] belongs to coordinates[i]
+    std::vector<Parameter> parameters;    ///< each a symbol of L that is no variable, no name twice
+    std::string origin;                   ///< as the command line has it; one line of ASCII
+
+    [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }
+};
+
+/// L of these variables; `origin` is left empty. Throws InputError.
+[[nodiscard]] Lagrangian lagrangian_of(std::shared_ptr<const Source> expression,
+                                       const NameList& coordinates, const NameList& velocities);
+
+/// Coordinates, then velocities.
+[[nodiscard]] std::vector<std::string> variables(const Lagrangian& lagrangian);
+
+/// The symbols of L that are parameters, with a value or without, sorted.
+[[nodiscard]] std::vector<std::string> parameter_names(const Lagrangian& lagrangian);
+
+/// Whether the time `t` occurs in L.
+[[nodiscard]] bool depends_on_time(const Lagrangian& lagrangian);
+
+}  // namespace hvi::gen
