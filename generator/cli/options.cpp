@@ -127,6 +127,7 @@ SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
                          "\"p^2/2 + w^2*q^2/2\"");
     options.system = *system;
     options.generating = words.has("--generating");
+    options.series = words.whole_number("--series");
     options.format = words.choice<EquationsFormat>("--format").value_or(options.format);
     options.output = output_option(words);
     return options;

@@ -83,7 +83,8 @@ struct SchemeOptions {
 
     MethodOptions method;  ///< its parameters are those of the Hamiltonian as well
     SystemOptions system;
-    bool generating = false;  ///< the generating function of type II too
+    bool generating = false;    ///< the generating function of type II too
+    std::optional<int> series;  ///< so many terms of the discrete Hamiltonians too
     Format format = Format::text;
     std::optional<std::filesystem::path> output;
 };

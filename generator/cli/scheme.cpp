@@ -23,7 +23,8 @@ std::string rendered(const StepEquations& step, SchemeOptions::Format format) {
 
 void run(const SchemeOptions& options) {
     const auto [method, hamiltonian] = read_system(options.method, options.system);
-    const StepEquations step = step_equations(method, hamiltonian, options.generating);
+    const StepEquations step =
+        step_equations(method, hamiltonian, options.generating, options.series);
     write_result(options.output, rendered(step, options.format));
 }
 

@@ -288,10 +288,10 @@ constexpr std::array table = {
                 .state = State::to_come},
     OptionEntry{.name = "--series",
                 .of = {scheme},
-                .value = Value::text,
+                .value = Value::whole,
                 .placeholder = "N",
-                .help = "Also terms in h of the discrete Hamiltonians",
-                .state = State::to_come},
+                .range = {1, 12},
+                .help = "Also N terms in h of the discrete Hamiltonians"},
 
     // Runs and reports
     OptionEntry{.name = "--step",

@@ -39,6 +39,18 @@ Json generating_json(const GeneratingEquations& found) {
             {"is_at_least", found.is_at_least}};
 }
 
+/// NOTE: with a schema of its own, so that it can be kept apart from the step.
+Json series_json(const DiscreteSeries& series) {
+    const auto power = [](const std::optional<int>& k) { return k ? Json(*k) : Json(nullptr); };
+    return {
+        {"schema", "hvi-series/1"},
+        {"terms_exact", texts(series.exact)},
+        {"terms_method", texts(series.method)},
+        {"first_difference", power(series.first_difference)},
+        {"difference", series.first_difference ? Json(to_text(series.difference)) : Json(nullptr)},
+        {"undecided", power(series.undecided)}};
+}
+
 }  // namespace
 
 std::string render_json(const StepEquations& step) {
@@ -57,6 +69,7 @@ std::string render_json(const StepEquations& step) {
     json["explicit"] = step.stages ? Json(step.stages->is_explicit) : Json(nullptr);
     json["exact"] = !step.stages || step.stages->is_exact;
     if (step.generating) json["generating"] = generating_json(*step.generating);
+    if (step.series) json["series"] = series_json(*step.series);
     return json.dump(2) + "\n";
 }
 

@@ -26,6 +26,21 @@ Expression new_value(const MapEquations& map, std::size_t row,
     return Expression::sum(std::move(terms));
 }
 
+/// Momenta with a prime.
+std::map<std::string, std::string> names_at_the_end(const StepEquations& step) {
+    std::map<std::string, std::string> names;
+    for (const std::string& name : step.momenta) names[name] = name + "'";
+    return names;
+}
+
+/// q*p', and a sum of that over all degrees of freedom.
+std::string identity(const StepEquations& step) {
+    std::vector<std::string> products;
+    for (std::size_t i = 0; i < step.momenta.size(); ++i)
+        products.push_back(step.coordinates[i] + "*" + step.momenta[i] + "'");
+    return fmt::format("{}", fmt::join(products, "+"));
+}
+
 /// Lines of a name and what is said of it, and equations.
 class Page {
 public:
@@ -45,6 +60,9 @@ private:
     void map();
     void stages();
     void generating();
+    void series();
+    void term(std::size_t k, const Expression& coefficient);
+    void terms(const std::vector<Expression>& coefficients);
 
     const StepEquations& step_;
     std::string text_;
@@ -121,8 +139,7 @@ void Page::stages() {
 
 void Page::generating() {
     const GeneratingEquations& found = *step_.generating;
-    std::map<std::string, std::string> at_the_end;
-    for (const std::string& name : step_.momenta) at_the_end[name] = name + "'";
+    const auto at_the_end = names_at_the_end(step_);
     text_ += "\ngenerating function of type II, by (4.19):\n\n";
     equation("H_d^+", renamed(found.discrete, at_the_end));
     if (found.exact) {
@@ -138,11 +155,45 @@ void Page::generating() {
                                    found.is_at_least ? " at least" : ""));
 }
 
+/// [h^k] is the coefficient of h^k.
+void Page::term(std::size_t k, const Expression& coefficient) {
+    const std::string power = k == 1 ? "h" : fmt::format("h^{}", k);
+    line(fmt::format(" [{}] = ", power), to_text(renamed(coefficient, names_at_the_end(step_))));
+}
+
+void Page::terms(const std::vector<Expression>& coefficients) {
+    line(" [1] = ", identity(step_));
+    for (std::size_t k = 1; k <= coefficients.size(); ++k) term(k, coefficients[k - 1]);
+}
+
+void Page::series() {
+    const DiscreteSeries& found = *step_.series;
+    text_ += "\ncoefficients of powers of h in the exact discrete Hamiltonian, (4.1):\n\n";
+    terms(found.exact);
+    text_ += "\nand in the H_d^+ of the method, (4.19):\n\n";
+    terms(found.method);
+    text_ += "\n";
+    if (found.first_difference) {
+        const auto power = static_cast<std::size_t>(*found.first_difference);
+        fact("difference",
+             fmt::format("H_d^+ - H_d,exact^+ = O(h^{}), and its first coefficient is", power));
+        text_ += "\n";
+        term(power, found.difference);
+    } else if (found.undecided) {
+        fact("difference", fmt::format("not decided for h^{}: by no normal form zero, and by no "
+                                       "value another; none before",
+                                       *found.undecided));
+    } else {
+        fact("difference", fmt::format("none up to h^{}", found.exact.size()));
+    }
+}
+
 std::string Page::text() {
     head();
     if (step_.map) map();
     if (step_.stages) stages();
     if (step_.generating) generating();
+    if (step_.series) series();
     return text_;
 }
 
