@@ -39,16 +39,25 @@ Json generating_json(const GeneratingEquations& found) {
             {"is_at_least", found.is_at_least}};
 }
 
+Json text_or_null(const DiscreteSeries::Coefficient& coefficient) {
+    return coefficient ? Json(to_text(*coefficient)) : Json(nullptr);
+}
+
+Json texts(const std::vector<DiscreteSeries::Coefficient>& coefficients) {
+    Json json = Json::array();
+    for (const auto& coefficient : coefficients) json.push_back(text_or_null(coefficient));
+    return json;
+}
+
 /// NOTE: with a schema of its own, so that it can be kept apart from the step.
 Json series_json(const DiscreteSeries& series) {
     const auto power = [](const std::optional<int>& k) { return k ? Json(*k) : Json(nullptr); };
-    return {
-        {"schema", "hvi-series/1"},
-        {"terms_exact", texts(series.exact)},
-        {"terms_method", texts(series.method)},
-        {"first_difference", power(series.first_difference)},
-        {"difference", series.first_difference ? Json(to_text(series.difference)) : Json(nullptr)},
-        {"undecided", power(series.undecided)}};
+    return {{"schema", "hvi-series/1"},
+            {"terms_exact", texts(series.exact)},
+            {"terms_method", texts(series.method)},
+            {"first_difference", power(series.first_difference)},
+            {"difference", text_or_null(series.difference)},
+            {"undecided", power(series.undecided)}};
 }
 
 }  // namespace

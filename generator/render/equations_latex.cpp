@@ -107,16 +107,19 @@ std::string function_latex(const std::string& left, const Expression& function,
     return fmt::format(", \\\\\n{} &= {}", left, sum.text());
 }
 
-/// Coefficients of powers of h: [h^2] of a function.
+/// Coefficients of powers of h: [h^2] of a function. What is too long is left out.
 std::string series_latex(const StepEquations& step) {
     const DiscreteSeries& series = *step.series;
     std::string lines;
-    const auto append = [&](int power, std::string_view of, const Expression& coefficient) {
-        lines += function_latex(fmt::format("[h^{{{}}}]\\,{}", power, of), coefficient, step);
+    const auto append = [&](int power, std::string_view of,
+                            const DiscreteSeries::Coefficient& coefficient) {
+        if (!coefficient) return;
+        lines += function_latex(fmt::format("[h^{{{}}}]\\,{}", power, of), *coefficient, step);
     };
-    const auto append_all = [&](std::string_view of, const std::vector<Expression>& terms) {
+    const auto append_all = [&](std::string_view of,
+                                const std::vector<DiscreteSeries::Coefficient>& terms) {
         int power = 0;
-        for (const Expression& term : terms) append(++power, of, term);
+        for (const auto& term : terms) append(++power, of, term);
     };
     append_all("H_{d,\\mathrm{exact}}^{+}", series.exact);
     append_all("H_{d}^{+}", series.method);

@@ -61,8 +61,8 @@ private:
     void stages();
     void generating();
     void series();
-    void term(std::size_t k, const Expression& coefficient);
-    void terms(const std::vector<Expression>& coefficients);
+    void term(std::size_t k, const DiscreteSeries::Coefficient& coefficient);
+    void terms(const std::vector<DiscreteSeries::Coefficient>& coefficients);
 
     const StepEquations& step_;
     std::string text_;
@@ -156,12 +156,14 @@ void Page::generating() {
 }
 
 /// [h^k] is the coefficient of h^k.
-void Page::term(std::size_t k, const Expression& coefficient) {
+void Page::term(std::size_t k, const DiscreteSeries::Coefficient& coefficient) {
     const std::string power = k == 1 ? "h" : fmt::format("h^{}", k);
-    line(fmt::format(" [{}] = ", power), to_text(renamed(coefficient, names_at_the_end(step_))));
+    line(fmt::format(" [{}] = ", power),
+         coefficient ? to_text(renamed(*coefficient, names_at_the_end(step_)))
+                     : "... (too long to be computed)");
 }
 
-void Page::terms(const std::vector<Expression>& coefficients) {
+void Page::terms(const std::vector<DiscreteSeries::Coefficient>& coefficients) {
     line(" [1] = ", identity(step_));
     for (std::size_t k = 1; k <= coefficients.size(); ++k) term(k, coefficients[k - 1]);
 }
@@ -176,13 +178,14 @@ void Page::series() {
     if (found.first_difference) {
         const auto power = static_cast<std::size_t>(*found.first_difference);
         fact("difference",
-             fmt::format("H_d^+ - H_d,exact^+ = O(h^{}), and its first coefficient is", power));
+             fmt::format("H_d^+ - H_d,exact^+ = O(h^{}), and {}", power,
+                         found.difference ? "its first coefficient is" : "that is not 0"));
+        if (!found.difference) return;
         text_ += "\n";
         term(power, found.difference);
     } else if (found.undecided) {
-        fact("difference", fmt::format("not decided for h^{}: by no normal form zero, and by no "
-                                       "value another; none before",
-                                       *found.undecided));
+        fact("difference",
+             fmt::format("none before h^{}, and there it is not decided", *found.undecided));
     } else {
         fact("difference", fmt::format("none up to h^{}", found.exact.size()));
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/series/discrete_series.hpp"
 
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/lower/system.hpp"
-#include "generator/read/names.hpp"
 #include "generator/scene/value_at.hpp"
 #include "generator/series/elementary_hamiltonians.hpp"
 #include "generator/series/tree_weights.hpp"
@@ -47,9 +47,51 @@ Expression with_values(const Hamiltonian& hamiltonian) {
 }
 
 /// The coefficients of one power of h.
-struct Coefficients {
-    Number exact;
+struct Forms {
+    Expression exact, method;
     Number difference;  ///< that of the method less the exact one
+    Expression difference_form;
+};
+
+/// All symbols, each at a rational number of its own; at others in each point. NOTE: none is a
+/// binary fraction, so that all their balls have a radius, and a ball that is 0 is that of a
+/// function that is 0 everywhere.
+SymbolValues some_point(const System& system, const Tableau& tableau, std::size_t point) {
+    SymbolValues values;
+    const auto add = [&](const std::string& name) {
+        const std::size_t third = 31 + 7 * point + 11 * values.size();
+        values.try_emplace(
+            name, ball_of_rational(std::to_string(3 * third + 1) + "/291", first_precision));
+    };
+    for (Node node = 0; node < system.graph.size(); ++node) {
+        const Computation& computation = system.graph.at(node);
+        if (computation.operation == Operation::input) { add(computation.name); }
+    }
+    for (const std::string& name : tableau.parameters) { add(name); }
+    return values;
+}
+
+/// What is not zero, by its value at a point, where a value that is not zero is a proof.
+class AtPoint {
+public:
+    AtPoint(const System& system, SymbolValues point)
+        : point_(std::move(point)), elementary_(system, point_) {}
+
+    /// sum of excess/symmetry times the elementary Hamiltonian.
+    [[nodiscard]] bool
+    is_proved_nonzero(const std::vector<std::pair<TreePointer, Expression>>& excesses) {
+        Ball sum = NodeBalls::integer(0);
+        for (const auto& [tree, excess] : excesses) {
+            Ball share = NodeBalls::product(value_at(excess, point_, nullptr), elementary_(*tree));
+            arb_div_si(share.get(), share.get(), tree->symmetry, first_precision);
+            sum = NodeBalls::sum(sum, share);
+        }
+        return arb_is_finite(sum.get()) != 0 && sum.sign() != 0;
+    }
+
+private:
+    SymbolValues point_;
+    ElementaryHamiltonians<NodeBalls> elementary_;
 };
 
 class Series {
@@ -58,7 +100,10 @@ public:
         : hamiltonian_(with_values(hamiltonian)),
           exact_(exact_weight(ground)),
           method_(method_weight(tableau, ground)),
-          elementary_(system_of(hamiltonian, parameter_names(hamiltonian)), ground) {}
+          system_(system_of(hamiltonian, parameter_names(hamiltonian))),
+          elementary_(system_, ground),
+          points_{{{system_, some_point(system_, tableau, 0)},
+                   {system_, some_point(system_, tableau, 1)}}} {}
 
     /// That of h, which is H: by constants in the span of the basis the sum of all weights is 1
     /// (Leok & Zhang, Section 4.4.3). NOTE: as it is written, and so however long it is.
@@ -66,43 +111,48 @@ public:
     void append(DiscreteSeries& result, const std::vector<TreePointer>& trees);
 
 private:
-    [[nodiscard]] Coefficients coefficients(const std::vector<TreePointer>& trees);
+    [[nodiscard]] std::optional<Forms> forms(const std::vector<TreePointer>& trees);
     [[nodiscard]] Expression written(const Number& number) const;
-    void compare(DiscreteSeries& result, const Number& difference) const;
-    [[nodiscard]] bool is_proved_nonzero(const Expression& difference) const;
+    void compare(DiscreteSeries& result, const std::vector<TreePointer>& trees,
+                 const std::optional<Forms>& found);
+    [[nodiscard]] std::optional<bool> are_equal(const std::vector<TreePointer>& trees);
 
     Expression hamiltonian_;
     TreeWeight exact_, method_;
-    ElementaryHamiltonians elementary_;
+    System system_;
+    ElementaryHamiltonians<NodeValues> elementary_;
+    std::array<AtPoint, 2> points_;
 };
 
 void Series::begin(DiscreteSeries& result) const {
     HVI_CHECK(method_(*graft(Colour::f, {})).is_one());
-    result.exact.push_back(hamiltonian_);
-    result.method.push_back(hamiltonian_);
+    result.exact.emplace_back(hamiltonian_);
+    result.method.emplace_back(hamiltonian_);
 }
 
+/// NOTE: beyond a coefficient that is too long all are.
 void Series::append(DiscreteSeries& result, const std::vector<TreePointer>& trees) {
-    const Coefficients found = coefficients(trees);
-    result.exact.push_back(written(found.exact));
-    result.method.push_back(found.difference.is_zero() ? result.exact.back()
-                                                       : written(found.exact + found.difference));
-    if (!result.first_difference && !result.undecided) { compare(result, found.difference); }
+    const auto found = result.exact.back() ? forms(trees) : std::nullopt;
+    result.exact.push_back(found ? std::optional(found->exact) : std::nullopt);
+    result.method.push_back(found ? std::optional(found->method) : std::nullopt);
+    if (!result.first_difference && !result.undecided) { compare(result, trees, found); }
 }
 
 /// NOTE: a tree whose weights agree adds nothing to the difference, whatever H is.
-Coefficients Series::coefficients(const std::vector<TreePointer>& trees) {
-    Coefficients result;
-    for (const TreePointer& tree : trees) {
-        const Number value = elementary_(*tree);
-        if (value.is_zero()) { continue; }
-        const Number share = value / Number(static_cast<long>(tree->symmetry));
-        const Number weight = exact_(*tree);
-        const Number excess = method_(*tree) - weight;
-        result.exact = result.exact + weight * share;
-        if (!excess.is_zero()) { result.difference = result.difference + excess * share; }
-    }
-    return result;
+std::optional<Forms> Series::forms(const std::vector<TreePointer>& trees) {
+    Number exact, difference;
+    try {
+        for (const TreePointer& tree : trees) {
+            const Number value = elementary_(*tree);
+            if (value.is_zero()) { continue; }
+            const Number share = value / Number(static_cast<long>(tree->symmetry));
+            const Number weight = exact_(*tree);
+            const Number excess = method_(*tree) - weight;
+            exact = exact + weight * share;
+            if (!excess.is_zero()) { difference = difference + excess * share; }
+        }
+        return Forms{written(exact), written(exact + difference), difference, written(difference)};
+    } catch (const TooLarge&) { return std::nullopt; }
 }
 
 Expression Series::written(const Number& number) const {
@@ -111,45 +161,37 @@ Expression Series::written(const Number& number) const {
     return substituted(*form, elementary_.values().hidden());
 }
 
-void Series::compare(DiscreteSeries& result, const Number& difference) const {
-    if (difference.is_zero()) { return; }
+/// By the normal form, where the functions in it cannot depend on each other in ways that it does
+/// not see; else by the weights of trees and by values.
+void Series::compare(DiscreteSeries& result, const std::vector<TreePointer>& trees,
+                     const std::optional<Forms>& found) {
+    const bool is_zero = found && found->difference.is_zero();
+    const bool decides = found && (is_zero || elementary_.values().hidden().empty());
+    const auto equal = decides ? std::optional(is_zero) : are_equal(trees);
     const int power = static_cast<int>(result.exact.size());
-    Expression form = written(difference);
-    if (!elementary_.values().hidden().empty() && !is_proved_nonzero(form)) {
-        result.undecided = power;
-        return;
+    if (!equal) { result.undecided = power; }
+    if (!equal.value_or(true)) {
+        result.first_difference = power;
+        if (found) { result.difference = found->difference_form; }
     }
-    result.first_difference = power;
-    result.difference = std::move(form);
 }
 
-/// At some rational points: where functions may depend on each other in ways that the normal form
-/// does not see, a value that is not zero is a proof.
-bool Series::is_proved_nonzero(const Expression& difference) const {
-    constexpr int points = 4;
-    for (int point = 0; point < points; ++point) {
-        SymbolValues values;
-        walk(difference, [&](const Expression& part) {
-            if (part.kind == Expression::Kind::symbol) {
-                const std::size_t count = values.size();
-                const std::string above = std::to_string(31 + 7 * point + 11 * count);
-                values.try_emplace(part.name, ball_of_rational(above + "/97", first_precision));
-            }
-            return true;
-        });
+/// Whether the coefficients are, where that is proved.
+std::optional<bool> Series::are_equal(const std::vector<TreePointer>& trees) {
+    std::vector<std::pair<TreePointer, Expression>> excesses;
+    for (const TreePointer& tree : trees) {
+        const Number excess = method_(*tree) - exact_(*tree);
+        const auto form = excess.closed_form();
+        if (!form) { return std::nullopt; }
+        if (!excess.is_zero()) { excesses.emplace_back(tree, *form); }
+    }
+    if (excesses.empty()) { return true; }
+    for (AtPoint& point : points_) {
         try {
-            const Ball value = value_at(difference, values, nullptr);
-            if (arb_is_finite(value.get()) != 0 && value.sign() != 0) { return true; }
-        } catch (const MathError&) { continue; }  // no value there
+            if (point.is_proved_nonzero(excesses)) { return false; }
+        } catch (const MathError&) { continue; }  // no value there, or too long
     }
-    return false;
-}
-
-[[noreturn]] void refuse_length(const Hamiltonian& hamiltonian, std::size_t power) {
-    throw MathError("the terms of h^" + std::to_string(power) +
-                        " for this H are too long to be computed",
-                    Place{hamiltonian.source, hamiltonian.expression.range},
-                    "--series " + std::to_string(power - 1) + " is computed");
+    return std::nullopt;
 }
 
 }  // namespace
@@ -161,9 +203,7 @@ DiscreteSeries discrete_series(const Tableau& tableau, const Hamiltonian& hamilt
     DiscreteSeries result;
     series.begin(result);
     const auto trees = unrooted_trees(terms);
-    try {
-        for (std::size_t k = 1; k < trees.size(); ++k) { series.append(result, trees[k]); }
-    } catch (const TooLarge&) { refuse_length(hamiltonian, result.exact.size() + 1); }
+    for (std::size_t k = 1; k < trees.size(); ++k) { series.append(result, trees[k]); }
     return result;
 }
 

@@ -17,31 +17,29 @@ constexpr std::size_t most_nodes = 300'000;
 
 }  // namespace
 
-ElementaryHamiltonians::ElementaryHamiltonians(System system, const Ground& ground)
-    : system_(std::move(system)), inputs_(system_.q), values_(system_.graph, ground) {
-    if (system_.time) { inputs_.push_back(*system_.time); }
-    edges_ = inputs_.size();
-    inputs_.insert(inputs_.end(), system_.p.begin(), system_.p.end());
-    nodes_.emplace(Index(), system_.hamiltonian);
+template <class Values>
+auto ElementaryHamiltonians<Values>::operator()(const Tree& tree) -> Value {
+    return at_vertex(tree, {}, 0);
 }
 
-Number ElementaryHamiltonians::operator()(const Tree& tree) { return at_vertex(tree, {}, 0); }
-
-const NumberVector& ElementaryHamiltonians::on_edge(const Tree& tree) {
+template <class Values>
+auto ElementaryHamiltonians<Values>::on_edge(const Tree& tree) -> const std::vector<Value>& {
     const auto known = on_edges_.find(tree.text);
     if (known != on_edges_.end()) { return known->second; }
-    NumberVector result;
+    std::vector<Value> result;
     for (std::size_t d = 0; d < edges_; ++d) {
         const std::size_t by = variable(d, tree.root);
         const bool is_energy = by == inputs_.size();
-        result.push_back(is_energy ? Number(tree.vertices == 1 ? 1 : 0) : at_vertex(tree, {by}, 0));
+        result.push_back(is_energy ? Values::integer(tree.vertices == 1 ? 1 : 0)
+                                   : at_vertex(tree, {by}, 0));
     }
     return on_edges_.emplace(tree.text, std::move(result)).first->second;
 }
 
 /// The variable by which the end of an edge is a derivative: of a vertex f its p. That of the
 /// time's momentum is beyond all others.
-std::size_t ElementaryHamiltonians::variable(std::size_t d, Colour end) const {
+template <class Values>
+std::size_t ElementaryHamiltonians<Values>::variable(std::size_t d, Colour end) const {
     if (end == Colour::g) { return d; }
     return system_.time && d + 1 == edges_ ? inputs_.size() : edges_ + d;
 }
@@ -49,33 +47,40 @@ std::size_t ElementaryHamiltonians::variable(std::size_t d, Colour end) const {
 /// The sum over the d of the edges to the children from `child` on, after those of `index`. NOTE:
 /// no vertex with other edges has a derivative by the time's momentum that is not zero, and one
 /// with that edge alone is never in the middle.
-Number ElementaryHamiltonians::at_vertex(const Tree& tree, const Index& index, std::size_t child) {
-    if (vanishes(index)) { return Number(0); }
+template <class Values>
+auto ElementaryHamiltonians<Values>::at_vertex(const Tree& tree, const Index& index,
+                                               std::size_t child) -> Value {
+    if (vanishes(index)) { return Values::integer(0); }
     if (child == tree.children.size()) { return derivative(index); }
     const Tree& next = *tree.children[child];
-    const NumberVector& below = on_edge(next);
-    Number sum;
+    const std::vector<Value>& below = on_edge(next);
+    Value sum = Values::integer(0);
     for (std::size_t d = 0; d < edges_; ++d) {
         const std::size_t by = variable(d, next.root == Colour::f ? Colour::g : Colour::f);
-        if (by == inputs_.size() || below[d].is_zero()) { continue; }
+        if (by == inputs_.size() || Values::is_zero(below[d])) { continue; }
         Index further = index;
         further.insert(std::upper_bound(further.begin(), further.end(), by), by);
-        const Number factor = at_vertex(tree, further, child + 1);
-        if (factor.is_zero()) { continue; }
+        const Value factor = at_vertex(tree, further, child + 1);
+        if (Values::is_zero(factor)) { continue; }
         count_product();
-        sum = sum + factor * below[d];
+        sum = Values::sum(sum, Values::product(factor, below[d]));
     }
     return sum;
 }
 
 /// All further derivatives of what is zero are. NOTE: not of H itself, which need not be looked at.
-bool ElementaryHamiltonians::vanishes(const Index& index) {
-    return !index.empty() && derivative(index).is_zero();
+template <class Values>
+bool ElementaryHamiltonians<Values>::vanishes(const Index& index) {
+    return !index.empty() && Values::is_zero(derivative(index));
 }
 
-Number ElementaryHamiltonians::derivative(const Index& index) { return values_(node(index)); }
+template <class Values>
+auto ElementaryHamiltonians<Values>::derivative(const Index& index) -> Value {
+    return values_(node(index));
+}
 
-const Scaled& ElementaryHamiltonians::node(const Index& index) {
+template <class Values>
+const Scaled& ElementaryHamiltonians<Values>::node(const Index& index) {
     const auto known = nodes_.find(index);
     if (known != nodes_.end()) { return known->second; }
     Index before = index;
@@ -91,8 +96,12 @@ const Scaled& ElementaryHamiltonians::node(const Index& index) {
     return nodes_.at(index);
 }
 
-void ElementaryHamiltonians::count_product() {
+template <class Values>
+void ElementaryHamiltonians<Values>::count_product() {
     if (++products_ > most_products) { throw TooLarge(); }
 }
+
+template class ElementaryHamiltonians<NodeValues>;
+template class ElementaryHamiltonians<NodeBalls>;
 
 }  // namespace hvi::gen

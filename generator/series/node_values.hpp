@@ -16,6 +16,13 @@ namespace hvi::gen {
 /// zero, and one that is not may be zero all the same.
 class NodeValues {
 public:
+    using Value = Number;
+
+    [[nodiscard]] static Number integer(long value) { return value; }
+    [[nodiscard]] static Number sum(const Number& a, const Number& b) { return a + b; }
+    [[nodiscard]] static Number product(const Number& a, const Number& b) { return a * b; }
+    [[nodiscard]] static bool is_zero(const Number& a) { return a.is_zero(); }
+
     /// The graph may grow.
     NodeValues(const Graph& graph, Ground ground) : graph_(graph), ground_(std::move(ground)) {}
 
