@@ -128,6 +128,7 @@ SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
     options.system = *system;
     options.generating = words.has("--generating");
     options.lagrangian = words.has("--lagrangian");
+    options.series = words.whole_number("--series");
     options.format = words.choice<EquationsFormat>("--format").value_or(options.format);
     options.output = output_option(words);
     return options;

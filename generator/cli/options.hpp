@@ -83,8 +83,9 @@ struct SchemeOptions {
 
     MethodOptions method;  ///< its parameters are those of the Hamiltonian as well
     SystemOptions system;
-    bool generating = false;  ///< the generating function of type II too
-    bool lagrangian = false;  ///< the equations (4.14) in place of (4.18)
+    bool generating = false;    ///< the generating function of type II too
+    bool lagrangian = false;    ///< the equations (4.14) in place of (4.18)
+    std::optional<int> series;  ///< so many terms of the discrete Hamiltonians too
     Format format = Format::text;
     std::optional<std::filesystem::path> output;
 };

@@ -30,8 +30,9 @@ template <class Function>
 std::string equations(const Method& method, const Function& function,
                       const SchemeOptions& options) {
     if (options.lagrangian) return rendered(lagrangian_equations(method, function), options.format);
-    return rendered(step_equations(method, hamiltonian_of(function), options.generating),
-                    options.format);
+    return rendered(
+        step_equations(method, hamiltonian_of(function), options.generating, options.series),
+        options.format);
 }
 
 }  // namespace

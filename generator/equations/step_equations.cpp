@@ -83,9 +83,9 @@ bool has_closed_form(const Tableau& tableau) {
                     obstacle.empty() ? help : obstacle + "; " + help);
 }
 
-/// With the map, and H_d^+ where it is asked for; or with the equations of the stages.
-StepEquations completed(StepEquations step, const Derivation& method,
-                        const Hamiltonian& hamiltonian, bool generating) {
+/// With the map, and H_d^+ where it is wished; or with the equations of the stages.
+void add_equations(StepEquations& step, const Derivation& method, const Hamiltonian& hamiltonian,
+                   bool generating) {
     // NOTE: first, since it refuses with their places what has no value or is too long.
     const Gradient slopes = gradient(hamiltonian);
     const QuadraticProof proof = quadratic_form(hamiltonian, method.ground);
@@ -95,13 +95,12 @@ StepEquations completed(StepEquations step, const Derivation& method,
     if (!proof.form || !step.obstacle.empty()) {
         if (generating) refuse_generating(hamiltonian, step.obstacle);
         step.stages = stage_equations(method.tableau, hamiltonian, slopes);
-        return step;
+        return;
     }
     step.map = equations(one_step_map(method.tableau, *proof.form, method.ground));
     if (generating)
         step.generating = equations(generating_function(method.tableau, *proof.form, method.ground),
                                     variables(hamiltonian));
-    return step;
 }
 
 }  // namespace
@@ -112,15 +111,20 @@ std::vector<std::string> variables(const StepEquations& step) {
     return names;
 }
 
-StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,
-                             bool generating) {
+StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian, bool generating,
+                             std::optional<int> series) {
     StepEquations step;
     static_cast<StepTitle&>(step) = title_of(method, hamiltonian);
     step.hamiltonian = hamiltonian.expression;
     step.coordinates = hamiltonian.coordinates;
     step.momenta = hamiltonian.momenta;
     return on_new_ground([&](const Ground& ground) {
-        return completed(step, derive_on(ground, method), hamiltonian, generating);
+        StepEquations result = step;
+        const Derivation derived = derive_on(ground, method);
+        add_equations(result, derived, hamiltonian, generating);
+        if (series)
+            result.series = discrete_series(derived.tableau, hamiltonian, *series, derived.ground);
+        return result;
     });
 }
 

@@ -9,6 +9,7 @@
 #include "generator/equations/stage_equations.hpp"
 #include "generator/equations/step_title.hpp"
 #include "generator/read/hamiltonian.hpp"
+#include "generator/series/discrete_series.hpp"
 
 namespace hvi::gen {
 
@@ -38,6 +39,7 @@ struct StepEquations : StepTitle {
     std::string obstacle;             ///< why there is none all the same
     std::optional<GeneratingEquations> generating;
     std::optional<StageEquations> stages;  ///< where there is no map
+    std::optional<DiscreteSeries> series;
 };
 
 /// Coordinates, then momenta.
@@ -45,10 +47,10 @@ struct StepEquations : StepTitle {
 
 /// The map of one step where H is quadratic (Leok & Zhang, (6.2) to (6.6)), with `generating` also
 /// its generating function; for any other H, and for one that depends on time, the equations of the
-/// stages (4.18). Throws what
-/// `derive` and `gradient` throw, and MathError for the generating function of another H.
-/// Precondition: their names go together (see check_together).
+/// stages (4.18). With `series` also so many terms of the discrete Hamiltonians of any H. Throws
+/// what `derive`, `gradient` and `discrete_series` throw, and MathError for the generating function
+/// of another H. Precondition: their names go together (see check_together).
 [[nodiscard]] StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,
-                                           bool generating);
+                                           bool generating, std::optional<int> series = {});
 
 }  // namespace hvi::gen

@@ -284,13 +284,13 @@ constexpr std::array table = {
     OptionEntry{.name = "--lagrangian",
                 .of = {scheme},
                 .help = "In place of them those of the Lagrangian, (4.14)",
-                .excludes = {.others = "--generating"}},
+                .excludes = {.others = "--generating --series"}},
     OptionEntry{.name = "--series",
                 .of = {scheme},
-                .value = Value::text,
+                .value = Value::whole,
                 .placeholder = "N",
-                .help = "Also terms in h of the discrete Hamiltonians",
-                .state = State::to_come},
+                .range = {1, 12},
+                .help = "Also N terms in h of the discrete Hamiltonians"},
 
     // Runs and reports
     OptionEntry{.name = "--step",

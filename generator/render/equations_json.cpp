@@ -43,6 +43,27 @@ Json generating_json(const GeneratingEquations& found) {
             {"is_at_least", found.is_at_least}};
 }
 
+Json text_or_null(const DiscreteSeries::Coefficient& coefficient) {
+    return coefficient ? Json(to_text(*coefficient)) : Json(nullptr);
+}
+
+Json texts(const std::vector<DiscreteSeries::Coefficient>& coefficients) {
+    Json json = Json::array();
+    for (const auto& coefficient : coefficients) json.push_back(text_or_null(coefficient));
+    return json;
+}
+
+/// NOTE: with a schema of its own, so that it can be kept apart from the step.
+Json series_json(const DiscreteSeries& series) {
+    const auto power = [](const std::optional<int>& k) { return k ? Json(*k) : Json(nullptr); };
+    return {{"schema", "hvi-series/1"},
+            {"terms_exact", texts(series.exact)},
+            {"terms_method", texts(series.method)},
+            {"first_difference", power(series.first_difference)},
+            {"difference", text_or_null(series.difference)},
+            {"undecided", power(series.undecided)}};
+}
+
 Json values_json(const StepTitle& step) {
     Json values = Json::object();
     for (const Parameter& known : step.values) values[known.name] = to_text(known.value);
@@ -88,6 +109,7 @@ std::string render_json(const StepEquations& step) {
     json["explicit"] = step.stages ? Json(step.stages->is_explicit) : Json(nullptr);
     json["exact"] = !step.stages || step.stages->is_exact;
     if (step.generating) json["generating"] = generating_json(*step.generating);
+    if (step.series) json["series"] = series_json(*step.series);
     return json.dump(2) + "\n";
 }
 

@@ -97,6 +97,7 @@ std::string function_latex(const std::string& left, const Expression& function,
                            const StepEquations& step) {
     std::map<std::string, std::string> names = names_at(step.coordinates, "n");
     names.merge(names_at(step.momenta, "n+1"));
+    names["t"] = at("t", "n");
     const Expression shown = renamed(function, names);
     Sum sum;
     if (shown.kind == Expression::Kind::sum)
@@ -104,6 +105,28 @@ std::string function_latex(const std::string& left, const Expression& function,
     else
         sum.add(shown, "");
     return fmt::format(", \\\\\n{} &= {}", left, sum.text());
+}
+
+/// Coefficients of powers of h: [h^2] of a function. What is too long is left out.
+std::string series_latex(const StepEquations& step) {
+    const DiscreteSeries& series = *step.series;
+    std::string lines;
+    const auto append = [&](int power, std::string_view of,
+                            const DiscreteSeries::Coefficient& coefficient) {
+        if (!coefficient) return;
+        lines += function_latex(fmt::format("[h^{{{}}}]\\,{}", power, of), *coefficient, step);
+    };
+    const auto append_all = [&](std::string_view of,
+                                const std::vector<DiscreteSeries::Coefficient>& terms) {
+        int power = 0;
+        for (const auto& term : terms) append(++power, of, term);
+    };
+    append_all("H_{d,\\mathrm{exact}}^{+}", series.exact);
+    append_all("H_{d}^{+}", series.method);
+    if (series.first_difference)
+        append(*series.first_difference, "(H_{d}^{+} - H_{d,\\mathrm{exact}}^{+})",
+               series.difference);
+    return lines;
 }
 
 std::string displayed(const std::string& command, const std::string& lines) {
@@ -123,6 +146,10 @@ std::string render_latex(const StepEquations& step) {
         lines += function_latex("H_{d}^{+}", step.generating->discrete, step);
         if (step.generating->exact)
             lines += function_latex("H_{d,\\mathrm{exact}}^{+}", *step.generating->exact, step);
+    }
+    if (step.series) {
+        option += fmt::format(" --series {}", step.series->exact.size());
+        lines += series_latex(step);
     }
     return displayed(step.origin + option, lines);
 }

@@ -29,6 +29,21 @@ Expression new_value(const MapEquations& map, std::size_t row,
     return Expression::sum(std::move(terms));
 }
 
+/// Momenta with a prime.
+std::map<std::string, std::string> names_at_the_end(const StepEquations& step) {
+    std::map<std::string, std::string> names;
+    for (const std::string& name : step.momenta) names[name] = name + "'";
+    return names;
+}
+
+/// q*p', and a sum of that over all degrees of freedom.
+std::string identity(const StepEquations& step) {
+    std::vector<std::string> products;
+    for (std::size_t i = 0; i < step.momenta.size(); ++i)
+        products.push_back(step.coordinates[i] + "*" + step.momenta[i] + "'");
+    return fmt::format("{}", fmt::join(products, "+"));
+}
+
 /// How much stands before the terms that the step size multiplies, in `q+h*(...)`; 0 where it is no
 /// such sum.
 std::size_t length_before_slopes(const Expression& right) {
@@ -127,8 +142,7 @@ void write_stages(Page& page, const StepEquations& step) {
 
 void write_generating(Page& page, const StepEquations& step) {
     const GeneratingEquations& found = *step.generating;
-    std::map<std::string, std::string> at_the_end;
-    for (const std::string& name : step.momenta) at_the_end[name] = name + "'";
+    const auto at_the_end = names_at_the_end(step);
     page.remark("\ngenerating function of type II, by (4.19):\n\n");
     page.equation("H_d^+", renamed(found.discrete, at_the_end));
     if (found.exact) {
@@ -143,6 +157,45 @@ void write_generating(Page& page, const StepEquations& step) {
     page.fact("difference",
               fmt::format("H_d^+ - H_d,exact^+ = O(h^{}){}", found.order_of_difference,
                           found.is_at_least ? " at least" : ""));
+}
+
+/// [h^k] is the coefficient of h^k.
+void write_term(Page& page, const StepEquations& step, std::size_t k,
+                const DiscreteSeries::Coefficient& coefficient) {
+    const std::string power = k == 1 ? "h" : fmt::format("h^{}", k);
+    page.line(fmt::format(" [{}] = ", power),
+              coefficient ? to_text(renamed(*coefficient, names_at_the_end(step)))
+                          : "... (too long to be computed)");
+}
+
+void write_terms(Page& page, const StepEquations& step,
+                 const std::vector<DiscreteSeries::Coefficient>& coefficients) {
+    page.line(" [1] = ", identity(step));
+    for (std::size_t k = 1; k <= coefficients.size(); ++k)
+        write_term(page, step, k, coefficients[k - 1]);
+}
+
+void write_series(Page& page, const StepEquations& step) {
+    const DiscreteSeries& found = *step.series;
+    page.remark("\ncoefficients of powers of h in the exact discrete Hamiltonian, (4.1):\n\n");
+    write_terms(page, step, found.exact);
+    page.remark("\nand in the H_d^+ of the method, (4.19):\n\n");
+    write_terms(page, step, found.method);
+    page.remark("\n");
+    if (found.first_difference) {
+        const auto power = static_cast<std::size_t>(*found.first_difference);
+        page.fact("difference",
+                  fmt::format("H_d^+ - H_d,exact^+ = O(h^{}), and {}", power,
+                              found.difference ? "its first coefficient is" : "that is not 0"));
+        if (!found.difference) return;
+        page.remark("\n");
+        write_term(page, step, power, found.difference);
+    } else if (found.undecided) {
+        page.fact("difference",
+                  fmt::format("none before h^{}, and there it is not decided", *found.undecided));
+    } else {
+        page.fact("difference", fmt::format("none up to h^{}", found.exact.size()));
+    }
 }
 
 /// What does not fit into a line begins a new one at the equals sign.
@@ -175,6 +228,7 @@ std::string render_text(const StepEquations& step) {
     if (step.map) write_map(page, step);
     if (step.stages) write_stages(page, step);
     if (step.generating) write_generating(page, step);
+    if (step.series) write_series(page, step);
     return page.text();
 }
 

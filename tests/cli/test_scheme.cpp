@@ -74,6 +74,49 @@ TEST_CASE("scheme in the words of CONTRACT.md") {
     CHECK(generating.find("O(h^5)\n") != std::string::npos);
 }
 
+TEST_CASE("scheme prints series of the discrete Hamiltonians") {
+    const std::vector<std::string> words = {"scheme",   "--method", "midpoint",
+                                            "pendulum", "--series", "3"};
+    const std::string text = same_every_time(words);
+    CHECK(text.substr(text.find("\ncoefficients")) == R"(
+coefficients of powers of h in the exact discrete Hamiltonian, (4.1):
+
+ [1] = q*p'
+ [h] = p'^2/2-cos(q)
+ [h^2] = p'*sin(q)/2
+ [h^3] = p'^2*cos(q)/6-cos(q)^2/6+1/6
+
+and in the H_d^+ of the method, (4.19):
+
+ [1] = q*p'
+ [h] = p'^2/2-cos(q)
+ [h^2] = p'*sin(q)/2
+ [h^3] = p'^2*cos(q)/8-cos(q)^2/8+1/8
+
+difference    H_d^+ - H_d,exact^+ = O(h^3), and its first coefficient is
+
+ [h^3] = cos(q)^2/24-p'^2*cos(q)/24-1/24
+)");
+    const std::string json = same_every_time(with(words, {"--format", "json"}));
+    for (const std::string part :
+         {"\"schema\": \"hvi-series/1\"", "\"p*sin(q)/2\"", "\"first_difference\": 3,",
+          "\"difference\": \"cos(q)^2/24-p^2*cos(q)/24-1/24\"", "\"undecided\": null"})
+        CHECK(json.find(part) != std::string::npos);
+    const std::string latex = same_every_time(with(words, {"--format", "latex"}));
+    CHECK(latex.find("pendulum --series 3 --format latex\n") != std::string::npos);
+    CHECK(latex.find("[h^{2}]\\,H_{d}^{+} &= ") != std::string::npos);
+    const Outcome equal = hvi_gen({"scheme", "--method", "gauss:2", "kepler", "--series", "4"});
+    CHECK(equal.status == 0);
+    CHECK(equal.out.find("difference    none up to h^4\n") != std::string::npos);
+    for (const char* wrong : {"0", "13", "-1", "2.5", "many", ""}) {
+        const Outcome refused =
+            hvi_gen({"scheme", "--method", "midpoint", "pendulum", "--series", wrong});
+        CAPTURE(wrong, refused.err);
+        CHECK(refused.status == 2);
+        CHECK(refused.err.find("--series takes a whole number from 1 to 12") != std::string::npos);
+    }
+}
+
 TEST_CASE("scheme takes a scene by name, and by file") {
     const Directory directory;
     const std::string toml = contents(in_checkout("examples/scenes/harmonic-oscillator.toml"));

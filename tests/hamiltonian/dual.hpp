@@ -54,33 +54,33 @@ using Point = std::map<std::string, Dual>;
 
 /// Symbols other than pi and e have their values in `point`.
 inline Dual evaluate(const Expression& expression, const Point& point) {
-    using Kind = Expression::Kind;
+    using What = Expression::Kind;
     const auto argument = [&](std::size_t k) { return evaluate(expression.arguments[k], point); };
     switch (expression.kind) {
-    case Kind::number:
+    case What::number:
         return {std::stold(expression.numerator) / std::stold(expression.denominator)};
-    case Kind::symbol:
+    case What::symbol:
         if (expression.name == "pi") return {std::acos(Real(-1))};
         if (expression.name == "e") return {std::exp(Real(1))};
         return point.at(expression.name);
-    case Kind::sum: {
+    case What::sum: {
         Dual sum;
         for (std::size_t k = 0; k < expression.arguments.size(); ++k) sum = sum + argument(k);
         return sum;
     }
-    case Kind::product: {
+    case What::product: {
         Dual product{1};
         for (std::size_t k = 0; k < expression.arguments.size(); ++k)
             product = product * argument(k);
         return product;
     }
-    case Kind::negation: return Dual{-1} * argument(0);
-    case Kind::reciprocal: {
+    case What::negation: return Dual{-1} * argument(0);
+    case What::reciprocal: {
         const Dual x = argument(0);
         return chain(x, 1 / x.value, -1 / (x.value * x.value));
     }
-    case Kind::power: return power(argument(0), argument(1));
-    case Kind::call: return call(expression.name, argument(0));
+    case What::power: return power(argument(0), argument(1));
+    case What::call: return call(expression.name, argument(0));
     }
     return {std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::quiet_NaN()};
 }

@@ -142,6 +142,10 @@ public:
     /// of the argument has no meaning (free parameters) or the tower would grow too high.
     [[nodiscard]] std::optional<Element> sqrt(const Element& argument);
 
+    /// A root of what has none in the field, also with free parameters, where its sign has no
+    /// meaning. Empty where there is one, and when the tower would grow too high.
+    [[nodiscard]] std::optional<Element> new_root(const Element& argument);
+
     /// Empty where the field has no exact place for the value; an enclosure serves then.
     [[nodiscard]] std::optional<Element> exp(const Element& argument);
     [[nodiscard]] std::optional<Element> log(const Element& argument);

@@ -74,6 +74,13 @@ std::optional<Number> Ground::either_root(const Number& square) const {
     return root ? std::optional(exact(*root)) : std::nullopt;
 }
 
+std::optional<Number> Ground::new_root(const Number& square) const {
+    const Element* const element = square.value().element();
+    if (element == nullptr) { return std::nullopt; }
+    const auto root = within_budget([&] { return field_->new_root(*element); });
+    return root ? std::optional(exact(*root)) : std::nullopt;
+}
+
 Number Ground::exp(const Number& argument) const {
     if (const Element* element = argument.value().element()) {
         const auto value = within_budget([&] { return field_->exp(*element); });

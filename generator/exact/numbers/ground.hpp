@@ -33,6 +33,10 @@ public:
     /// A number of either sign whose square is `square`, where one has an exact place in the field:
     /// w for w^2. For even functions of it.
     [[nodiscard]] std::optional<Number> either_root(const Number& square) const;
+    /// A number whose square is `square`, a function of free parameters, of which nobody knows a
+    /// sign: a generator of the field. Empty where one of the two roots is in the field already, as
+    /// q is for q^2, and where the field has no place for more.
+    [[nodiscard]] std::optional<Number> new_root(const Number& square) const;
     [[nodiscard]] Number exp(const Number& argument) const;
     [[nodiscard]] Number log(const Number& argument) const;
     [[nodiscard]] Number cos(const Number& argument) const;

@@ -139,12 +139,18 @@ std::optional<Element> Field::sqrt(const Element& given) {
     return adjoin_root(argument);
 }
 
+std::optional<Element> Field::new_root(const Element& argument) {
+    const bool is_known = root_in_field(argument, algebraics_.size()).has_value();
+    return is_known ? std::nullopt : adjoin_root(argument);
+}
+
 std::optional<Element> Field::adjoin_root(const Element& argument) {
     if (algebraics_.size() >= most_generators) return std::nullopt;
     const auto [factor, radicand] = simplified_root(argument);
     Algebraic generator;
     generator.reduced = radicand;
     generator.form = Expression::call("sqrt", {closed_form(radicand)});
+    generator.is_parameter = hvi::gen::has_parameters(radicand);
     generator.value = [radicand = radicand](Precision bits) {
         Ball root = enclosure(radicand, bits);
         arb_sqrtpos(root.get(), root.get(), bits);

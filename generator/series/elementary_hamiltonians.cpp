@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/series/elementary_hamiltonians.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/exact/numbers/budget.hpp"
+#include "generator/lower/derivative.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Beyond these nobody waits for the sum, nor reads it.
+constexpr std::size_t most_products = 1'000'000;
+constexpr std::size_t most_nodes = 300'000;
+
+}  // namespace
+
+template <class Values>
+auto ElementaryHamiltonians<Values>::operator()(const Tree& tree) -> Value {
+    return at_vertex(tree, {}, 0);
+}
+
+template <class Values>
+auto ElementaryHamiltonians<Values>::on_edge(const Tree& tree) -> const std::vector<Value>& {
+    const auto known = on_edges_.find(tree.text);
+    if (known != on_edges_.end()) { return known->second; }
+    std::vector<Value> result;
+    for (std::size_t d = 0; d < edges_; ++d) {
+        const std::size_t by = variable(d, tree.root);
+        const bool is_energy = by == inputs_.size();
+        result.push_back(is_energy ? Values::integer(tree.vertices == 1 ? 1 : 0)
+                                   : at_vertex(tree, {by}, 0));
+    }
+    return on_edges_.emplace(tree.text, std::move(result)).first->second;
+}
+
+/// The variable by which the end of an edge is a derivative: of a vertex f its p. That of the
+/// time's momentum is beyond all others.
+template <class Values>
+std::size_t ElementaryHamiltonians<Values>::variable(std::size_t d, Colour end) const {
+    if (end == Colour::g) { return d; }
+    return system_.time && d + 1 == edges_ ? inputs_.size() : edges_ + d;
+}
+
+/// The sum over the d of the edges to the children from `child` on, after those of `index`. NOTE:
+/// no vertex with other edges has a derivative by the time's momentum that is not zero, and one
+/// with that edge alone is never in the middle.
+template <class Values>
+auto ElementaryHamiltonians<Values>::at_vertex(const Tree& tree, const Index& index,
+                                               std::size_t child) -> Value {
+    if (vanishes(index)) { return Values::integer(0); }
+    if (child == tree.children.size()) { return derivative(index); }
+    const Tree& next = *tree.children[child];
+    const std::vector<Value>& below = on_edge(next);
+    Value sum = Values::integer(0);
+    for (std::size_t d = 0; d < edges_; ++d) {
+        const std::size_t by = variable(d, next.root == Colour::f ? Colour::g : Colour::f);
+        if (by == inputs_.size() || Values::is_zero(below[d])) { continue; }
+        Index further = index;
+        further.insert(std::upper_bound(further.begin(), further.end(), by), by);
+        const Value factor = at_vertex(tree, further, child + 1);
+        if (Values::is_zero(factor)) { continue; }
+        count_product();
+        sum = Values::sum(sum, Values::product(factor, below[d]));
+    }
+    return sum;
+}
+
+/// All further derivatives of what is zero are. NOTE: not of H itself, which need not be looked at.
+template <class Values>
+bool ElementaryHamiltonians<Values>::vanishes(const Index& index) {
+    return !index.empty() && Values::is_zero(derivative(index));
+}
+
+template <class Values>
+auto ElementaryHamiltonians<Values>::derivative(const Index& index) -> Value {
+    return values_(node(index));
+}
+
+template <class Values>
+const Scaled& ElementaryHamiltonians<Values>::node(const Index& index) {
+    const auto known = nodes_.find(index);
+    if (known != nodes_.end()) { return known->second; }
+    Index before = index;
+    before.pop_back();
+    const Scaled function = node(before);
+    const std::vector<Scaled> slopes = gradient(system_.graph, function, inputs_);
+    if (system_.graph.size() > most_nodes) { throw TooLarge(); }
+    for (std::size_t i = before.empty() ? 0 : before.back(); i < inputs_.size(); ++i) {
+        Index further = before;
+        further.push_back(i);
+        nodes_.emplace(std::move(further), slopes[i]);
+    }
+    return nodes_.at(index);
+}
+
+template <class Values>
+void ElementaryHamiltonians<Values>::count_product() {
+    if (++products_ > most_products) { throw TooLarge(); }
+}
+
+template class ElementaryHamiltonians<NodeValues>;
+template class ElementaryHamiltonians<NodeBalls>;
+
+}  // namespace hvi::gen

@@ -1,0 +1,68 @@
+// The elementary Hamiltonians of a system: what a tree says, in derivatives of its H.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/exact/methods/trees.hpp"
+#include "generator/ir/system.hpp"
+#include "generator/series/node_balls.hpp"
+#include "generator/series/node_values.hpp"
+
+namespace hvi::gen {
+
+/// Each vertex of a tree is a derivative of H, by q_d for an edge on its q and by p_d for one on
+/// its p, and each edge is a sum over d: the tree of two vertices is the sum of dH/dq_d dH/dp_d
+/// (see tree_weights.hpp). The time is one more coordinate, by whose momentum H + e has the
+/// derivative 1, as in the extended phase space.
+/// `Values` are those of a graph's nodes: NodeValues or NodeBalls.
+template <class Values>
+class ElementaryHamiltonians {
+public:
+    using Value = typename Values::Value;
+
+    /// Gets the system's graph, and what else `Values` are made of.
+    template <class What>
+    ElementaryHamiltonians(System system, const What& what)
+        : system_(std::move(system)), inputs_(system_.q), values_(system_.graph, what) {
+        if (system_.time) { inputs_.push_back(*system_.time); }
+        edges_ = inputs_.size();
+        inputs_.insert(inputs_.end(), system_.p.begin(), system_.p.end());
+        nodes_.emplace(Index(), system_.hamiltonian);
+    }
+    ElementaryHamiltonians(const ElementaryHamiltonians&) = delete;
+    ElementaryHamiltonians& operator=(const ElementaryHamiltonians&) = delete;
+
+    /// Throws TooLarge. Precondition: the tree has two vertices or more.
+    [[nodiscard]] Value operator()(const Tree& tree);
+
+    [[nodiscard]] const Values& values() const { return values_; }
+
+private:
+    using Index = std::vector<std::size_t>;  ///< the variables of a derivative, ascending
+
+    /// What hangs on an edge, for each of its d.
+    [[nodiscard]] const std::vector<Value>& on_edge(const Tree& tree);
+    [[nodiscard]] Value at_vertex(const Tree& tree, const Index& index, std::size_t child);
+    [[nodiscard]] bool vanishes(const Index& index);
+    [[nodiscard]] Value derivative(const Index& index);
+    [[nodiscard]] const Scaled& node(const Index& index);
+    [[nodiscard]] std::size_t variable(std::size_t d, Colour end) const;
+    void count_product();
+
+    System system_;
+    std::vector<Node> inputs_;  ///< coordinates, the time where it occurs, momenta
+    std::size_t edges_;         ///< how many d an edge is a sum over
+    Values values_;
+    std::map<Index, Scaled> nodes_;
+    std::map<std::string, std::vector<Value>> on_edges_;
+    std::size_t products_ = 0;
+};
+
+extern template class ElementaryHamiltonians<NodeValues>;
+extern template class ElementaryHamiltonians<NodeBalls>;
+
+}  // namespace hvi::gen

@@ -1,0 +1,39 @@
+// The values of a graph's nodes where its inputs have values.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+
+#include "generator/graph/graph.hpp"
+#include "generator/scene/value_at.hpp"
+
+namespace hvi::gen {
+
+/// Enclosures, which are not finite where there is no value. Precondition: those of the inputs are
+/// not exact, so that what is exactly zero is zero whatever the inputs are.
+class NodeBalls {
+public:
+    using Value = Ball;
+
+    [[nodiscard]] static Ball integer(long value);
+    [[nodiscard]] static Ball sum(const Ball& a, const Ball& b);
+    [[nodiscard]] static Ball product(const Ball& a, const Ball& b);
+    [[nodiscard]] static bool is_zero(const Ball& a);  ///< known to be
+
+    /// The graph may grow, but for its inputs.
+    NodeBalls(const Graph& graph, SymbolValues inputs)
+        : graph_(graph), inputs_(std::move(inputs)) {}
+
+    /// Throws MathError where there is no value.
+    [[nodiscard]] Ball operator()(const Scaled& a);
+
+private:
+    [[nodiscard]] const Ball& at(Node node);
+    [[nodiscard]] Ball computed(const Computation& computation);
+
+    const Graph& graph_;
+    SymbolValues inputs_;
+    std::map<Node, Ball> known_;
+};
+
+}  // namespace hvi::gen

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/series/node_values.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "generator/exact/expressions/evaluate.hpp"
+#include "generator/exact/numbers/budget.hpp"
+#include "generator/exact/numbers/rational.hpp"
+#include "generator/graph/written.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+Number number(const SmallFraction& fraction) {
+    return Number(fraction.above) / Number(fraction.below);
+}
+
+/// What the exact arithmetic makes of it; empty where it has no place for that.
+std::optional<Number> evaluated(const Expression& expression, const Ground& ground) {
+    try {
+        const Number result = evaluate_number(expression, nullptr, ground);
+        return is_exact(result) ? std::optional(result) : std::nullopt;
+    } catch (const TooLarge&) { throw; } catch (const MathError&) {
+        return std::nullopt;
+    } catch (const InputError&) { return std::nullopt; }
+}
+
+/// The operation on arguments that have these values.
+std::optional<Number> applied(const Computation& computation, const NumberVector& values,
+                              const Ground& ground) {
+    Ground local = ground;
+    std::vector<Expression> symbols;
+    for (const Number& value : values) {
+        const std::string name = "argument " + std::to_string(symbols.size());
+        local.set_parameter(name, value);
+        symbols.push_back(Expression::symbol(name));
+    }
+    return evaluated(of_operation(computation, std::move(symbols)), local);
+}
+
+}  // namespace
+
+Number NodeValues::operator()(const Scaled& a) { return number(a.factor) * at(a.node); }
+
+Number NodeValues::at(Node node) {
+    const auto known = known_.find(node);
+    if (known != known_.end()) { return known->second; }
+    // NOTE: a copy, since a graph that grows moves its nodes.
+    const auto value = computed(Computation(graph_.at(node)));
+    return known_.emplace(node, value ? *value : hide(node)).first->second;
+}
+
+std::optional<Number> NodeValues::computed(const Computation& computation) {
+    if (computation.operation == Operation::constant) {
+        return evaluated(computation.constant, ground_);
+    }
+    if (computation.operation == Operation::input) { return symbol(computation.name); }
+    if (computation.operation == Operation::sum) {
+        Number sum;
+        for (const Scaled& term : computation.terms) { sum = sum + (*this)(term); }
+        return sum;
+    }
+    const Node first = computation.arguments.front();
+    if (computation.operation == Operation::square_root) { return root(first); }
+    if (computation.operation == Operation::inverse_square_root) {
+        const auto below = root(first);
+        return below ? std::optional(Number(1) / *below) : std::nullopt;
+    }
+    NumberVector values;
+    for (const Node argument : computation.arguments) { values.push_back(at(argument)); }
+    if (computation.operation == Operation::product) { return values[0] * values[1]; }
+    return applied(computation, values, ground_);
+}
+
+/// NOTE: 1/sqrt(u) asks for it again where sqrt(u) was asked for: the field knows the root of u
+/// then, but not its sign, so that it is remembered as a node's value is.
+std::optional<Number> NodeValues::root(Node argument) {
+    const auto [entry, is_new] = roots_.try_emplace(argument);
+    if (is_new) {
+        const Number square = at(argument);
+        entry->second = square.has_parameters() ? ground_.new_root(square)
+                                                : std::optional(ground_.sqrt(square));
+        if (entry->second && !is_exact(*entry->second)) { entry->second.reset(); }
+    }
+    return entry->second;
+}
+
+Number NodeValues::hide(Node node) {
+    const auto expression = written(graph_, {{1, 1}, node});
+    if (!expression) { throw TooLarge(); }
+    const std::string name = to_text(*expression);
+    hidden_.emplace(name, *expression);
+    return symbol(name);
+}
+
+Number NodeValues::symbol(const std::string& name) const {
+    try {
+        return ground_.parameter(name);
+    } catch (const InputError&) { throw TooLarge(); }  // more symbols than the field has place for
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,49 @@
+// The values of a graph's nodes in a field in which its inputs are free.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "generator/exact/numbers/ground.hpp"
+#include "generator/graph/graph.hpp"
+
+namespace hvi::gen {
+
+/// Functions of the inputs, in normal form. What the field has no place for, as log(q), is a free
+/// symbol of its own, called as it is written: a combination that is zero then is proved to be
+/// zero, and one that is not may be zero all the same.
+class NodeValues {
+public:
+    using Value = Number;
+
+    [[nodiscard]] static Number integer(long value) { return value; }
+    [[nodiscard]] static Number sum(const Number& a, const Number& b) { return a + b; }
+    [[nodiscard]] static Number product(const Number& a, const Number& b) { return a * b; }
+    [[nodiscard]] static bool is_zero(const Number& a) { return a.is_zero(); }
+
+    /// The graph may grow.
+    NodeValues(const Graph& graph, Ground ground) : graph_(graph), ground_(std::move(ground)) {}
+
+    /// Throws TooLarge.
+    [[nodiscard]] Number operator()(const Scaled& a);
+
+    /// The expressions that are free symbols, by their names.
+    [[nodiscard]] const std::map<std::string, Expression>& hidden() const { return hidden_; }
+
+private:
+    [[nodiscard]] Number at(Node node);
+    [[nodiscard]] std::optional<Number> computed(const Computation& computation);
+    [[nodiscard]] std::optional<Number> root(Node argument);
+    [[nodiscard]] Number hide(Node node);
+    [[nodiscard]] Number symbol(const std::string& name) const;
+
+    const Graph& graph_;
+    Ground ground_;
+    std::map<Node, Number> known_;
+    std::map<Node, std::optional<Number>> roots_;  ///< by what they are the roots of
+    std::map<std::string, Expression> hidden_;
+};
+
+}  // namespace hvi::gen
