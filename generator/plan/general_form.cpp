@@ -102,6 +102,10 @@ void check_general_form(const GalerkinRule& rule, const std::optional<Place>& pl
                         "d2H/dp2 is zero, so that its rank is below the degrees of freedom",
                         place, "take as many nodes as functions");
     }
+    if (system.degrees_of_freedom == 0) {
+        throw InputError("steppers of the general Galerkin form are built for one H alone", place,
+                         "name a scene, or give --hamiltonian");
+    }
     if (!system.kinetic_is_quadratic) {
         throw InputError("steppers of the general Galerkin form are built for H = p^T K p/2 + U(q) "
                          "alone; others are to come",

@@ -127,7 +127,7 @@ TEST_CASE("long statements and comments are broken to the page") {
 TEST_CASE("holes that are unknown, missing or not used break an invariant") {
     CHECK_THROWS_AS(fill("banner.hpp.in", {}), InternalError);
     const Holes holes{{"version", "1"}, {"command", "c"}, {"method", "m"},
-                      {"tableau", "t"}, {"scene", ""},    {"choices", ""}};
+                      {"numbers", "t"}, {"scene", ""},    {"choices", ""}};
     CHECK_NOTHROW(fill("banner.hpp.in", holes));
     Holes more = holes;
     more["surplus"] = "x";
