@@ -70,6 +70,9 @@ method: --basis~<one>~--nodes~<node> | --basis~<two>~--nodes~<two_nodes>
     | --basis~<three>~--nodes~<three_nodes> | --method~<named>
     | --basis~<with_parameter>~--nodes~<three_nodes><parameter>
     | --basis~<two>~--nodes~0, <$name><parameter>
+    | --basis~<one>~--nodes~<three_nodes> | --basis~<two>~--nodes~<three_nodes>
+    | --basis~<two>~--nodes~<three_nodes>~--weights~<weights>
+    | --basis~<three>~--nodes~<family>:6
 with_parameter: 1, cos(<$name>*tau), sin(<$name>*tau) | 1, tau, <function>(<$name>*tau)
     | 1, exp(<$name>*tau), <function_of_tau> | 1, tau^<$name>, tau
 one: 1 | <function_of_tau>
@@ -80,6 +83,7 @@ three: 1, <function_of_tau>, <function_of_tau> | 1, tau, <function_of_tau> | mon
     | bspline(<degree>,0), bspline(<degree>,1), bspline(<degree>,2)
 degree: 2 | 1 | 0 | 3
 node: 1/2 | 0 | 1 | 1/3 | <digit>/<digit> | <number> | gauss:1
+weights: 1/6, 2/3, 1/6 | 1/4, 1/2, 1/4 | 1/2, 0, 1/2 | <node>, <node>, <node>
 two_nodes: 0, 1 | 0, <node> | <node>, 1 | <family>:2 | roots(<polynomial>) | <node>, <node>
 three_nodes: 0, 1/2, 1 | 0, <node>, 1 | <family>:3 | <node>, <node>, <node> | 0, roots(<polynomial>)
 polynomial: 6*tau^2-6*tau+1 | <factor>*<factor> | tau^3-<factor>
@@ -96,7 +100,11 @@ inner: tau | <digit>*tau | pi*tau | -tau/2 | (3/2)*pi*tau | <number>*tau | <numb
 const Grammar& scenes() {
     static const Grammar grammar(R"(
 text: stepper~FILE<options><class>~~<scene> | run~FILE<method><solver>~~<scene>
-    | scheme~FILE~--method~<named>~~<scene> | stepper~<hamiltonian>~--method~<named><options><class>
+    | scheme~FILE~--method~<named><equations>~~<scene>
+    | stepper~FILE~<rule><options><class>~~<scene>
+    | stepper~<hamiltonian>~--method~<named><options><class>
+equations: _ | ~--series~<digit> | ~--lagrangian | ~--generating
+rule: --basis~1, tau~--nodes~0, 1/2, 1 | --basis~1~--nodes~0, 1 | --basis~1, tau~--nodes~gauss:4
 options: <energy><invariants><dense><evaluations><float128><solver><lanes><compose>
 energy: _ | ~--energy
 invariants: _ | ~--invariants
