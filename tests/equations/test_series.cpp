@@ -80,7 +80,7 @@ struct Rounded {
     explicit Rounded(const Tableau& tableau) {
         const auto row = [](const NumberVector& numbers) {
             std::vector<Real> result;
-            for (const Number& number : numbers) result.push_back(number.nearest_double());
+            for (const Number& number : numbers) result.emplace_back(number.nearest_double());
             return result;
         };
         b = row(tableau.b);

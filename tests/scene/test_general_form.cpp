@@ -189,12 +189,13 @@ TEST_CASE("steps of the general form are those of (4.6)") {
 
 TEST_CASE("a node without a weight changes nothing, whatever the mass matrix") {
     // H = pa^2/3 + pa pb + pb^2 + pb/2 + cos(a - b) + a^2/2 + b^4/4
-    const Mechanics force{Matrix{{2 / 3.0L, 1}, {1, 2}}, Vector{0, 0.5L}, [](const Vector& q, Real) {
-                              const Real s = std::sin(q[0] - q[1]);
-                              return Vector{q[0] - s, s + q[1] * q[1] * q[1]};
-                          }};
-    CHECK(distance<UnusedNodeMassMatrix>(simpson, force, {0.5L, -0.25L}, {0.125L, 0.375L}, 0.125L,
-                                         50) < 1e-13L);
+    const auto force = [](const Vector& q, Real) {
+        const Real s = std::sin(q[0] - q[1]);
+        return Vector{q[0] - s, s + q[1] * q[1] * q[1]};
+    };
+    const Mechanics<decltype(force)> H{{{2 / 3.0L, 1}, {1, 2}}, {0, 0.5L}, force};
+    CHECK(distance<UnusedNodeMassMatrix>(simpson, H, {0.5L, -0.25L}, {0.125L, 0.375L}, 0.125L, 50) <
+          1e-13L);
 }
 
 TEST_CASE("forces that depend on the time are taken at the nodes") {

@@ -1,0 +1,100 @@
+// The general Galerkin form (4.6) on the command line.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace hvi::test;
+using Json = nlohmann::json;
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+Outcome with_simpson(Arguments before, const Arguments& after = {}) {
+    before.insert(before.end(), {"--basis", "1, tau", "--nodes", "0, 1/2, 1"});
+    before.insert(before.end(), after.begin(), after.end());
+    return hvi_gen(before);
+}
+
+Json read(const Outcome& outcome) {
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return Json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("tableau prints the numbers of (4.6), and the Nystrom method that they are") {
+    const Json found = read(with_simpson({"tableau", "--format", "json"}));
+    CHECK(found.at("schema") == "hvi-galerkin/1");
+    CHECK(found.at("functions") == 2);
+    CHECK(found.at("nodes") == 3);
+    CHECK(found.at("basis") == Json({"1", "tau"}));
+    CHECK(found.at("b").at(1).at("exact") == "2/3");
+    CHECK(found.at("B").at(1).at("exact") == "1/2");
+    CHECK(found.at("Psi").size() == 2);
+    CHECK(found.at("Psi").at(1).at(2).at("exact") == "1");
+    CHECK(found.at("A_psi").size() == 3);
+    CHECK(found.at("A_psi").at(1).at(1).at("exact") == "1/8");
+    CHECK(found.at("gram").at(1).at(1).at("exact") == "1/3");
+    const Json& nystroem = found.at("nystroem");
+    CHECK(nystroem.at("A_bar").at(1).at(0).at("exact") == "1/12");
+    CHECK(nystroem.at("b_bar").at(1).at("exact") == "1/3");
+    CHECK(nystroem.at("c").at(1).at("exact") == "1/2");
+    CHECK(nystroem.at("b").at(0).at("double") == "0x1.5555555555555p-3");
+
+    const Outcome csv = with_simpson({"tableau", "--format", "csv"});
+    CHECK(csv.out.find("\nA_bar,2,2,1/24,") != std::string::npos);
+    CHECK(with_simpson({"tableau", "--format", "latex"}).out.find("\\frac{1}{24}") !=
+          std::string::npos);
+    CHECK(
+        with_simpson({"tableau", "--format", "markdown"}).out.find("| A_bar | 2 | 2 | `1/24` |") !=
+        std::string::npos);
+}
+
+TEST_CASE("with as many nodes as functions --weights may say what they are") {
+    const Arguments line = {"tableau", "--basis", "1, tau", "--nodes", "0, 1", "--format", "json"};
+    Arguments weighted = line;
+    weighted.insert(weighted.end(), {"--weights", "1/2, 1/2"});
+    const Json plain = read(hvi_gen(line)), found = read(hvi_gen(weighted));
+    CHECK(found.at("schema") == "hvi-tableau/1");
+    CHECK(found.at("A") == plain.at("A"));
+    weighted.back() = "1/3, 2/3";
+    const Outcome other = hvi_gen(weighted);
+    CHECK(other.status == 1);
+    CHECK(other.err.find("is off by -1/6") != std::string::npos);
+}
+
+TEST_CASE("check proves the order of the Nystrom method, and says null where trees do not apply") {
+    const Json found = read(with_simpson({"check", "--format", "json"}));
+    CHECK(found.at("schema") == "hvi-check/1");
+    CHECK(found.at("order").is_null());
+    CHECK(found.at("order_separable").is_null());
+    CHECK(found.at("order_nystrom") == 4);
+    CHECK(found.at("order_is_at_least") == false);
+    CHECK(found.at("proved") == true);
+    CHECK(found.at("symplectic") == true);
+    CHECK(found.at("symmetric") == true);
+    CHECK(found.at("linear_stability").at("determinant_is_one") == true);
+}
+
+TEST_CASE("H that the general form does not step is refused, with the reason") {
+    const auto refused = [](const Arguments& scene, int status, const std::string& words) {
+        const Outcome outcome = with_simpson({"stepper"}, scene);
+        INFO(outcome.err);
+        CHECK(outcome.status == status);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.err.find(words) != std::string::npos);
+    };
+    refused({"qp"}, 1, "its rank is below the degrees of freedom");
+    refused({"--hamiltonian", "(p1+p2)^2/2+q1^4+q2^2", "--coordinates", "q1, q2", "--momenta",
+             "p1, p2"},
+            1, "its rank is 1 of 2");
+    refused({"nonseparable"}, 2, "to come");
+    refused({}, 2, "for one H alone");
+    refused({"pendulum", "--compose", "yoshida:4"}, 2, "to come");
+    refused({"pendulum", "--dense"}, 2, "not built");
+    CHECK(with_simpson({"stepper", "pendulum"}).status == 0);
+}
