@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/exact/algebra/number_vector.hpp"
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
