@@ -41,18 +41,6 @@ bool is_refuted(const Algebra& algebra, const Expression& expression) {
     return false;
 }
 
-/// NOTE: the exact arithmetic refuses what it has no place for.
-bool is_proved(const Expression& expression) {
-    try {
-        return on_new_ground([&](const Ground& ground) {
-            const Number value = evaluate_number(expression, nullptr, ground);
-            return is_exact(value) && value.is_zero();
-        });
-    } catch (const MathError&) { return false; } catch (const InputError&) {
-        return false;
-    }
-}
-
 /// Throws MathError where an entry has no value.
 bool is_regular_at(const SymbolValues& values, const std::vector<Expression>& entries, slong n) {
     arb_mat_t matrix;
@@ -85,7 +73,7 @@ Vanishing vanishing(const Algebra& algebra, const GiNaC::ex& expression) {
     if (expression.is_zero()) return Vanishing::proved;
     const Expression written = algebra.written(expression);
     if (is_refuted(algebra, written)) return Vanishing::refuted;
-    const bool proved = expression.normal().is_zero() || is_proved(written);
+    const bool proved = expression.normal().is_zero() || is_proved_zero(written);
     return proved ? Vanishing::proved : Vanishing::unknown;
 }
 

@@ -85,18 +85,6 @@ bool seems_constant(const Graph& graph, const Expression& expression) {
     } catch (const MathError&) { return false; }
 }
 
-/// NOTE: the exact arithmetic refuses what it has no place for.
-bool is_proved_zero(const Expression& expression) {
-    try {
-        return on_new_ground([&](const Ground& ground) {
-            const Number value = evaluate_number(expression, nullptr, ground);
-            return is_exact(value) && value.is_zero();
-        });
-    } catch (const MathError&) { return false; } catch (const InputError&) {
-        return false;
-    }
-}
-
 }  // namespace
 
 std::optional<Scaled> at_origin(Graph& graph, const Scaled& a) { return AtOrigin(graph)(a); }

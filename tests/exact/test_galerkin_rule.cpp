@@ -141,6 +141,13 @@ TEST_CASE("the interpolatory weights are those of the rule") {
     CHECK(same(derived(rule("1", "1/3, 1")).b, {"3/4", "1/4"}));
 }
 
+TEST_CASE("weights may have a free parameter, which the method then has") {
+    // Exact for 1 and tau whatever w is; G = (1, 1/2; 1/2, (1 + 2 w)/4).
+    const GalerkinRule found = derived(rule("1, tau", "0, 1/2, 1", "w, 1 - 2*w, w"));
+    CHECK(found.parameters == std::vector<std::string>{"w"});
+    CHECK(same(found.gram[1], {"1/2", "(1+2*w)/4"}));
+}
+
 TEST_CASE("as many nodes as functions are a tableau, with its own weights or those") {
     CHECK(std::holds_alternative<Tableau>(derive_any(rule("1, tau", "0, 1"))));
     CHECK(std::holds_alternative<Tableau>(derive_any(rule("1, tau", "0, 1", "1/2, 1/2"))));

@@ -5,8 +5,9 @@
 #include <catch2/catch.hpp>
 
 #include "generator/ir/one_step_method.hpp"
-#include "generator/support/error.hpp"
 #include "tests/emit/tableaux.hpp"
+#include "tests/exact/exact.hpp"
+#include "tests/ir/is_found.hpp"
 
 using namespace hvi::gen;
 
@@ -20,13 +21,13 @@ OneStepMethod composed(const char* name) {
 Tableau& tableau(OneStepMethod& method) { return std::get<Tableau>(method.base); }
 
 bool is_found(const std::function<void(OneStepMethod&)>& mistake) {
-    OneStepMethod method = composed("yoshida:4");
-    verify(method);
-    mistake(method);
-    try {
-        verify(method);
-    } catch (const InternalError&) { return true; }
-    return false;
+    return hvi::gen::is_found<OneStepMethod>(composed("yoshida:4"), mistake);
+}
+
+bool is_found_in_rule(const std::function<void(GalerkinRule&)>& mistake) {
+    return hvi::gen::is_found<OneStepMethod>(
+        {derive_any(method("1, tau", "0, 1/2, 1"))},
+        [&](OneStepMethod& method) { mistake(std::get<GalerkinRule>(method.base)); });
 }
 
 }  // namespace
@@ -39,6 +40,14 @@ TEST_CASE("a method that contradicts itself is found") {
     CHECK(is_found([](OneStepMethod& method) { method.composition->steps.clear(); }));
     CHECK(is_found([](OneStepMethod& method) { method.composition->steps[0] = Number(1); }));
     CHECK(is_found([](OneStepMethod& method) { method.composition->steps[1] = Number(1); }));
+}
+
+TEST_CASE("a rule that contradicts itself is found") {
+    CHECK(is_found_in_rule([](GalerkinRule& rule) { rule.b.pop_back(); }));
+    CHECK(is_found_in_rule([](GalerkinRule& rule) { rule.Psi.pop_back(); }));
+    CHECK(is_found_in_rule([](GalerkinRule& rule) { rule.A_psi[1].pop_back(); }));
+    CHECK(is_found_in_rule([](GalerkinRule& rule) { rule.gram.clear(); }));
+    CHECK(is_found_in_rule([](GalerkinRule& rule) { rule.n[0].pop_back(); }));
 }
 
 TEST_CASE("methods are equal where their numbers are") {

@@ -1,14 +1,12 @@
 // The record of a step: what contradicts itself is found, and steps are the same where their texts
 // are.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <functional>
-
 #include <catch2/catch.hpp>
 
 #include "generator/plan/plan.hpp"
-#include "generator/support/error.hpp"
 #include "tests/emit/tableaux.hpp"
 #include "tests/exact/exact.hpp"
+#include "tests/ir/is_found.hpp"
 
 using namespace hvi::gen;
 
@@ -19,48 +17,42 @@ Step positions_step() {
                 {.solver = Solver::automatic});
 }
 
-bool is_found(Step step, const std::function<void(Step&)>& mistake) {
-    verify(step);
-    mistake(step);
-    try {
-        verify(step);
-    } catch (const InternalError&) { return true; }
-    return false;
-}
-
 }  // namespace
 
 TEST_CASE("a step that contradicts itself is found") {
     const Step verlet = plan({tableaux::verlet()}, {.is_separable = true});
-    CHECK(is_found(verlet, [](Step& step) { step.m.pop_back(); }));
-    CHECK(is_found(verlet, [](Step& step) { step.blocks.pop_back(); }));
-    CHECK(is_found(verlet, [](Step& step) { std::swap(step.blocks[1], step.blocks[2]); }));
-    CHECK(is_found(verlet, [](Step& step) { step.blocks.push_back(step.blocks.front()); }));
-    CHECK(is_found(verlet, [](Step& step) { step.blocks.front().coupled = true; }));
-    CHECK(is_found(verlet, [](Step& step) { step.slopes = Slopes::one_by_one; }));
-    CHECK(is_found(verlet, [](Step& step) { step.layout = Layout::stages; }));
-    CHECK(is_found(verlet, [](Step& step) { step.form = TabulatedStep{}; }));
-    CHECK(is_found(verlet, [](Step& step) { step.form = PairStep{Iteration{}}; }));
-    CHECK(is_found(verlet, [](Step& step) { step.c.emplace_back(0); }));
-    CHECK(is_found(verlet, [](Step& step) { step.positions[1].place = StageValue::Place::start; }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.m.pop_back(); }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.blocks.pop_back(); }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { std::swap(step.blocks[1], step.blocks[2]); }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.blocks.push_back(step.blocks.front()); }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.blocks.front().coupled = true; }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.slopes = Slopes::one_by_one; }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.layout = Layout::stages; }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.form = TabulatedStep{}; }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.form = PairStep{Iteration{}}; }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.c.emplace_back(0); }));
+    CHECK(is_found<Step>(verlet,
+                         [](Step& step) { step.positions[1].place = StageValue::Place::start; }));
 
     const Step gauss = positions_step();
     const auto form = [](Step& step) -> VelocityStep& { return std::get<VelocityStep>(step.form); };
-    CHECK(is_found(gauss, [&](Step& step) { form(step).form.n.pop_back(); }));
-    CHECK(is_found(gauss, [&](Step& step) { form(step).rounded.n[1][0][2] = Dyadic(1, -3); }));
-    CHECK(is_found(gauss, [&](Step& step) { form(step).rounded.c[0][0].reset(); }));
-    CHECK(is_found(gauss, [&](Step& step) { form(step).form.c.pop_back(); }));
-    CHECK(is_found(gauss, [&](Step& step) { form(step).iteration.extrapolation->last.clear(); }));
-    CHECK(is_found(gauss, [](Step& step) { step.kept.velocity = true; }));
-    CHECK(is_found(gauss, [](Step& step) { step.form = ExplicitStep{}; }));
+    CHECK(is_found<Step>(gauss, [&](Step& step) { form(step).form.n.pop_back(); }));
+    CHECK(
+        is_found<Step>(gauss, [&](Step& step) { form(step).rounded.n[1][0][2] = Dyadic(1, -3); }));
+    CHECK(is_found<Step>(gauss, [&](Step& step) { form(step).rounded.c[0][0].reset(); }));
+    CHECK(is_found<Step>(gauss, [&](Step& step) { form(step).form.c.pop_back(); }));
+    CHECK(is_found<Step>(gauss,
+                         [&](Step& step) { form(step).iteration.extrapolation->last.clear(); }));
+    CHECK(is_found<Step>(gauss, [](Step& step) { step.kept.velocity = true; }));
+    CHECK(is_found<Step>(gauss, [](Step& step) { step.form = ExplicitStep{}; }));
 
     const Step pairs = plan({tableaux::lobatto_3()}, {.is_separable = false});
     const auto mt = [](Step& step) -> RoundedMatrix& {
         return std::get<PairStep>(step.form).coefficients.mt;
     };
-    CHECK(is_found(pairs, [&](Step& step) { mt(step)[0][1][3] = Dyadic(1, -2); }));
-    CHECK(is_found(pairs, [&](Step& step) { mt(step)[1][1][0].reset(); }));
-    CHECK(is_found(pairs, [&](Step& step) { mt(step).pop_back(); }));
+    CHECK(is_found<Step>(pairs, [&](Step& step) { mt(step)[0][1][3] = Dyadic(1, -2); }));
+    CHECK(is_found<Step>(pairs, [&](Step& step) { mt(step)[1][1][0].reset(); }));
+    CHECK(is_found<Step>(pairs, [&](Step& step) { mt(step).pop_back(); }));
 }
 
 TEST_CASE("steps are equal where nothing is decided differently") {

@@ -1,12 +1,11 @@
 // The record of a system: what contradicts itself is found, and its text says all.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <functional>
 #include <memory>
 
 #include <catch2/catch.hpp>
 
 #include "generator/lower/system.hpp"
-#include "generator/support/error.hpp"
+#include "tests/ir/is_found.hpp"
 
 using namespace hvi::gen;
 
@@ -26,15 +25,6 @@ p = 0
 [invariants]
 twice = "2*p"
 )toml";
-
-bool is_found(System system, const std::function<void(System&)>& mistake) {
-    verify(system);
-    mistake(system);
-    try {
-        verify(system);
-    } catch (const InternalError&) { return true; }
-    return false;
-}
 
 }  // namespace
 
@@ -57,11 +47,11 @@ TEST_CASE("the text of a system says what each node computes") {
 
 TEST_CASE("a system that contradicts itself is found") {
     const System right = scene(swing);
-    CHECK(is_found(right, [](System& system) { system.dHdq.clear(); }));
-    CHECK(is_found(right, [](System& system) { system.q.clear(); }));
-    CHECK(is_found(right, [](System& system) { system.structure.pp.clear(); }));
-    CHECK(is_found(right, [](System& system) { system.initial.pop_back(); }));
-    CHECK(is_found(right, [](System& system) { system.structure.is_separable = false; }));
-    CHECK(is_found(right, [](System& system) { system.structure.has_linear_map = true; }));
-    CHECK(is_found(right, [](System& system) { system.invariants[0].value.node = 1000; }));
+    CHECK(is_found<System>(right, [](System& system) { system.dHdq.clear(); }));
+    CHECK(is_found<System>(right, [](System& system) { system.q.clear(); }));
+    CHECK(is_found<System>(right, [](System& system) { system.structure.pp.clear(); }));
+    CHECK(is_found<System>(right, [](System& system) { system.initial.pop_back(); }));
+    CHECK(is_found<System>(right, [](System& system) { system.structure.is_separable = false; }));
+    CHECK(is_found<System>(right, [](System& system) { system.structure.has_linear_map = true; }));
+    CHECK(is_found<System>(right, [](System& system) { system.invariants[0].value.node = 1000; }));
 }

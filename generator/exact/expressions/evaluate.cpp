@@ -251,4 +251,15 @@ Number evaluate_number(const Expression& expression, const std::shared_ptr<const
     return *number;
 }
 
+bool is_proved_zero(const Expression& expression) {
+    try {
+        return on_new_ground([&](const Ground& ground) {
+            const Number value = evaluate_number(expression, nullptr, ground);
+            return is_exact(value) && value.is_zero();
+        });
+    } catch (const MathError&) { return false; } catch (const InputError&) {
+        return false;
+    }
+}
+
 }  // namespace hvi::gen

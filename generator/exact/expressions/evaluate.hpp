@@ -29,4 +29,8 @@ struct Setting {
                                      const std::shared_ptr<const Source>& source,
                                      const Ground& ground);
 
+/// Whether it is proved to be zero, with all its symbols free. NOTE: the exact arithmetic refuses
+/// what it has no place for, and a no is no proof of the contrary.
+[[nodiscard]] bool is_proved_zero(const Expression& expression);
+
 }  // namespace hvi::gen

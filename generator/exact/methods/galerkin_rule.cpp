@@ -179,9 +179,9 @@ GalerkinRule galerkin_rule(const Method& method, const Ingredients& given) {
     check_constants(method, psi);
     GalerkinRule rule;
     rule.provenance = provenance(method, psi);
-    rule.parameters = ground.free_parameters();
     rule.c = nodes.c;
     rule.b = method.weights ? given_weights(method, given) : interpolatory_weights(method, given);
+    rule.parameters = ground.free_parameters();  // those of the weights too
     rule.Psi = values(psi, nodes.c, ground);
     auto [B, A_psi] = basis_integrals(given);
     rule.B = std::move(B);

@@ -1,0 +1,22 @@
+// Whether verify() finds a mistake in a record.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+/// That of `mistake`, in a record that has none.
+template <class Record>
+bool is_found(Record record, const std::function<void(Record&)>& mistake) {
+    verify(record);
+    mistake(record);
+    try {
+        verify(record);
+    } catch (const InternalError&) { return true; }
+    return false;
+}
+
+}  // namespace hvi::gen
