@@ -83,7 +83,7 @@ three: 1, <function_of_tau>, <function_of_tau> | 1, tau, <function_of_tau> | mon
     | bspline(<degree>,0), bspline(<degree>,1), bspline(<degree>,2)
 degree: 2 | 1 | 0 | 3
 node: 1/2 | 0 | 1 | 1/3 | <digit>/<digit> | <number> | gauss:1
-weights: 1/6, 2/3, 1/6 | 1/4, 1/2, 1/4 | 1/2, 0, 1/2 | <node>, <node>, <node>
+weights: 1/6, 2/3, 1/6 | w, 1-2*w, w | 1/4, 1/2, 1/4 | 1/2, 0, 1/2 | <node>, <node>, <node>
 two_nodes: 0, 1 | 0, <node> | <node>, 1 | <family>:2 | roots(<polynomial>) | <node>, <node>
 three_nodes: 0, 1/2, 1 | 0, <node>, 1 | <family>:3 | <node>, <node>, <node> | 0, roots(<polynomial>)
 polynomial: 6*tau^2-6*tau+1 | <factor>*<factor> | tau^3-<factor>
