@@ -53,27 +53,6 @@ Coefficients coefficients_of(const std::filesystem::path& file, const MethodOpti
     return coefficients;
 }
 
-namespace {
-
-MethodAndSystem with_parameters(Method method, Scene scene, const std::vector<Given>& parameters) {
-    check_together(method, scene.hamiltonian);
-    set_parameters(parameters, [&](Parameter parameter) {
-        set_parameter(method, scene, std::move(parameter));
-    });
-    return {std::move(method), std::move(scene.hamiltonian)};
-}
-
-MethodAndSystem with_parameters(Method method, LagrangianScene scene,
-                                const std::vector<Given>& parameters) {
-    check_together(method, variables(scene.lagrangian), "the Lagrangian");
-    set_parameters(parameters, [&](Parameter parameter) {
-        set_parameter(method, scene, std::move(parameter));
-    });
-    return {std::move(method), std::move(scene.lagrangian)};
-}
-
-}  // namespace
-
 MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& system) {
     Method method = read_method(options);
     if (!system.scene) {
@@ -84,11 +63,12 @@ MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& s
         });
         return {std::move(method), std::move(hamiltonian)};
     }
-    const auto complete = [&](auto& scene) {
-        return with_parameters(std::move(method), std::move(scene), options.parameters);
-    };
-    AnyScene scene = find_any_scene(system.scene);
-    return std::visit(complete, scene);
+    Scene scene = find_scene(system.scene);
+    check_together(method, scene);
+    set_parameters(options.parameters, [&](Parameter parameter) {
+        set_parameter(method, scene, std::move(parameter));
+    });
+    return {std::move(method), std::move(scene.mechanics)};
 }
 
 namespace {
@@ -99,7 +79,7 @@ Scene scene_of(Hamiltonian hamiltonian) {
     for (const std::string& name : parameter_names(hamiltonian)) {
         scene.parameters.push_back({name, {}, {}});
     }
-    scene.hamiltonian = std::move(hamiltonian);
+    scene.mechanics = std::move(hamiltonian);
     return scene;
 }
 
@@ -112,15 +92,15 @@ Method method_for(const MethodOptions& options, const Scene& scene) {
     return named_method(scene.run.method);
 }
 
-/// Where a symbol of H stands first.
-Place first_place(const Hamiltonian& hamiltonian, const std::string& name) {
+/// Where a symbol stands first.
+Place first_place(const MechanicalFunction& function, const std::string& name) {
     std::optional<Range> range;
-    walk(hamiltonian.expression, [&](const Expression& part) {
+    walk(function.expression, [&](const Expression& part) {
         if (!range && part.kind == Expression::Kind::symbol && part.name == name)
             range = part.range;
         return !range;
     });
-    return {hamiltonian.source, range.value_or(Range{})};
+    return {function.source, range.value_or(Range{})};
 }
 
 bool has_parameter(const Method& method, const std::string& name) {
@@ -133,17 +113,17 @@ bool has_parameter(const Method& method, const std::string& name) {
 MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system) {
     Scene scene = system.scene ? find_scene(system.scene) : scene_of(read_hamiltonian(system));
     Method method = method_for(options, scene);
-    check_together(method, scene.hamiltonian);
+    check_together(method, scene);
     std::string defaults;
     set_parameters(options.parameters, [&](Parameter parameter) {
         if (!has_parameter(method, parameter.name)) defaults += parameter_option(parameter);
         set_parameter(method, scene, std::move(parameter));
     });
-    scene.hamiltonian.origin += defaults;
+    function_of(scene).origin += defaults;
     for (const Parameter& parameter : scene.parameters) {
         if (parameter.place.source == nullptr)
             throw InputError("the parameter `" + parameter.name + "` has no value",
-                             first_place(scene.hamiltonian, parameter.name),
+                             first_place(function_of(scene), parameter.name),
                              "give the value that it has where a program gives none: --param " +
                                  parameter.name + "=1");
     }
@@ -152,7 +132,7 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
         return has_parameter(method, parameter.name);
     };
     const auto is_default = [&](const Parameter& parameter) { return !is_fixed(parameter); };
-    std::erase_if(scene.hamiltonian.parameters, is_default);
+    std::erase_if(function_of(scene).parameters, is_default);
     return {std::move(method), std::move(scene)};
 }
 

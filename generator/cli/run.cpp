@@ -111,7 +111,7 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
 
 TrajectoryPicture picture(const SceneStepper& stepper, const Steps& asked, const Simulation& run,
                           const fs::path& table) {
-    const Hamiltonian& H = stepper.scene.hamiltonian;
+    const Hamiltonian& H = hamiltonian_of(stepper.scene);
     TrajectoryPicture picture;
     picture.title =
         stepper.scene.name + ", " + stepper.method.name() + (run.ok() ? "" : " (incomplete)");

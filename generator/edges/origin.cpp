@@ -9,10 +9,10 @@ namespace hvi::gen {
 
 Origin origin_of(const Scene& scene) {
     SymbolValues values = parameter_values(scene);
-    for (const auto* names : {&scene.hamiltonian.coordinates, &scene.hamiltonian.momenta})
+    for (const auto* names : {&hamiltonian_of(scene).coordinates, &hamiltonian_of(scene).momenta})
         for (const std::string& name : *names) values[name] = Ball();
     values["t"] = Ball();
-    const Gradient derivatives = gradient(scene.hamiltonian);
+    const Gradient derivatives = gradient(hamiltonian_of(scene));
     Origin origin = Origin::rest;
     for (const auto* parts : {&derivatives.by_coordinates, &derivatives.by_momenta})
         for (const Expression& part : *parts) {

@@ -77,7 +77,7 @@ System system_of(const Hamiltonian& hamiltonian, const std::vector<std::string>&
 }
 
 System system_of(const Scene& scene) {
-    const std::vector<Parameter>& fixed = scene.hamiltonian.parameters;
+    const std::vector<Parameter>& fixed = hamiltonian_of(scene).parameters;
     std::vector<Parameter> parameters = scene.parameters;
     std::erase_if(parameters, [&](const Parameter& parameter) {
         return std::any_of(fixed.begin(), fixed.end(),
@@ -85,7 +85,7 @@ System system_of(const Scene& scene) {
     });
     std::vector<std::string> names;
     for (const Parameter& parameter : parameters) { names.push_back(parameter.name); }
-    NamedSystem result = named_system(scene.hamiltonian, names);
+    NamedSystem result = named_system(hamiltonian_of(scene), names);
     System& system = result.system;
     system.name = scene.name;
     system.description = scene.description;

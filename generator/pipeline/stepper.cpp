@@ -20,7 +20,7 @@ std::string command(const OneStepMethod& method, const StepperWishes& wishes) {
 }
 
 std::string command(const OneStepMethod& method, const Scene& scene, const StepperWishes& wishes) {
-    return "hvi-gen stepper " + method.provenance().origin + " " + scene.hamiltonian.origin +
+    return "hvi-gen stepper " + method.provenance().origin + " " + function_of(scene).origin +
            options_for(wishes);
 }
 
@@ -41,8 +41,7 @@ void check_rank(const OneStepMethod& method, const System& system) {
 void check_solver(const Step& step, const Scene& scene) {
     const auto* pairs = std::get_if<PairStep>(&step.form);
     if (pairs == nullptr || !pairs->iteration) return;
-    const Source& H = *scene.hamiltonian.source;
-    const Place place{scene.hamiltonian.source, {0, H.text.size()}};
+    const Place place = whole(function_of(scene).source);
     if (pairs->iteration->solver == Solver::newton_taylor)
         throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
                          "quadratic T",

@@ -14,19 +14,24 @@ namespace hvi::gen {
 /// The most degrees of freedom that a Hamiltonian can have.
 constexpr std::size_t most_degrees_of_freedom = 64;
 
-/// H(q, p) or H(q, p, t) as it was given, checked as far as words go: names of variables are free
-/// and differ, and nothing stands in H that cannot be differentiated. Sums are expanded, and an
-/// index is part of a name: `x[1]`.
-struct Hamiltonian {
+/// What a Hamiltonian and a Lagrangian have in common: a function of coordinates, of as many other
+/// variables, of parameters and of the time, as it was given, checked as far as words go. Names of
+/// variables are free and differ, and nothing stands in it that cannot be differentiated. Sums are
+/// expanded, and an index is part of a name: `x[1]`.
+struct MechanicalFunction {
     Expression expression;
     std::shared_ptr<const Source>
         source;  ///< its text: the ranges in `expression` are ranges there
     std::vector<std::string> coordinates;
-    std::vector<std::string> momenta;   ///< momenta[i] belongs to coordinates[i]
-    std::vector<Parameter> parameters;  ///< each a symbol of H that is no variable, no name twice
+    std::vector<Parameter> parameters;  ///< each a symbol of it that is no variable, no name twice
     std::string origin;  ///< as the command line has it, without parameters; one line of ASCII
 
     [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }
+};
+
+/// H(q, p) or H(q, p, t).
+struct Hamiltonian : MechanicalFunction {
+    std::vector<std::string> momenta;  ///< momenta[i] belongs to coordinates[i]
 };
 
 /// The Hamiltonian of `--hamiltonian`, `--coordinates` and `--momenta`. Without the last two its

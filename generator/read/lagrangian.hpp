@@ -12,17 +12,9 @@ namespace hvi::gen {
 
 constexpr ConjugateWords words_of_velocities{"a velocity", "velocity", "velocities"};
 
-/// L(q, v) or L(q, v, t) as it was given, checked as far as a Hamiltonian is.
-struct Lagrangian {
-    Expression expression;
-    std::shared_ptr<const Source>
-        source;  ///< its text: the ranges in `expression` are ranges there
-    std::vector<std::string> coordinates;
+/// L(q, v) or L(q, v, t).
+struct Lagrangian : MechanicalFunction {
     std::vector<std::string> velocities;  ///< velocities[i] belongs to coordinates[i]
-    std::vector<Parameter> parameters;    ///< each a symbol of L that is no variable, no name twice
-    std::string origin;                   ///< as the command line has it; one line of ASCII
-
-    [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }
 };
 
 /// L of these variables; `origin` is left empty. Throws InputError.

@@ -30,46 +30,43 @@ struct RunWishes {
     std::optional<NamedExpression> until;  ///< the same
 };
 
-/// What a scene says besides H or L, checked as far as words go: every symbol is a variable, a
-/// parameter with a value, pi, e, or, in H, L and [exact], the time t; names are free and differ.
-struct SceneData {
+/// What a scene says, checked as far as words go: every symbol is a variable, a parameter with a
+/// value, pi, e, or, in H, L and [exact], the time t; names are free and differ. Its variables are
+/// coordinates, and momenta where it has a Hamiltonian, velocities where it has a Lagrangian.
+struct Scene {
     std::string name;         ///< the key `name`, else that of the file without its ending
     std::string description;  ///< the key `description`: one line; or empty
-    std::vector<Parameter> parameters;        ///< all, in the order of the file
-    std::vector<NamedExpression> invariants;  ///< in the order of the file
-    std::vector<NamedExpression> initial;     ///< of the coordinates, then of the other variables
-    std::vector<NamedExpression> exact;       ///< the same, as functions of t; or empty
+    std::variant<Hamiltonian, Lagrangian> mechanics;  ///< no parameter of it has a value yet
+    std::vector<Parameter> parameters;                ///< all, in the order of the file
+    std::vector<NamedExpression> invariants;          ///< in the order of the file
+    std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
+    std::vector<NamedExpression> exact;    ///< the same, as functions of t; or empty
     RunWishes run;
     std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
 };
 
-/// A scene with a Hamiltonian: its other variables are momenta.
-struct Scene : SceneData {
-    Hamiltonian hamiltonian;  ///< no parameter of it has a value yet
-};
+/// Its H or L.
+[[nodiscard]] const MechanicalFunction& function_of(const Scene& scene);
+[[nodiscard]] MechanicalFunction& function_of(Scene& scene);
 
-/// A scene with a Lagrangian: its other variables are velocities.
-struct LagrangianScene : SceneData {
-    Lagrangian lagrangian;  ///< no parameter of it has a value yet
-};
+/// Coordinates, then momenta or velocities.
+[[nodiscard]] std::vector<std::string> variables(const Scene& scene);
 
-using AnyScene = std::variant<Scene, LagrangianScene>;
+/// `the Hamiltonian` or `the Lagrangian`.
+[[nodiscard]] std::string_view name_of_function(const Scene& scene);
+
+/// H. Throws MathError, with the place of L, where the scene has a Lagrangian.
+[[nodiscard]] const Hamiltonian& hamiltonian_of(const Scene& scene);
 
 /// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
 /// line of the file.
-[[nodiscard]] AnyScene any_scene_from_file(const std::filesystem::path& path);
+[[nodiscard]] Scene scene_from_file(const std::filesystem::path& path);
 
 /// The same for the text of such a file; the source's name is that of the file.
-[[nodiscard]] AnyScene any_scene_from_toml(const Source& file);
-
-/// The same where a Hamiltonian is wanted. Throws MathError for a Lagrangian.
 [[nodiscard]] Scene scene_from_toml(const Source& file);
 
 /// The scene that the command line names: one that comes with the program (`kepler`), else that of
 /// the file. Throws InputError, with what may have been meant, where there is neither.
-[[nodiscard]] AnyScene find_any_scene(const Given& name_or_file);
-
-/// The same where a Hamiltonian is wanted. Throws MathError for a Lagrangian.
 [[nodiscard]] Scene find_scene(const Given& name_or_file);
 
 /// Names and descriptions of the scenes that come with the program, by name.
@@ -84,9 +81,11 @@ struct SceneEntry {
 [[nodiscard]] NamedExpression expression_of_parameters(const Scene& scene, std::string name,
                                                        std::shared_ptr<const Source> text);
 
-/// Fixes the value of a parameter of the scene's Hamiltonian, initial values and the rest, or of
-/// the method's. Throws InputError as set_parameter() of a Hamiltonian does.
+/// Throws InputError as check_together() of H does.
+void check_together(const Method& method, const Scene& scene);
+
+/// Fixes the value of a parameter of the scene's H or L, initial values and the rest, or of the
+/// method's. Throws InputError as set_parameter() of a Hamiltonian does.
 void set_parameter(Method& method, Scene& scene, Parameter parameter);
-void set_parameter(Method& method, LagrangianScene& scene, Parameter parameter);
 
 }  // namespace hvi::gen

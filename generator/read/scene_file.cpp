@@ -76,7 +76,7 @@ class SceneReader {
 public:
     explicit SceneReader(const Source& source) : source_(source), file_(source) {}
 
-    [[nodiscard]] AnyScene read();
+    [[nodiscard]] Scene read();
 
 private:
     [[nodiscard]] const toml::node& required(std::string_view key, std::string_view example) const;
@@ -92,7 +92,7 @@ private:
                       std::string_view help) const;
     [[nodiscard]] Hamiltonian hamiltonian();
     [[nodiscard]] Lagrangian lagrangian();
-    void read_data(SceneData& scene, const SceneRules& rules, const Expression& function,
+    void read_data(Scene& scene, const SceneRules& rules, const Expression& function,
                    const std::shared_ptr<const Source>& source);
     [[nodiscard]] std::vector<Parameter> parameters();
     void add_parameter(std::vector<Parameter>& list, DeclaredName name, const toml::node& value);
@@ -366,7 +366,7 @@ RunWishes SceneReader::run() {
 }
 
 /// What follows once the variables are known, which are those of `function`, H or L.
-void SceneReader::read_data(SceneData& scene, const SceneRules& rules, const Expression& function,
+void SceneReader::read_data(Scene& scene, const SceneRules& rules, const Expression& function,
                             const std::shared_ptr<const Source>& source) {
     scene.parameters = parameters();
     check_words(function, source, rules);
@@ -378,33 +378,35 @@ void SceneReader::read_data(SceneData& scene, const SceneRules& rules, const Exp
     scene.run = run();
 }
 
-AnyScene SceneReader::read() {
+Scene SceneReader::read() {
     file_.check_keys(file_.table(), "scene",
                      {"name", "description", "coordinates", "momenta", "velocities", "hamiltonian",
                       "lagrangian", "parameters", "invariants", "initial", "exact", "run"});
     check_mechanics();
-    SceneData data;
-    data.name = file_.name();
-    if (data.name.empty()) data.name = name_of_file(source_.name);
-    data.description = description();
+    Scene scene;
+    scene.name = file_.name();
+    if (scene.name.empty()) scene.name = name_of_file(source_.name);
+    scene.description = description();
     if (file_.table().contains("lagrangian")) {
         Lagrangian L = lagrangian();
         variables_ = variables(L);
-        read_data(data, lagrangian_rules, L.expression, L.source);
-        return LagrangianScene{std::move(data), std::move(L)};
+        read_data(scene, lagrangian_rules, L.expression, L.source);
+        scene.mechanics = std::move(L);
+        return scene;
     }
     Hamiltonian H = hamiltonian();
     variables_ = variables(H);
-    read_data(data, hamiltonian_rules, H.expression, H.source);
-    return Scene{std::move(data), std::move(H)};
+    read_data(scene, hamiltonian_rules, H.expression, H.source);
+    scene.mechanics = std::move(H);
+    return scene;
 }
 
 }  // namespace
 
-AnyScene any_scene_from_toml(const Source& file) { return SceneReader(file).read(); }
+Scene scene_from_toml(const Source& file) { return SceneReader(file).read(); }
 
-AnyScene any_scene_from_file(const std::filesystem::path& path) {
-    return any_scene_from_toml(toml_source(path));
+Scene scene_from_file(const std::filesystem::path& path) {
+    return scene_from_toml(toml_source(path));
 }
 
 }  // namespace hvi::gen

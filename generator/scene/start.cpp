@@ -72,7 +72,8 @@ void check_start(const Scene& scene) {
             start[initial.name] = look(initial, values);
         }
         start["t"] = Ball();
-        (void)value_at(scene.hamiltonian.expression, start, scene.hamiltonian.source);
+        const MechanicalFunction& function = function_of(scene);
+        (void)value_at(function.expression, start, function.source);
         for (const NamedExpression& invariant : scene.invariants) { (void)look(invariant, start); }
     } catch (const MathError& error) {
         throw MathError(std::string("where the scene begins there is ") + error.what(),

@@ -67,7 +67,7 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
                                    {"main", driver.main},
                                    {"header", header_name},
                                    {"stepper", stepper.class_name},
-                                   {"variables", quoted(variables(stepper.scene.hamiltonian))},
+                                   {"variables", quoted(variables(hamiltonian_of(stepper.scene)))},
                                    {"invariants", quoted(conserved)},
                                    {"count", std::to_string(conserved.size())},
                                    {"values", values(system)},

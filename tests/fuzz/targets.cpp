@@ -114,9 +114,8 @@ void coefficients(std::string_view bytes) {
     });
 }
 
-/// `function` is the H or the L of the scene.
-template <class Function>
-void check_scene(const SceneData& result, const Function& function) {
+void check_scene(const Scene& result) {
+    const MechanicalFunction& function = function_of(result);
     check_ranges(function.expression, *function.source);
     check_printing(function.expression);
     require(result.parameters.size() <= 64, "too many parameters");
@@ -134,14 +133,8 @@ void check_scene(const SceneData& result, const Function& function) {
             "a description or an origin of several lines");
 }
 
-void check_any(const Scene& scene) { check_scene(scene, scene.hamiltonian); }
-void check_any(const LagrangianScene& scene) { check_scene(scene, scene.lagrangian); }
-
 void scene(std::string_view bytes) {
-    attempt_to_read([&] {
-        const AnyScene result = any_scene_from_toml({"fuzz.toml", std::string(bytes)});
-        std::visit([](const auto& found) { check_any(found); }, result);
-    });
+    attempt_to_read([&] { check_scene(scene_from_toml({"fuzz.toml", std::string(bytes)})); });
 }
 
 void hamiltonian(std::string_view bytes) {

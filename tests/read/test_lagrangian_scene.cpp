@@ -23,7 +23,9 @@ vx = "2*m"
 vy = 0
 )toml";
 
-AnyScene any(const std::string& text) { return any_scene_from_toml({"s.toml", text}); }
+Scene any(const std::string& text) { return scene_from_toml({"s.toml", text}); }
+
+Lagrangian& lagrangian_of(Scene& scene) { return std::get<Lagrangian>(scene.mechanics); }
 
 Refusal any_refused(const std::string& part, const std::string& other) {
     return refusal([&] { return any(edited(charge, part, other)); });
@@ -32,34 +34,32 @@ Refusal any_refused(const std::string& part, const std::string& other) {
 }  // namespace
 
 TEST_CASE("a scene with a Lagrangian has velocities, and their initial values") {
-    const AnyScene read = any(charge);
-    const auto& scene = std::get<LagrangianScene>(read);
+    Scene scene = any(charge);
+    const Lagrangian& L = lagrangian_of(scene);
     CHECK(scene.name == "s");
-    CHECK(scene.lagrangian.coordinates == Names{"x", "y"});
-    CHECK(scene.lagrangian.velocities == Names{"vx", "vy"});
-    CHECK(to_text(scene.lagrangian.expression) == "m*(vx^2+vy^2)/2+B*(x*vy-y*vx)/2");
-    CHECK(scene.lagrangian.origin == "s.toml");
-    CHECK(scene.lagrangian.parameters.empty());
-    CHECK(parameter_names(scene.lagrangian) == Names{"B", "m"});
-    CHECK_FALSE(depends_on_time(scene.lagrangian));
+    CHECK(L.coordinates == Names{"x", "y"});
+    CHECK(L.velocities == Names{"vx", "vy"});
+    CHECK(to_text(L.expression) == "m*(vx^2+vy^2)/2+B*(x*vy-y*vx)/2");
+    CHECK(L.origin == "s.toml");
+    CHECK(L.parameters.empty());
+    CHECK(parameter_names(L) == Names{"B", "m"});
+    CHECK_FALSE(depends_on_time(L));
     CHECK(names(scene.parameters) == Names{"m", "B"});
     CHECK(lines(scene.initial) == Names{"x = 0", "y = -B", "vx = 2*m", "vy = 0"});
     CHECK(lines(scene.invariants) == Names{"energy = m*(vx^2+vy^2)/2"});
-    CHECK(std::holds_alternative<Scene>(any(planet)));
-    const AnyScene indexed = any("coordinates = \"x[1..2]\"\nvelocities = \"v[1..2]\"\n"
-                                 "lagrangian = \"sum(i=1..2, v[i]^2/2) - t*x[1]\"\n"
-                                 "[initial]\nx = [1, 2]\nv = [0, 3]\n");
-    CHECK(lines(std::get<LagrangianScene>(indexed).initial) ==
-          Names{"x[1] = 1", "x[2] = 2", "v[1] = 0", "v[2] = 3"});
-    CHECK(depends_on_time(std::get<LagrangianScene>(indexed).lagrangian));
+    CHECK(std::holds_alternative<Hamiltonian>(any(planet).mechanics));
+    Scene indexed = any("coordinates = \"x[1..2]\"\nvelocities = \"v[1..2]\"\n"
+                        "lagrangian = \"sum(i=1..2, v[i]^2/2) - t*x[1]\"\n"
+                        "[initial]\nx = [1, 2]\nv = [0, 3]\n");
+    CHECK(lines(indexed.initial) == Names{"x[1] = 1", "x[2] = 2", "v[1] = 0", "v[2] = 3"});
+    CHECK(depends_on_time(lagrangian_of(indexed)));
 }
 
 TEST_CASE("the values of parameters of a Lagrangian") {
-    AnyScene read = any(charge);
-    auto& scene = std::get<LagrangianScene>(read);
+    Scene scene = any(charge);
     Method method = named_method(source("gauss:2", "--method"));
     set_parameter(method, scene, parse_parameter(source("m=3", "--param")));
-    CHECK(to_text(scene.lagrangian.parameters.at(0).value) == "3");
+    CHECK(to_text(lagrangian_of(scene).parameters.at(0).value) == "3");
     CHECK(to_text(scene.parameters.at(0).value) == "3");
     const Refusal variable = refusal([&] {
         set_parameter(method, scene, parse_parameter(source("vx=3", "--param")));
@@ -101,9 +101,10 @@ TEST_CASE("words of a Lagrangian stand where they may") {
 }
 
 TEST_CASE("where a Hamiltonian is wanted, a Lagrangian is refused by mathematics") {
-    const Refusal steps = refused(charge);
-    CHECK(steps.status == 1);
-    CHECK(steps.says("the steps of a Lagrangian are to come"));
-    CHECK(steps.name == "s.toml:3");
-    CHECK(steps.helps("hvi-gen scheme --lagrangian"));
+    const Scene scene = any(charge);
+    const Refusal refused = refusal([&] { return hamiltonian_of(scene); });
+    CHECK(refused.status == 1);
+    CHECK(refused.says("here a Hamiltonian is wanted, and the scene has a Lagrangian"));
+    CHECK(refused.name == "s.toml:3");
+    CHECK(refused.helps("`hvi-gen scheme` prints its Hamiltonian"));
 }

@@ -13,11 +13,11 @@ TEST_CASE("a scene is read") {
     const Scene scene = read(planet);
     CHECK(scene.name == "planet");
     CHECK(scene.description.empty());
-    CHECK(scene.hamiltonian.coordinates == Names{"x", "y"});
-    CHECK(scene.hamiltonian.momenta == Names{"px", "py"});
-    CHECK(scene.hamiltonian.origin == "s.toml");
-    CHECK(scene.hamiltonian.parameters.empty());
-    CHECK(scene.hamiltonian.source->name == "s.toml:4");
+    CHECK(hamiltonian_of(scene).coordinates == Names{"x", "y"});
+    CHECK(hamiltonian_of(scene).momenta == Names{"px", "py"});
+    CHECK(hamiltonian_of(scene).origin == "s.toml");
+    CHECK(hamiltonian_of(scene).parameters.empty());
+    CHECK(hamiltonian_of(scene).source->name == "s.toml:4");
     CHECK(names(scene.parameters) == Names{"mu", "ecc"});
     CHECK(to_text(scene.parameters[1].value) == "3/5");
     CHECK(lines(scene.invariants) == Names{"angular = x*py-y*px"});
@@ -33,7 +33,8 @@ TEST_CASE("a scene is read") {
 TEST_CASE("indexed names are all of them, and their values a list") {
     const Scene scene = read(bodies);
     CHECK(scene.name == "s");
-    CHECK(variables(scene.hamiltonian) == Names{"x[1]", "x[2]", "x[3]", "p[1]", "p[2]", "p[3]"});
+    CHECK(variables(hamiltonian_of(scene)) ==
+          Names{"x[1]", "x[2]", "x[3]", "p[1]", "p[2]", "p[3]"});
     CHECK(names(scene.parameters) == Names{"m[1]", "m[2]", "m[3]"});
     CHECK(to_text(scene.parameters[2].value) == "1/4");
     CHECK(lines(scene.initial) ==
@@ -41,7 +42,7 @@ TEST_CASE("indexed names are all of them, and their values a list") {
     CHECK(scene.run.method == nullptr);
     CHECK(!scene.run.step);
     const Scene other = read(edited(bodies, "\"x[1..3]\"", "[\"x[2..3]\", \"x[1]\"]"));
-    CHECK(other.hamiltonian.coordinates == Names{"x[2]", "x[3]", "x[1]"});
+    CHECK(hamiltonian_of(other).coordinates == Names{"x[2]", "x[3]", "x[1]"});
     CHECK(lines(other.initial)[0] == "x[2] = 2");
     CHECK(lines(other.initial)[2] == "x[1] = 1");
 }
@@ -61,10 +62,10 @@ TEST_CASE("the time may stand in H and in the exact solution") {
                              "hamiltonian = \"p^2/2 + q*cos(t)\"\n"
                              "description = \"driven\"\n"
                              "[initial]\nq = 1\np = 0\n[exact]\nq = \"cos(t)\"\np = \"-sin(t)\"\n");
-    CHECK(depends_on_time(scene.hamiltonian));
+    CHECK(depends_on_time(hamiltonian_of(scene)));
     CHECK(lines(scene.exact) == Names{"q = cos(t)", "p = -sin(t)"});
     CHECK(scene.description == "driven");
-    CHECK(!depends_on_time(read(planet).hamiltonian));
+    CHECK(!depends_on_time(hamiltonian_of(read(planet))));
 }
 
 TEST_CASE("a parameter of a scene has its value wherever it occurs") {
@@ -75,11 +76,11 @@ TEST_CASE("a parameter of a scene has its value wherever it occurs") {
     Scene scene = read(planet);
     set(method, scene, "ecc=1/2");
     CHECK(to_text(scene.parameters[1].value) == "1/2");
-    CHECK(scene.hamiltonian.parameters.empty());
+    CHECK(hamiltonian_of(scene).parameters.empty());
     CHECK(method.parameters.empty());
     set(method, scene, "mu=2");
     CHECK(to_text(scene.parameters[0].value) == "2");
-    REQUIRE(scene.hamiltonian.parameters.size() == 1);
+    REQUIRE(hamiltonian_of(scene).parameters.size() == 1);
     REQUIRE(method.parameters.size() == 1);
     set(method, scene, "w=3");
     CHECK(method.parameters.size() == 2);
@@ -96,7 +97,7 @@ TEST_CASE("a parameter of a scene has its value wherever it occurs") {
     Scene many = read(bodies);
     set(method, many, "m[2]=7");
     CHECK(to_text(many.parameters[1].value) == "7");
-    CHECK(to_text(many.hamiltonian.parameters[0].value) == "7");
+    CHECK(to_text(hamiltonian_of(many).parameters[0].value) == "7");
     for (const std::string text :
          {"m[2=7", "m[]=1", "m[01]=1", "m[1]x=1", "[1]=1", "m[x]=1", "m[1][2]=3"})
         CHECK(refusal([&] { return parse_parameter(source(text)); }).says("is no name for"));
@@ -157,8 +158,8 @@ TEST_CASE("the scenes that come with the program are read") {
         CHECK(entries[k].description == scene.description);
         CHECK(scene.description.size() > 20);
         CHECK(scene.name == facts.name);
-        CHECK(scene.hamiltonian.origin == facts.name);
-        CHECK(scene.hamiltonian.degrees_of_freedom() == facts.degrees_of_freedom);
+        CHECK(hamiltonian_of(scene).origin == facts.name);
+        CHECK(hamiltonian_of(scene).degrees_of_freedom() == facts.degrees_of_freedom);
         CHECK(names(scene.parameters) == facts.parameters);
         CHECK(scene.invariants.size() == facts.invariants);
         CHECK(scene.initial.size() == 2 * facts.degrees_of_freedom);
@@ -179,7 +180,7 @@ TEST_CASE("a scene is found by name, or by file") {
          ".toml");
     std::ofstream(file) << planet;
     CHECK(embedded(file.string()).name == "planet");
-    CHECK(embedded(file.string()).hamiltonian.origin == file.filename().string());
+    CHECK(hamiltonian_of(embedded(file.string())).origin == file.filename().string());
     std::filesystem::remove(file);
     const Refusal gone = refusal([&] { return embedded(file.string()); });
     CHECK(gone.status == 2);
