@@ -111,15 +111,15 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
 
 TrajectoryPicture picture(const SceneStepper& stepper, const Steps& asked, const Simulation& run,
                           const fs::path& table) {
-    const Hamiltonian& H = hamiltonian_of(stepper.scene);
+    const System& system = stepper.system;
     TrajectoryPicture picture;
     picture.title =
         stepper.scene.name + ", " + stepper.method.name() + (run.ok() ? "" : " (incomplete)");
     picture.until = static_cast<double>(run.steps) * asked.size;
     picture.table = table;
     for (const Conserved& kept : run.conserved) picture.kept.push_back({kept.name, kept.start});
-    picture.columns = H.coordinates;
-    picture.curves = curves_of(H.coordinates, H.momenta);
+    picture.columns = system.coordinates;
+    picture.curves = curves_of(system.coordinates, system.momenta);
     return picture;
 }
 

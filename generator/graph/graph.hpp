@@ -42,7 +42,7 @@ enum class Operation {
 enum class Role : unsigned {
     parameter = 1,
     coordinate = 2,
-    momentum = 4,
+    conjugate = 4,  ///< a momentum, of a Lagrangian a velocity
     time = 8,
     direction = 16
 };

@@ -70,29 +70,6 @@ ex transformed(const QuadraticInFibre& given, const GiNaC::matrix& inverse,
     return sum;
 }
 
-/// One new name for each coordinate, none of which is taken: `make` of the stem, and with `_` after
-/// it as often as that needs.
-std::vector<std::string> new_names(const std::vector<std::string>& coordinates,
-                                   const Expression& function,
-                                   const std::vector<std::string>& variables,
-                                   const std::function<std::string(std::string_view)>& make) {
-    std::set<std::string> taken(variables.begin(), variables.end());
-    for (const std::string& name : parameter_names(function, variables)) taken.insert(name);
-    std::set<std::string, std::less<>> stems;
-    for (const std::string& name : taken) stems.emplace(without_index(name));
-    for (std::string tail;; tail += '_') {
-        std::vector<std::string> names;
-        bool is_free = true;
-        for (const std::string& coordinate : coordinates) {
-            const std::string stem(without_index(coordinate));
-            const std::string name = make(stem) + tail;
-            is_free = is_free && stems.count(name) == 0 && !is_reserved(name);
-            names.push_back(name + coordinate.substr(stem.size()));
-        }
-        if (is_free) return names;
-    }
-}
-
 std::map<std::string, std::string> renaming(const std::vector<std::string>& from,
                                             const std::vector<std::string>& to) {
     std::map<std::string, std::string> names;
@@ -155,9 +132,7 @@ Lagrangian legendre_transform(const Hamiltonian& hamiltonian) {
     if (!found.inverse) refuse_degenerate(algebra, *given, found.rank);
     Lagrangian L;
     L.coordinates = hamiltonian.coordinates;
-    L.velocities =
-        new_names(hamiltonian.coordinates, hamiltonian.expression, variables(hamiltonian),
-                  [](std::string_view stem) { return fmt::format("{}_dot", stem); });
+    L.velocities = velocity_names(hamiltonian);
     L.expression = renamed(algebra.written(transformed(*given, *found.inverse, fibre(algebra))),
                            renaming(hamiltonian.momenta, L.velocities));
     L.source = text_of(L.expression, "the Lagrangian");
@@ -187,11 +162,6 @@ void check_regular(const Lagrangian& lagrangian) {
     const Algebra algebra(lagrangian);
     const GiNaC::matrix mass_matrix = mass_matrix_and_rest(algebra).M;
     if (!is_surely_regular(algebra, mass_matrix)) static_cast<void>(regular(algebra, mass_matrix));
-}
-
-std::vector<std::string> momentum_names(const Lagrangian& lagrangian) {
-    return new_names(lagrangian.coordinates, lagrangian.expression, variables(lagrangian),
-                     [](std::string_view stem) { return fmt::format("p_{}", stem); });
 }
 
 }  // namespace hvi::gen

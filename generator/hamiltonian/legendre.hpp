@@ -25,7 +25,4 @@ namespace hvi::gen {
 /// Throws as legendre_transform() of L does, and computes no H.
 void check_regular(const Lagrangian& lagrangian);
 
-/// The names of the momenta of L.
-[[nodiscard]] std::vector<std::string> momentum_names(const Lagrangian& lagrangian);
-
 }  // namespace hvi::gen

@@ -4,11 +4,14 @@
 
 #include <cstddef>
 
+#include "generator/ir/system.hpp"
+
 namespace hvi::gen {
 
 /// Of the H of a scene what its graph proves, see Structure; of that of a class of the user what he
 /// says. What is false may be true and not seen.
 struct SystemProperties {
+    Side side = Side::hamiltonian;
     bool is_separable = false;           ///< H = T(p) + U(q), or T(p) + U(q, t)
     bool depends_on_time = false;        ///< H = H(q, p, t)
     bool kinetic_is_quadratic = false;   ///< it is separable, and T = p^T K p/2 with constant K

@@ -53,24 +53,41 @@ struct SystemValue {
     Scaled value;
 };
 
+/// Which function a scene says its motion by.
+enum class Side {
+    hamiltonian,  ///< H(q, p)
+    lagrangian,   ///< L(q, v)
+};
+
 /// H(q, p), its variables, the right sides of Hamilton's equations up to the sign, and what else a
-/// scene has. What they have in common is one node.
+/// scene has. What they have in common is one node. On the Lagrangian side there are L in place of
+/// H and velocities in place of momenta throughout, and the momenta are names alone.
 struct System {
     std::string name, description;  ///< of the scene; may be empty
-    Expression expression;          ///< of H, as it was written
+    Side side = Side::hamiltonian;
+    Expression expression;  ///< of H, as it was written
     std::vector<std::string> coordinates, momenta;
+    std::vector<std::string> velocities;  ///< on the Lagrangian side
     std::vector<SystemParameter> parameters;  ///< in the order of the scene
 
     Graph graph;
     std::vector<Node> q, p;    ///< inputs, in the order of their names
     std::optional<Node> time;  ///< the input t, where H depends on it
     Scaled hamiltonian;
+    Scaled energy;  ///< H, or v dL/dv - L
     std::vector<Scaled> dHdq, dHdp;
     Structure structure;
     std::vector<SystemValue> initial;     ///< of coordinates, then of momenta; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
 
     [[nodiscard]] std::size_t degrees_of_freedom() const { return q.size(); }
+    /// The names of p.
+    [[nodiscard]] const std::vector<std::string>& conjugates() const {
+        return side == Side::hamiltonian ? momenta : velocities;
+    }
+    /// `H` or `L`, and what its second variable is called, `p` or `v`.
+    [[nodiscard]] char function_letter() const { return side == Side::hamiltonian ? 'H' : 'L'; }
+    [[nodiscard]] char conjugate_letter() const { return side == Side::hamiltonian ? 'p' : 'v'; }
 };
 
 /// Stable text, for people and tests: what each node computes, `#7: product #3 #4`, and which nodes

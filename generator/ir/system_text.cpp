@@ -50,14 +50,14 @@ std::string names(const std::vector<std::string>& all) {
     return result;
 }
 
-/// Entries that are not zero.
-std::string lines(const HessianBlock& block, const std::vector<std::string>& rows,
-                  const std::vector<std::string>& columns) {
+/// Entries that are not zero; `second` is d2H.
+std::string lines(const std::string& second, const HessianBlock& block,
+                  const std::vector<std::string>& rows, const std::vector<std::string>& columns) {
     std::string result;
     for (std::size_t i = 0; i < block.size(); ++i) {
         for (std::size_t j = 0; j < block[i].size(); ++j) {
             if (block[i][j].is_zero()) { continue; }
-            result += line("d2H/d" + rows[i] + " d" + columns[j], text(block[i][j]));
+            result += line(second + "/d" + rows[i] + " d" + columns[j], text(block[i][j]));
         }
     }
     return result;
@@ -65,31 +65,35 @@ std::string lines(const HessianBlock& block, const std::vector<std::string>& row
 
 std::string found(const System& system) {
     const Structure& structure = system.structure;
+    const std::string f(1, system.function_letter()), y(1, system.conjugate_letter());
     std::string result;
-    const auto add = [&](bool holds, const char* what) {
+    const auto add = [&](bool holds, const std::string& what) {
         if (holds) { result += line("found", what); }
     };
-    add(structure.is_separable, "H = T(p) + U(q)");
+    add(structure.is_separable, f + " = T(" + y + ") + U(q)");
     add(structure.kinetic_is_quadratic, "T is quadratic");
-    add(structure.is_quadratic, "H is quadratic");
-    add(structure.is_linear_in_p, "H is linear in p");
-    add(structure.is_linear_in_q, "H is linear in q");
-    add(system.time.has_value(), "H depends on the time");
+    add(structure.is_quadratic, f + " is quadratic");
+    add(structure.is_linear_in_p, f + " is linear in " + y);
+    add(structure.is_linear_in_q, f + " is linear in q");
+    add(system.time.has_value(), f + " depends on the time");
     return result;
 }
 
 std::string derivatives(const System& system) {
+    const std::string f(1, system.function_letter());
     const std::vector<std::string>& q = system.coordinates;
-    const std::vector<std::string>& p = system.momenta;
-    std::string result = line("H", text(system.hamiltonian));
+    const std::vector<std::string>& p = system.conjugates();
+    std::string result = line(f, text(system.hamiltonian));
     for (std::size_t i = 0; i < q.size(); ++i) {
-        result += line("dH/d" + q[i], text(system.dHdq[i]));
+        result += line("d" + f + "/d" + q[i], text(system.dHdq[i]));
     }
     for (std::size_t i = 0; i < p.size(); ++i) {
-        result += line("dH/d" + p[i], text(system.dHdp[i]));
+        result += line("d" + f + "/d" + p[i], text(system.dHdp[i]));
     }
     const Structure& second = system.structure;
-    return result + lines(second.qq, q, q) + lines(second.qp, q, p) + lines(second.pp, p, p);
+    result += lines("d2" + f, second.qq, q, q) + lines("d2" + f, second.qp, q, p) +
+              lines("d2" + f, second.pp, p, p);
+    return system.side == Side::hamiltonian ? result : result + line("energy", text(system.energy));
 }
 
 std::string lines(const std::string& what, const std::vector<SystemValue>& values) {
@@ -106,6 +110,9 @@ std::string dump(const System& system) {
     std::string result = line("scene", system.name);
     result += line("coordinates", names(system.coordinates));
     result += line("momenta", names(system.momenta));
+    if (system.side == Side::lagrangian) {
+        result += line("velocities", names(system.velocities));
+    }
     for (const SystemParameter& parameter : system.parameters) {
         result += line("parameter " + parameter.name, to_text(parameter.value));
     }

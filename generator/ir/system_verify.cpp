@@ -50,6 +50,7 @@ void verify_variables(const System& system) {
     const std::size_t n = system.degrees_of_freedom();
     HVI_CHECK(system.p.size() == n);
     HVI_CHECK(system.coordinates.size() == n && system.momenta.size() == n);
+    HVI_CHECK(system.conjugates().size() == n && system.energy.node < system.graph.size());
     HVI_CHECK(system.initial.empty() || system.initial.size() == 2 * n);
     for (const SystemParameter& parameter : system.parameters) {
         HVI_CHECK(system.graph.at(parameter.node).operation == Operation::input);

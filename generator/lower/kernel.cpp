@@ -162,7 +162,7 @@ Kernel kernel_of_direction(const Graph& graph, std::vector<Scaled> results) {
 }
 
 Kernel kernel_of_momenta(const Graph& graph, std::vector<Scaled> results) {
-    return kernel_of(Role::momentum, graph, std::move(results));
+    return kernel_of(Role::conjugate, graph, std::move(results));
 }
 
 OperationCounts& OperationCounts::operator+=(const OperationCounts& more) {

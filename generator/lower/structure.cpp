@@ -91,7 +91,7 @@ Structure structure(System& system) {
         if (system.dHdq[i].is_zero()) { found.cyclic.push_back(i); }
     }
     const Graph& graph = system.graph;
-    found.is_separable = !depends_on(graph, system.dHdq, Role::momentum) &&
+    found.is_separable = !depends_on(graph, system.dHdq, Role::conjugate) &&
                          !depends_on(graph, system.dHdp, Role::coordinate) &&
                          !depends_on(graph, system.dHdp, Role::time);
     const bool pp_constant = settle(system.graph, found.pp);

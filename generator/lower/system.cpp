@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/lower.hpp"
@@ -32,28 +33,49 @@ void add_gradient(System& system) {
     system.dHdp.assign(middle, slopes.end());
 }
 
-NamedSystem named_system(const Hamiltonian& hamiltonian,
-                         const std::vector<std::string>& parameters) {
+void set_variables(System& system, const Hamiltonian& hamiltonian) {
+    system.momenta = hamiltonian.momenta;
+}
+
+void set_variables(System& system, const Lagrangian& lagrangian) {
+    system.side = Side::lagrangian;
+    system.momenta = momentum_names(lagrangian);
+    system.velocities = lagrangian.velocities;
+}
+
+/// H, or v dL/dv - L.
+Scaled energy(System& system) {
+    if (system.side == Side::hamiltonian) { return system.hamiltonian; }
+    std::vector<Scaled> terms{system.graph.times({-1, 1}, system.hamiltonian)};
+    for (std::size_t k = 0; k < system.p.size(); ++k) {
+        terms.push_back(system.graph.product({{1, 1}, system.p[k]}, system.dHdp[k]));
+    }
+    return system.graph.sum(std::move(terms));
+}
+
+template <class Function>
+NamedSystem named_system(const Function& function, const std::vector<std::string>& parameters) {
     NamedSystem result;
     System& system = result.system;
-    system.expression = hamiltonian.expression;
-    system.coordinates = hamiltonian.coordinates;
-    system.momenta = hamiltonian.momenta;
+    system.expression = function.expression;
+    system.coordinates = function.coordinates;
+    set_variables(system, function);
+    const bool has_velocities = system.side == Side::lagrangian;
     for (const std::string& name : system.coordinates) {
         system.q.push_back(result.input(name, Role::coordinate));
     }
-    for (const std::string& name : system.momenta) {
-        system.p.push_back(result.input(name, Role::momentum));
+    for (const std::string& name : has_velocities ? system.velocities : system.momenta) {
+        system.p.push_back(result.input(name, Role::conjugate));
     }
-    if (depends_on_time(hamiltonian)) { system.time = result.input("t", Role::time); }
+    if (depends_on_time(function)) { system.time = result.input("t", Role::time); }
     for (const std::string& name : parameters) { result.input(name, Role::parameter); }
-    for (const Parameter& fixed : hamiltonian.parameters) {
+    for (const Parameter& fixed : function.parameters) {
         result.symbols[fixed.name] = lower(system.graph, fixed.value, {}, fixed.place.source);
     }
-    system.hamiltonian =
-        lower(system.graph, hamiltonian.expression, result.symbols, hamiltonian.source);
+    system.hamiltonian = lower(system.graph, function.expression, result.symbols, function.source);
     add_gradient(system);
     system.structure = structure(system);
+    system.energy = energy(system);
     return result;
 }
 
@@ -77,7 +99,7 @@ System system_of(const Hamiltonian& hamiltonian, const std::vector<std::string>&
 }
 
 System system_of(const Scene& scene) {
-    const std::vector<Parameter>& fixed = hamiltonian_of(scene).parameters;
+    const std::vector<Parameter>& fixed = function_of(scene).parameters;
     std::vector<Parameter> parameters = scene.parameters;
     std::erase_if(parameters, [&](const Parameter& parameter) {
         return std::any_of(fixed.begin(), fixed.end(),
@@ -85,7 +107,8 @@ System system_of(const Scene& scene) {
     });
     std::vector<std::string> names;
     for (const Parameter& parameter : parameters) { names.push_back(parameter.name); }
-    NamedSystem result = named_system(hamiltonian_of(scene), names);
+    NamedSystem result = std::visit(
+        [&](const auto& function) { return named_system(function, names); }, scene.mechanics);
     System& system = result.system;
     system.name = scene.name;
     system.description = scene.description;
@@ -101,6 +124,7 @@ System system_of(const Scene& scene) {
 
 SystemProperties properties(const System& system, const GradientKernels& gradients) {
     return {
+        .side = system.side,
         .is_separable = system.structure.is_separable,
         .depends_on_time = system.time.has_value(),
         .kinetic_is_quadratic = system.structure.kinetic_is_quadratic,

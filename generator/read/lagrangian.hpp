@@ -27,6 +27,12 @@ struct Lagrangian : MechanicalFunction {
 /// The symbols of L that are parameters, with a value or without, sorted.
 [[nodiscard]] std::vector<std::string> parameter_names(const Lagrangian& lagrangian);
 
+/// What its momenta are called: p_x of x, with `_` after it as often as other names need.
+[[nodiscard]] std::vector<std::string> momentum_names(const Lagrangian& lagrangian);
+
+/// What the velocities of H are called: x_dot of x, likewise.
+[[nodiscard]] std::vector<std::string> velocity_names(const Hamiltonian& hamiltonian);
+
 /// Whether the time `t` occurs in L.
 [[nodiscard]] bool depends_on_time(const Lagrangian& lagrangian);
 

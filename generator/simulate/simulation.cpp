@@ -31,6 +31,13 @@ std::string values(const System& system) {
     return lines(items);
 }
 
+/// Coordinates, then momenta.
+std::vector<std::string> state_names(const System& system) {
+    std::vector<std::string> names = system.coordinates;
+    names.insert(names.end(), system.momenta.begin(), system.momenta.end());
+    return names;
+}
+
 }  // namespace
 
 std::vector<std::string> conserved_names(const System& system) {
@@ -67,7 +74,7 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
                                    {"main", driver.main},
                                    {"header", header_name},
                                    {"stepper", stepper.class_name},
-                                   {"variables", quoted(variables(hamiltonian_of(stepper.scene)))},
+                                   {"variables", quoted(state_names(system))},
                                    {"invariants", quoted(conserved)},
                                    {"count", std::to_string(conserved.size())},
                                    {"values", values(system)},

@@ -27,7 +27,7 @@ struct Lowered {
 
     Lowered(const Names& coordinates, const Names& momenta, const Names& parameters = {}) {
         add(coordinates, Role::coordinate, true);
-        add(momenta, Role::momentum, true);
+        add(momenta, Role::conjugate, true);
         add(parameters, Role::parameter, false);
     }
 

@@ -19,13 +19,13 @@ constexpr std::string_view vector_type(bool are_lanes) { return are_lanes ? "Val
 class GivenNodes {
 public:
     explicit GivenNodes(const System& system) : system_(system), graph_(system.graph) {
-        const auto variables = [&](const std::vector<Node>& nodes, std::string_view letter) {
+        const auto variables = [&](const std::vector<Node>& nodes, const std::string& letter) {
             for (std::size_t k = 0; k < nodes.size(); ++k) {
                 names_[nodes[k]] = fmt::format("{}[{}]", letter, k);
             }
         };
         variables(system.q, "q");
-        variables(system.p, "p");
+        variables(system.p, std::string(1, system.conjugate_letter()));
         if (system.time) { names_[*system.time] = "t"; }
     }
 
