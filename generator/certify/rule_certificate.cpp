@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/methods/galerkin_form.hpp"
 #include "generator/exact/numbers/budget.hpp"
 
 namespace hvi::gen {
@@ -22,23 +23,8 @@ Verdict is_symplectic(const GalerkinRule& rule) {
     return result;
 }
 
-/// Of each node the one at 1 - c; empty where there is none.
-std::optional<std::vector<std::size_t>> mirrored(const NumberVector& c, Verdict& evidence) {
-    std::vector<std::size_t> result;
-    for (const Number& node : c) {
-        const auto partner = std::find_if(c.begin(), c.end(), [&](const Number& other) {
-            const Verdict verdict = vanishes(node + other - Number(1));
-            if (verdict.holds) { evidence = evidence && verdict; }
-            return verdict.holds;
-        });
-        if (partner == c.end()) { return std::nullopt; }
-        result.push_back(static_cast<std::size_t>(partner - c.begin()));
-    }
-    return result;
-}
-
-/// NOTE: of equal nodes only one is found; then a no is not proved.
-Verdict is_symmetric(const GalerkinRule& rule) {
+/// As a Nystrom method. NOTE: of equal nodes only one is found; then a no is not proved.
+Verdict is_symmetric_nystrom(const GalerkinRule& rule) {
     Verdict result;
     const auto sigma = mirrored(rule.c, result);
     if (!sigma) { return {false, true}; }
@@ -119,7 +105,7 @@ RuleCertificate certify(const GalerkinRule& rule, int max_order) {
     result.stages = rule.nodes();
     result.functions = rule.functions();
     result.symplectic = is_symplectic(rule);
-    result.symmetric = is_symmetric(rule);
+    result.symmetric = is_symmetric_nystrom(rule);
     result.is_explicit = is_explicit(rule);
     const PartitionedMethod method = partitioned_method(rule);
     result.nystrom = nystrom_order(method, max_order);

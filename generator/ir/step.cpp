@@ -26,13 +26,30 @@ const Iteration* Step::iteration() const {
     if (const auto* pairs = std::get_if<PairStep>(&form)) {
         return pairs->iteration ? &*pairs->iteration : nullptr;
     }
+    if (const auto* galerkin = std::get_if<GalerkinStep>(&form)) { return &galerkin->iteration; }
     const auto* velocities = std::get_if<VelocityStep>(&form);
     return velocities == nullptr ? nullptr : &velocities->iteration;
 }
 
 std::size_t Step::forces_evaluated() const { return positions.size() - (kept.force ? 1 : 0); }
 
-std::size_t Step::velocities_evaluated() const { return momenta.size() - (kept.velocity ? 1 : 0); }
+std::size_t Step::velocities_evaluated() const {
+    if (std::holds_alternative<VelocityStep>(form)) { return 1; }
+    if (std::holds_alternative<GalerkinStep>(form)) { return positions.size(); }
+    return momenta.size() - (kept.velocity ? 1 : 0);
+}
+
+std::size_t Step::unknowns() const {
+    if (const auto* galerkin = std::get_if<GalerkinStep>(&form)) {
+        return galerkin->form.functions() + galerkin->form.nodes();
+    }
+    std::size_t count = 0;
+    for (const Block& block : blocks) {
+        if (!block.coupled) { continue; }
+        count += block.of(StageNode::Kind::Q).size() + block.of(StageNode::Kind::P).size();
+    }
+    return count;
+}
 
 bool operator==(const Step& left, const Step& right) { return dump(left) == dump(right); }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/exact/algebra/modes.hpp"
+#include "generator/exact/methods/galerkin_form.hpp"
 #include "generator/exact/numbers/formats.hpp"
 #include "generator/exact/numbers/number.hpp"
 #include "generator/exact/parameters/parametric.hpp"
@@ -109,7 +110,8 @@ struct TabulatedStep {
 enum class Solver {
     of_user,        ///< an argument of the class
     fixed_point,    ///< hvi::FixedPoint
-    newton,         ///< hvi::NewtonOfPositions where momenta are eliminated, else NewtonOfPairs
+    newton,         ///< hvi::NewtonOfPositions where momenta are eliminated, NewtonOfCurves for the
+                    ///< general Galerkin form, else NewtonOfPairs
     newton_taylor,  ///< hvi::NewtonTaylor
     automatic,      ///< hvi::Automatic: fixed points while they contract, else Newton's method
 };
@@ -166,6 +168,35 @@ struct VelocityStep {
     std::optional<RealModes> modes;
 };
 
+/// X, A, D and B of a step with
+///
+///     Q_i = q + sum_j A_ij W_j,          sum_j X_ij W_j = h b_i dH/dp(Q_i, P_i),
+///     sum_i X_ij P_i = B_j p + sum_i D_ij Lp_i,
+///
+/// rounded so that A_ij + D_ij == B_j and the sum of X_ij over i is B_j, in each format.
+struct RoundedGalerkinForm {
+    RoundedMatrix X;  ///< nodes x functions, b_i phi_ij
+    RoundedMatrix A, D;
+    std::vector<Rounded> B;
+};
+
+/// W and P of the next step from those of this one, for unchanged h: W_j = sum_k W_jk W_k, and
+/// P_i = sum_k P_ik P_k.
+struct CurveExtrapolation {
+    NumberMatrix W;  ///< functions x functions
+    NumberMatrix P;  ///< nodes x nodes
+};
+
+/// The general Galerkin form (4.6) for any H: the blocks of the step are one, and there are no
+/// `momenta`, as the P_i are as many as the positions.
+struct GalerkinStep {
+    GalerkinForm form;
+    RoundedGalerkinForm rounded;
+    Iteration iteration;  ///< without extrapolation of slopes
+    std::optional<CurveExtrapolation> extrapolation;
+    NumberVector steps;  ///< of a composition: gamma_1, ..., gamma_k; else empty
+};
+
 /// What the lanes of the processor hold.
 enum class Layout {
     one,           ///< nothing: a number is a number
@@ -199,7 +230,7 @@ struct Step {
     std::vector<Block> blocks;  ///< each needs only what stands before it
     KeptSlopes kept;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free
-    std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep> form;
+    std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep, GalerkinStep> form;
     Layout layout = Layout::one;
     std::vector<Decision> decisions;
 
@@ -215,6 +246,9 @@ struct Step {
     /// Evaluations of dH/dq and of dH/dp in a step that needs no solver, kept ones not counted.
     [[nodiscard]] std::size_t forces_evaluated() const;
     [[nodiscard]] std::size_t velocities_evaluated() const;
+    /// Values that are solved for at once, each of as many components as there are degrees of
+    /// freedom.
+    [[nodiscard]] std::size_t unknowns() const;
 };
 
 /// Stable text, for people and tests.

@@ -14,7 +14,8 @@ using Kind = StageNode::Kind;
 void verify_stages(const Step& step) {
     const std::size_t r = step.positions.size(), s = step.momenta.size();
     // NOTE: positions of the general Galerkin form have no momenta beside them.
-    HVI_CHECK(r > 0 && (s > 0 || std::holds_alternative<VelocityStep>(step.form)));
+    HVI_CHECK(r > 0 && (s > 0 || std::holds_alternative<VelocityStep>(step.form) ||
+                        std::holds_alternative<GalerkinStep>(step.form)));
     HVI_CHECK(is_table(step.m, r, s));
     HVI_CHECK(step.c.empty() || step.c.size() == r);
     for (const auto* values : {&step.positions, &step.momenta}) {
@@ -121,6 +122,24 @@ void verify_rounded(const RoundedVelocityForm& form, std::size_t r) {
     }
 }
 
+/// A_ij + D_ij = B_j, and the sum of X_ij over i is B_j, in each format.
+void verify_rounded(const RoundedGalerkinForm& form, std::size_t r, std::size_t s) {
+    HVI_CHECK(is_table(form.X, r, s) && is_table(form.A, r, s) && is_table(form.D, r, s));
+    HVI_CHECK(form.B.size() == s);
+    for (std::size_t f = 0; f < formats.size(); ++f) {
+        for (std::size_t j = 0; j < s; ++j) {
+            HVI_CHECK(form.B[j][f]);
+            Dyadic rest = *form.B[j][f];
+            for (std::size_t i = 0; i < r; ++i) {
+                HVI_CHECK(form.X[i][j][f] && form.A[i][j][f] && form.D[i][j][f]);
+                HVI_CHECK(*form.B[j][f] - *form.A[i][j][f] == *form.D[i][j][f]);
+                rest = rest - *form.X[i][j][f];
+            }
+            HVI_CHECK(rest.is_zero());
+        }
+    }
+}
+
 void verify_form(const Step& step, const ExplicitStep&) {
     HVI_CHECK(step.is_separable() && step.is_explicit());
     HVI_CHECK(step.layout != Layout::stages);
@@ -151,6 +170,19 @@ void verify_form(const Step& step, const VelocityStep& form) {
         HVI_CHECK(block.of(Kind::P).empty() && block.of(Kind::Lq).empty());
     }
     verify_iteration(step, form.iteration);
+}
+
+void verify_form(const Step& step, const GalerkinStep& form) {
+    const std::size_t r = form.form.nodes(), s = form.form.functions();
+    HVI_CHECK(step.positions.size() == r && step.momenta.empty() && step.layout == Layout::one);
+    HVI_CHECK(step.blocks.size() == 1 && step.coupled_blocks() == 1);
+    HVI_CHECK(!step.kept.any() && !step.from_parameter && step.slopes != Slopes::one_by_one);
+    HVI_CHECK(r >= s && form.form.b.size() == r && form.form.gram.size() == s);
+    HVI_CHECK(is_table(form.form.phi, r, s) && is_table(form.form.A, r, s));
+    verify_rounded(form.rounded, r, s);
+    HVI_CHECK(!form.iteration.extrapolation);
+    if (!form.extrapolation) { return; }
+    HVI_CHECK(is_table(form.extrapolation->W, s, s) && is_table(form.extrapolation->P, r, r));
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ void check_rank(const OneStepMethod& method, const System& system) {
 
 /// What is wished for and not built.
 void check_solver(const Step& step, const Scene& scene) {
-    const auto* pairs = std::get_if<PairStep>(&step.form);
-    if (pairs == nullptr || !pairs->iteration) return;
+    const Iteration* iteration = step.iteration();
+    if (iteration == nullptr || std::holds_alternative<VelocityStep>(step.form)) return;
     const Place place = whole(function_of(scene).source);
-    if (pairs->iteration->solver == Solver::newton_taylor)
+    if (iteration->solver == Solver::newton_taylor)
         throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
                          "quadratic T",
                          place, "--solver newton takes any H");
@@ -76,14 +76,7 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
 }
 
 OneStepMethod composed(DerivedMethod base, const Method& method, const StepperWishes& wishes) {
-    if (wishes.composition) {
-        if (std::holds_alternative<GalerkinRule>(base))
-            throw InputError("compositions of the general Galerkin form are to come",
-                             wishes.composition->place,
-                             "compose a method with as many nodes as "
-                             "functions");
-        check_composition(*wishes.composition, std::get<Tableau>(base));
-    }
+    if (wishes.composition) { check_composition(*wishes.composition, base); }
     return {std::move(base), wishes.composition, method.place};
 }
 

@@ -26,10 +26,12 @@ BlockKernel block(const Graph& graph, const HessianBlock& entries, bool is_symme
 SecondDerivatives second_derivatives(const System& system, const Step& step) {
     const Graph& graph = system.graph;
     const Structure& found = system.structure;
-    SecondDerivatives result{block(graph, found.qq, true), {}, {}};
-    if (std::holds_alternative<VelocityStep>(step.form)) { return result; }
-    if (!step.is_separable()) { result.qp = block(graph, found.qp, false); }
-    result.pp = block(graph, found.pp, true);
+    SecondDerivatives result;
+    const bool has_momenta = !std::holds_alternative<VelocityStep>(step.form);
+    if (has_momenta) { result.pp = block(graph, found.pp, true); }
+    if (!step.iteration()->takes_newton()) { return result; }
+    result.qq = block(graph, found.qq, true);
+    if (has_momenta && !step.is_separable()) { result.qp = block(graph, found.qp, false); }
     return result;
 }
 
@@ -53,9 +55,10 @@ Tangents tangents(const System& system) {
 }  // namespace
 
 OperationCounts SecondDerivatives::counts() const {
-    OperationCounts sum = qq.kernel.counts;
-    if (qp) { sum += qp->kernel.counts; }
-    if (pp) { sum += pp->kernel.counts; }
+    OperationCounts sum;
+    for (const std::optional<BlockKernel>* block : {&qq, &qp, &pp}) {
+        if (*block) { sum += (*block)->kernel.counts; }
+    }
     return sum;
 }
 
@@ -67,7 +70,9 @@ Evaluations evaluations(const System& system, GradientKernels gradients, const S
     }
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return result; }
-    if (iteration->takes_newton()) { result.second = second_derivatives(system, step); }
+    if (iteration->takes_newton() || std::holds_alternative<GalerkinStep>(step.form)) {
+        result.second = second_derivatives(system, step);
+    }
     if (iteration->solver == Solver::newton_taylor) { result.tangents = tangents(system); }
     return result;
 }

@@ -22,10 +22,9 @@ struct BlockKernel {
 };
 
 /// For Newton's method: d2H/dq2 alone where the momenta are eliminated, and of a separable H no
-/// mixed ones.
+/// mixed ones. For fixed points of the general Galerkin form d2H/dp2 alone.
 struct SecondDerivatives {
-    BlockKernel qq;
-    std::optional<BlockKernel> qp, pp;
+    std::optional<BlockKernel> qq, qp, pp;
 
     [[nodiscard]] OperationCounts counts() const;
 };
@@ -41,7 +40,7 @@ struct Tangents {
 struct Evaluations {
     GradientKernels gradients;
     std::optional<Kernel> inverse_mass;       ///< see Structure
-    std::optional<SecondDerivatives> second;  ///< where Newton's method may be called for
+    std::optional<SecondDerivatives> second;  ///< where an iteration needs some
     std::optional<Tangents> tangents;         ///< for Solver::newton_taylor
 };
 

@@ -98,11 +98,7 @@ std::vector<std::string> facts(const System& system) {
 std::vector<std::string> costs(const System& system, const Step& step,
                                const Evaluations& evaluations) {
     const std::size_t n = system.degrees_of_freedom();
-    std::size_t unknowns = 0;
-    for (const Block& block : step.blocks) {
-        if (!block.coupled) { continue; }
-        unknowns += n * (block.of(StageNode::Kind::Q).size() + block.of(StageNode::Kind::P).size());
-    }
+    const std::size_t unknowns = n * step.unknowns();
     if (const auto* map = std::get_if<TabulatedStep>(&step.form)) {
         return {cost_of_map(n, map->as == TabulatedStep::As::shears,
                             has_linear_part(system.structure))};
@@ -118,7 +114,9 @@ std::vector<std::string> costs(const System& system, const Step& step,
         result.push_back("dH/dp once: " + text(evaluations.gradients.dHdp.counts));
     }
     if (evaluations.second) {
-        result.push_back("second derivatives once, where Newton's method is needed: " +
+        const bool is_newton = step.iteration()->takes_newton();
+        result.push_back((is_newton ? "second derivatives once, where Newton's method is needed: "
+                                    : "d2H/dp2 once in a step: ") +
                          text(evaluations.second->counts()));
     }
     if (evaluations.tangents) {
@@ -126,8 +124,7 @@ std::vector<std::string> costs(const System& system, const Step& step,
                          text(evaluations.tangents->along.counts));
     }
     const std::size_t forces = step.forces_evaluated();
-    const std::size_t velocities =
-        std::holds_alternative<VelocityStep>(step.form) ? 1 : step.velocities_evaluated();
+    const std::size_t velocities = step.velocities_evaluated();
     result.push_back(fmt::format("{}: {} of dH/dq, {} of dH/dp",
                                  unknowns == 0 ? "evaluations in a step"
                                                : "evaluations in a step of one iteration",

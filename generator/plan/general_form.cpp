@@ -106,11 +106,6 @@ void check_general_form(const GalerkinRule& rule, const std::optional<Place>& pl
         throw InputError("steppers of the general Galerkin form are built for one H alone", place,
                          "name a scene, or give --hamiltonian");
     }
-    if (!system.kinetic_is_quadratic) {
-        throw InputError("steppers of the general Galerkin form are built for H = p^T K p/2 + U(q) "
-                         "alone; others are to come",
-                         place, "take as many nodes as functions");
-    }
 }
 
 Quadrature set_rule(Step& step, const GalerkinRule& rule) {

@@ -1,4 +1,4 @@
-// The stages of the general Galerkin form (4.6).
+// The stages of the general Galerkin form (4.6), for a quadratic kinetic energy.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace hvi::gen {
 
-/// Throws MathError for H of which some row of d2H/dp2 is zero, and InputError for other H than
-/// p^T K p/2 + U(q), and for a rule with a free parameter.
+/// Throws MathError for H of which some row of d2H/dp2 is zero, and InputError for that of a class
+/// of the user, and for a rule with a free parameter.
 void check_general_form(const GalerkinRule& rule, const std::optional<Place>& place,
                         const SystemProperties& system);
 

@@ -9,6 +9,8 @@ namespace hvi::gen {
 
 namespace {
 
+constexpr auto of_curves = "the velocities of the curve are solved for";
+
 /// NOTE: two equal stages are one, and have another weight in Q than in P.
 bool all_are_solved_for(const std::vector<StageValue>& values) {
     return std::all_of(values.begin(), values.end(), [](const StageValue& value) {
@@ -30,6 +32,7 @@ std::string obstacle_to_stage_lanes(const Step& step) {
     if (std::holds_alternative<TabulatedStep>(step.form)) { return "a step is one linear map"; }
     if (step.is_explicit()) { return "each stage of an explicit method needs the one before"; }
     if (step.from_parameter) { return "the coefficients depend on a parameter"; }
+    if (std::holds_alternative<GalerkinStep>(step.form)) { return of_curves; }
     const Solver solver = step.iteration()->solver;
     if (solver != Solver::fixed_point && solver != Solver::automatic) {
         return "they are built for fixed points, and for these and Newton's method in turn";
@@ -42,6 +45,7 @@ std::string obstacle_to_ensemble(const Step& step) {
     if (std::holds_alternative<ExplicitStep>(step.form)) { return ""; }
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return "they have no curve"; }
+    if (std::holds_alternative<GalerkinStep>(step.form)) { return of_curves; }
     if (iteration->solver != Solver::fixed_point) { return "they are iterated by fixed points"; }
     return obstacle_in_stages(step);
 }

@@ -97,4 +97,100 @@ RoundedVelocityForm rounded(const VelocityForm& form) {
     return result;
 }
 
+namespace {
+
+/// Multiples of one power of two.
+using Multiples = std::vector<WideInteger>;
+
+WideInteger multiple(const Number& value, int ulp) {
+    const Dyadic nearest = value.nearest_multiple(ulp);
+    return nearest.is_zero() ? 0 : nearest.integer() * (WideInteger(1) << (nearest.last() - ulp));
+}
+
+WideInteger size(WideInteger value) { return value < 0 ? -value : value; }
+
+bool is_palindrome(const Multiples& values) {
+    return std::equal(values.begin(), values.end(), values.rbegin());
+}
+
+void add_up_to(Multiples& X, WideInteger sum) {
+    for (const WideInteger value : X) { sum -= value; }
+    const std::size_t r = X.size();
+    const auto largest = std::max_element(
+        X.begin(), X.end(), [](WideInteger a, WideInteger b) { return size(a) < size(b); });
+    if (!is_palindrome(X)) {
+        *largest += sum;
+    } else if (sum % 2 != 0) {
+        X[r / 2] += sum;
+    } else {
+        const auto i = static_cast<std::size_t>(largest - X.begin());
+        X[i] += sum / 2;
+        X[r - 1 - i] += sum / 2;
+    }
+}
+
+/// Column j in one format.
+struct Column {
+    WideInteger B;
+    Multiples A, X;
+
+    [[nodiscard]] bool fits(int bits) const {
+        const WideInteger most = WideInteger(1) << bits;
+        WideInteger sum = size(B);
+        for (const WideInteger x : X) { sum += size(x); }
+        return sum <= most && std::all_of(A.begin(), A.end(), [&](WideInteger a) {
+                   return size(a) <= most && size(B - a) <= most;
+               });
+    }
+};
+
+Column column(const GalerkinForm& form, std::size_t j, int ulp) {
+    Column result{multiple(form.B[j], ulp), {}, {}};
+    for (std::size_t i = 0; i < form.nodes(); ++i) {
+        result.A.push_back(multiple(form.A[i][j], ulp));
+        result.X.push_back(multiple(form.b[i] * form.phi[i][j], ulp));
+    }
+    add_up_to(result.X, result.B);
+    return result;
+}
+
+/// Above the power of two of the leading bit of all entries, as far as that counts.
+int magnitude_of_column(const GalerkinForm& form, std::size_t j) {
+    constexpr int least = -40;
+    int most = least;
+    const auto look = [&](const Number& value) {
+        const Dyadic coarse = value.nearest_multiple(least);
+        if (!coarse.is_zero()) { most = std::max(most, coarse.leading()); }
+    };
+    look(form.B[j]);
+    for (std::size_t i = 0; i < form.nodes(); ++i) {
+        look(form.A[i][j]);
+        look(form.b[i] * form.phi[i][j]);
+    }
+    return most;
+}
+
+}  // namespace
+
+RoundedGalerkinForm rounded(const GalerkinForm& form) {
+    const std::size_t r = form.nodes(), s = form.functions();
+    const RoundedMatrix empty(r, std::vector<Rounded>(s));
+    RoundedGalerkinForm result{empty, empty, empty, std::vector<Rounded>(s)};
+    for (std::size_t j = 0; j < s; ++j) {
+        const int magnitude = magnitude_of_column(form, j);
+        for (std::size_t f = 0; f < formats.size(); ++f) {
+            int ulp = magnitude - formats[f].bits;
+            Column entries = column(form, j, ulp);
+            while (!entries.fits(formats[f].bits)) { entries = column(form, j, ++ulp); }
+            result.B[j][f] = Dyadic(entries.B, ulp);
+            for (std::size_t i = 0; i < r; ++i) {
+                result.X[i][j][f] = Dyadic(entries.X[i], ulp);
+                result.A[i][j][f] = Dyadic(entries.A[i], ulp);
+                result.D[i][j][f] = Dyadic(entries.B - entries.A[i], ulp);
+            }
+        }
+    }
+    return result;
+}
+
 }  // namespace hvi::gen

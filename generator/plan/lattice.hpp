@@ -16,4 +16,10 @@ namespace hvi::gen {
 /// 1 - c_i and n_ji = n_ij - (c_i - c_j) are numbers of the format. A zero stays one.
 [[nodiscard]] RoundedVelocityForm rounded(const VelocityForm& form);
 
+/// Rounds B_j, A_ij and X_ij = b_i phi_ij to multiples of one power of two for each j, the least
+/// with which these, D_ij = B_j - A_ij and the sum of the |X_ij| are numbers of the format. What
+/// the sum of the X_ij then misses of B_j goes to the largest of them, and to its mirror image
+/// where they have one, so that a symmetric rule stays so.
+[[nodiscard]] RoundedGalerkinForm rounded(const GalerkinForm& form);
+
 }  // namespace hvi::gen

@@ -8,6 +8,7 @@
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/equal.hpp"
+#include "generator/plan/galerkin_step.hpp"
 #include "generator/plan/general_form.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/lattice.hpp"
@@ -362,6 +363,7 @@ void round_coefficients(const Step& step, TabulatedStep& form) {
 }
 void round_coefficients(const Step& step, PairStep& form) { form.coefficients = rounded(step); }
 void round_coefficients(const Step&, VelocityStep& form) { form.rounded = rounded(form.form); }
+void round_coefficients(const Step&, GalerkinStep& form) { form.rounded = rounded(form.form); }
 
 /// What is left to do once all is decided.
 Step completed(Step step) {
@@ -414,6 +416,12 @@ Step planned(const GalerkinRule& rule, const OneStepMethod& method, const System
              const StepWishes& wishes) {
     check_general_form(rule, method.place, system);
     Step step;
+    if (!system.kinetic_is_quadratic || method.composition) {
+        set_galerkin(step, method, system);
+        if (system.depends_on_time) { set_times(step, std::get<GalerkinStep>(step.form).form.c); }
+        set_solver(step, solver_for(wishes), system.joint_gradient_pays);
+        return completed(std::move(step));
+    }
     step.slopes = Slopes::of_parts;
     step.partner = Partner::different;
     const Quadrature quadrature = set_rule(step, rule);

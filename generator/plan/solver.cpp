@@ -42,7 +42,7 @@ void set_modes(Step& step) {
 
 /// Where both slopes of a stage are unknown, they may be evaluated at the same Q and P.
 void set_joint_slopes(Step& step, bool joint_gradient_pays) {
-    if (step.is_separable() || !joint_gradient_pays) { return; }
+    if (step.slopes != Slopes::one_by_one || !joint_gradient_pays) { return; }
     for (const Block& block : step.blocks) {
         if (block.of(StageNode::Kind::Lq) != block.of(StageNode::Kind::Lp)) { return; }
     }
@@ -57,6 +57,7 @@ void set_joint_slopes(Step& step, bool joint_gradient_pays) {
 
 Iteration* iteration_of(Step& step) {
     if (auto* velocities = std::get_if<VelocityStep>(&step.form)) { return &velocities->iteration; }
+    if (auto* galerkin = std::get_if<GalerkinStep>(&step.form)) { return &galerkin->iteration; }
     auto* pairs = std::get_if<PairStep>(&step.form);
     return pairs != nullptr && pairs->iteration ? &*pairs->iteration : nullptr;
 }

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/exact/algebra/matrix.hpp"
 #include "generator/ir/equal.hpp"
 #include "generator/plan/solver.hpp"
 
 namespace hvi::gen {
 
 namespace {
+
+constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
 
 bool are_distinct(const NumberVector& c) {
     for (std::size_t i = 0; i < c.size(); ++i) {
@@ -88,7 +91,6 @@ bool takes_two_steps(Solver solver, Layout layout, const Quadrature& rule) {
 }  // namespace
 
 void set_extrapolation(Step& step, const Quadrature& rule) {
-    constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
     Iteration* iteration = iteration_of(step);
     if (iteration == nullptr) { return; }
     if (step.from_parameter) {
@@ -125,6 +127,53 @@ void set_extrapolation(Step& step, const Quadrature& rule) {
         step.decisions.push_back(
             {"the last step's slopes, extrapolated, are the starting values of the iteration",
              "they are good to the order of the interpolation and cost no evaluation"});
+    }
+}
+
+namespace {
+
+/// P(t) is the polynomial through the P_i. Of the velocities U_i = sum_j phi_ij V_j that at the
+/// nodes of the next step too, and from there to W_j = sum_i b_i phi_ij U_i / G_j.
+CurveExtrapolation extrapolation(const GalerkinForm& form) {
+    const std::size_t r = form.nodes(), s = form.functions();
+    const Quadrature nodes{form.c, NumberVector(r, Number(1))};
+    CurveExtrapolation result{NumberMatrix(s, NumberVector(s)),
+                              extrapolation(nodes, nodes_behind(form.c, 1), 0)};
+    const NumberMatrix U = result.P * form.phi;
+    for (std::size_t j = 0; j < s; ++j) {
+        for (std::size_t k = 0; k < s; ++k) {
+            Number sum;
+            for (std::size_t i = 0; i < r; ++i) {
+                sum = sum + form.b[i] * form.phi[i][j] * U[i][k];
+            }
+            result.W[j][k] = sum / form.gram[j];
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+void set_extrapolation(Step& step, GalerkinStep& galerkin) {
+    const GalerkinForm& form = galerkin.form;
+    const auto begins_at_the_start = [&](const char* reason) {
+        step.decisions.push_back({"the state and its velocity at the start of the step are the "
+                                  "starting values of the iteration",
+                                  reason});
+    };
+    if (!galerkin.steps.empty()) {
+        begins_at_the_start("the steps of a composition differ in size");
+    } else if (!are_distinct(form.c)) {
+        begins_at_the_start("no polynomial interpolates momenta at equal nodes");
+    } else if (magnification({form.c, NumberVector(form.nodes(), Number(1))}) > most) {
+        begins_at_the_start("extrapolating the last step's momenta would magnify their rounding "
+                            "too much");
+    } else {
+        galerkin.extrapolation = extrapolation(form);
+        step.decisions.push_back(
+            {"the last step's curve and momenta, extrapolated, are the starting values of the "
+             "iteration",
+             "they are good to the order of the interpolation"});
     }
 }
 

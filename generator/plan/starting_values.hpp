@@ -15,4 +15,8 @@ struct Quadrature {
 /// set_solver().
 void set_extrapolation(Step& step, const Quadrature& rule);
 
+/// The same for velocities of the curve and momenta at the nodes. Precondition: the form and the
+/// steps of a composition are set.
+void set_extrapolation(Step& step, GalerkinStep& galerkin);
+
 }  // namespace hvi::gen

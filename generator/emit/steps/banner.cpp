@@ -48,7 +48,18 @@ std::string numbers_text(const Tableau& tableau, const Step& step) {
     return writer.str();
 }
 
-std::string numbers_text(const GalerkinRule& rule, const Step&) {
+std::string numbers_of_rule(const GalerkinRule& rule) {
+    Writer writer(0);
+    writer.comment(fmt::format("The rule of (4.6) {}", paper)).line("//");
+    list(writer, "c", rule.c);
+    list(writer, "b", rule.b);
+    list(writer, "A", rule.A_psi);
+    list(writer, "B", rule.B);
+    return writer.str();
+}
+
+std::string numbers_text(const GalerkinRule& rule, const Step& step) {
+    if (std::holds_alternative<GalerkinStep>(step.form)) { return numbers_of_rule(rule); }
     Writer writer(0);
     writer.comment(fmt::format("The rule of (4.6) and n_ij = c_i - A_i G^-1 A_j^T {}", paper));
     writer.line("//");
@@ -105,10 +116,12 @@ std::string method_text(const Tableau& tableau, const Step& step) {
                      partner_text(step.partner), tableau.b);
 }
 
-std::string method_text(const GalerkinRule& rule, const Step&) {
+std::string method_text(const GalerkinRule& rule, const Step& step) {
+    const bool is_general = std::holds_alternative<GalerkinStep>(step.form);
     return described(rule.provenance,
-                     fmt::format("symplectic, {} function{} and {} nodes, for H = p^T K p/2 + U(q)",
-                                 rule.functions(), rule.functions() == 1 ? "" : "s", rule.nodes()),
+                     fmt::format("symplectic, {} function{} and {} nodes, for {}", rule.functions(),
+                                 rule.functions() == 1 ? "" : "s", rule.nodes(),
+                                 is_general ? "general Hamiltonians" : "H = p^T K p/2 + U(q)"),
                      "The general Galerkin form (4.6), which conserves q^T C p for constant C.",
                      rule.b);
 }

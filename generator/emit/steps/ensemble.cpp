@@ -44,6 +44,11 @@ EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::si
     return parts;
 }
 
+EnsembleParts ensemble_parts(const Step&, const GalerkinStep&, std::size_t) {
+    HVI_CHECK(false);
+    return {};
+}
+
 EnsembleParts ensemble_parts(const Step&, const TabulatedStep&, std::size_t) {
     HVI_CHECK(false);  // it has no such layout
     return {};

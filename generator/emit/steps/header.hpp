@@ -21,6 +21,12 @@ namespace hvi::gen {
                                    const PairStep& form, const EmitOptions& options);
 [[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const VelocityStep& form, const EmitOptions& options);
+[[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
+                                   const GalerkinStep& form, const EmitOptions& options);
+
+/// What Newton's method solves for: `pairs`, `positions` or `curves`. Precondition: equations are
+/// iterated.
+[[nodiscard]] std::string_view name_of_newton(const Step& step);
 
 /// Trajectories side by side.
 [[nodiscard]] std::string emit_ensemble(const OneStepMethod& method, const Step& step,

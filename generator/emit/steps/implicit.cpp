@@ -15,8 +15,7 @@ namespace {
 std::vector<std::string> solver_headers(const Step& step) {
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return {}; }
-    const bool has_momenta = std::holds_alternative<PairStep>(step.form);
-    const std::string newton = has_momenta ? "newton_pairs" : "newton_positions";
+    const std::string newton = "newton_" + std::string(name_of_newton(step));
     switch (iteration->solver) {
     case Solver::of_user:
     case Solver::fixed_point: break;
@@ -39,16 +38,31 @@ std::string runtime_includes(std::vector<std::string> names) {
 
 namespace {
 
+ImplicitParts parts_of(const Step& step, const auto& form, const SceneWishes& wishes) {
+    return step.layout == Layout::stages ? lane_parts(step, form, wishes)
+                                         : parts(step, form, wishes);
+}
+
+ImplicitParts parts_of(const Step& step, const GalerkinStep& form, const SceneWishes& wishes) {
+    return parts(step, form, wishes);
+}
+
+std::string one_step(const Step& step, const std::string& body, const std::string& name) {
+    return fill_part(
+        "step.hpp.in",
+        {{"name", name}, {"begins", begins(step)}, {"clock", clock_begins(step)}, {"steps", body}});
+}
+
 std::string emit_implicit(const OneStepMethod& method, const Step& step, const auto& form,
                           const EmitOptions& options) {
     const SystemPart system = system_part(method, step, options);
-    ImplicitParts parts = step.layout == Layout::stages
-                              ? lane_parts(step, form, options.wishes)
-                              : hvi::gen::parts(step, form, options.wishes);
+    ImplicitParts parts = parts_of(step, form, options.wishes);
     for (const std::string& header : clock_runtime(step)) { parts.runtime.push_back(header); }
     if (options.wishes.curve) { parts.runtime.push_back("detail/stages/curve"); }
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }
     for (const std::string& header : solver_headers(step)) { parts.runtime.push_back(header); }
+    const std::string step_text =
+        one_step(step, parts.steps, parts.composes ? "part_of_step" : "step");
     Holes holes = holes_of(system);
     holes.merge(Holes{{"banner", banner(method, step, options)},
                       {"format", std::to_string(hvi::runtime_format)},
@@ -56,9 +70,8 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
                       {"parameter", parameter_text(step)},
                       {"state", system.state},
                       {"curve", parts.curve},
-                      {"begins", begins(step)},
-                      {"clock", clock_begins(step)},
-                      {"steps", parts.steps},
+                      {"step", parts.composes ? fill_part("composed_step.hpp.in", {}) : step_text},
+                      {"part", parts.composes ? step_text : ""},
                       {"constants", parts.constants},
                       {"predict", parts.predict},
                       {"coupled", parts.coupled},
@@ -74,6 +87,11 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const PairSt
 }
 
 std::string emit_one(const OneStepMethod& method, const Step& step, const VelocityStep& form,
+                     const EmitOptions& options) {
+    return emit_implicit(method, step, form, options);
+}
+
+std::string emit_one(const OneStepMethod& method, const Step& step, const GalerkinStep& form,
                      const EmitOptions& options) {
     return emit_implicit(method, step, form, options);
 }

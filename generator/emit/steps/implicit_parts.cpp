@@ -17,6 +17,11 @@ NumberMatrix complement(const NumberMatrix& m) {
 
 }  // namespace
 
+std::string_view name_of_newton(const Step& step) {
+    if (std::holds_alternative<GalerkinStep>(step.form)) { return "curves"; }
+    return std::holds_alternative<PairStep>(step.form) ? "pairs" : "positions";
+}
+
 bool is_kept(const Step& step, const StageNode& slope) {
     return slope.kind == StageNode::Kind::Lp
                ? step.kept.force && step.positions[slope.index].place != StageValue::Place::inner

@@ -13,13 +13,17 @@ namespace hvi::gen {
 struct ImplicitParts {
     std::vector<std::string> runtime;  ///< headers of hvi that not every one includes
     std::string steps, constants, predict, coupled, members;
-    std::string curve;  ///< empty where none is asked for
+    std::string curve;      ///< empty where none is asked for
+    bool composes = false;  ///< `steps` is one of several in a row, of the sizes gamma_i h
 };
 
 /// Positions and momenta, and positions alone.
 [[nodiscard]] ImplicitParts parts(const Step& step, const PairStep& form,
                                   const SceneWishes& wishes);
 [[nodiscard]] ImplicitParts parts(const Step& step, const VelocityStep& form,
+                                  const SceneWishes& wishes);
+/// A curve and the momenta along it.
+[[nodiscard]] ImplicitParts parts(const Step& step, const GalerkinStep& form,
                                   const SceneWishes& wishes);
 
 /// The same, with the stages in lanes.

@@ -42,4 +42,17 @@ std::string hessian_call(const SlopePoint& at, std::string_view out) {
     return call("d2Hdq2", {at.q, at.time, out});
 }
 
+std::string hessian_qq_call(const Step& step, const SlopePoint& at, std::string_view out) {
+    return step.is_separable() ? hessian_call(at, out) : call("d2Hdq2", {at.q, at.p, at.time, out});
+}
+
+std::string hessian_pp_call(const Step& step, const SlopePoint& at, std::string_view out) {
+    if (step.is_separable()) { return call("d2Hdp2", {at.p, out}); }
+    return call("d2Hdp2", {at.q, at.p, at.time, out});
+}
+
+std::string hessian_qp_call(const SlopePoint& at, std::string_view out) {
+    return call("d2Hdqdp", {at.q, at.p, at.time, out});
+}
+
 }  // namespace hvi::gen

@@ -28,4 +28,12 @@ struct SlopePoint {
 /// `d2Hdq2(q, t, out)`, of a separable H.
 [[nodiscard]] std::string hessian_call(const SlopePoint& at, std::string_view out);
 
+/// The calls that fill the blocks of second derivatives, of any H.
+[[nodiscard]] std::string hessian_qq_call(const Step& step, const SlopePoint& at,
+                                          std::string_view out);
+[[nodiscard]] std::string hessian_pp_call(const Step& step, const SlopePoint& at,
+                                          std::string_view out);
+/// Precondition: H is not separable.
+[[nodiscard]] std::string hessian_qp_call(const SlopePoint& at, std::string_view out);
+
 }  // namespace hvi::gen

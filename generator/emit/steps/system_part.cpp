@@ -93,8 +93,9 @@ std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& o
 }
 
 std::string solver_type(const Step& step) {
-    const bool has_momenta = std::holds_alternative<PairStep>(step.form);
-    const std::string newton = has_momenta ? "hvi::NewtonOfPairs" : "hvi::NewtonOfPositions";
+    std::string newton(name_of_newton(step));
+    newton = fmt::format("hvi::NewtonOf{}{}", static_cast<char>(newton.front() - 'a' + 'A'),
+                         newton.substr(1));
     switch (step.iteration()->solver) {
     case Solver::of_user: break;
     case Solver::fixed_point: return "hvi::FixedPoint";

@@ -132,10 +132,10 @@ Function of_momenta(Function function, const Step& step) {
     return function;
 }
 
-/// Adds what Newton's method evaluates.
+/// Adds what iterations evaluate beside slopes.
 void add_second_derivatives(std::vector<Function>& functions, const SecondDerivatives& second,
                             const Step& step) {
-    functions.push_back(of_positions(hessian("d2Hdq2", second.qq), step));
+    if (second.qq) { functions.push_back(of_positions(hessian("d2Hdq2", *second.qq), step)); }
     if (second.qp) { functions.push_back(of_momenta(hessian("d2Hdqdp", *second.qp), step)); }
     if (second.pp) { functions.push_back(of_momenta(hessian("d2Hdp2", *second.pp), step)); }
 }

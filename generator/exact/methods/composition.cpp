@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/exact/methods/galerkin_form.hpp"
 #include "generator/exact/methods/properties.hpp"
 #include "generator/read/nearest.hpp"
 
@@ -125,6 +126,39 @@ NumberVector steps(const Entry& entry) {
     return all;
 }
 
+void check_stages(const Composition& composition, const Tableau& tableau) {
+    const std::size_t most = most_stages / composition.steps.size();
+    if (tableau.stages() <= most) { return; }
+    throw InputError(std::to_string(composition.steps.size()) + " steps of " +
+                         std::to_string(tableau.stages()) + " stages are not built as one",
+                     composition.place,
+                     "compose a method of at most " + std::to_string(most) + " stages");
+}
+
+/// NOTE: the steps of a rule are taken one after the other, and not planned as one.
+void check_stages(const Composition&, const GalerkinRule&) {}
+
+void check_adjoint(const Composition& composition, const Tableau& tableau) {
+    if (composition.with_adjoint || is_symmetric(tableau).holds) { return; }
+    throw MathError(composition.name + " makes order " + std::to_string(composition.order) +
+                        " of symmetric methods, and this one is not its own adjoint",
+                    composition.place,
+                    "stormer-verlet is, or midpoint; blanes-moan:6 takes any method");
+}
+
+void check_adjoint(const Composition& composition, const GalerkinRule& rule) {
+    if (is_symmetric(galerkin_form(rule)).holds) { return; }
+    if (composition.with_adjoint) {
+        throw InputError("every second step of " + composition.name +
+                             " is one of the adjoint, which is not built for rules that are not "
+                             "their own",
+                         composition.place, "take nodes that are symmetric about 1/2");
+    }
+    throw MathError(composition.name + " makes order " + std::to_string(composition.order) +
+                        " of symmetric methods, and this one is not its own adjoint",
+                    composition.place, "take nodes that are symmetric about 1/2");
+}
+
 }  // namespace
 
 std::vector<std::string_view> composition_names() {
@@ -139,22 +173,18 @@ std::string composed_name(const std::string& method,
     return method.empty() ? composition->name : method + "-" + composition->name;
 }
 
-void check_composition(const Composition& composition, const Tableau& tableau) {
-    const Place& place = composition.place;
-    if (!tableau.parameters.empty()) {
-        throw InputError("compositions of methods with a free parameter are not built", place,
-                         "give it a value: --param " + tableau.parameters.front() + "=1");
-    }
-    const std::size_t most = most_stages / composition.steps.size();
-    if (tableau.stages() > most) {
-        throw InputError(std::to_string(composition.steps.size()) + " steps of " +
-                             std::to_string(tableau.stages()) + " stages are not built as one",
-                         place, "compose a method of at most " + std::to_string(most) + " stages");
-    }
-    if (composition.with_adjoint || is_symmetric(tableau).holds) { return; }
-    throw MathError(composition.name + " makes order " + std::to_string(composition.order) +
-                        " of symmetric methods, and this one is not its own adjoint",
-                    place, "stormer-verlet is, or midpoint; blanes-moan:6 takes any method");
+void check_composition(const Composition& composition, const DerivedMethod& method) {
+    std::visit(
+        [&](const auto& base) {
+            if (!base.parameters.empty()) {
+                throw InputError("compositions of methods with a free parameter are not built",
+                                 composition.place,
+                                 "give it a value: --param " + base.parameters.front() + "=1");
+            }
+            check_stages(composition, base);
+            check_adjoint(composition, base);
+        },
+        method);
 }
 
 Composition named_composition(const std::shared_ptr<const Source>& name) {

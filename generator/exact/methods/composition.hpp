@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "generator/exact/algebra/number_vector.hpp"
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -32,8 +32,8 @@ struct Composition {
                                         const std::optional<Composition>& composition);
 
 /// Throws MathError where the method would have to be its own adjoint, and InputError where it has
-/// a free parameter, or too many stages to plan so many steps as one.
-void check_composition(const Composition& composition, const Tableau& tableau);
+/// a free parameter, too many stages to plan so many steps as one, or an adjoint of another form.
+void check_composition(const Composition& composition, const DerivedMethod& method);
 
 /// Throws InputError, with what may have been meant.
 [[nodiscard]] Composition named_composition(const std::shared_ptr<const Source>& name);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/plan/galerkin_step.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/plan/starting_values.hpp"
+
+namespace hvi::gen {
+namespace {
+
+void note_unused_nodes(Step& step, const OneStepMethod& method) {
+    const auto* rule = std::get_if<GalerkinRule>(&method.base);
+    if (rule == nullptr) { return; }
+    for (std::size_t i = 0; i < rule->nodes(); ++i) {
+        if (rule->b[i].known_zero() != true) { continue; }
+        step.decisions.push_back(
+            {fmt::format("Q_{} is not computed", i + 1), "its weight is zero"});
+    }
+}
+
+/// All of it at once.
+void set_stages(Step& step, const GalerkinForm& form) {
+    Block all{true, {}};
+    for (const StageNode::Kind kind :
+         {StageNode::Kind::Q, StageNode::Kind::P, StageNode::Kind::Lq, StageNode::Kind::Lp}) {
+        for (std::size_t i = 0; i < form.nodes(); ++i) { all.nodes.push_back({kind, i}); }
+    }
+    step.blocks = {std::move(all)};
+    for (std::size_t i = 0; i < form.nodes(); ++i) {
+        step.positions.push_back({StageValue::Place::inner, {i}, form.b[i]});
+    }
+    step.m.resize(form.nodes());
+}
+
+}  // namespace
+
+void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system) {
+    GalerkinStep galerkin;
+    galerkin.form = galerkin_form(method.base);
+    note_unused_nodes(step, method);
+    set_stages(step, galerkin.form);
+    step.slopes = system.is_separable ? Slopes::of_parts : Slopes::joint;
+    step.partner = Partner::different;
+    step.decisions.push_back(
+        {"the velocities of the curve and the momenta at the nodes are solved for",
+         system.kinetic_is_quadratic
+             ? "the steps of a composition are taken one after the other, and those of a Nystrom "
+               "method are not built so"
+             : "d2H/dp2 is not seen to be constant, so that neither can be eliminated"});
+    if (const auto& composition = method.composition) {
+        galerkin.steps = composition->steps;
+        step.decisions.push_back({fmt::format("{} steps in a row", composition->steps.size()),
+                                  fmt::format("they make a method of order {}: {}",
+                                              composition->order, composition->name)});
+    }
+    step.decisions.push_back(
+        {"the basis is orthogonal for the rule",
+         "any basis of the span makes the same step, and with this one an iteration needs no "
+         "matrix larger than d2H/dp2"});
+    set_extrapolation(step, galerkin);
+    step.form = std::move(galerkin);
+}
+
+}  // namespace hvi::gen

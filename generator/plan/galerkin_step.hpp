@@ -1,0 +1,15 @@
+// The general Galerkin form (4.6) with its own unknowns, for any H.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/ir/one_step_method.hpp"
+#include "generator/ir/properties.hpp"
+#include "generator/ir/step.hpp"
+
+namespace hvi::gen {
+
+/// Sets what the step is made of, but for its solver: the velocities of the curve and the momenta
+/// at the nodes, solved for at once. Precondition: no free parameter.
+void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system);
+
+}  // namespace hvi::gen

@@ -1,0 +1,199 @@
+// Newton's method for the curve of a step, the momenta along it eliminated.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <hvi/detail/linear/dense.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/solvers/newton_loop.hpp>
+#include <hvi/detail/stages/system.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi {
+namespace detail {
+
+/// The equations E_i = 0 and F_j = 0 of a NewtonLoop, see CurveStages, whose unknowns are the W_j.
+/// At a node E_i = 0 gives, with the derivatives of H there,
+///
+///     dY_i = M_i Z_i - N_i dQ_i,    dLp_i = R_i dQ_i - N_i^T Z_i,    Z_i = sum_j X_ij dW_j + E_i,
+///     M_i = Hpp^-1/(h b_i),    N_i = Hpp^-1 Hpq,    R_i = h b_i (Hqp Hpp^-1 Hpq - Hqq):
+///
+/// what the second derivatives of Legendre's transform make of the curve; and F_j = 0 is left.
+template <class Vector>
+class CurveEquations {
+public:
+    template <class Coupled>
+    [[nodiscard]] bool fit(const Coupled& coupled) {
+        const auto n = static_cast<std::size_t>(coupled.s.n);
+        const std::size_t size = Coupled::functions * n;
+        if (correction_.size() == size) { return false; }
+        n_ = n;
+        J_ = SquareMatrix<Scalar>(size);
+        nodes_.assign(Coupled::nodes, Node(n));
+        Hqq_ = Hqp_ = Hpp_ = SquareMatrix<Scalar>(n);
+        column_.resize(n);
+        correction_.resize(size);
+        return true;
+    }
+
+    template <class Coupled>
+    void begin(Coupled& coupled) {
+        coupled.s.rest();
+        coupled.positions();
+        coupled.s.momenta();
+    }
+
+    template <class Coupled>
+    [[nodiscard]] bool factorise_start(const Coupled& coupled) {
+        return factorise(coupled);
+    }
+
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        J_.set_zero();
+        for (std::size_t i = 0; i < Coupled::nodes; ++i) {
+            if (!set_node(coupled, i)) { return false; }
+            for (std::size_t j = 0; j < Coupled::functions; ++j) {
+                for (std::size_t k = 0; k < Coupled::functions; ++k) { add<Coupled>(i, j, k); }
+            }
+        }
+        return factors_.compute(J_);
+    }
+
+    /// Whether J was, or should have been.
+    [[nodiscard]] bool is_finite() const {
+        return Hqq_.is_finite() && Hqp_.is_finite() && Hpp_.is_finite() && J_.is_finite();
+    }
+
+    /// NOTE: the corrected Lp_i are what the step adds up: see PairEquations.
+    template <class Coupled>
+    void correct(Coupled& coupled) {
+        auto& s = coupled.s;
+        coupled.slopes();
+        for (std::size_t i = 0; i < Coupled::nodes; ++i) {
+            nodes_[i].E = s.defect_of_velocity(i, Coupled::table_X());
+        }
+        set_right_side(coupled);
+        factors_.solve(correction_.data());
+        for (std::size_t j = 0; j < Coupled::functions; ++j) {
+            for (std::size_t k = 0; k < n_; ++k) { at(s.W[j], k) += correction_[j * n_ + k]; }
+        }
+        for (std::size_t i = 0; i < Coupled::nodes; ++i) { correct_node(coupled, i); }
+        coupled.positions();
+        s.momenta();
+    }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+
+    struct Node {
+        explicit Node(std::size_t n) : M(n), N(n), R(n) {}
+
+        SquareMatrix<Scalar> M, N, R;
+        Vector E{};
+    };
+
+    /// False where d2H/dp2 is singular or not finite.
+    template <class Coupled>
+    [[nodiscard]] bool set_node(const Coupled& coupled, std::size_t i) {
+        for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) { block->set_zero(); }
+        coupled.second_derivatives(i, Hqq_, Hqp_, Hpp_);
+        if (!is_finite() || !inverse_.compute(Hpp_)) { return false; }
+        const Scalar hb = coupled.s.hb[i];
+        Node& node = nodes_[i];
+        for (std::size_t l = 0; l < n_; ++l) {
+            for (std::size_t k = 0; k < n_; ++k) { column_[k] = k == l ? 1 : 0; }
+            inverse_.solve(column_.data());
+            for (std::size_t k = 0; k < n_; ++k) { node.M(k, l) = column_[k] / hb; }
+            for (std::size_t k = 0; k < n_; ++k) { column_[k] = Hqp_(l, k); }
+            inverse_.solve(column_.data());
+            for (std::size_t k = 0; k < n_; ++k) { node.N(k, l) = column_[k]; }
+        }
+        for (std::size_t k = 0; k < n_; ++k) {
+            for (std::size_t l = 0; l < n_; ++l) {
+                Scalar sum = -Hqq_(k, l);
+                for (std::size_t m = 0; m < n_; ++m) { sum += Hqp_(k, m) * node.N(m, l); }
+                node.R(k, l) = hb * sum;
+            }
+        }
+        return true;
+    }
+
+    /// What node i adds to dF_j/dW_k.
+    template <class Coupled>
+    void add(std::size_t i, std::size_t j, std::size_t k) {
+        const Scalar X_j = Coupled::table_X()[i][j], D_j = Coupled::table_D()[i][j];
+        const Scalar X_k = Coupled::table_X()[i][k], A_k = Coupled::table_A()[i][k];
+        const auto& [M, N, R, E] = nodes_[i];
+        for (std::size_t row = 0; row < n_; ++row) {
+            for (std::size_t column = 0; column < n_; ++column) {
+                J_(j * n_ + row, k * n_ + column) +=
+                    X_j * (X_k * M(row, column) - A_k * N(row, column)) +
+                    D_j * (X_k * N(column, row) - A_k * R(row, column));
+            }
+        }
+    }
+
+    /// -F_j at the Y_i and Lp_i that dW = 0 leads to.
+    template <class Coupled>
+    void set_right_side(const Coupled& coupled) {
+        for (std::size_t j = 0; j < Coupled::functions; ++j) {
+            const Vector F = coupled.s.defect(j, Coupled::table_X(), Coupled::table_D());
+            for (std::size_t k = 0; k < n_; ++k) {
+                Scalar sum = -at(F, k);
+                for (std::size_t i = 0; i < Coupled::nodes; ++i) {
+                    const auto& [M, N, R, E] = nodes_[i];
+                    for (std::size_t l = 0; l < n_; ++l) {
+                        sum -= (Coupled::table_X()[i][j] * M(k, l) +
+                                Coupled::table_D()[i][j] * N(l, k)) *
+                               at(E, l);
+                    }
+                }
+                correction_[j * n_ + k] = sum;
+            }
+        }
+    }
+
+    /// Y_i and Lp_i, of which the W_j are corrected.
+    template <class Coupled>
+    void correct_node(Coupled& coupled, std::size_t i) {
+        auto& [M, N, R, Z] = nodes_[i];
+        Vector dQ = Z;
+        for (std::size_t k = 0; k < n_; ++k) {
+            at(dQ, k) = 0;
+            for (std::size_t j = 0; j < Coupled::functions; ++j) {
+                at(dQ, k) += Coupled::table_A()[i][j] * correction_[j * n_ + k];
+                at(Z, k) += Coupled::table_X()[i][j] * correction_[j * n_ + k];
+            }
+        }
+        for (std::size_t k = 0; k < n_; ++k) {
+            Scalar dY = 0, dLp = 0;
+            for (std::size_t l = 0; l < n_; ++l) {
+                dY += M(k, l) * at(Z, l) - N(k, l) * at(dQ, l);
+                dLp += R(k, l) * at(dQ, l) - N(l, k) * at(Z, l);
+            }
+            at(coupled.s.Y[i], k) += dY;
+            at(coupled.s.Lp[i], k) += dLp;
+        }
+    }
+
+    std::vector<Node> nodes_;
+    SquareMatrix<Scalar> Hqq_, Hqp_, Hpp_, J_;
+    Factors<Scalar> inverse_, factors_;
+    std::vector<Scalar> column_, correction_;
+    std::size_t n_ = 0;
+};
+
+}  // namespace detail
+
+/// Solver policy of steppers of the general Galerkin form.
+struct NewtonOfCurves {
+    static constexpr bool takes_starting_values = false;
+
+    template <class Vector>
+    using Iteration = detail::NewtonLoop<Vector, detail::CurveEquations<Vector>>;
+};
+
+}  // namespace hvi
