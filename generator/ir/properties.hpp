@@ -4,9 +4,13 @@
 
 #include <cstddef>
 
-#include "generator/ir/system.hpp"
-
 namespace hvi::gen {
+
+/// Which function a scene says its motion by.
+enum class Side {
+    hamiltonian,  ///< H(q, p)
+    lagrangian,   ///< L(q, v)
+};
 
 /// Of the H of a scene what its graph proves, see Structure; of that of a class of the user what he
 /// says. What is false may be true and not seen.

@@ -41,7 +41,9 @@ std::size_t Step::velocities_evaluated() const {
 
 std::size_t Step::unknowns() const {
     if (const auto* galerkin = std::get_if<GalerkinStep>(&form)) {
-        return galerkin->form.functions() + galerkin->form.nodes();
+        const std::size_t momenta =
+            galerkin->side == Side::hamiltonian ? galerkin->form.nodes() : 0;
+        return galerkin->form.functions() + momenta;
     }
     std::size_t count = 0;
     for (const Block& block : blocks) {

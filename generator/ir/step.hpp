@@ -13,6 +13,7 @@
 #include "generator/exact/numbers/formats.hpp"
 #include "generator/exact/numbers/number.hpp"
 #include "generator/exact/parameters/parametric.hpp"
+#include "generator/ir/properties.hpp"
 #include "generator/stages/stage_node.hpp"
 
 namespace hvi::gen {
@@ -187,9 +188,11 @@ struct CurveExtrapolation {
     NumberMatrix P;  ///< nodes x nodes
 };
 
-/// The general Galerkin form (4.6) for any H: the blocks of the step are one, and there are no
-/// `momenta`, as the P_i are as many as the positions.
+/// The general Galerkin form (4.6) for any H, or (4.14) for an L, where the W_j alone are solved
+/// for and P_i = dL/dv. The blocks of the step are one, and there are no `momenta`, as the P_i are
+/// as many as the positions.
 struct GalerkinStep {
+    Side side = Side::hamiltonian;
     GalerkinForm form;
     RoundedGalerkinForm rounded;
     Iteration iteration;  ///< without extrapolation of slopes

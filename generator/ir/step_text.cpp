@@ -171,7 +171,9 @@ std::string lines(const VelocityStep& form) {
 }
 
 std::string lines(const GalerkinStep& form) {
-    std::string result = "form: curves\n" + line("b", form.form.b) + lines("phi", form.form.phi) +
+    const bool is_lagrangian = form.side == Side::lagrangian;
+    std::string result = std::string("form: curves") + (is_lagrangian ? " of L\n" : "\n") +
+                         line("b", form.form.b) + lines("phi", form.form.phi) +
                          lines("A", form.form.A) + line("B", form.form.B) +
                          line("G", form.form.gram) + lines("X", form.rounded.X) +
                          lines("A", form.rounded.A) + lines("D", form.rounded.D) +

@@ -180,6 +180,7 @@ void verify_form(const Step& step, const GalerkinStep& form) {
     HVI_CHECK(r >= s && form.form.b.size() == r && form.form.gram.size() == s);
     HVI_CHECK(is_table(form.form.phi, r, s) && is_table(form.form.A, r, s));
     verify_rounded(form.rounded, r, s);
+    HVI_CHECK(form.side == Side::hamiltonian || step.slopes == Slopes::joint);
     HVI_CHECK(!form.iteration.extrapolation);
     if (!form.extrapolation) { return; }
     HVI_CHECK(is_table(form.extrapolation->W, s, s) && is_table(form.extrapolation->P, r, r));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/graph/graph.hpp"
+#include "generator/ir/properties.hpp"
 
 namespace hvi::gen {
 
@@ -51,12 +52,6 @@ struct SystemValue {
     std::string name;
     Expression expression;  ///< as it was written
     Scaled value;
-};
-
-/// Which function a scene says its motion by.
-enum class Side {
-    hamiltonian,  ///< H(q, p)
-    lagrangian,   ///< L(q, v)
 };
 
 /// H(q, p), its variables, the right sides of Hamilton's equations up to the sign, and what else a

@@ -32,21 +32,30 @@ void set_stages(Step& step, const GalerkinForm& form) {
     step.m.resize(form.nodes());
 }
 
+Decision what_is_solved_for(const SystemProperties& system) {
+    if (system.side == Side::lagrangian) {
+        return {"the velocities of the curve are solved for",
+                "(4.14) has p = dL/dv on it, and no mass matrix is inverted in a formula"};
+    }
+    return {"the velocities of the curve and the momenta at the nodes are solved for",
+            system.kinetic_is_quadratic
+                ? "the steps of a composition are taken one after the other, and those of a "
+                  "Nystrom method are not built so"
+                : "d2H/dp2 is not seen to be constant, so that neither can be eliminated"};
+}
+
 }  // namespace
 
 void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system) {
     GalerkinStep galerkin;
+    galerkin.side = system.side;
     galerkin.form = galerkin_form(method.base);
     note_unused_nodes(step, method);
     set_stages(step, galerkin.form);
-    step.slopes = system.is_separable ? Slopes::of_parts : Slopes::joint;
+    const bool has_parts = system.side == Side::hamiltonian && system.is_separable;
+    step.slopes = has_parts ? Slopes::of_parts : Slopes::joint;
     step.partner = Partner::different;
-    step.decisions.push_back(
-        {"the velocities of the curve and the momenta at the nodes are solved for",
-         system.kinetic_is_quadratic
-             ? "the steps of a composition are taken one after the other, and those of a Nystrom "
-               "method are not built so"
-             : "d2H/dp2 is not seen to be constant, so that neither can be eliminated"});
+    step.decisions.push_back(what_is_solved_for(system));
     if (const auto& composition = method.composition) {
         galerkin.steps = composition->steps;
         step.decisions.push_back({fmt::format("{} steps in a row", composition->steps.size()),

@@ -412,16 +412,23 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
     return completed(std::move(step));
 }
 
+/// By the general Galerkin form with its own unknowns.
+Step planned_as_curves(const OneStepMethod& method, const SystemProperties& system,
+                       const StepWishes& wishes) {
+    Step step;
+    set_galerkin(step, method, system);
+    if (system.depends_on_time) { set_times(step, std::get<GalerkinStep>(step.form).form.c); }
+    set_solver(step, solver_for(wishes), system.joint_gradient_pays);
+    return completed(std::move(step));
+}
+
 Step planned(const GalerkinRule& rule, const OneStepMethod& method, const SystemProperties& system,
              const StepWishes& wishes) {
     check_general_form(rule, method.place, system);
-    Step step;
     if (!system.kinetic_is_quadratic || method.composition) {
-        set_galerkin(step, method, system);
-        if (system.depends_on_time) { set_times(step, std::get<GalerkinStep>(step.form).form.c); }
-        set_solver(step, solver_for(wishes), system.joint_gradient_pays);
-        return completed(std::move(step));
+        return planned_as_curves(method, system, wishes);
     }
+    Step step;
     step.slopes = Slopes::of_parts;
     step.partner = Partner::different;
     const Quadrature quadrature = set_rule(step, rule);
@@ -442,6 +449,7 @@ Step planned(const GalerkinRule& rule, const OneStepMethod& method, const System
 
 Step plan(const OneStepMethod& method, const SystemProperties& system, const StepWishes& wishes) {
     verify(method);
+    if (system.side == Side::lagrangian) { return planned_as_curves(method, system, wishes); }
     return std::visit([&](const auto& base) { return planned(base, method, system, wishes); },
                       method.base);
 }

@@ -1,16 +1,13 @@
 // Stage equations of a curve and the momenta along it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/clock.hpp"
+#include "generator/emit/steps/curve_tables.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/slope_calls.hpp"
 #include "generator/emit/steps/starting_values.hpp"
 
 namespace hvi::gen {
 namespace {
-
-bool takes_fixed_points(const GalerkinStep& form) {
-    return form.iteration.solver != Solver::newton;
-}
 
 /// Of an array, for loops.
 std::string unknowns(const GalerkinForm& form) {
@@ -135,90 +132,30 @@ std::string prediction(const Step& step, const GalerkinStep& form) {
 
 // ---- constants, members ----
 
-/// Rounded on its own: for starting values, and for the way to a solution.
-void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact) {
-    RoundedMatrix values;
-    for (const NumberVector& row : exact) {
-        auto& rounded = values.emplace_back();
-        for (const Number& entry : row) { rounded.push_back(nearest_or_small(entry)); }
-    }
-    table(writer, name, constants(name, exact, values));
-}
-
-std::vector<Constant> column(std::string_view name, const NumberVector& exact,
-                             const std::vector<Rounded>& values) {
-    std::vector<Constant> result;
-    for (std::size_t j = 0; j < exact.size(); ++j) {
-        result.push_back({fmt::format("{}_{}", name, j + 1), values[j], exact_text(exact[j])});
-    }
-    return result;
-}
-
-std::vector<Constant> column(std::string_view name, const NumberVector& exact) {
-    std::vector<Rounded> values;
-    for (const Number& entry : exact) { values.push_back(nearest_or_small(entry)); }
-    return column(name, exact, values);
-}
-
 /// What the iteration by fixed points takes, of phi and G.
 void write_correction(Writer& writer, const GalerkinForm& form) {
     NumberMatrix Z = form.phi;
-    NumberVector inverse_G;
-    for (std::size_t j = 0; j < form.functions(); ++j) {
-        inverse_G.push_back(Number(1) / form.gram[j]);
-        for (NumberVector& row : Z) { row[j] = row[j] * inverse_G[j]; }
+    const NumberVector inverse_G = inverses(form.gram);
+    for (NumberVector& row : Z) {
+        for (std::size_t j = 0; j < row.size(); ++j) { row[j] = row[j] * inverse_G[j]; }
     }
     writer.blank().comment(
         "Z_ij = phi_j(c_i)/G_j, which only says how fast fixed points get there.");
     rough_table(writer, "Z", Z);
-    table(writer, "inverse_G", column("1/G", inverse_G));
-}
-
-NumberMatrix weighted(const GalerkinForm& form) {
-    NumberMatrix X = form.phi;
-    for (std::size_t i = 0; i < form.nodes(); ++i) {
-        for (Number& entry : X[i]) { entry = form.b[i] * entry; }
-    }
-    return X;
-}
-
-NumberMatrix remaining(const GalerkinForm& form) {
-    NumberMatrix D = form.A;
-    for (NumberVector& row : D) {
-        for (std::size_t j = 0; j < row.size(); ++j) { row[j] = form.B[j] - row[j]; }
-    }
-    return D;
+    rough_table(writer, "inverse_G", "1/G", inverse_G);
 }
 
 std::string constants_of_curves(const Step& step, const GalerkinStep& galerkin) {
-    const GalerkinForm& form = galerkin.form;
-    const RoundedGalerkinForm& values = galerkin.rounded;
     Writer writer(1);
-    table(writer, "b", weights(step.positions));
-    refuse_float(writer, weights(step.positions));
-    if (const std::string times = times_text(step); !times.empty()) { writer.insert(times); }
-    writer.blank().comment("(4.6) in a basis phi that is orthogonal for the rule: X_ij = b_i "
-                           "phi_j(c_i), A_ij and B_j are its integrals to c_i and to 1, and D_ij = "
-                           "B_j - A_ij, rounded so that this holds exactly, and B_j is the sum of "
-                           "the X_ij.");
-    table(writer, "X", constants("X", weighted(form), values.X));
-    table(writer, "A", constants("A", form.A, values.A));
-    table(writer, "D", constants("D", remaining(form), values.D));
-    table(writer, "B", column("B", form.B, values.B));
-    writer.line("static_assert(hvi::detail::symplectic_curve(X, A, D, B), \"the method is "
-                "symplectic\");");
-    if (takes_fixed_points(galerkin)) { write_correction(writer, form); }
+    writer.insert(curve_tables(step, galerkin));
+    if (takes_fixed_points(galerkin)) { write_correction(writer, galerkin.form); }
     if (galerkin.extrapolation) {
         writer.blank().comment("W and P of the next step are about N_W and N_P times those of this "
                                "one.");
         rough_table(writer, "N_W", galerkin.extrapolation->W);
         rough_table(writer, "N_P", galerkin.extrapolation->P);
     }
-    if (!galerkin.steps.empty()) {
-        writer.blank().comment("A step is steps of these parts of h.");
-        table(writer, "gamma", column("gamma", galerkin.steps));
-    }
-    return with_rounding(writer.str());
+    return with_rounding(writer.insert(gamma_table(galerkin)).str());
 }
 
 std::string members_of_curves(const Step& step, const GalerkinStep& form) {
@@ -236,6 +173,7 @@ std::string members_of_curves(const Step& step, const GalerkinStep& form) {
 }  // namespace
 
 ImplicitParts parts(const Step& step, const GalerkinStep& form, const SceneWishes&) {
+    if (form.side == Side::lagrangian) { return lagrangian_parts(step, form); }
     ImplicitParts parts;
     parts.runtime = {"detail/coefficients/curve_coefficients", "detail/stages/curve_stages"};
     if (takes_fixed_points(form)) { parts.runtime.emplace_back("detail/linear/frozen_matrix"); }

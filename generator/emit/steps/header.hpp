@@ -24,9 +24,12 @@ namespace hvi::gen {
 [[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const GalerkinStep& form, const EmitOptions& options);
 
-/// What Newton's method solves for: `pairs`, `positions` or `curves`. Precondition: equations are
-/// iterated.
-[[nodiscard]] std::string_view name_of_newton(const Step& step);
+/// The class of Newton's method for a step that solves equations, and its header below
+/// detail/solvers.
+struct NewtonPolicy {
+    std::string header, type;
+};
+[[nodiscard]] NewtonPolicy newton_policy(const Step& step);
 
 /// Trajectories side by side.
 [[nodiscard]] std::string emit_ensemble(const OneStepMethod& method, const Step& step,

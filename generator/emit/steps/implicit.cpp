@@ -15,7 +15,7 @@ namespace {
 std::vector<std::string> solver_headers(const Step& step) {
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return {}; }
-    const std::string newton = "newton_" + std::string(name_of_newton(step));
+    const std::string newton = newton_policy(step).header;
     switch (iteration->solver) {
     case Solver::of_user:
     case Solver::fixed_point: break;

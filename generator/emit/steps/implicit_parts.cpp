@@ -17,9 +17,15 @@ NumberMatrix complement(const NumberMatrix& m) {
 
 }  // namespace
 
-std::string_view name_of_newton(const Step& step) {
-    if (std::holds_alternative<GalerkinStep>(step.form)) { return "curves"; }
-    return std::holds_alternative<PairStep>(step.form) ? "pairs" : "positions";
+NewtonPolicy newton_policy(const Step& step) {
+    if (const auto* galerkin = std::get_if<GalerkinStep>(&step.form)) {
+        return {"newton_curves", galerkin->side == Side::hamiltonian ? "hvi::NewtonOfCurves"
+                                                                     : "hvi::NewtonOfLagrangians"};
+    }
+    if (std::holds_alternative<PairStep>(step.form)) {
+        return {"newton_pairs", "hvi::NewtonOfPairs"};
+    }
+    return {"newton_positions", "hvi::NewtonOfPositions"};
 }
 
 bool is_kept(const Step& step, const StageNode& slope) {

@@ -26,6 +26,9 @@ struct ImplicitParts {
 [[nodiscard]] ImplicitParts parts(const Step& step, const GalerkinStep& form,
                                   const SceneWishes& wishes);
 
+/// (4.14). Precondition: the side is the Lagrangian one.
+[[nodiscard]] ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form);
+
 /// The same, with the stages in lanes.
 [[nodiscard]] ImplicitParts lane_parts(const Step& step, const PairStep& form,
                                        const SceneWishes& wishes);

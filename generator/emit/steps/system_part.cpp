@@ -93,9 +93,7 @@ std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& o
 }
 
 std::string solver_type(const Step& step) {
-    std::string newton(name_of_newton(step));
-    newton = fmt::format("hvi::NewtonOf{}{}", static_cast<char>(newton.front() - 'a' + 'A'),
-                         newton.substr(1));
+    const std::string newton = newton_policy(step).type;
     switch (step.iteration()->solver) {
     case Solver::of_user: break;
     case Solver::fixed_point: return "hvi::FixedPoint";

@@ -50,6 +50,42 @@ void write_member(Writer& writer, std::string_view doc, std::string_view state,
         .blank();
 }
 
+void write_initial(Writer& writer, const System& system, std::string_view state) {
+    writer.line("/// Where the scene begins.");
+    if (system.side == Side::lagrangian) {
+        writer.open("[[nodiscard]] static {} initial(const Parameters& parameters) {{", state)
+            .line("{} x;", state)
+            .line("Vector v{{}};")
+            .line("System::begin(parameters, x.q, v);")
+            .line("System(parameters).dLdv(x.q, v{}, x.p);", system.time ? ", x.t" : "")
+            .line("return x;")
+            .close();
+        writer.line("[[nodiscard]] static {} initial() {{ return initial(Parameters{{}}); }}",
+                    state);
+    } else {
+        writer
+            .open("[[nodiscard]] static constexpr {} initial(const Parameters& parameters) {{",
+                  state)
+            .line("{} x;", state)
+            .line("System::begin(parameters, x.q, x.p);")
+            .line("return x;")
+            .close();
+        writer.line(
+            "[[nodiscard]] static constexpr {} initial() {{ return initial(Parameters{{}}); }}",
+            state);
+    }
+    writer.blank();
+}
+
+/// Of L = v^T M v/2 + a v - U, from M v = p - a.
+void write_velocity(Writer& writer, const System& system, std::string_view state) {
+    writer.line("/// v of p = dL/dv(q, v); no numbers where d2L/dv2 is singular.");
+    writer.open("[[nodiscard]] Vector velocity(const {}& x) const {{", state)
+        .line("return hvi::detail::velocity_of(system_, x.q, x.p{});", system.time ? ", x.t" : "")
+        .close()
+        .blank();
+}
+
 }  // namespace
 
 std::string_view library(const SceneWishes& wishes) {
@@ -102,28 +138,19 @@ std::string parameters_text(const System& system) {
 
 std::string scene_members_text(const System& system, const SceneWishes& wishes, const Step& step) {
     const std::string_view state = state_of_one(step);
+    const bool has_velocities = system.side == Side::lagrangian;
+    const std::string variables = has_velocities ? "x.q, velocity(x)" : "x.q, x.p";
     Writer writer(1);
-    if (!system.initial.empty()) {
-        writer.line("/// Where the scene begins.");
-        writer
-            .open("[[nodiscard]] static constexpr {} initial(const Parameters& parameters) {{",
-                  state)
-            .line("{} x;", state)
-            .line("System::begin(parameters, x.q, x.p);")
-            .line("return x;")
-            .close();
-        writer.line(
-            "[[nodiscard]] static constexpr {} initial() {{ return initial(Parameters{{}}); }}",
-            state);
-        writer.blank();
-    }
+    if (!system.initial.empty()) { write_initial(writer, system, state); }
+    if (has_velocities) { write_velocity(writer, system, state); }
     if (wishes.energy) {
-        write_member(writer, "H = " + to_text(system.expression), state, "energy",
-                     system.time ? "x.q, x.p, x.t" : "x.q, x.p");
+        write_member(writer,
+                     has_velocities ? "v dL/dv - L" : "H = " + to_text(system.expression), state,
+                     "energy", variables + (system.time ? ", x.t" : ""));
     }
     if (wishes.invariants) {
         for (const SystemValue& invariant : system.invariants) {
-            write_member(writer, to_text(invariant.expression), state, invariant.name, "x.q, x.p");
+            write_member(writer, to_text(invariant.expression), state, invariant.name, variables);
         }
     }
     if (wishes.evaluations) {

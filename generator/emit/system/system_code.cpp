@@ -76,9 +76,9 @@ private:
     std::vector<Node> members_, constants_;
 };
 
-/// A function of (q, p), or of one of them.
+/// A function of (q, p), or of one of them; on the Lagrangian side of (q, v).
 struct Function {
-    std::string_view name;
+    std::string name;
     std::vector<std::string> targets;  ///< of the results; empty where the only one is returned
     Kernel kernel;
     bool has_q = true, has_p = true;  ///< among its arguments
@@ -107,9 +107,9 @@ std::vector<std::string> components(std::string_view letter, std::size_t count) 
     return names;
 }
 
-Function hessian(std::string_view name, const BlockKernel& block) {
+Function hessian(std::string name, const BlockKernel& block) {
     Function function;
-    function.name = name;
+    function.name = std::move(name);
     function.out = "Matrix& out";
     for (const auto& [row, column] : block.places) {
         function.targets.push_back(fmt::format("out({}, {})", row, column));
@@ -134,10 +134,15 @@ Function of_momenta(Function function, const Step& step) {
 
 /// Adds what iterations evaluate beside slopes.
 void add_second_derivatives(std::vector<Function>& functions, const SecondDerivatives& second,
-                            const Step& step) {
-    if (second.qq) { functions.push_back(of_positions(hessian("d2Hdq2", *second.qq), step)); }
-    if (second.qp) { functions.push_back(of_momenta(hessian("d2Hdqdp", *second.qp), step)); }
-    if (second.pp) { functions.push_back(of_momenta(hessian("d2Hdp2", *second.pp), step)); }
+                            const System& system, const Step& step) {
+    const auto name = [&](std::string_view variables) {
+        std::string text = fmt::format("d2{}{}", system.function_letter(), variables);
+        std::replace(text.begin(), text.end(), 'p', system.conjugate_letter());
+        return text;
+    };
+    if (second.qq) { functions.push_back(of_positions(hessian(name("dq2"), *second.qq), step)); }
+    if (second.qp) { functions.push_back(of_momenta(hessian(name("dqdp"), *second.qp), step)); }
+    if (second.pp) { functions.push_back(of_momenta(hessian(name("dp2"), *second.pp), step)); }
 }
 
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
@@ -173,25 +178,31 @@ Function of_lanes(Function function, const Step& step) {
 }
 
 /// A function of one result for each degree of freedom, of lanes where a step has some.
-Function slope(const System& system, const Step& step, std::string_view name,
-               const Kernel& kernel) {
+Function slope(const System& system, const Step& step, std::string name, const Kernel& kernel) {
     Function function;
-    function.name = name;
+    function.name = std::move(name);
     function.targets = components("out", system.degrees_of_freedom());
     function.kernel = kernel;
     function.out = fmt::format("{}& out", vector_type(step.has_lanes()));
     return of_lanes(std::move(function), step);
 }
 
+/// `dHdq`, or another derivative.
+std::string first_derivative(const System& system, char variable) {
+    return fmt::format("d{}d{}", system.function_letter(), variable);
+}
+
 /// dH/dq and dH/dp.
 Function both_gradients(const System& system, const Step& step, const Kernel& kernel) {
     const std::size_t n = system.degrees_of_freedom();
+    const std::string by_q = first_derivative(system, 'q');
+    const std::string by_p = first_derivative(system, system.conjugate_letter());
     Function function = slope(system, step, "gradient", kernel);
-    function.targets = components("dHdq", n);
-    for (std::string& target : components("dHdp", n)) {
+    function.targets = components(by_q, n);
+    for (std::string& target : components(by_p, n)) {
         function.targets.push_back(std::move(target));
     }
-    function.out = fmt::format("{0}& dHdq, {0}& dHdp", vector_type(step.has_lanes()));
+    function.out = fmt::format("{0}& {1}, {0}& {2}", vector_type(step.has_lanes()), by_q, by_p);
     return of_positions(std::move(function), step);
 }
 
@@ -206,11 +217,15 @@ std::vector<Function> slopes(const System& system, const Step& step,
         result.push_back(of_positions(slope(system, step, "dHdq", gradients.dHdq), step));
         result.push_back(of_momenta(slope(system, step, "dHdp", gradients.dHdp), step));
     }
+    if (system.side == Side::lagrangian) {
+        result.push_back(
+            of_momenta(slope(system, step, "dLdv", evaluations.gradients.dHdp), step));
+    }
     if (evaluations.inverse_mass) {
         result.push_back(slope(system, step, "inverse_mass", *evaluations.inverse_mass));
         result.back().has_q = false;
     }
-    if (evaluations.second) { add_second_derivatives(result, *evaluations.second, step); }
+    if (evaluations.second) { add_second_derivatives(result, *evaluations.second, system, step); }
     if (evaluations.tangents) { add_tangents(result, *evaluations.tangents, system); }
     return result;
 }
@@ -253,7 +268,7 @@ std::vector<Function> functions(const System& system, const SceneWishes& wishes,
         function.is_counted = wishes.evaluations && has_forces;
     }
     if (wishes.energy) {
-        result.push_back(value("energy", system.hamiltonian));
+        result.push_back(value("energy", system.energy));
         result.back().has_time = step.depends_on_time();
     }
     if (wishes.invariants) {
@@ -280,7 +295,8 @@ void write(Writer& writer, const System& system, NodeNames names, const Function
     }
     if (function.has_p) {
         arguments.push_back(
-            argument(uses_any(function.kernel, system.p), fmt::format("const {}& p", vector)));
+            argument(uses_any(function.kernel, system.p),
+                     fmt::format("const {}& {}", vector, system.conjugate_letter())));
     }
     if (function.has_time) {
         arguments.push_back(
@@ -336,12 +352,13 @@ void write_constructor(Writer& writer, const System& system, const GivenNodes& g
 
 void write_begin(Writer& writer, const System& system, const GivenNodes& given,
                  const Kernel& initial, std::string_view library) {
-    writer.open("static constexpr void begin({}, Vector& q, Vector& p) {{",
-                argument(uses_parameters(system, initial), "const Parameters& parameters"));
+    const char p = system.conjugate_letter();
+    writer.open("static constexpr void begin({}, Vector& q, Vector& {}) {{",
+                argument(uses_parameters(system, initial), "const Parameters& parameters"), p);
     const auto results = write_code(writer, system.graph, initial, given.of_inputs(), library);
     const std::size_t n = system.degrees_of_freedom();
     for (std::size_t k = 0; k < 2 * n; ++k) {
-        writer.line("{}[{}] = {};", k < n ? "q" : "p", k % n, results[k]);
+        writer.line("{}[{}] = {};", k < n ? 'q' : p, k % n, results[k]);
     }
     writer.close();
 }
@@ -360,11 +377,12 @@ std::string data_text(const System& system, const GivenNodes& given) {
 }
 
 std::string about(const System& system) {
-    return fmt::format("H = {}, where q is ({}) and p is ({}).", to_text(system.expression),
-                       fmt::join(system.coordinates, ", "), fmt::join(system.momenta, ", "));
+    return fmt::format("{} = {}, where q is ({}) and {} is ({}).", system.function_letter(),
+                       to_text(system.expression), fmt::join(system.coordinates, ", "),
+                       system.conjugate_letter(), fmt::join(system.conjugates(), ", "));
 }
 
-/// Coordinates, then momenta, where the scene begins.
+/// Coordinates, then momenta or velocities, where the scene begins.
 Kernel initial_values(const System& system) {
     Results results;
     for (const SystemValue& each : system.initial) { results.push_back(each.value); }

@@ -1,4 +1,4 @@
-// Newton's method for the curve of a step, the momenta along it eliminated.
+// Newton's method for the curve of a step, of a Hamiltonian or of a Lagrangian.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,14 +14,124 @@
 namespace hvi {
 namespace detail {
 
-/// The equations E_i = 0 and F_j = 0 of a NewtonLoop, see CurveStages, whose unknowns are the W_j.
-/// At a node E_i = 0 gives, with the derivatives of H there,
+/// A node of a curve, linearised: with the right sides E_i,
 ///
-///     dY_i = M_i Z_i - N_i dQ_i,    dLp_i = R_i dQ_i - N_i^T Z_i,    Z_i = sum_j X_ij dW_j + E_i,
-///     M_i = Hpp^-1/(h b_i),    N_i = Hpp^-1 Hpq,    R_i = h b_i (Hqp Hpp^-1 Hpq - Hqq):
-///
-/// what the second derivatives of Legendre's transform make of the curve; and F_j = 0 is left.
+///     dY_i = M_i Z_i - N_i dQ_i,    dLp_i = R_i dQ_i - N_i^T Z_i,    Z_i = sum_j X_ij dW_j + E_i.
 template <class Vector>
+struct LinearNode {
+    using Scalar = ScalarOf<Vector>;
+
+    explicit LinearNode(std::size_t n) : M(n), N(n), R(n) {}
+
+    SquareMatrix<Scalar> M, N, R;
+    Vector E{};
+};
+
+/// The nodes of CurveStages, whose momenta are eliminated: E_i = 0 gives, with the derivatives of H
+/// there,
+///
+///     M_i = Hpp^-1/(h b_i),    N_i = Hpp^-1 Hpq,    R_i = h b_i (Hqp Hpp^-1 Hpq - Hqq),
+///
+/// what the second derivatives of Legendre's transform make of the curve.
+template <class Vector>
+class HamiltonianNodes {
+public:
+    void resize(std::size_t n) {
+        n_ = n;
+        Hqq_ = Hqp_ = Hpp_ = SquareMatrix<Scalar>(n);
+        column_.resize(n);
+    }
+
+    [[nodiscard]] bool is_finite() const {
+        return Hqq_.is_finite() && Hqp_.is_finite() && Hpp_.is_finite();
+    }
+
+    /// False where d2H/dp2 is singular or not finite.
+    template <class Coupled>
+    [[nodiscard]] bool linearise(const Coupled& coupled, std::size_t i, LinearNode<Vector>& node) {
+        for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) { block->set_zero(); }
+        coupled.second_derivatives(i, Hqq_, Hqp_, Hpp_);
+        if (!is_finite() || !inverse_.compute(Hpp_)) { return false; }
+        const Scalar hb = coupled.s.hb[i];
+        for (std::size_t l = 0; l < n_; ++l) {
+            for (std::size_t k = 0; k < n_; ++k) { column_[k] = k == l ? 1 : 0; }
+            inverse_.solve(column_.data());
+            for (std::size_t k = 0; k < n_; ++k) { node.M(k, l) = column_[k] / hb; }
+            for (std::size_t k = 0; k < n_; ++k) { column_[k] = Hqp_(l, k); }
+            inverse_.solve(column_.data());
+            for (std::size_t k = 0; k < n_; ++k) { node.N(k, l) = column_[k]; }
+        }
+        for (std::size_t k = 0; k < n_; ++k) {
+            for (std::size_t l = 0; l < n_; ++l) {
+                Scalar sum = -Hqq_(k, l);
+                for (std::size_t m = 0; m < n_; ++m) { sum += Hqp_(k, m) * node.N(m, l); }
+                node.R(k, l) = hb * sum;
+            }
+        }
+        return true;
+    }
+
+    template <class Coupled>
+    [[nodiscard]] static Vector right_side(const Coupled& coupled, std::size_t i) {
+        return coupled.s.defect_of_velocity(i, Coupled::table_X());
+    }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+
+    SquareMatrix<Scalar> Hqq_, Hqp_, Hpp_;
+    Factors<Scalar> inverse_;
+    std::vector<Scalar> column_;
+    std::size_t n_ = 0;
+};
+
+/// The nodes of LagrangianStages, where E_i = 0 and
+///
+///     M_i = Lvv/(h b_i),    N_i = -Lvq,    R_i = h b_i Lqq.
+template <class Vector>
+class LagrangianNodes {
+public:
+    void resize(std::size_t n) {
+        n_ = n;
+        Lqq_ = Lqv_ = Lvv_ = SquareMatrix<Scalar>(n);
+    }
+
+    [[nodiscard]] bool is_finite() const {
+        return Lqq_.is_finite() && Lqv_.is_finite() && Lvv_.is_finite();
+    }
+
+    template <class Coupled>
+    [[nodiscard]] bool linearise(const Coupled& coupled, std::size_t i, LinearNode<Vector>& node) {
+        for (SquareMatrix<Scalar>* block : {&Lqq_, &Lqv_, &Lvv_}) { block->set_zero(); }
+        coupled.second_derivatives(i, Lqq_, Lqv_, Lvv_);
+        const Scalar hb = coupled.s.hb[i];
+        for (std::size_t k = 0; k < n_; ++k) {
+            for (std::size_t l = 0; l < n_; ++l) {
+                node.M(k, l) = Lvv_(k, l) / hb;
+                node.N(k, l) = -Lqv_(l, k);
+                node.R(k, l) = hb * Lqq_(k, l);
+            }
+        }
+        return is_finite();
+    }
+
+    template <class Coupled>
+    [[nodiscard]] static Vector right_side(const Coupled& coupled, std::size_t i) {
+        Vector none = coupled.s.Y[i];
+        for (auto& value : none) { value = 0; }
+        return none;
+    }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+
+    SquareMatrix<Scalar> Lqq_, Lqv_, Lvv_;
+    std::size_t n_ = 0;
+};
+
+/// The equations F_j = 0 of a NewtonLoop, see Curve, whose unknowns are the W_j; of what they are
+/// at the nodes `Nodes` knows.
+template <class Vector, class Nodes>
 class CurveEquations {
 public:
     template <class Coupled>
@@ -31,9 +141,8 @@ public:
         if (correction_.size() == size) { return false; }
         n_ = n;
         J_ = SquareMatrix<Scalar>(size);
-        nodes_.assign(Coupled::nodes, Node(n));
-        Hqq_ = Hqp_ = Hpp_ = SquareMatrix<Scalar>(n);
-        column_.resize(n);
+        nodes_.assign(Coupled::nodes, LinearNode<Vector>(n));
+        derivatives_.resize(n);
         correction_.resize(size);
         return true;
     }
@@ -54,7 +163,7 @@ public:
     [[nodiscard]] bool factorise(const Coupled& coupled) {
         J_.set_zero();
         for (std::size_t i = 0; i < Coupled::nodes; ++i) {
-            if (!set_node(coupled, i)) { return false; }
+            if (!derivatives_.linearise(coupled, i, nodes_[i])) { return false; }
             for (std::size_t j = 0; j < Coupled::functions; ++j) {
                 for (std::size_t k = 0; k < Coupled::functions; ++k) { add<Coupled>(i, j, k); }
             }
@@ -63,9 +172,7 @@ public:
     }
 
     /// Whether J was, or should have been.
-    [[nodiscard]] bool is_finite() const {
-        return Hqq_.is_finite() && Hqp_.is_finite() && Hpp_.is_finite() && J_.is_finite();
-    }
+    [[nodiscard]] bool is_finite() const { return derivatives_.is_finite() && J_.is_finite(); }
 
     /// NOTE: the corrected Lp_i are what the step adds up: see PairEquations.
     template <class Coupled>
@@ -73,7 +180,7 @@ public:
         auto& s = coupled.s;
         coupled.slopes();
         for (std::size_t i = 0; i < Coupled::nodes; ++i) {
-            nodes_[i].E = s.defect_of_velocity(i, Coupled::table_X());
+            nodes_[i].E = Nodes::right_side(coupled, i);
         }
         set_right_side(coupled);
         factors_.solve(correction_.data());
@@ -87,39 +194,6 @@ public:
 
 private:
     using Scalar = ScalarOf<Vector>;
-
-    struct Node {
-        explicit Node(std::size_t n) : M(n), N(n), R(n) {}
-
-        SquareMatrix<Scalar> M, N, R;
-        Vector E{};
-    };
-
-    /// False where d2H/dp2 is singular or not finite.
-    template <class Coupled>
-    [[nodiscard]] bool set_node(const Coupled& coupled, std::size_t i) {
-        for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) { block->set_zero(); }
-        coupled.second_derivatives(i, Hqq_, Hqp_, Hpp_);
-        if (!is_finite() || !inverse_.compute(Hpp_)) { return false; }
-        const Scalar hb = coupled.s.hb[i];
-        Node& node = nodes_[i];
-        for (std::size_t l = 0; l < n_; ++l) {
-            for (std::size_t k = 0; k < n_; ++k) { column_[k] = k == l ? 1 : 0; }
-            inverse_.solve(column_.data());
-            for (std::size_t k = 0; k < n_; ++k) { node.M(k, l) = column_[k] / hb; }
-            for (std::size_t k = 0; k < n_; ++k) { column_[k] = Hqp_(l, k); }
-            inverse_.solve(column_.data());
-            for (std::size_t k = 0; k < n_; ++k) { node.N(k, l) = column_[k]; }
-        }
-        for (std::size_t k = 0; k < n_; ++k) {
-            for (std::size_t l = 0; l < n_; ++l) {
-                Scalar sum = -Hqq_(k, l);
-                for (std::size_t m = 0; m < n_; ++m) { sum += Hqp_(k, m) * node.N(m, l); }
-                node.R(k, l) = hb * sum;
-            }
-        }
-        return true;
-    }
 
     /// What node i adds to dF_j/dW_k.
     template <class Coupled>
@@ -179,10 +253,11 @@ private:
         }
     }
 
-    std::vector<Node> nodes_;
-    SquareMatrix<Scalar> Hqq_, Hqp_, Hpp_, J_;
-    Factors<Scalar> inverse_, factors_;
-    std::vector<Scalar> column_, correction_;
+    Nodes derivatives_;
+    std::vector<LinearNode<Vector>> nodes_;
+    SquareMatrix<Scalar> J_;
+    Factors<Scalar> factors_;
+    std::vector<Scalar> correction_;
     std::size_t n_ = 0;
 };
 
@@ -193,7 +268,18 @@ struct NewtonOfCurves {
     static constexpr bool takes_starting_values = false;
 
     template <class Vector>
-    using Iteration = detail::NewtonLoop<Vector, detail::CurveEquations<Vector>>;
+    using Iteration =
+        detail::NewtonLoop<Vector,
+                           detail::CurveEquations<Vector, detail::HamiltonianNodes<Vector>>>;
+};
+
+/// The same for Lagrangians.
+struct NewtonOfLagrangians {
+    static constexpr bool takes_starting_values = false;
+
+    template <class Vector>
+    using Iteration =
+        detail::NewtonLoop<Vector, detail::CurveEquations<Vector, detail::LagrangianNodes<Vector>>>;
 };
 
 }  // namespace hvi

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/curve_tables.hpp"
+
+#include "generator/emit/steps/clock.hpp"
+#include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/ir/equal.hpp"
+
+namespace hvi::gen {
+namespace {
+
+std::vector<Constant> column(std::string_view name, const NumberVector& exact,
+                             const std::vector<Rounded>& values) {
+    std::vector<Constant> result;
+    for (std::size_t j = 0; j < exact.size(); ++j) {
+        result.push_back({fmt::format("{}_{}", name, j + 1), values[j], exact_text(exact[j])});
+    }
+    return result;
+}
+
+std::vector<Constant> column(std::string_view name, const NumberVector& exact) {
+    std::vector<Rounded> values;
+    for (const Number& entry : exact) { values.push_back(nearest_or_small(entry)); }
+    return column(name, exact, values);
+}
+
+NumberMatrix weighted(const GalerkinForm& form) {
+    NumberMatrix X = form.phi;
+    for (std::size_t i = 0; i < form.nodes(); ++i) {
+        for (Number& entry : X[i]) { entry = form.b[i] * entry; }
+    }
+    return X;
+}
+
+NumberMatrix remaining(const GalerkinForm& form) {
+    NumberMatrix D = form.A;
+    for (NumberVector& row : D) {
+        for (std::size_t j = 0; j < row.size(); ++j) { row[j] = form.B[j] - row[j]; }
+    }
+    return D;
+}
+
+}  // namespace
+
+std::string curve_tables(const Step& step, const GalerkinStep& galerkin) {
+    const GalerkinForm& form = galerkin.form;
+    const RoundedGalerkinForm& values = galerkin.rounded;
+    Writer writer(1);
+    table(writer, "b", weights(step.positions));
+    refuse_float(writer, weights(step.positions));
+    if (const std::string times = times_text(step); !times.empty()) { writer.insert(times); }
+    const std::string_view equation = galerkin.side == Side::hamiltonian ? "(4.6)" : "(4.14)";
+    writer.blank().comment(
+        fmt::format("{} in a basis phi that is orthogonal for the rule: X_ij = b_i phi_j(c_i), "
+                    "A_ij and B_j are its integrals to c_i and to 1, and D_ij = B_j - A_ij, "
+                    "rounded so that this holds exactly, and B_j is the sum of the X_ij.",
+                    equation));
+    table(writer, "X", constants("X", weighted(form), values.X));
+    table(writer, "A", constants("A", form.A, values.A));
+    table(writer, "D", constants("D", remaining(form), values.D));
+    table(writer, "B", column("B", form.B, values.B));
+    writer.line("static_assert(hvi::detail::symplectic_curve(X, A, D, B), \"the method is "
+                "symplectic\");");
+    return writer.str();
+}
+
+std::string gamma_table(const GalerkinStep& form) {
+    if (form.steps.empty()) { return {}; }
+    Writer writer(1);
+    writer.blank().comment("A step is steps of these parts of h.");
+    table(writer, "gamma", column("gamma", form.steps));
+    return writer.str();
+}
+
+void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact) {
+    RoundedMatrix values;
+    for (const NumberVector& row : exact) {
+        auto& rounded = values.emplace_back();
+        for (const Number& entry : row) { rounded.push_back(nearest_or_small(entry)); }
+    }
+    table(writer, name, constants(name, exact, values));
+}
+
+void rough_table(Writer& writer, std::string_view name, std::string_view formula,
+                 const NumberVector& exact) {
+    table(writer, name, column(formula, exact));
+}
+
+NumberVector inverses(const NumberVector& numbers) {
+    NumberVector result;
+    for (const Number& number : numbers) { result.push_back(Number(1) / number); }
+    return result;
+}
+
+bool takes_fixed_points(const GalerkinStep& form) {
+    return form.iteration.solver != Solver::newton;
+}
+
+}  // namespace hvi::gen

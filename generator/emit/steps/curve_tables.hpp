@@ -1,0 +1,30 @@
+// The tables of the general Galerkin form, of (4.6) and of (4.14).
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "generator/emit/steps/header.hpp"
+
+namespace hvi::gen {
+
+/// b, X, A, D and B, and c where the system depends on time.
+[[nodiscard]] std::string curve_tables(const Step& step, const GalerkinStep& form);
+
+/// The parts of a composition; empty where there is none.
+[[nodiscard]] std::string gamma_table(const GalerkinStep& form);
+
+/// Each entry rounded on its own: for starting values, and for the way to a solution.
+void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact);
+/// `formula` is what comments call the entries.
+void rough_table(Writer& writer, std::string_view name, std::string_view formula,
+                 const NumberVector& exact);
+
+/// 1/x of each.
+[[nodiscard]] NumberVector inverses(const NumberVector& numbers);
+
+/// Fixed points are iterated, at first or throughout.
+[[nodiscard]] bool takes_fixed_points(const GalerkinStep& form);
+
+}  // namespace hvi::gen
