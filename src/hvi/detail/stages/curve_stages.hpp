@@ -50,28 +50,28 @@ struct Curve : StepMemory<Vector> {
     /// Q_i, and by how much they change.
     void positions(const Table& A) {
         for (Index k = 0; k < this->n; ++k) {
-            Scalar change = 0;
+            Scalar distance = 0;
             for (std::size_t i = 0; i < nodes; ++i) {
                 Scalar increment = 0;
                 for (std::size_t j = 0; j < functions; ++j) { increment += A[i][j] * W[j][k]; }
                 const Scalar Q_i = moved(this->at.q[k], this->remainder.q[k] + increment);
-                change += abs(Q_i - Q[i][k]);
+                distance += abs(Q_i - Q[i][k]);
                 Q[i][k] = Q_i;
             }
-            this->change.q[k] = change;
+            this->change.q[k] = distance;
         }
     }
 
     /// P_i, and by how much they change.
     void momenta() {
         for (Index k = 0; k < this->n; ++k) {
-            Scalar change = 0;
+            Scalar distance = 0;
             for (std::size_t i = 0; i < nodes; ++i) {
                 const Scalar P_i = moved(this->at.p[k], this->remainder.p[k] + Y[i][k]);
-                change += abs(P_i - P[i][k]);
+                distance += abs(P_i - P[i][k]);
                 P[i][k] = P_i;
             }
-            this->change.p[k] = change;
+            this->change.p[k] = distance;
         }
     }
 
