@@ -62,8 +62,19 @@ private:
     Graph& graph_;
 };
 
-/// All inputs, each at a number of its own; the variables at others in each of two points.
-SymbolValues point(const Graph& graph, std::size_t step) {
+/// NOTE: only to save work, and to refuse is always right: what differs between two points is not
+/// tried to be proved constant, which can take long.
+bool seems_constant(const Graph& graph, const Expression& expression) {
+    try {
+        const Ball first = value_at(expression, sample_point(graph, 0), nullptr);
+        const Ball second = value_at(expression, sample_point(graph, 1), nullptr);
+        return arb_is_finite(first.get()) != 0 && arb_overlaps(first.get(), second.get()) != 0;
+    } catch (const MathError&) { return false; }
+}
+
+}  // namespace
+
+SymbolValues sample_point(const Graph& graph, std::size_t step) {
     SymbolValues values;
     for (Node node = 0; node < graph.size(); ++node) {
         const Computation& computation = graph.at(node);
@@ -74,18 +85,6 @@ SymbolValues point(const Graph& graph, std::size_t step) {
     }
     return values;
 }
-
-/// NOTE: only to save work, and to refuse is always right: what differs between two points is not
-/// tried to be proved constant, which can take long.
-bool seems_constant(const Graph& graph, const Expression& expression) {
-    try {
-        const Ball first = value_at(expression, point(graph, 0), nullptr);
-        const Ball second = value_at(expression, point(graph, 1), nullptr);
-        return arb_is_finite(first.get()) != 0 && arb_overlaps(first.get(), second.get()) != 0;
-    } catch (const MathError&) { return false; }
-}
-
-}  // namespace
 
 std::optional<Scaled> at_origin(Graph& graph, const Scaled& a) { return AtOrigin(graph)(a); }
 

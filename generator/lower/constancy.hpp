@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "generator/graph/graph.hpp"
+#include "generator/scene/value_at.hpp"
 
 namespace hvi::gen {
 
@@ -14,5 +15,8 @@ namespace hvi::gen {
 /// A node of parameters and constants alone that has this value for all variables, where there is
 /// one and that is proved: by the graph, or in a field in which variables and parameters are free.
 [[nodiscard]] std::optional<Scaled> constant_value(Graph& graph, const Scaled& a);
+
+/// All inputs, each at a number of its own; the variables at others for each `step`.
+[[nodiscard]] SymbolValues sample_point(const Graph& graph, std::size_t step);
 
 }  // namespace hvi::gen

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/kinetic_rank.hpp"
 
+#include <arb_mat.h>
+
 #include <utility>
 
 #include "generator/exact/algebra/number_vector.hpp"
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/graph/written.hpp"
+#include "generator/lower/constancy.hpp"
+#include "generator/scene/value_at.hpp"
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -44,13 +49,56 @@ std::size_t rank(NumberMatrix rows) {
     return rank;
 }
 
-}  // namespace
+/// The matrix d2H/dp2 at a point, by enclosures.
+struct MatrixOfBalls {
+    explicit MatrixOfBalls(std::size_t size) { arb_mat_init(entries, slong(size), slong(size)); }
+    MatrixOfBalls(const MatrixOfBalls&) = delete;
+    MatrixOfBalls& operator=(const MatrixOfBalls&) = delete;
+    ~MatrixOfBalls() { arb_mat_clear(entries); }
 
-std::optional<std::size_t> kinetic_rank(const System& system) {
+    arb_mat_t entries;
+};
+
+/// Whether it is proved to be regular at one of some points. Then it is at almost all.
+bool is_regular_somewhere(const System& system) {
+    constexpr std::size_t points = 3;
+    const auto& pp = system.structure.pp;
+    for (std::size_t step = 0; step < points; ++step) {
+        try {
+            const SymbolValues point = sample_point(system.graph, step);
+            MatrixOfBalls K(pp.size());
+            for (std::size_t i = 0; i < pp.size(); ++i) {
+                for (std::size_t j = 0; j < pp.size(); ++j) {
+                    const auto text = written(system.graph, pp[i][j]);
+                    if (!text) { return false; }
+                    arb_set(arb_mat_entry(K.entries, slong(i), slong(j)),
+                            value_at(*text, point, nullptr).get());
+                }
+            }
+            Ball determinant;
+            arb_mat_det(determinant.get(), K.entries, first_precision);
+            if (arb_is_finite(determinant.get()) != 0 && determinant.sign() != 0) { return true; }
+        } catch (const MathError&) { continue; }  // H is not defined there
+    }
+    return false;
+}
+
+std::optional<std::size_t> rank_with_free_symbols(const System& system) {
     return on_new_ground([&](const Ground& ground) -> std::optional<std::size_t> {
         const auto K = kinetic_matrix(system, ground);
         return K ? std::optional(rank(*K)) : std::nullopt;
     });
+}
+
+}  // namespace
+
+std::optional<std::size_t> kinetic_rank(const System& system) {
+    if (is_regular_somewhere(system)) { return system.degrees_of_freedom(); }
+    try {
+        return rank_with_free_symbols(system);
+    } catch (const InputError&) { return std::nullopt; } catch (const MathError&) {
+        return std::nullopt;
+    }
 }
 
 }  // namespace hvi::gen

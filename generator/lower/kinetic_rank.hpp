@@ -1,4 +1,4 @@
-// The rank of the matrix of a quadratic kinetic energy.
+// The rank of d2H/dp2.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace hvi::gen {
 
-/// Of K in H = p^T K p/2 + U(q), by exact elimination with the parameters for free symbols: what
-/// they make singular at single values is not. Empty where an entry is too long to be written.
-/// Precondition: kinetic_is_quadratic.
+/// Of d2H/dp2 for almost all q, p, t and parameters: what these make singular at single values is
+/// not. Regular where enclosures prove it at one point, else by exact elimination with all of them
+/// for free symbols. Empty where an entry is too long to be written, or beyond that arithmetic.
 [[nodiscard]] std::optional<std::size_t> kinetic_rank(const System& system);
 
 }  // namespace hvi::gen

@@ -94,7 +94,7 @@ std::string steps_of_curves(const Step& step, const GalerkinStep& form) {
     Writer writer(2);
     writer.line("s_.weigh(b);");
     if (takes_fixed_points(form)) {
-        writer.open("const bool is_regular = kinetic_.compute(s_.n, [&](auto& out) {{")
+        writer.open("const bool is_regular = kinetic_.compute([&](auto& out) {{")
             .line("system_.{};", hessian_pp_call(step, start_of_step(step), "out"))
             .close("});");
         writer.open("if (!is_regular) {{")

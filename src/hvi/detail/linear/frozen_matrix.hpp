@@ -3,58 +3,61 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include <hvi/detail/linear/dense.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/detail/stages/system.hpp>
 
 namespace hvi::detail {
 
 /// A square matrix and its inverse. NOTE: good enough for what only says how an iteration gets to
-/// its end, not where that is.
+/// its end, not where that is. Precondition: vectors are of fixed size.
 template <class Vector>
 class FrozenMatrix {
 public:
     /// `fill` sets the entries that are not zero. False where the matrix is singular or not finite.
     template <class Fill>
-    [[nodiscard]] bool compute(std::size_t n, Fill fill) {
-        if (matrix_.size() != n) {
-            matrix_ = inverse_ = SquareMatrix<Scalar>(n);
-            column_.resize(n);
-        }
-        matrix_.set_zero();
-        fill(matrix_);
-        if (!factors_.compute(matrix_)) { return false; }
+    [[nodiscard]] bool compute(Fill fill) {
+        computed_.set_zero();
+        fill(computed_);
+        if (!factors_.compute(computed_)) { return false; }
+        bool is_finite = true;
         for (std::size_t j = 0; j < n; ++j) {
-            for (std::size_t i = 0; i < n; ++i) { column_[i] = i == j ? 1 : 0; }
-            factors_.solve(column_.data());
-            for (std::size_t i = 0; i < n; ++i) { inverse_(i, j) = column_[i]; }
+            Scalar column[n] = {};
+            column[j] = 1;
+            factors_.solve(column);
+            for (std::size_t i = 0; i < n; ++i) {
+                matrix_[i][j] = computed_(i, j);
+                inverse_[i][j] = column[i];
+                is_finite = is_finite && detail::is_finite(column[i]);
+            }
         }
-        return inverse_.is_finite();
+        return is_finite;
     }
 
-    [[nodiscard]] bool is_finite() const { return matrix_.is_finite(); }
+    [[nodiscard]] bool is_finite() const { return computed_.is_finite(); }
 
     [[nodiscard]] Vector times(const Vector& v) const { return product(matrix_, v); }
     [[nodiscard]] Vector inverse_times(const Vector& v) const { return product(inverse_, v); }
 
 private:
     using Scalar = ScalarOf<Vector>;
+    static constexpr std::size_t n = fixed_size<Vector>();
 
-    [[nodiscard]] static Vector product(const SquareMatrix<Scalar>& matrix, const Vector& v) {
+    [[nodiscard]] static Vector product(const Scalar (&matrix)[n][n], const Vector& v) {
         Vector result = v;
-        for (std::size_t i = 0; i < matrix.size(); ++i) {
+        for (std::size_t i = 0; i < n; ++i) {
             Scalar sum = 0;
-            for (std::size_t j = 0; j < matrix.size(); ++j) { sum += matrix(i, j) * at(v, j); }
+            for (std::size_t j = 0; j < n; ++j) { sum += matrix[i][j] * at(v, j); }
             at(result, i) = sum;
         }
         return result;
     }
 
-    SquareMatrix<Scalar> matrix_, inverse_;
+    SquareMatrix<Scalar> computed_ = SquareMatrix<Scalar>(n);
     Factors<Scalar> factors_;
-    std::vector<Scalar> column_;
+    Scalar matrix_[n][n] = {}, inverse_[n][n] = {};
 };
 
 }  // namespace hvi::detail

@@ -49,36 +49,36 @@ struct Curve : StepMemory<Vector> {
 
     /// Q_i, and by how much they change.
     void positions(const Table& A) {
-        for (Index k = 0; k < this->n; ++k) {
-            Scalar change = 0;
+        for (Index k = 0; k < this->at.q.size(); ++k) {
+            Scalar distance = 0;
             for (std::size_t i = 0; i < nodes; ++i) {
                 Scalar increment = 0;
                 for (std::size_t j = 0; j < functions; ++j) { increment += A[i][j] * W[j][k]; }
                 const Scalar Q_i = moved(this->at.q[k], this->remainder.q[k] + increment);
-                change += abs(Q_i - Q[i][k]);
+                distance += abs(Q_i - Q[i][k]);
                 Q[i][k] = Q_i;
             }
-            this->change.q[k] = change;
+            this->change.q[k] = distance;
         }
     }
 
     /// P_i, and by how much they change.
     void momenta() {
-        for (Index k = 0; k < this->n; ++k) {
-            Scalar change = 0;
+        for (Index k = 0; k < this->at.q.size(); ++k) {
+            Scalar distance = 0;
             for (std::size_t i = 0; i < nodes; ++i) {
                 const Scalar P_i = moved(this->at.p[k], this->remainder.p[k] + Y[i][k]);
-                change += abs(P_i - P[i][k]);
+                distance += abs(P_i - P[i][k]);
                 P[i][k] = P_i;
             }
-            this->change.p[k] = change;
+            this->change.p[k] = distance;
         }
     }
 
     /// F_j.
     [[nodiscard]] Vector defect(std::size_t j, const Table& X, const Table& D) const {
         Vector F = Y[0];
-        for (Index k = 0; k < this->n; ++k) {
+        for (Index k = 0; k < this->at.q.size(); ++k) {
             Scalar sum = 0;
             for (std::size_t i = 0; i < nodes; ++i) {
                 sum += X[i][j] * Y[i][k] - D[i][j] * Lp[i][k];
@@ -105,7 +105,7 @@ struct Curve : StepMemory<Vector> {
 
     /// Moves `at` to the end of the step.
     void advance(const Scalar (&B)[functions]) {
-        for (Index k = 0; k < this->n; ++k) {
+        for (Index k = 0; k < this->at.q.size(); ++k) {
             Scalar way = 0, kick = 0;
             for (std::size_t j = 0; j < functions; ++j) { way += B[j] * W[j][k]; }
             for (const Vector& Lp_i : Lp) { kick += Lp_i[k]; }
@@ -141,7 +141,7 @@ struct CurveStages : Curve<Vector, nodes, functions> {
 
     /// From the derivatives of H at node i.
     void set_slopes(std::size_t i, const Vector& dHdq, const Vector& dHdp) {
-        for (Index k = 0; k < this->n; ++k) {
+        for (Index k = 0; k < this->at.q.size(); ++k) {
             this->Lp[i][k] = -this->hb[i] * dHdq[k];
             Lq[i][k] = this->hb[i] * dHdp[k];
         }
@@ -155,7 +155,7 @@ struct CurveStages : Curve<Vector, nodes, functions> {
     /// E_i.
     [[nodiscard]] Vector defect_of_velocity(std::size_t i, const Table& X) const {
         Vector E = Lq[i];
-        for (Index k = 0; k < this->n; ++k) {
+        for (Index k = 0; k < this->at.q.size(); ++k) {
             Scalar sum = 0;
             for (std::size_t j = 0; j < functions; ++j) { sum += X[i][j] * this->W[j][k]; }
             E[k] = sum - Lq[i][k];
@@ -176,7 +176,7 @@ struct CurveStages : Curve<Vector, nodes, functions> {
         std::array<Vector, functions> dW;
         for (std::size_t j = 0; j < functions; ++j) {
             dW[j] = K.times(this->defect(j, X, D));
-            for (Index k = 0; k < this->n; ++k) {
+            for (Index k = 0; k < this->at.q.size(); ++k) {
                 Scalar sum = this->h * inverse_G[j] * dW[j][k];
                 for (std::size_t i = 0; i < nodes; ++i) { sum += Z[i][j] * E[i][k]; }
                 dW[j][k] = -sum;
@@ -184,18 +184,18 @@ struct CurveStages : Curve<Vector, nodes, functions> {
             }
         }
         for (std::size_t i = 0; i < nodes; ++i) {
-            for (Index k = 0; k < this->n; ++k) {
+            for (Index k = 0; k < this->at.q.size(); ++k) {
                 for (std::size_t j = 0; j < functions; ++j) { E[i][k] += X[i][j] * dW[j][k]; }
                 E[i][k] /= this->hb[i];
             }
             const Vector dY = K.inverse_times(E[i]);
-            for (Index k = 0; k < this->n; ++k) { this->Y[i][k] += dY[k]; }
+            for (Index k = 0; k < this->at.q.size(); ++k) { this->Y[i][k] += dY[k]; }
         }
     }
 
     /// Starting values: the curve of the last step, and the polynomial through its momenta.
     void extrapolate(const Scalar (&N_W)[functions][functions], const Scalar (&N_P)[nodes][nodes]) {
-        for (Index k = 0; k < this->n; ++k) {
+        for (Index k = 0; k < this->at.q.size(); ++k) {
             std::array<Scalar, functions> W_k;
             std::array<Scalar, nodes> P_k;
             for (std::size_t j = 0; j < functions; ++j) { W_k[j] = this->W[j][k]; }
