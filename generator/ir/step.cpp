@@ -41,9 +41,8 @@ std::size_t Step::velocities_evaluated() const {
 
 std::size_t Step::unknowns() const {
     if (const auto* galerkin = std::get_if<GalerkinStep>(&form)) {
-        const std::size_t momenta =
-            galerkin->side == Side::hamiltonian ? galerkin->form.nodes() : 0;
-        return galerkin->form.functions() + momenta;
+        const GalerkinForm& of = galerkin->form;
+        return of.functions() + (galerkin->side == Side::hamiltonian ? of.nodes() : 0);
     }
     std::size_t count = 0;
     for (const Block& block : blocks) {

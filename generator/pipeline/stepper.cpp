@@ -4,6 +4,7 @@
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
+#include "generator/hamiltonian/legendre.hpp"
 #include "generator/lower/kinetic_rank.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/plan/lanes.hpp"
@@ -34,6 +35,17 @@ void check_rank(const OneStepMethod& method, const System& system) {
                         std::to_string(*rank) + " of " +
                         std::to_string(system.degrees_of_freedom()),
                     method.place, "take as many nodes as functions");
+}
+
+/// Whether (4.14) is built for the L of a scene; nothing is asked of an H.
+void check_lagrangian(const Method& method, const Scene& scene, const StepperWishes& wishes) {
+    const auto* L = std::get_if<Lagrangian>(&scene.mechanics);
+    if (L == nullptr) return;
+    check_regular(*L);
+    if (wishes.dense)
+        throw InputError("--dense is not built for scenes with a Lagrangian", scene.place,
+                         "the scene of its Hamiltonian takes it: `hvi-gen scheme` prints that");
+    static_cast<void>(method);
 }
 
 /// What is wished for and not built.
@@ -128,10 +140,11 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
     SceneWishes members{wishes.energy, wishes.invariants, wishes.evaluations, wishes.float128, {}};
     check_members(scene, members);
     check_start(scene);
+    check_lagrangian(wished, scene, wishes);
     auto [method, curve] = derived(wished, wishes);
     members.curve = std::move(curve);
     System system = system_of(scene);
-    check_rank(method, system);
+    if (system.side == Side::hamiltonian) check_rank(method, system);
     GradientKernels gradients = gradient_kernels(system);
     Step step = planned(method, properties(system, gradients), scene, wishes);
     Evaluations evaluations = hvi::gen::evaluations(system, std::move(gradients), step);

@@ -63,7 +63,7 @@ std::string steps_of_lagrangian(const Step& step, const GalerkinStep& form) {
     Writer writer(2);
     writer.line("s_.weigh(b);");
     if (takes_fixed_points(form)) {
-        writer.open("const bool is_regular = mass_.compute(s_.n, [&](auto& out) {{")
+        writer.open("const bool is_regular = mass_.compute([&](auto& out) {{")
             .line("system_.d2Ldv2(s_.at.q, s_.at.p{}, out);", time)
             .close("});");
         writer.open("if (!is_regular) {{")

@@ -257,7 +257,7 @@ Function quadratic(const System& system) {
 
 std::vector<Function> functions(const System& system, const SceneWishes& wishes, const Step& step,
                                 const Evaluations& evaluations) {
-    const auto value = [&](std::string_view name, const Scaled& result) {
+    const auto value = [&](const std::string& name, const Scaled& result) {
         return Function{name, {}, kernel(system.graph, {result}), true, true, ""};
     };
     const bool is_map = std::holds_alternative<TabulatedStep>(step.form);

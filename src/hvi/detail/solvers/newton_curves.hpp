@@ -118,7 +118,7 @@ public:
     template <class Coupled>
     [[nodiscard]] static Vector right_side(const Coupled& coupled, std::size_t i) {
         Vector none = coupled.s.Y[i];
-        for (auto& value : none) { value = 0; }
+        for (IndexOf<Vector> k = 0; k < none.size(); ++k) { none[k] = 0; }
         return none;
     }
 

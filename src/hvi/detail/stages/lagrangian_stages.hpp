@@ -82,12 +82,19 @@ struct LagrangianStages : Curve<Vector, nodes, functions> {
     }
 };
 
+template <class Vector>
+[[nodiscard]] Vector zero_like(Vector v) {
+    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { v[k] = 0; }
+    return v;
+}
+
 /// v of p = dL/dv(q, v), by M v = p - dL/dv(q, 0) with M = d2L/dv2; `time` is none, or t.
 /// Precondition: `matrix` holds M.
 template <class System, class Vector, class... Time>
 [[nodiscard]] Vector velocity_of(const System& system, const FrozenMatrix<Vector>& matrix,
                                  const Vector& q, const Vector& p, const Time&... time) {
-    Vector rest{}, momentum{};
+    const Vector rest = zero_like(q);
+    Vector momentum{};
     system.dLdv(q, rest, time..., momentum);
     for (IndexOf<Vector> k = 0; k < q.size(); ++k) { momentum[k] = p[k] - momentum[k]; }
     return matrix.inverse_times(momentum);
@@ -98,12 +105,14 @@ template <class System, class Vector, class... Time>
 [[nodiscard]] Vector velocity_of(const System& system, const Vector& q, const Vector& p,
                                  const Time&... time) {
     FrozenMatrix<Vector> M;
-    const bool is_regular = M.compute(static_cast<std::size_t>(q.size()), [&](auto& out) {
-        system.d2Ldv2(q, Vector{}, time..., out);
-    });
-    if (is_regular) { return velocity_of(system, M, q, p, time...); }
+    const Vector rest = zero_like(q);
+    if (M.compute([&](auto& out) { system.d2Ldv2(q, rest, time..., out); })) {
+        return velocity_of(system, M, q, p, time...);
+    }
     Vector none = q;
-    for (auto& value : none) { value = infinity<ScalarOf<Vector>> - infinity<ScalarOf<Vector>>; }
+    for (IndexOf<Vector> k = 0; k < q.size(); ++k) {
+        none[k] = infinity<ScalarOf<Vector>> - infinity<ScalarOf<Vector>>;
+    }
     return none;
 }
 
