@@ -98,8 +98,9 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
     if (run.steps > 0) {
         line("time", fmt::format("{} a step, {} in all", duration(run.seconds_of_step),
                                  duration(run.seconds_of_step * static_cast<double>(run.steps))));
-        line("evaluations", fmt::format("{:.2f} of dH/dq a step, {} in all",
-                                        per_step(run.evaluations, run.steps), run.evaluations));
+        line("evaluations",
+             fmt::format("{:.2f} of d{}/dq a step, {} in all", per_step(run.evaluations, run.steps),
+                         stepper.system.function_letter(), run.evaluations));
         if (run.iterations > 0)
             line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
     }

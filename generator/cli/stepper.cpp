@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/stepper.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <memory>
 
@@ -27,7 +29,7 @@ void write_method(const StepperOptions& options) {
 }
 
 std::string explanation(const SceneStepper& stepper) {
-    std::string text = "found in H:\n";
+    std::string text = fmt::format("found in {}:\n", stepper.system.function_letter());
     for (const std::string& fact : facts(stepper.system)) text += "  " + fact + "\n";
     text += "cost:\n";
     for (const std::string& cost : costs(stepper.system, stepper.step, stepper.evaluations))

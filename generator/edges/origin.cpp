@@ -8,6 +8,7 @@
 namespace hvi::gen {
 
 Origin origin_of(const Scene& scene) {
+    if (!std::holds_alternative<Hamiltonian>(scene.mechanics)) return Origin::other;
     SymbolValues values = parameter_values(scene);
     for (const auto* names : {&hamiltonian_of(scene).coordinates, &hamiltonian_of(scene).momenta})
         for (const std::string& name : *names) values[name] = Ball();

@@ -12,7 +12,8 @@ enum class Origin {
     other,     ///< neither, or it is not known
 };
 
-/// By the exact derivatives of H, in enclosures; of an H that depends on time, at t = 0. Throws as
+/// By the exact derivatives of H, in enclosures; of an H that depends on time, at t = 0; not known
+/// where the scene has a Lagrangian. Throws as
 /// gradient() and parameter_values() do.
 [[nodiscard]] Origin origin_of(const Scene& scene);
 

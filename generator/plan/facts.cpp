@@ -27,7 +27,21 @@ std::string text(const OperationCounts& counts) {
     return result.empty() ? "nothing to compute" : result;
 }
 
-std::string kind_of(const Structure& found) {
+/// Of L = v^T M v/2 + a v - U.
+std::string kind_of_lagrangian(const Graph& graph, const Structure& found) {
+    for (const std::vector<Scaled>& row : found.pp) {
+        for (const Scaled& entry : row) {
+            if (varies(graph.at(entry.node).roles)) {
+                return "L is quadratic in v, and the mass matrix d2L/dv2 is not constant";
+            }
+        }
+    }
+    return "L is quadratic in v, with a constant mass matrix d2L/dv2";
+}
+
+std::string kind_of(const System& system) {
+    const Structure& found = system.structure;
+    if (system.side == Side::lagrangian) { return kind_of_lagrangian(system.graph, found); }
     if (found.is_quadratic) { return "H is quadratic: Hamilton's equations are linear"; }
     if (found.is_linear_in_p && found.is_linear_in_q) { return "H is linear in q and in p"; }
     if (found.is_linear_in_p) { return "H is linear in p: it has no Lagrangian"; }
@@ -82,11 +96,13 @@ std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
 
 std::vector<std::string> facts(const System& system) {
     const Structure& found = system.structure;
-    std::vector<std::string> result{kind_of(found)};
-    if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
-    if (system.time) { result.emplace_back("H depends on the time"); }
+    const char f = system.function_letter();
+    std::vector<std::string> result{kind_of(system)};
+    const bool has_parts = system.side == Side::hamiltonian && found.is_separable;
+    if (found.is_quadratic && has_parts) { result.emplace_back("H = T(p) + U(q)"); }
+    if (system.time) { result.push_back(fmt::format("{} depends on the time", f)); }
     if (!found.cyclic.empty()) {
-        result.push_back(fmt::format("H does not depend on {}: the momenta are constant",
+        result.push_back(fmt::format("{} does not depend on {}: the momenta are constant", f,
                                      names(system, found.cyclic)));
     }
     const Entries second = entries(system.graph, found);
@@ -103,21 +119,27 @@ std::vector<std::string> costs(const System& system, const Step& step,
         return {cost_of_map(n, map->as == TabulatedStep::As::shears,
                             has_linear_part(system.structure))};
     }
+    const std::string by_q = fmt::format("d{}/dq", system.function_letter());
+    const std::string by_p =
+        fmt::format("d{}/d{}", system.function_letter(), system.conjugate_letter());
     std::vector<std::string> result;
     result.push_back(
         unknowns == 0 ? "no unknowns: nothing is solved for"
                       : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
     if (step.slopes == Slopes::joint) {
-        result.push_back("dH/dq and dH/dp once: " + text(evaluations.gradients.joint.counts));
+        result.push_back(by_q + " and " + by_p +
+                         " once: " + text(evaluations.gradients.joint.counts));
     } else {
         result.push_back("dH/dq once: " + text(evaluations.gradients.dHdq.counts));
         result.push_back("dH/dp once: " + text(evaluations.gradients.dHdp.counts));
     }
     if (evaluations.second) {
         const bool is_newton = step.iteration()->takes_newton();
-        result.push_back((is_newton ? "second derivatives once, where Newton's method is needed: "
-                                    : "d2H/dp2 once in a step: ") +
-                         text(evaluations.second->counts()));
+        const std::string kinetic = fmt::format(
+            "d2{}/d{}2 once in a step: ", system.function_letter(), system.conjugate_letter());
+        result.push_back(
+            (is_newton ? "second derivatives once, where Newton's method is needed: " : kinetic) +
+            text(evaluations.second->counts()));
     }
     if (evaluations.tangents) {
         result.push_back("d2H/dq2 times a vector, after dH/dq: " +
@@ -125,10 +147,10 @@ std::vector<std::string> costs(const System& system, const Step& step,
     }
     const std::size_t forces = step.forces_evaluated();
     const std::size_t velocities = step.velocities_evaluated();
-    result.push_back(fmt::format("{}: {} of dH/dq, {} of dH/dp",
+    result.push_back(fmt::format("{}: {} of {}, {} of {}",
                                  unknowns == 0 ? "evaluations in a step"
                                                : "evaluations in a step of one iteration",
-                                 forces, velocities));
+                                 forces, by_q, velocities, by_p));
     return result;
 }
 

@@ -108,11 +108,17 @@ std::string described(const Provenance& provenance, const std::string& kind,
     return writer.str();
 }
 
+/// What it is for.
+std::string_view functions_of(const Step& step) {
+    const auto* galerkin = std::get_if<GalerkinStep>(&step.form);
+    if (galerkin != nullptr && galerkin->side == Side::lagrangian) { return "Lagrangians"; }
+    return step.is_separable() ? "separable Hamiltonians" : "general Hamiltonians";
+}
+
 std::string method_text(const Tableau& tableau, const Step& step) {
     return described(tableau.provenance,
-                     fmt::format("symplectic, {} stage{}, for {} Hamiltonians", tableau.stages(),
-                                 tableau.stages() == 1 ? "" : "s",
-                                 step.is_separable() ? "separable" : "general"),
+                     fmt::format("symplectic, {} stage{}, for {}", tableau.stages(),
+                                 tableau.stages() == 1 ? "" : "s", functions_of(step)),
                      partner_text(step.partner), tableau.b);
 }
 
@@ -121,7 +127,7 @@ std::string method_text(const GalerkinRule& rule, const Step& step) {
     return described(rule.provenance,
                      fmt::format("symplectic, {} function{} and {} nodes, for {}", rule.functions(),
                                  rule.functions() == 1 ? "" : "s", rule.nodes(),
-                                 is_general ? "general Hamiltonians" : "H = p^T K p/2 + U(q)"),
+                                 is_general ? functions_of(step) : "H = p^T K p/2 + U(q)"),
                      "The general Galerkin form (4.6), which conserves q^T C p for constant C.",
                      rule.b);
 }
@@ -139,7 +145,7 @@ std::string choices_text(const Step& step) {
 /// What was found in the H of a scene, and what it costs.
 std::string scene_text(const Step& step, const System& system, const Evaluations& evaluations) {
     Writer writer(0);
-    writer.line("//").comment("Found in H:").line("//");
+    writer.line("//").comment(fmt::format("Found in {}:", system.function_letter())).line("//");
     for (const std::string& fact : facts(system)) { writer.comment(fact, "//     ", 4); }
     writer.line("//").comment("Cost:").line("//");
     for (const std::string& cost : costs(system, step, evaluations)) {

@@ -144,9 +144,8 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
     if (!system.initial.empty()) { write_initial(writer, system, state); }
     if (has_velocities) { write_velocity(writer, system, state); }
     if (wishes.energy) {
-        write_member(writer,
-                     has_velocities ? "v dL/dv - L" : "H = " + to_text(system.expression), state,
-                     "energy", variables + (system.time ? ", x.t" : ""));
+        write_member(writer, has_velocities ? "v dL/dv - L" : "H = " + to_text(system.expression),
+                     state, "energy", variables + (system.time ? ", x.t" : ""));
     }
     if (wishes.invariants) {
         for (const SystemValue& invariant : system.invariants) {
@@ -154,7 +153,8 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
         }
     }
     if (wishes.evaluations) {
-        writer.line("/// How often dH/dq was evaluated, at one stage each time.");
+        writer.line("/// How often d{}/dq was evaluated, at one stage each time.",
+                    system.function_letter());
         writer.line(
             "[[nodiscard]] std::int64_t evaluations() const {{ return system_.evaluations; }}");
         writer.blank();
