@@ -42,6 +42,7 @@ namespace {
 std::string emit_implicit(const OneStepMethod& method, const Step& step, const auto& form,
                           const EmitOptions& options) {
     const SystemPart system = system_part(method, step, options);
+    const bool has_action = options.wishes.action;
     ImplicitParts parts = step.layout == Layout::stages
                               ? lane_parts(step, form, options.wishes)
                               : hvi::gen::parts(step, form, options.wishes);
@@ -56,8 +57,12 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
                       {"parameter", parameter_text(step)},
                       {"state", system.state},
                       {"curve", parts.curve},
+                      {"action", parts.action},
+                      {"integral", parts.integral},
+                      {"forget", has_action ? "s_.forget(); action_.forget();" : "s_.forget();"},
                       {"begins", begins(step)},
-                      {"clock", clock_begins(step)},
+                      // NOTE: the action looks at the time itself.
+                      {"clock", clock_begins(step, has_action ? "s_.forget()" : "reset()")},
                       {"steps", parts.steps},
                       {"constants", parts.constants},
                       {"predict", parts.predict},
