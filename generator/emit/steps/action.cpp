@@ -7,10 +7,10 @@ namespace hvi::gen {
 
 namespace {
 
-/// Where the stage has its value when all is known, and x has not moved yet.
+/// Where the stage has its value when the step is taken, and x not moved.
 std::string value_of(const Step& step, const StageValue& value, std::size_t i, bool is_q) {
-    const StageValue::Place place =
-        step.is_separable() ? value.place : StageValue::Place::inner;  // as they are kept
+    // NOTE: a separable step keeps no copy of the state as a stage.
+    const auto place = step.is_separable() ? value.place : StageValue::Place::inner;
     switch (place) {
     case StageValue::Place::start: return is_q ? "x.q" : "x.p";
     case StageValue::Place::inner: return fmt::format("s_.{}[{}]", is_q ? "Q" : "P", i);
@@ -38,7 +38,7 @@ std::string energy_of_stage(const Step& step, std::size_t i, const std::string& 
     return energy(step, position(step, i), p, time_of_stage(step, std::to_string(i), "s_"));
 }
 
-/// H at the stages, which are pairs.
+/// H at the stages.
 void take_energies(Writer& writer, const Step& step) {
     for (std::size_t i = 0; i < step.positions.size(); ++i) {
         writer.line("sum += {} * {};", force_factor(step, i, "s_"),
@@ -46,13 +46,12 @@ void take_energies(Writer& writer, const Step& step) {
     }
 }
 
-/// H = T(p) + U(q) at the stages, where a position may serve several momenta, and a momentum
-/// several positions. H tells T and U but for constants: let the momentum be that at the end with
-/// every Q_i, and add what T(P_j) differs from there; all weights of either kind add up to the
-/// same.
-void take_parts_of_energies(Writer& writer, const Step& step) {
-    writer.comment("NOTE: T and U are known but for constants: H(Q_i, p) has T(p), and P_j adds "
-                   "T(P_j) - T(p). All weights b_i add up to what all b_j do.");
+/// The same where H = T(p) + U(q) and several stages may have one position or one momentum, so that
+/// there are no pairs.
+void take_energies_of_merged(Writer& writer, const Step& step) {
+    writer.comment("NOTE: H = T(p) + U(q), of stages with positions or momenta in common. With p "
+                   "at the end H(Q_i, p) is U(Q_i) + T(p); then T(P_j) - T(p) is added for each "
+                   "P_j, the weights of which add up to those of the Q_i.");
     for (std::size_t i = 0; i < step.positions.size(); ++i) {
         writer.line("sum += {} * {};", force_factor(step, i, "s_"),
                     energy_of_stage(step, i, "s_.at.p"));
@@ -101,8 +100,8 @@ std::string integral_text(const Step& step) {
     for (std::size_t j = 0; j < step.momenta.size(); ++j) {
         writer.line("sum += hvi::detail::dot({}, s_.Lq[{}]);", momentum(step, j), j);
     }
-    if (step.is_separable()) {
-        take_parts_of_energies(writer, step);
+    if (is_merged(step)) {
+        take_energies_of_merged(writer, step);
     } else {
         take_energies(writer, step);
     }
