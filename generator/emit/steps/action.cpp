@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
