@@ -79,13 +79,11 @@ std::string action_text() {
         .line("[[nodiscard]] Scalar generating_function() const {{ return action_.of_step(); }}")
         .blank();
     writer
-        .comment(
-            "S_d^k, (3.11), of the k steps so far, with the end of the last one in it: p_k q_k "
-            "less the sum of all p_{l+1} q_{l+1} - H_d^+(q_l, p_{l+1}), which is kept with "
-            "what rounding cuts off. It begins anew with a step that does not begin, bit for "
-            "bit, where the last one ended. What leaves generating_function() as it was "
-            "leaves this.",
-            "/// ")
+        .comment("S_d^k, (3.11), of the k steps so far: p_k q_k less the sum over them of "
+                 "p_{l+1} q_{l+1} - H_d^+(q_l, p_{l+1}), which keeps what rounding cuts off. It "
+                 "begins anew with a step that does not begin, bit for bit, where the last one "
+                 "ended. It stays, or is NaN, where generating_function() does and is.",
+                 "/// ")
         .line("[[nodiscard]] Scalar action() const {{ return action_.of_steps(); }}");
     return writer.str();
 }
