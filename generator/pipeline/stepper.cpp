@@ -47,7 +47,7 @@ void check_solver(const Step& step, const Scene& scene, const StepperWishes& wis
     if (wishes.action)
         throw InputError("--solver newton-taylor solves for positions alone, and --action needs "
                          "the momenta of the stages",
-                         std::nullopt, "--solver newton goes with it");
+                         place, "--solver newton goes with it");
     throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
                      "quadratic T",
                      place, "--solver newton takes any H");
