@@ -38,29 +38,41 @@ void check_rank(const OneStepMethod& method, const System& system) {
 }
 
 /// Whether (4.14) is built for the L of a scene; nothing is asked of an H.
-void check_lagrangian(const Method& method, const Scene& scene, const StepperWishes& wishes) {
+void check_lagrangian(const Scene& scene, const StepperWishes& wishes) {
     const auto* L = std::get_if<Lagrangian>(&scene.mechanics);
     if (L == nullptr) return;
     check_regular(*L);
-    if (wishes.dense)
-        throw InputError("--dense is not built for scenes with a Lagrangian", scene.place,
+    const auto refuse = [&](const char* flag) {
+        throw InputError(std::string(flag) + " is not built for scenes with a Lagrangian",
+                         scene.place,
                          "the scene of its Hamiltonian takes it: `hvi-gen scheme` prints that");
-    static_cast<void>(method);
+    };
+    if (wishes.dense) refuse("--dense");
+    if (wishes.action) refuse("--action");
 }
 
 /// What is wished for and not built.
-void check_solver(const Step& step, const Scene& scene) {
+void check_solver(const Step& step, const Scene& scene, const StepperWishes& wishes) {
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr || std::holds_alternative<VelocityStep>(step.form)) return;
     const Place place = whole(function_of(scene).source);
-    if (iteration->solver == Solver::newton_taylor)
-        throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
-                         "quadratic T",
-                         place, "--solver newton takes any H");
+    if (iteration->solver != Solver::newton_taylor) return;
+    if (wishes.action)
+        throw InputError("--solver newton-taylor solves for positions alone, and --action needs "
+                         "the momenta of the stages",
+                         place, "--solver newton goes with it");
+    throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
+                     "quadratic T",
+                     place, "--solver newton takes any H");
 }
 
-void check_lanes(const Step& step, const Wish<Lanes>& wished) {
+void check_lanes(const Step& step, const StepperWishes& wishes) {
+    const Wish<Lanes>& wished = wishes.lanes;
     if (wished.choice != Lanes::stages) return;
+    if (wishes.action)
+        throw InputError("--action is not built for stages side by side: it is summed over one "
+                         "stage after the other",
+                         wished.place, "without --lanes it takes them so");
     const std::string obstacle = obstacle_to_stage_lanes(step);
     if (obstacle.empty()) return;
     throw InputError("no lanes for the stages of this method on this H: " + obstacle, wished.place,
@@ -77,6 +89,7 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
                              "without --lanes ensemble there is a stepper of one trajectory");
     };
     refuse(wishes.dense, "--dense", "trajectories take all their steps at once");
+    refuse(wishes.action, "--action", "trajectories take all their steps at once");
     refuse(wishes.float128, "--float128", "no processor computes several of these at once");
     refuse(wishes.evaluations, "--evaluations", "one evaluation serves several trajectories");
     const std::string obstacle = obstacle_to_ensemble(step);
@@ -110,13 +123,21 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
     return result;
 }
 
+void check_action(const OneStepMethod& method, const StepperWishes& wishes) {
+    if (wishes.action && std::holds_alternative<GalerkinRule>(method.base))
+        throw InputError("--action for the general Galerkin form is to come", method.place,
+                         "take as many nodes as functions");
+}
+
 Step planned(const OneStepMethod& method, const SystemProperties& system, const Scene& scene,
              const StepperWishes& wishes) {
-    Step step =
-        plan(method, system,
-             {.solver = wishes.solver, .lanes = wishes.lanes.choice, .curve = wishes.dense});
-    check_solver(step, scene);
-    check_lanes(step, wishes.lanes);
+    Step step = plan(method, system,
+                     {.solver = wishes.solver,
+                      .lanes = wishes.lanes.choice,
+                      .curve = wishes.dense,
+                      .action = wishes.action});
+    check_solver(step, scene, wishes);
+    check_lanes(step, wishes);
     check_ensemble(step, wishes);
     return step;
 }
@@ -137,11 +158,16 @@ MethodStepper method_stepper(const Method& wished, const StepperWishes& wishes) 
 }
 
 SceneStepper scene_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
-    SceneWishes members{wishes.energy, wishes.invariants, wishes.evaluations, wishes.float128, {}};
+    SceneWishes members{.energy = wishes.energy,
+                        .invariants = wishes.invariants,
+                        .evaluations = wishes.evaluations,
+                        .float128 = wishes.float128,
+                        .action = wishes.action};
     check_members(scene, members);
     check_start(scene);
-    check_lagrangian(wished, scene, wishes);
+    check_lagrangian(scene, wishes);
     auto [method, curve] = derived(wished, wishes);
+    check_action(method, wishes);
     members.curve = std::move(curve);
     System system = system_of(scene);
     if (system.side == Side::hamiltonian) check_rank(method, system);

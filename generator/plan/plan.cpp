@@ -176,10 +176,11 @@ void set_blocks(Step& step) {
 void set_sums(Step& step, const OneStepMethod& method, const StepWishes& wishes) {
     constexpr int least_order = 6;
     if (!step.is_explicit()) { return; }
-    if (wishes.curve) {
+    if (wishes.needs_slopes()) {
         step.form = PairStep{};
-        step.decisions.push_back(
-            {"the slopes are kept, in compensated sums", "the curve of a step is made of them"});
+        step.decisions.push_back({"the slopes are kept, in compensated sums",
+                                  wishes.curve ? "the curve of a step is made of them"
+                                               : "the action is summed over them"});
     } else if (method.composition && method.composition->order >= least_order) {
         step.form = ExplicitStep{Sums::compensated};
         step.decisions.push_back(
@@ -272,6 +273,13 @@ void eliminate_momenta(Step& step) {
     step.decisions.push_back(
         {"the momenta of the stages are eliminated",
          "the kinetic energy is quadratic: the stages are solved for their positions alone"});
+}
+
+/// What a stage has of (4.19) is left as it was when the stages were solved.
+void note_action(Step& step) {
+    if (step.is_explicit()) { return; }
+    step.decisions.push_back({"the stages keep their momenta, and are computed one by one",
+                              "the action is summed over positions, momenta and slopes"});
 }
 
 std::string text(const ZeroPlaces& zeros, const std::string& parameter) {
@@ -378,6 +386,9 @@ Solver solver_for(const StepWishes& wishes) {
     return is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
 }
 
+/// NOTE: the sums of (4.19) take one stage after the other.
+Lanes lanes_for(const StepWishes& wishes) { return wishes.action ? Lanes::none : wishes.lanes; }
+
 Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemProperties& system,
              const StepWishes& wishes) {
     const std::optional<Composition>& composition = method.composition;
@@ -400,14 +411,18 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
     if (system.depends_on_time) { set_times(step, position_times(step)); }
     set_from_parameter(step, tableau, method.place);
     const Solver solver = solver_for(wishes);
-    const bool may_tabulate = solver == Solver::automatic && !wishes.curve;
+    const bool may_tabulate = solver == Solver::automatic && !wishes.needs_slopes();
     if (system.has_linear_map && may_tabulate && tabulate(step, system)) { return completed(step); }
     if (!step.is_explicit()) { step.form = PairStep{Iteration{}}; }
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.
-    if (system.kinetic_is_quadratic && !composition) { eliminate_momenta(step); }
+    if (wishes.action) {
+        note_action(step);
+    } else if (system.kinetic_is_quadratic && !composition) {
+        eliminate_momenta(step);
+    }
     set_solver(step, solver, system.joint_gradient_pays);
-    set_lanes(step, wishes.lanes);
+    set_lanes(step, lanes_for(wishes));
     if (!composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
     return completed(std::move(step));
 }

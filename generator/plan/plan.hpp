@@ -20,7 +20,10 @@ enum class Lanes {
 struct StepWishes {
     Solver solver = Solver::of_user;
     Lanes lanes = Lanes::none;
-    bool curve = false;  ///< the stages of a step are asked for
+    bool curve = false;   ///< of a step: it is made of the slopes
+    bool action = false;  ///< of the steps: it is a sum over positions, momenta and slopes
+
+    [[nodiscard]] bool needs_slopes() const { return curve || action; }
 };
 
 /// Throws InputError when the method has free parameters in places that parametric() refuses. The

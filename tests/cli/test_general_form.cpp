@@ -96,5 +96,6 @@ TEST_CASE("H that the general form does not step is refused, with the reason") {
     refused({}, 2, "for one H alone");
     refused({"pendulum", "--compose", "yoshida:4"}, 2, "to come");
     refused({"pendulum", "--dense"}, 2, "not built");
+    refused({"pendulum", "--action"}, 2, "to come");
     CHECK(with_simpson({"stepper", "pendulum"}).status == 0);
 }

@@ -13,7 +13,7 @@ TEST_CASE("no option of stepper swallows the scene behind it") {
         {"--float128"},          {"--solver", "newton"},
         {"--explain"},           {"--name", "K"},
         {"--method", "gauss:4"}, {"--compose", "yoshida:4"},
-        {"--lanes", "none"}};
+        {"--lanes", "none"},     {"--action"}};
     for (const auto& options : lines) {
         const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
         INFO(outcome.err);
@@ -80,6 +80,7 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK(has(plain, "using Solver = hvi::Automatic<hvi::NewtonOfPositions>;"));
     CHECK_FALSE(has(plain, "Vector position("));
     CHECK_FALSE(has(plain, "curve"));
+    CHECK_FALSE(has(plain, "action"));
     const std::string all =
         hvi_gen(with(words, {"--energy", "--invariants", "--solver", "newton"})).out;
     CHECK(has(all, "Scalar energy(const State& x) const"));
@@ -94,6 +95,14 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK(has(dense, "Vector position(Scalar tau) const"));
     CHECK(has(dense, "it is O(h^3) away"));
     CHECK(has(dense, "hvi-gen stepper --method gauss:2 kepler --dense\n"));
+    const std::string action = same_every_time(with(words, {"--action"}));
+    CHECK(has(action, "Scalar generating_function() const"));
+    CHECK(has(action, "Scalar action() const"));
+    CHECK(has(action, "hvi-gen stepper --method gauss:2 kepler --action\n"));
+    CHECK_FALSE(has(action, "energy(const State& x)"));
+    const std::string both = same_every_time(with(words, {"--dense", "--action"}));
+    CHECK(has(both, "Vector position(Scalar tau) const"));
+    CHECK(has(both, "Scalar action() const"));
     for (const std::string scene : {"kepler", "harmonic-oscillator"}) {
         const std::string alone = hvi_gen({"stepper", "--method", "stormer-verlet", scene}).out;
         CHECK(has(alone, "#ifndef HVI_STATE"));
@@ -307,7 +316,7 @@ TEST_CASE("what ensembles are not built for is refused, and why") {
               "the stages are not solved for all at once"));
     CHECK(has(refusal({"stepper", "--method", "gauss:2", "kepler", "--solver", "newton"}),
               "they are iterated by fixed points"));
-    for (const std::string flag : {"--dense", "--float128", "--evaluations"}) {
+    for (const std::string flag : {"--dense", "--action", "--float128", "--evaluations"}) {
         CHECK(has(refusal({"stepper", "--method", "gauss:2", "kepler", flag}),
                   flag + " is not built for ensembles"));
     }

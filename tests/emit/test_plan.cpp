@@ -379,6 +379,7 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
     CHECK_FALSE(std::holds_alternative<TabulatedStep>(seen.form));
     CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::of_user}));
     CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::automatic, .curve = true}));
+    CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::automatic, .action = true}));
 }
 
 TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product") {

@@ -42,7 +42,8 @@ key: --method | --basis | --nodes | --weights | --method-file | --param | --form
     | -o | --output | --tableau | --max-order | --plot | --hamiltonian | --coordinates | --momenta
     | --solver | --lanes | --compose | --accuracy | --until | --name | --step | --only | --methods
     | --steps | --times | --checkpoint
-flag: --separable | --energy | --invariants | --evaluations | --dense | --float128 | --explain
+flag: --separable | --energy | --invariants | --evaluations | --dense | --action | --float128
+    | --explain
     | --generating | --peers | --edges | --tangent | --help | --version | -h | -- | - | -o | --method
 scene: kepler | pendulum | keplr | qp | SCENE | bash
 value: <number> | <word> | <named> | json | text | latex | markdown | csv | auto | newton | stages
@@ -105,10 +106,11 @@ text: stepper~FILE<options><class>~~<scene> | run~FILE<method><solver>~~<scene>
     | stepper~<hamiltonian>~--method~<named><options><class>
 equations: _ | ~--series~<digit> | ~--lagrangian | ~--generating
 rule: --basis~1, tau~--nodes~0, 1/2, 1 | --basis~1~--nodes~0, 1 | --basis~1, tau~--nodes~gauss:4
-options: <energy><invariants><dense><evaluations><float128><solver><lanes><compose>
+options: <energy><invariants><dense><action><evaluations><float128><solver><lanes><compose>
 energy: _ | ~--energy
 invariants: _ | ~--invariants
 dense: _ | _ | ~--dense
+action: _ | _ | ~--action
 evaluations: _ | ~--evaluations
 float128: _ | _ | ~--float128
 method: _ | ~--method~<named>

@@ -150,14 +150,14 @@ TEST_CASE("every wish of a stepper is quoted as its option, in the order of the 
     CHECK(options_for({}).empty());
     StepperWishes wishes;
     wishes.separable = wishes.energy = wishes.invariants = true;
-    wishes.evaluations = wishes.float128 = wishes.dense = true;
+    wishes.evaluations = wishes.float128 = wishes.dense = wishes.action = true;
     wishes.solver = Solver::newton_taylor;
     wishes.lanes.choice = Lanes::none;
     wishes.class_name = given("--name", "N");
     wishes.composition = named_composition(given("--compose", "yoshida:4"));
     CHECK(options_for(wishes) ==
           " --separable --solver newton-taylor --lanes none --compose yoshida:4 --energy "
-          "--invariants --evaluations --float128 --dense --name N");
+          "--invariants --evaluations --float128 --dense --action --name N");
 }
 
 TEST_CASE("what stands beside what") {
@@ -168,7 +168,8 @@ TEST_CASE("what stands beside what") {
         return all;
     };
     using Names = std::vector<std::string_view>;
-    CHECK(names("--method-file", Command::tableau) == Names{"--method", "--basis", "--nodes", "--weights"});
+    CHECK(names("--method-file", Command::tableau) ==
+          Names{"--method", "--basis", "--nodes", "--weights"});
     CHECK(names("--tableau", Command::check) ==
           Names{"--method", "--basis", "--nodes", "--weights", "--method-file"});
     CHECK(names("--separable", Command::stepper) == Names{"SCENE", "--hamiltonian"});

@@ -41,11 +41,11 @@ std::string clock_reference(const Step& step) {
     return timed(step, fmt::format("const {}& clock;", type(step)));
 }
 
-std::string clock_begins(const Step& step) {
-    return timed(step, fmt::format("if (!clock_.begin(x.t, h, {}c)) {{ reset(); }}\n"
+std::string clock_begins(const Step& step, std::string_view forget) {
+    return timed(step, fmt::format("if (!clock_.begin(x.t, h, {}c)) {{ {}; }}\n"
                                    "if (!clock_.ends()) {{ return "
                                    "Status(Status::Code::not_finite); }}",
-                                   owner(step, "s_")));
+                                   owner(step, "s_"), forget));
 }
 
 std::string clock_ends(const Step& step, std::string_view status) {

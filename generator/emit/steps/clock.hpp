@@ -23,8 +23,9 @@ namespace hvi::gen {
 [[nodiscard]] std::string clock_member(const Step& step);
 [[nodiscard]] std::string clock_reference(const Step& step);
 
-/// What step() does with it before anything else, and with the status at the end.
-[[nodiscard]] std::string clock_begins(const Step& step);
+/// What step() does with it before anything else, and with the status at the end. `forget`: the
+/// call for a step that does not begin at the time at which the last one ended.
+[[nodiscard]] std::string clock_begins(const Step& step, std::string_view forget);
 [[nodiscard]] std::string clock_ends(const Step& step, std::string_view status);
 [[nodiscard]] std::string_view clock_ends_well(const Step& step);
 

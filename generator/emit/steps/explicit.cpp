@@ -248,7 +248,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const Explic
                       {"fits", fits_text(step, parts)},
                       {"moves", parts.moves},
                       {"state", system.state},
-                      {"clock", clock_begins(step)},
+                      {"clock", clock_begins(step, "reset()")},
                       {"status", std::string(clock_ends_well(step))},
                       {"forget", parts.forget},
                       {"members", members_text(step, parts)}});

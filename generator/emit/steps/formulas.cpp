@@ -9,15 +9,6 @@
 namespace hvi::gen {
 namespace {
 
-bool is_merged(const Step& step) {
-    for (const auto* values : {&step.positions, &step.momenta}) {
-        for (const StageValue& value : *values) {
-            if (value.stages.size() > 1) { return true; }
-        }
-    }
-    return false;
-}
-
 std::string factor(const Step& step, const StageValue& value, std::string_view letter,
                    const std::string& weights, std::size_t index, std::string_view s) {
     if (rounds_weights(step)) { return fmt::format("{}.hb_{}[{}]", s, letter, index); }
@@ -26,6 +17,15 @@ std::string factor(const Step& step, const StageValue& value, std::string_view l
 }
 
 }  // namespace
+
+bool is_merged(const Step& step) {
+    for (const auto* values : {&step.positions, &step.momenta}) {
+        for (const StageValue& value : *values) {
+            if (value.stages.size() > 1) { return true; }
+        }
+    }
+    return false;
+}
 
 Constant weight(const StageValue& value) {
     std::string name;

@@ -46,6 +46,9 @@ struct NewtonPolicy {
 /// One struct with the stage equations of a block; see templates/coupled.hpp.in.
 [[nodiscard]] std::string coupled(const Step& step, const Block& block, std::string_view name);
 
+/// Whether stages with the same Q or P were made one.
+[[nodiscard]] bool is_merged(const Step& step);
+
 /// Where the weights of the slopes Lq and Lp stand: one table `b` when no stages were merged.
 [[nodiscard]] std::string weights_q(const Step& step);
 [[nodiscard]] std::string weights_p(const Step& step);

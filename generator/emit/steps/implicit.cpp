@@ -47,22 +47,27 @@ ImplicitParts parts_of(const Step& step, const GalerkinStep& form, const SceneWi
     return parts(step, form, wishes);
 }
 
-std::string one_step(const Step& step, const std::string& body, const std::string& name) {
-    return fill_part(
-        "step.hpp.in",
-        {{"name", name}, {"begins", begins(step)}, {"clock", clock_begins(step)}, {"steps", body}});
+/// NOTE: the action looks at the time itself.
+std::string one_step(const Step& step, const std::string& body, const std::string& name,
+                     bool has_action) {
+    return fill_part("step.hpp.in",
+                     {{"name", name},
+                      {"begins", begins(step)},
+                      {"clock", clock_begins(step, has_action ? "s_.forget()" : "reset()")},
+                      {"steps", body}});
 }
 
 std::string emit_implicit(const OneStepMethod& method, const Step& step, const auto& form,
                           const EmitOptions& options) {
     const SystemPart system = system_part(method, step, options);
+    const bool has_action = options.wishes.action;
     ImplicitParts parts = parts_of(step, form, options.wishes);
     for (const std::string& header : clock_runtime(step)) { parts.runtime.push_back(header); }
     if (options.wishes.curve) { parts.runtime.push_back("detail/stages/curve"); }
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }
     for (const std::string& header : solver_headers(step)) { parts.runtime.push_back(header); }
     const std::string step_text =
-        one_step(step, parts.steps, parts.composes ? "part_of_step" : "step");
+        one_step(step, parts.steps, parts.composes ? "part_of_step" : "step", has_action);
     Holes holes = holes_of(system);
     holes.merge(Holes{{"banner", banner(method, step, options)},
                       {"format", std::to_string(hvi::runtime_format)},
@@ -72,6 +77,9 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
                       {"curve", parts.curve},
                       {"step", parts.composes ? fill_part("composed_step.hpp.in", {}) : step_text},
                       {"part", parts.composes ? step_text : ""},
+                      {"action", parts.action},
+                      {"integral", parts.integral},
+                      {"forget", has_action ? "s_.forget(); action_.forget();" : "s_.forget();"},
                       {"constants", parts.constants},
                       {"predict", parts.predict},
                       {"coupled", parts.coupled},

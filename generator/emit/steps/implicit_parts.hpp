@@ -13,8 +13,9 @@ namespace hvi::gen {
 struct ImplicitParts {
     std::vector<std::string> runtime;  ///< headers of hvi that not every one includes
     std::string steps, constants, predict, coupled, members;
-    std::string curve;      ///< empty where none is asked for
-    bool composes = false;  ///< `steps` is one of several in a row, of the sizes gamma_i h
+    std::string curve;             ///< empty where none is asked for
+    std::string action, integral;  ///< the same
+    bool composes = false;         ///< `steps` is one of several in a row, of the sizes gamma_i h
 };
 
 /// Positions and momenta, and positions alone.
@@ -81,6 +82,13 @@ constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix&
 /// for, and `slope(i)` component k of slope i of those that the table is for.
 [[nodiscard]] std::string curve_text(const Curve& curve, std::size_t slopes, std::string_view chord,
                                      const std::function<std::string(std::size_t)>& slope);
+
+/// The members generating_function() and action().
+[[nodiscard]] std::string action_text();
+
+/// The private member that they are made of: p dq - H dt, summed over the stages before the step
+/// moves x.
+[[nodiscard]] std::string integral_text(const Step& step);
 
 /// `struct Modes` of the equations of Newton's method.
 [[nodiscard]] std::string modes_text(const std::optional<RealModes>& modes);

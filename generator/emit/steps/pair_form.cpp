@@ -144,7 +144,7 @@ bool evaluates_slopes(const Step& step) {
     return false;
 }
 
-std::string steps_of_pairs(const Step& step) {
+std::string steps_of_pairs(const Step& step, const SceneWishes& wishes) {
     Writer writer(2);
     Updates updates(writer, step);
     if (rounds_weights(step)) {
@@ -178,7 +178,13 @@ std::string steps_of_pairs(const Step& step) {
     }
     writer.blank();
     updates.rest();
-    writer.line("return {};", end_of_step(step, several ? "iterations" : "status.iterations"));
+    const std::string end = end_of_step(step, several ? "iterations" : "status.iterations");
+    if (wishes.action) {
+        writer.line("action_.begin(x, integral_over_step(x));");
+        writer.line("return action_.end(x, {});", end);
+    } else {
+        writer.line("return {};", end);
+    }
     return writer.str();
 }
 
@@ -288,7 +294,7 @@ std::string coupled_pairs(const Step& step) {
     return text;
 }
 
-std::string members_of_pairs(const Step& step) {
+std::string members_of_pairs(const Step& step, const SceneWishes& wishes) {
     Writer writer(1);
     writer.line("System system_;");
     writer.insert(coefficients_member(step)).insert(clock_member(step));
@@ -307,6 +313,7 @@ std::string members_of_pairs(const Step& step) {
         writer.line("Vector velocity_{{}};  // dH/dp at s_.at.p, where the last step ended");
     }
     declare_slopes_before(writer, step);
+    if (wishes.action) { writer.line("hvi::detail::ActionSum<State> action_;"); }
     return writer.str();
 }
 
@@ -328,15 +335,20 @@ ImplicitParts parts(const Step& step, const PairStep& form, const SceneWishes& w
     ImplicitParts parts;
     parts.runtime = {"detail/stages/stages"};
     if (step.from_parameter) { parts.runtime.push_back("detail/coefficients/parameter"); }
-    parts.steps = steps_of_pairs(step);
+    parts.steps = steps_of_pairs(step, wishes);
     parts.constants = constants_text(step, form, wishes);
     if (form.iteration) { parts.predict = prediction_of_pairs(step, *form.iteration); }
     parts.coupled = coupled_pairs(step);
-    parts.members = members_of_pairs(step);
+    parts.members = members_of_pairs(step, wishes);
     if (wishes.curve) {
         parts.curve =
             curve_text(*wishes.curve, step.momenta.size(), sum_of_slopes("Lq", step.momenta.size()),
                        [](std::size_t i) { return fmt::format("s_.Lq[{}][k]", i); });
+    }
+    if (wishes.action) {
+        parts.runtime.push_back("detail/stages/action");
+        parts.action = action_text();
+        parts.integral = integral_text(step);
     }
     return parts;
 }

@@ -20,9 +20,10 @@ namespace hvi::gen {
 struct SceneWishes {
     bool energy = false;
     bool invariants = false;
-    bool evaluations = false;    ///< of dH/dq, counted
-    bool float128 = false;       ///< among the numbers that it computes in
-    std::optional<Curve> curve;  ///< of the last step, as a member
+    bool evaluations = false;         ///< of dH/dq, counted
+    bool float128 = false;            ///< among the numbers that it computes in
+    bool action = false;              ///< of the steps, and H_d^+ of the last one
+    std::optional<Curve> curve = {};  ///< of the last step, as a member
 };
 
 /// The namespace of the functions that it calls: `std`, or that of src/hvi/detail/numbers/math.hpp.

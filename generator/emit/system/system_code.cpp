@@ -267,7 +267,7 @@ std::vector<Function> functions(const System& system, const SceneWishes& wishes,
         const bool has_forces = function.name == "dHdq" || function.name == "gradient";
         function.is_counted = wishes.evaluations && has_forces;
     }
-    if (wishes.energy) {
+    if (wishes.energy || wishes.action) {
         result.push_back(value("energy", system.energy));
         result.back().has_time = step.depends_on_time();
     }

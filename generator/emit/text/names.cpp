@@ -83,6 +83,14 @@ constexpr std::array<std::string_view, 41> taken_by_scenes{
     "weights_",
 };
 
+/// The same where it has an action.
+constexpr std::array<std::string_view, 4> taken_by_actions{
+    "generating_function",
+    "action",
+    "action_",
+    "integral_over_step",
+};
+
 bool is_identifier(std::string_view name) {
     return !name.empty() && !is_digit(name.front()) &&
            std::all_of(name.begin(), name.end(), [](char c) { return is_word(c) || c == '_'; });
@@ -116,7 +124,7 @@ bool is_taken(std::string_view name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
     return is_in(taken) || is_in(taken_by_coefficients) || is_in(taken_by_scenes) ||
-           is_numbered(name, "Coupled");
+           is_in(taken_by_actions) || is_numbered(name, "Coupled");
 }
 
 /// `gauss:2` -> `Gauss2`: letters and digits alone, with a capital behind what is left out.

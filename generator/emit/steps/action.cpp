@@ -1,0 +1,110 @@
+// The discrete Hamiltonian of the last step, and the action of the steps.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/clock.hpp"
+#include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Where the stage has its value when the step is taken, and x not moved.
+std::string value_of(const Step& step, const StageValue& value, std::size_t i, bool is_q) {
+    // NOTE: a separable step keeps no copy of the state as a stage.
+    const auto place = step.is_separable() ? value.place : StageValue::Place::inner;
+    switch (place) {
+    case StageValue::Place::start: return is_q ? "x.q" : "x.p";
+    case StageValue::Place::inner: return fmt::format("s_.{}[{}]", is_q ? "Q" : "P", i);
+    case StageValue::Place::end: return is_q ? "s_.at.q" : "s_.at.p";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string position(const Step& step, std::size_t i) {
+    return value_of(step, step.positions[i], i, true);
+}
+
+std::string momentum(const Step& step, std::size_t j) {
+    return value_of(step, step.momenta[j], j, false);
+}
+
+std::string energy(const Step& step, const std::string& q, const std::string& p,
+                   const std::string& time) {
+    return fmt::format("system_.energy({}, {}{}{})", q, p, step.depends_on_time() ? ", " : "",
+                       time);
+}
+
+std::string energy_of_stage(const Step& step, std::size_t i, const std::string& p) {
+    return energy(step, position(step, i), p, time_of_stage(step, std::to_string(i), "s_"));
+}
+
+/// H at the stages.
+void take_energies(Writer& writer, const Step& step) {
+    for (std::size_t i = 0; i < step.positions.size(); ++i) {
+        writer.line("sum += {} * {};", force_factor(step, i, "s_"),
+                    energy_of_stage(step, i, momentum(step, i)));
+    }
+}
+
+/// The same where H = T(p) + U(q) and several stages may have one position or one momentum, so that
+/// there are no pairs.
+void take_energies_of_merged(Writer& writer, const Step& step) {
+    writer.comment("NOTE: H = T(p) + U(q), of stages with positions or momenta in common. With p "
+                   "at the end H(Q_i, p) is U(Q_i) + T(p); then T(P_j) - T(p) is added for each "
+                   "P_j, the weights of which add up to those of the Q_i.");
+    for (std::size_t i = 0; i < step.positions.size(); ++i) {
+        writer.line("sum += {} * {};", force_factor(step, i, "s_"),
+                    energy_of_stage(step, i, "s_.at.p"));
+    }
+    const std::string start = time_of_start(step, "s_");
+    writer.line("const Scalar at_end = {};", energy(step, "s_.at.q", "s_.at.p", start));
+    for (std::size_t j = 0; j < step.momenta.size(); ++j) {
+        if (step.momenta[j].place == StageValue::Place::end) { continue; }
+        writer.line("sum -= {} * ({} - at_end);", velocity_factor(step, j, "s_"),
+                    energy(step, "s_.at.q", momentum(step, j), start));
+    }
+}
+
+}  // namespace
+
+std::string action_text() {
+    Writer writer(1);
+    writer
+        .comment("H_d^+(q_0, p_1), (4.19) of the paper, of the last step, from (q_0, p_0) to "
+                 "(q_1, p_1): the generating function of type II with q_1 = D_2 H_d^+ and "
+                 "p_0 = D_1 H_d^+, (3.10). A step of size 0 or that failed leaves that of the one "
+                 "before. Before any step and after reset() it is NaN.",
+                 "/// ")
+        .line("[[nodiscard]] Scalar generating_function() const {{ return action_.of_step(); }}")
+        .blank();
+    writer
+        .comment("S_d^k, (3.11), of the k steps so far: p_k q_k less the sum over them of "
+                 "p_{l+1} q_{l+1} - H_d^+(q_l, p_{l+1}), which keeps what rounding cuts off. It "
+                 "begins anew with a step that does not begin, bit for bit, where the last one "
+                 "ended. It stays, or is NaN, where generating_function() does and is.",
+                 "/// ")
+        .line("[[nodiscard]] Scalar action() const {{ return action_.of_steps(); }}");
+    return writer.str();
+}
+
+std::string integral_text(const Step& step) {
+    Writer writer(1);
+    writer
+        .comment("The sum over stages of h b_i (P_i . dH/dp(Q_i, P_i) - H(Q_i, P_i)): see (4.19). "
+                 "The step from x has been taken, and x not moved.",
+                 "/// ")
+        .open("[[nodiscard]] Scalar integral_over_step([[maybe_unused]] const State& x) const {{")
+        .line("Scalar sum = 0;");
+    for (std::size_t j = 0; j < step.momenta.size(); ++j) {
+        writer.line("sum += hvi::detail::dot({}, s_.Lq[{}]);", momentum(step, j), j);
+    }
+    if (is_merged(step)) {
+        take_energies_of_merged(writer, step);
+    } else {
+        take_energies(writer, step);
+    }
+    return writer.line("return sum;").close().str();
+}
+
+}  // namespace hvi::gen
