@@ -12,12 +12,10 @@ std::string also(const std::string& time) { return time.empty() ? "" : ", " + ti
 
 // ---- the coupled stages ----
 
-std::string members_of_coupled(const Step& step, const GalerkinStep& form) {
+std::string members_of_coupled_lagrangian(const Step& step, const GalerkinStep& form) {
     Writer writer(2);
     writer.insert(clock_reference(step));
-    if (takes_fixed_points(form)) {
-        writer.line("const hvi::detail::FrozenMatrix<Vector>& mass;");
-    }
+    if (takes_fixed_points(form)) { writer.line("const hvi::detail::FrozenMatrix<Vector>& mass;"); }
     return writer.str();
 }
 
@@ -29,7 +27,7 @@ std::string correction(const GalerkinStep& form) {
     return writer.str();
 }
 
-std::string newton(const Step& step, const GalerkinStep& form) {
+std::string newton_of_lagrangian(const Step& step, const GalerkinStep& form) {
     if (!form.iteration.takes_newton()) { return {}; }
     Writer writer(2);
     for (const std::string_view table : {"X", "A", "D"}) {
@@ -48,12 +46,12 @@ std::string newton(const Step& step, const GalerkinStep& form) {
 
 std::string coupled_lagrangian(const Step& step, const GalerkinStep& form) {
     return fill_part("coupled_lagrangian.hpp.in",
-                     {{"member", members_of_coupled(step, form)},
+                     {{"member", members_of_coupled_lagrangian(step, form)},
                       {"nodes", std::to_string(form.form.nodes())},
                       {"functions", std::to_string(form.form.functions())},
                       {"time", also(time_of_stage(step, "i", "s"))},
                       {"correction", correction(form)},
-                      {"newton", newton(step, form)}});
+                      {"newton", newton_of_lagrangian(step, form)}});
 }
 
 // ---- step() ----
@@ -80,7 +78,7 @@ std::string steps_of_lagrangian(const Step& step, const GalerkinStep& form) {
 }
 
 /// NOTE: positions and slopes too, as a sweep begins with the correction.
-std::string prediction(const Step& step, const GalerkinStep& form) {
+std::string prediction_of_lagrangian(const Step& step, const GalerkinStep& form) {
     if (!takes_fixed_points(form)) { return {}; }
     Writer writer(1);
     writer.comment(form.extrapolation
@@ -138,7 +136,7 @@ ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form) {
     parts.runtime = {"detail/coefficients/curve_coefficients", "detail/stages/lagrangian_stages"};
     parts.steps = steps_of_lagrangian(step, form);
     parts.constants = constants_of_lagrangian(step, form);
-    parts.predict = prediction(step, form);
+    parts.predict = prediction_of_lagrangian(step, form);
     parts.coupled = coupled_lagrangian(step, form);
     parts.members = members_of_lagrangian(step, form);
     parts.composes = !form.steps.empty();
