@@ -119,9 +119,9 @@ TEST_CASE("compositions of rules that are not symmetric are refused") {
 
 TEST_CASE("the general form runs a scene that is not separable") {
     const Directory directory;
-    const Outcome outcome = hvi_gen(
-        {"run", "--basis", "1, tau", "--nodes", "gauss:3", "nonseparable", "--steps", "1000"},
-        directory.path());
+    const Outcome outcome =
+        hvi_gen({"run", "--basis", "1, tau", "--nodes", "gauss:3", "nonseparable", "--until", "20"},
+                directory.path());
     INFO(outcome.err << outcome.out);
     CHECK(outcome.status == 0);
     CHECK(outcome.out.find("largest error") != std::string::npos);
