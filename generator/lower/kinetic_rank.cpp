@@ -10,7 +10,6 @@
 #include "generator/graph/written.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/scene/value_at.hpp"
-#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 namespace {
