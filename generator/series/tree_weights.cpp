@@ -28,11 +28,7 @@ struct Times {
     [[nodiscard]] static Function one() { return Function(1); }
     [[nodiscard]] static Function product(const Function& g, const Function& h) { return g * h; }
     /// The integral from 0.
-    [[nodiscard]] static Function from_start(const Function& g) {
-        Function result;
-        fmpq_poly_integral(result.get(), g.get());
-        return result;
-    }
+    [[nodiscard]] static Function from_start(const Function& g) { return antiderivative(g); }
     /// The integral up to 1.
     [[nodiscard]] static Function to_end(const Function& g) { return all(g) - from_start(g); }
     [[nodiscard]] Number total(const Function& g) const { return number(all(g), ground); }
