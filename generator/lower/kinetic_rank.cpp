@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/kinetic_rank.hpp"
 
+#include <string>
 #include <utility>
 
 #include "generator/exact/algebra/number_vector.hpp"
@@ -51,6 +52,16 @@ std::optional<std::size_t> kinetic_rank(const System& system) {
         const auto K = kinetic_matrix(system, ground);
         return K ? std::optional(rank(*K)) : std::nullopt;
     });
+}
+
+void check_kinetic_rank(const System& system, const std::optional<Place>& place) {
+    const auto rank = kinetic_rank(system);
+    if (!rank || *rank == system.degrees_of_freedom()) { return; }
+    throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
+                    "d2H/dp2 is regular, and its rank is " +
+                        std::to_string(*rank) + " of " +
+                        std::to_string(system.degrees_of_freedom()),
+                    place, "take as many nodes as functions");
 }
 
 }  // namespace hvi::gen

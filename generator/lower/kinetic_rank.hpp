@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "generator/ir/system.hpp"
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
@@ -13,5 +14,9 @@ namespace hvi::gen {
 /// they make singular at single values is not. Empty where an entry is too long to be written.
 /// Precondition: kinetic_is_quadratic.
 [[nodiscard]] std::optional<std::size_t> kinetic_rank(const System& system);
+
+/// With more nodes than functions (4.6e) has to determine the P from the V. Throws MathError where
+/// K is known to be singular, with its rank. Precondition as above.
+void check_kinetic_rank(const System& system, const std::optional<Place>& place);
 
 }  // namespace hvi::gen

@@ -143,7 +143,7 @@ private:
 }  // namespace
 
 TEST_CASE("trees without a root, whose edges have a direction") {
-    const auto all = unrooted_trees(8);
+    const auto all = unrooted_trees(TreeFamily::general, 8);
     const std::vector<std::size_t> counts = {1, 1, 3, 8, 27, 91, 350, 1376};  // OEIS A000238
     REQUIRE(all.size() == counts.size());
     for (std::size_t n = 0; n < all.size(); ++n) CHECK(all[n].size() == counts[n]);
