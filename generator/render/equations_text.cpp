@@ -177,6 +177,7 @@ void write_terms(Page& page, const StepEquations& step,
 
 void write_series(Page& page, const StepEquations& step) {
     const DiscreteSeries& found = *step.series;
+    if (step.map || step.stages) page.remark("\n");
     page.remark("coefficients of powers of h in the exact discrete Hamiltonian, (4.1):\n\n");
     write_terms(page, step, found.exact);
     page.remark("\nand in the H_d^+ of the method, (4.19):\n\n");
@@ -228,7 +229,6 @@ std::string render_text(const StepEquations& step) {
     if (step.map) write_map(page, step);
     if (step.stages) write_stages(page, step);
     if (step.generating) write_generating(page, step);
-    if (step.map || step.stages) page.remark("\n");
     if (step.series) write_series(page, step);
     return page.text();
 }
