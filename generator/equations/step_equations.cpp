@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "generator/equations/quadratic.hpp"
-#include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "generator/linear/one_step_map.hpp"
+#include "generator/linear/rule_map.hpp"
+#include "generator/lower/kinetic_rank.hpp"
+#include "generator/lower/system.hpp"
 
 namespace hvi::gen {
 
@@ -63,14 +67,46 @@ GeneratingEquations equations(const GeneratingFunction& function,
     return result;
 }
 
-bool has_closed_form(const Tableau& tableau) {
-    const auto is_closed = [](const NumberVector& row) {
-        return std::all_of(row.begin(), row.end(), is_exact);
-    };
-    return tableau.node_polynomial() != nullptr ||
-           (is_closed(tableau.b) && std::all_of(tableau.A.begin(), tableau.A.end(), is_closed) &&
-            std::all_of(tableau.A_tilde.begin(), tableau.A_tilde.end(), is_closed));
+bool is_closed(const NumberVector& row) { return std::all_of(row.begin(), row.end(), is_exact); }
+
+bool are_closed(const NumberMatrix& rows) {
+    return std::all_of(rows.begin(), rows.end(), is_closed);
 }
+
+bool has_closed_form(const Tableau& tableau) {
+    return tableau.node_polynomial() != nullptr ||
+           (is_closed(tableau.b) && are_closed(tableau.A) && are_closed(tableau.A_tilde));
+}
+
+bool has_closed_form(const GalerkinRule& rule) {
+    return is_closed(rule.b) && is_closed(rule.B) && are_closed(rule.Psi) && are_closed(rule.A_psi);
+}
+
+std::string obstacle_to_map(const QuadraticProof& proof, bool method_has_closed_form) {
+    return proof.form && !method_has_closed_form
+               ? "the coefficients of the method have no closed form"
+               : proof.obstacle;
+}
+
+/// With more nodes than functions (4.6e) has to determine the P from the V.
+void check_determined(const Hamiltonian& hamiltonian) {
+    const System system = system_of(hamiltonian, parameter_names(hamiltonian));
+    const std::size_t n = hamiltonian.degrees_of_freedom();
+    const auto rank = system.structure.kinetic_is_quadratic ? kinetic_rank(system) : std::nullopt;
+    if (!is_degenerate(system.structure) && rank.value_or(n) == n) return;
+    throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
+                    "d2H/dp2 is regular, and its rank is " +
+                        (rank ? std::to_string(*rank) + " of " + std::to_string(n)
+                              : "below the degrees of freedom, as a row of it is zero"),
+                    Place{hamiltonian.source, hamiltonian.expression.range},
+                    "take as many nodes as functions");
+}
+
+/// Beside the equations.
+struct StepWishes {
+    bool generating;
+    std::optional<int> series;
+};
 
 [[noreturn]] void refuse_generating(const Hamiltonian& hamiltonian, const std::string& obstacle) {
     const std::string help = "leave out --generating for the equations of the stages";
@@ -84,23 +120,40 @@ bool has_closed_form(const Tableau& tableau) {
 }
 
 /// With the map, and H_d^+ where it is wished; or with the equations of the stages.
-void add_equations(StepEquations& step, const Derivation& method, const Hamiltonian& hamiltonian,
-                   bool generating) {
+void add_equations(StepEquations& step, const Tableau& tableau, const Ground& ground,
+                   const Hamiltonian& hamiltonian, const StepWishes& wishes) {
     // NOTE: first, since it refuses with their places what has no value or is too long.
     const Gradient slopes = gradient(hamiltonian);
-    const QuadraticProof proof = quadratic_form(hamiltonian, method.ground);
-    step.obstacle = proof.obstacle;
-    if (proof.form && !has_closed_form(method.tableau))
-        step.obstacle = "the coefficients of the method have no closed form";
+    const QuadraticProof proof = quadratic_form(hamiltonian, ground);
+    step.obstacle = obstacle_to_map(proof, has_closed_form(tableau));
     if (!proof.form || !step.obstacle.empty()) {
-        if (generating) refuse_generating(hamiltonian, step.obstacle);
-        step.stages = stage_equations(method.tableau, hamiltonian, slopes);
-        return;
+        if (wishes.generating) refuse_generating(hamiltonian, step.obstacle);
+        step.stages = stage_equations(tableau, hamiltonian, slopes);
+    } else {
+        step.map = equations(one_step_map(tableau, *proof.form, ground));
+        if (wishes.generating)
+            step.generating = equations(generating_function(tableau, *proof.form, ground),
+                                        variables(hamiltonian));
     }
-    step.map = equations(one_step_map(method.tableau, *proof.form, method.ground));
-    if (generating)
-        step.generating = equations(generating_function(method.tableau, *proof.form, method.ground),
-                                    variables(hamiltonian));
+    if (wishes.series) step.series = discrete_series(tableau, hamiltonian, *wishes.series, ground);
+}
+
+/// The same of the general form: with its map, or with (4.6).
+void add_equations(StepEquations& step, const GalerkinRule& rule, const Ground& ground,
+                   const Hamiltonian& hamiltonian, const StepWishes& wishes) {
+    if (wishes.generating || wishes.series)
+        throw InputError("discrete Hamiltonians of the general Galerkin form are to come",
+                         Place{hamiltonian.source, hamiltonian.expression.range},
+                         "take as many nodes as functions");
+    const Gradient slopes = gradient(hamiltonian);
+    check_determined(hamiltonian);
+    const QuadraticProof proof = quadratic_form(hamiltonian, ground);
+    step.basis = rule.provenance.basis;
+    step.obstacle = obstacle_to_map(proof, has_closed_form(rule));
+    if (!proof.form || !step.obstacle.empty())
+        step.at_nodes = galerkin_equations(rule, hamiltonian, slopes);
+    else
+        step.map = equations(one_step_map(rule, *proof.form, ground));
 }
 
 }  // namespace
@@ -120,10 +173,12 @@ StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonia
     step.momenta = hamiltonian.momenta;
     return on_new_ground([&](const Ground& ground) {
         StepEquations result = step;
-        const Derivation derived = derive_on(ground, method);
-        add_equations(result, derived, hamiltonian, generating);
-        if (series)
-            result.series = discrete_series(derived.tableau, hamiltonian, *series, derived.ground);
+        const AnyDerivation found = derive_any_on(ground, method);
+        std::visit(
+            [&](const auto& derived) {
+                add_equations(result, derived, found.ground, hamiltonian, {generating, series});
+            },
+            found.method);
         return result;
     });
 }

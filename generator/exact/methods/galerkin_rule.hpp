@@ -63,4 +63,11 @@ using DerivedMethod = std::variant<Tableau, GalerkinRule>;
 /// galerkin_rule() do.
 [[nodiscard]] DerivedMethod derive_any(const Method& method);
 
+/// The same on the field of `ground`, as derive_on() does.
+struct AnyDerivation {
+    DerivedMethod method;
+    Ground ground;
+};
+[[nodiscard]] AnyDerivation derive_any_on(const Ground& ground, const Method& method);
+
 }  // namespace hvi::gen
