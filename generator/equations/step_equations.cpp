@@ -7,6 +7,7 @@
 
 #include "generator/equations/quadratic.hpp"
 #include "generator/exact/methods/galerkin_rule.hpp"
+#include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "generator/linear/one_step_map.hpp"
@@ -150,10 +151,11 @@ void add_equations(StepEquations& step, const GalerkinRule& rule, const Ground& 
     const QuadraticProof proof = quadratic_form(hamiltonian, ground);
     step.basis = rule.provenance.basis;
     step.obstacle = obstacle_to_map(proof, has_closed_form(rule));
-    if (!proof.form || !step.obstacle.empty())
-        step.at_nodes = galerkin_equations(rule, hamiltonian, slopes);
-    else
-        step.map = equations(one_step_map(rule, *proof.form, ground));
+    try {
+        if (proof.form && step.obstacle.empty())
+            step.map = equations(one_step_map(rule, *proof.form, ground));
+    } catch (const TooLarge&) { step.obstacle = "it is too long to be computed"; }
+    if (!step.map) step.at_nodes = galerkin_equations(rule, hamiltonian, slopes);
 }
 
 }  // namespace

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/linear/rule_map.hpp"
 
-#include <string>
 #include <utility>
 
 #include "generator/exact/algebra/matrix.hpp"
-#include "generator/support/error.hpp"
+#include "generator/exact/numbers/budget.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-/// NOTE: beyond that it takes minutes, and nobody would read the map.
-constexpr std::size_t most_unknown_velocities = 8;
+/// NOTE: beyond that it takes long even without parameters, and nobody would read the map.
+constexpr std::size_t most_unknown_velocities = 24;
 
 /// of_V V + of_x (q_0, p_0, 1), for the unknowns V of (4.6).
 struct Affine {
@@ -42,13 +41,6 @@ NumberMatrix block(const NumberMatrix& S, std::size_t row, std::size_t column) {
                    entries.begin() + static_cast<long>((column + 1) * n)};
     }
     return result;
-}
-
-void check_length(std::size_t unknowns) {
-    if (unknowns <= most_unknown_velocities) { return; }
-    throw MathError("the map of one step is too long: (4.6) couples " + std::to_string(unknowns) +
-                        " unknowns, more than " + std::to_string(most_unknown_velocities),
-                    {}, "`stepper` solves for the stages in each step");
 }
 
 NumberMatrix inverse_mass(const NumberMatrix& H_pp) {
@@ -95,7 +87,7 @@ NumberMatrix ends(const GalerkinRule& rule, const Affine& condition, const Affin
 /// k r + i.
 LinearMap map_of_part(const GalerkinRule& rule, const QuadraticForm& H, const Number& h) {
     const std::size_t n = H.degrees_of_freedom(), r = rule.nodes(), s = rule.functions();
-    check_length(n * s);
+    if (n * s > most_unknown_velocities) { throw TooLarge(); }
     const auto for_each = [&](const NumberMatrix& matrix) {
         return kronecker(identity(n), matrix);
     };

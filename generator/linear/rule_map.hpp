@@ -9,8 +9,8 @@ namespace hvi::gen {
 
 /// The map (q_0, p_0) -> (q_1, p_1) of (4.6) with the step h = ground.parameter("h"), as that of a
 /// tableau. Precondition: the numbers of the rule and of H are on the field of `ground`, and have
-/// closed forms. Throws MathError where d2H/dp2 is singular, and where the map would be too long to
-/// compute.
+/// closed forms. Throws MathError where d2H/dp2 is singular, and TooLarge where the map would be too
+/// long to compute.
 [[nodiscard]] LinearMap one_step_map(const GalerkinRule& rule, const QuadraticForm& H,
                                      const Ground& ground);
 
