@@ -7,7 +7,6 @@
 #include <csignal>
 #include <memory>
 
-#include "generator/edges/edges.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/text.hpp"
 #include "generator/exact/methods/galerkin_rule.hpp"

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "generator/edges/edges.hpp"
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/pipeline/stepper.hpp"
 #include "generator/program/builds.hpp"
