@@ -248,7 +248,7 @@ TEST_CASE("help points to what was meant") {
     CHECK(hvi_gen({"tableau", "gauss:3"}).err.find("--method") != std::string::npos);
 }
 
-TEST_CASE("what has no Lagrangian, and what a Lagrangian cannot do yet: status 1") {
+TEST_CASE("what has no Lagrangian, and which Lagrangians have no steps: status 1") {
     const auto refused = [](const Refusal& refusal, const std::vector<std::string>& words) {
         check_refused(refusal, words);
     };
@@ -280,9 +280,18 @@ TEST_CASE("what has no Lagrangian, and what a Lagrangian cannot do yet: status 1
         refused({1, file == cubic ? "v^3" : "q*v", {}}, {"scheme", "--method", "gauss:2", file});
         refused({1, file == cubic ? "v^3" : "q*v", {}},
                 {"scheme", "--method", "gauss:2", "--lagrangian", file});
+        refused({1, file == cubic ? "v^3" : "q*v", {}}, {"stepper", "--method", "gauss:2", file});
+        refused({1, file == cubic ? "v^3" : "q*v", {}}, {"run", file});
     }
-    refused({1, "v^2/2 - q^2/2", {}}, {"stepper", "--method", "gauss:2", spring});
-    refused({1, "v^2/2 - q^2/2", {}}, {"stepper", "--accuracy", "1e-6", spring});
-    refused({1, "v^2/2 - q^2/2", {}}, {"run", spring});
-    refused({1, "v^2/2 - q^2/2", {}}, {"report", spring});
+    const std::vector<std::string> stepper = {"stepper", "--method", "gauss:2", spring};
+    const auto with_words = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), stepper.begin(), stepper.end());
+        return more;
+    };
+    CHECK(hvi_gen(stepper).status == 0);
+    CHECK(hvi_gen(with_words({"--compose", "yoshida:4"})).status == 0);
+    refused({2, spring, {}}, with_words({"--dense"}));
+    refused({2, "ensemble", {}}, with_words({"--lanes", "ensemble"}));
+    refused({2, "stages", {}}, with_words({"--lanes", "stages"}));
+    refused({2, "v^2/2 - q^2/2", {}}, with_words({"--solver", "newton-taylor"}));
 }

@@ -424,7 +424,7 @@ TEST_CASE("series that there are not") {
     const Refusal generating = refusal(
         [] { return step_equations(rule("1 | 0, 1"), hamiltonian("p^2/2 + q^2/2"), true, 2); });
     CHECK(generating.status == 2);
-    CHECK(generating.says("series are built alone"));
+    CHECK(generating.says("generating functions of the general Galerkin form are to come"));
 }
 
 TEST_CASE("what is too long to be written is decided all the same") {

@@ -114,6 +114,8 @@ TEST_CASE("the scenes that come with the program are read") {
         std::string method, step, until, some_value;
     };
     const std::vector<Facts> all = {
+        {"bead-on-hoop", 1, {"m", "r", "g", "w"}, 0, false, "gauss:3", "1/20", "200", "a = 1/10"},
+        {"chain-of-links", 6, {"m", "l", "g"}, 0, false, "gauss:3", "1/200", "20", "a[6] = pi/4"},
         {"double-pendulum",
          2,
          {"m1", "m2", "l1", "l2", "g"},
@@ -147,7 +149,34 @@ TEST_CASE("the scenes that come with the program are read") {
          "1/20",
          "100",
          "p[3] = -g[3]"},
-        {"qp", 1, {}, 0, true, "chebyshev:3", "1/10", "3", "p = 1"}};
+        {"qp", 1, {}, 0, true, "chebyshev:3", "1/10", "3", "p = 1"},
+        {"robot-arm",
+         3,
+         {"m1", "m2", "m3", "l1", "l2", "l3", "k2", "k3"},
+         0,
+         false,
+         "gauss:3",
+         "1/100",
+         "100",
+         "w3 = 1/2"},
+        {"spherical-pendulum",
+         2,
+         {"m", "l", "g"},
+         1,
+         false,
+         "gauss:4",
+         "1/20",
+         "200",
+         "vphi = 2"},
+        {"two-pendulums",
+         2,
+         {"m1", "m2", "l1", "l2", "g"},
+         0,
+         false,
+         "gauss:4",
+         "1/100",
+         "100",
+         "theta2 = pi/4"}};
     const std::vector<SceneEntry> entries = scenes();
     REQUIRE(entries.size() == all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -158,8 +187,8 @@ TEST_CASE("the scenes that come with the program are read") {
         CHECK(entries[k].description == scene.description);
         CHECK(scene.description.size() > 20);
         CHECK(scene.name == facts.name);
-        CHECK(hamiltonian_of(scene).origin == facts.name);
-        CHECK(hamiltonian_of(scene).degrees_of_freedom() == facts.degrees_of_freedom);
+        CHECK(function_of(scene).origin == facts.name);
+        CHECK(function_of(scene).degrees_of_freedom() == facts.degrees_of_freedom);
         CHECK(names(scene.parameters) == facts.parameters);
         CHECK(scene.invariants.size() == facts.invariants);
         CHECK(scene.initial.size() == 2 * facts.degrees_of_freedom);
