@@ -42,13 +42,9 @@ void check_lagrangian(const Scene& scene, const StepperWishes& wishes) {
     const auto* L = std::get_if<Lagrangian>(&scene.mechanics);
     if (L == nullptr) return;
     check_regular(*L);
-    const auto refuse = [&](const char* flag) {
-        throw InputError(std::string(flag) + " is not built for scenes with a Lagrangian",
-                         scene.place,
+    if (wishes.dense)
+        throw InputError("--dense is not built for scenes with a Lagrangian", scene.place,
                          "the scene of its Hamiltonian takes it: `hvi-gen scheme` prints that");
-    };
-    if (wishes.dense) refuse("--dense");
-    if (wishes.action) refuse("--action");
 }
 
 /// What is wished for and not built.
@@ -123,12 +119,6 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
     return result;
 }
 
-void check_action(const OneStepMethod& method, const StepperWishes& wishes) {
-    if (wishes.action && std::holds_alternative<GalerkinRule>(method.base))
-        throw InputError("--action for the general Galerkin form is to come", method.place,
-                         "take as many nodes as functions");
-}
-
 Step planned(const OneStepMethod& method, const SystemProperties& system, const Scene& scene,
              const StepperWishes& wishes) {
     Step step = plan(method, system,
@@ -167,7 +157,6 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
     check_start(scene);
     check_lagrangian(scene, wishes);
     auto [method, curve] = derived(wished, wishes);
-    check_action(method, wishes);
     members.curve = std::move(curve);
     System system = system_of(scene);
     if (system.side == Side::hamiltonian) check_rank(method, system);
