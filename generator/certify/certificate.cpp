@@ -67,9 +67,7 @@ void set_signs(Findings& findings, const NumberVector& c, const NumberVector& b)
     findings.nodes_outside = outside(c);
 }
 
-void set_oscillator(Findings& findings, const PartitionedMethod& method) {
-    set_map(findings, method);
-}
+void set_oscillator(Findings& findings, const GalerkinRule& rule) { set_map(findings, rule); }
 
 void set_signs(Certificate& certificate, const NodesAndMethod& given) {
     certificate.stages = given.c.size();

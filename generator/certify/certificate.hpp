@@ -93,6 +93,6 @@ void set_signs(Certificate& certificate, const NodesAndMethod& given);
 void set_signs(Findings& findings, const NumberVector& c, const NumberVector& b);
 
 /// The map of the oscillator and where it is stable; nothing where the map is too long.
-void set_oscillator(Findings& findings, const PartitionedMethod& method);
+void set_oscillator(Findings& findings, const GalerkinRule& rule);
 
 }  // namespace hvi::gen

@@ -3,14 +3,26 @@
 
 #include <algorithm>
 
-#include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/methods/galerkin_form.hpp"
+#include "generator/exact/methods/projected_stages.hpp"
 #include "generator/exact/numbers/budget.hpp"
 
 namespace hvi::gen {
 namespace {
 
+Verdict exactly(bool holds) { return {holds, true}; }
+
+/// n(x, y) - n(y, x) = x - y, which is more.
+Verdict is_symplectic(const RationalMatrix& n) {
+    RationalMatrix x = n - n;
+    fmpq_one(x.entry(1, 0));
+    return exactly(n - transpose(n) == x - transpose(x));
+}
+
 Verdict is_symplectic(const GalerkinRule& rule) {
+    if (rule.over_rationals) {
+        return is_symplectic(ProjectedStages(*rule.over_rationals).positions());
+    }
     const auto [A_bar, b_bar] = nystrom(rule);
     Verdict result;
     for (std::size_t i = 0; i < rule.nodes() && result.holds; ++i) {
@@ -23,8 +35,25 @@ Verdict is_symplectic(const GalerkinRule& rule) {
     return result;
 }
 
+/// P and its roots, and with them the weights, are mapped to themselves by 1 - x, and
+/// n(1 - x, 1 - y) = n(y, x).
+Verdict is_symmetric_nystrom(const RationalRule& rule) {
+    const RationalPolynomial& P = rule.P;
+    if (!(monic(P.at_affine(-1, 1)) == monic(P))) { return exactly(false); }
+    std::vector<RationalPolynomial> powers{RationalPolynomial(1)};  // of 1 - x
+    const auto r = static_cast<std::size_t>(P.degree());
+    while (powers.size() < r) {
+        powers.push_back(powers.back() * RationalPolynomial::variable().at_affine(-1, 1));
+    }
+    const RationalMatrix R = coefficient_rows(powers, r);
+    const ProjectedStages stages(rule);
+    const RationalMatrix& n = stages.positions();
+    return exactly(transpose(R) * n * R == transpose(n));
+}
+
 /// As a Nystrom method. NOTE: of equal nodes only one is found; then a no is not proved.
 Verdict is_symmetric_nystrom(const GalerkinRule& rule) {
+    if (rule.over_rationals) { return is_symmetric_nystrom(*rule.over_rationals); }
     Verdict result;
     const auto sigma = mirrored(rule.c, result);
     if (!sigma) { return {false, true}; }
@@ -47,51 +76,7 @@ bool is_explicit(const GalerkinRule& rule) {
     return true;
 }
 
-/// Psi, A_psi, B and G of a basis phi with sum_k phi_k = 1: that of the rule, but for the first
-/// function of which 1 has a part, and in its place 1 less all others.
-struct PartitionOfUnity {
-    NumberMatrix A_psi;
-    NumberVector B;
-    NumberMatrix gram;
-};
-
-PartitionOfUnity partition_of_unity(const GalerkinRule& rule) {
-    const std::size_t s = rule.functions();
-    const auto known = inverse(rule.gram);
-    HVI_CHECK(known);
-    const NumberVector one = known->adjugate * rule.B * (Number(1) / known->determinant);
-    const auto first =
-        std::find_if(one.begin(), one.end(), [](const Number& part) { return !part.is_zero(); });
-    HVI_CHECK(first != one.end());
-    NumberMatrix T = identity(s);  // phi = T psi
-    NumberVector& row = T[static_cast<std::size_t>(first - one.begin())];
-    for (std::size_t k = 0; k < s; ++k) { row[k] = one[k] - Number(1); }
-    row[static_cast<std::size_t>(first - one.begin())] = *first;
-    return {rule.A_psi * transpose(T), T * rule.B, T * rule.gram * transpose(T)};
-}
-
 }  // namespace
-
-PartitionedMethod partitioned_method(const GalerkinRule& rule) {
-    const std::size_t r = rule.nodes(), s = rule.functions();
-    const auto [A_psi, B, gram] = partition_of_unity(rule);
-    const auto known = inverse(gram);
-    HVI_CHECK(known);
-    PartitionedMethod method{NumberVector(r + s), NumberVector(r + s), zeros(r + s, r + s),
-                             zeros(r + s, r + s)};
-    for (std::size_t k = 0; k < s; ++k) { method.b[r + k] = B[k]; }
-    for (std::size_t i = 0; i < r; ++i) {
-        method.b_tilde[i] = rule.b[i];
-        NumberVector moments(s);  // of (4.6d): b_i (B - A_i)
-        for (std::size_t k = 0; k < s; ++k) {
-            method.A[i][r + k] = A_psi[i][k];
-            moments[k] = rule.b[i] * (B[k] - A_psi[i][k]);
-        }
-        const NumberVector column = known->adjugate * moments * (Number(1) / known->determinant);
-        for (std::size_t k = 0; k < s; ++k) { method.A_tilde[r + k][i] = column[k]; }
-    }
-    return method;
-}
 
 bool RuleCertificate::is_proved() const {
     return Findings::is_proved() && symplectic.proved && symmetric.proved && nystrom.proved;
@@ -107,10 +92,9 @@ RuleCertificate certify(const GalerkinRule& rule, int max_order) {
     result.symplectic = is_symplectic(rule);
     result.symmetric = is_symmetric_nystrom(rule);
     result.is_explicit = is_explicit(rule);
-    const PartitionedMethod method = partitioned_method(rule);
-    result.nystrom = nystrom_order(method, max_order);
+    result.nystrom = nystrom_order(rule, max_order);
     set_signs(result, rule.c, rule.b);
-    if (!takes_long(method)) { set_oscillator(result, method); }
+    if (!takes_long(rule)) { set_oscillator(result, rule); }
     return result;
 }
 

@@ -32,9 +32,4 @@ struct RuleCertificate : Findings {
 using AnyCertificate = std::variant<Certificate, RuleCertificate>;
 [[nodiscard]] AnyCertificate certify(const Method& method, int max_order);
 
-/// The form as a partitioned method for H = p^T K p/2 + U(q): r stages with positions, whose forces
-/// p takes, and s with momenta, whose velocities q takes. These are the coefficients of q_d in a
-/// basis phi with sum_k phi_k = 1, so that each is p and multiples of forces.
-[[nodiscard]] PartitionedMethod partitioned_method(const GalerkinRule& rule);
-
 }  // namespace hvi::gen

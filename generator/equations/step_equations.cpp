@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "generator/equations/quadratic.hpp"
-#include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "generator/linear/one_step_map.hpp"
@@ -84,23 +84,31 @@ bool has_closed_form(const Tableau& tableau) {
 }
 
 /// With the map, and H_d^+ where it is wished; or with the equations of the stages.
-void add_equations(StepEquations& step, const Derivation& method, const Hamiltonian& hamiltonian,
-                   bool generating) {
+void add_equations(StepEquations& step, const Tableau& tableau, const Hamiltonian& hamiltonian,
+                   const Ground& ground, bool generating) {
     // NOTE: first, since it refuses with their places what has no value or is too long.
     const Gradient slopes = gradient(hamiltonian);
-    const QuadraticProof proof = quadratic_form(hamiltonian, method.ground);
+    const QuadraticProof proof = quadratic_form(hamiltonian, ground);
     step.obstacle = proof.obstacle;
-    if (proof.form && !has_closed_form(method.tableau))
+    if (proof.form && !has_closed_form(tableau))
         step.obstacle = "the coefficients of the method have no closed form";
     if (!proof.form || !step.obstacle.empty()) {
         if (generating) refuse_generating(hamiltonian, step.obstacle);
-        step.stages = stage_equations(method.tableau, hamiltonian, slopes);
+        step.stages = stage_equations(tableau, hamiltonian, slopes);
         return;
     }
-    step.map = equations(one_step_map(method.tableau, *proof.form, method.ground));
+    step.map = equations(one_step_map(tableau, *proof.form, ground));
     if (generating)
-        step.generating = equations(generating_function(method.tableau, *proof.form, method.ground),
-                                    variables(hamiltonian));
+        step.generating =
+            equations(generating_function(tableau, *proof.form, ground), variables(hamiltonian));
+}
+
+/// Of the general Galerkin form the series are built alone.
+[[noreturn]] void refuse_equations(const Method& method) {
+    throw InputError("of the general Galerkin form (4.6), with more nodes than functions, the "
+                     "series are built alone; its equations are to come",
+                     whole(method.nodes.source),
+                     "give as many nodes as basis functions, or --series N without --generating");
 }
 
 }  // namespace
@@ -120,10 +128,14 @@ StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonia
     step.momenta = hamiltonian.momenta;
     return on_new_ground([&](const Ground& ground) {
         StepEquations result = step;
-        const Derivation derived = derive_on(ground, method);
-        add_equations(result, derived, hamiltonian, generating);
+        const AnyDerivation derived = derive_any_on(ground, method);
+        if (const auto* const tableau = std::get_if<Tableau>(&derived.method)) {
+            add_equations(result, *tableau, hamiltonian, derived.ground, generating);
+        } else if (generating || !series) {
+            refuse_equations(method);
+        }
         if (series)
-            result.series = discrete_series(derived.tableau, hamiltonian, *series, derived.ground);
+            result.series = discrete_series(derived.method, hamiltonian, *series, derived.ground);
         return result;
     });
 }

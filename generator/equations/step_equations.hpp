@@ -38,7 +38,7 @@ struct StepEquations : StepTitle {
     std::optional<MapEquations> map;  ///< where H is quadratic
     std::string obstacle;             ///< why there is none all the same
     std::optional<GeneratingEquations> generating;
-    std::optional<StageEquations> stages;  ///< where there is no map
+    std::optional<StageEquations> stages;  ///< of a tableau, where there is no map
     std::optional<DiscreteSeries> series;
 };
 
@@ -47,9 +47,10 @@ struct StepEquations : StepTitle {
 
 /// The map of one step where H is quadratic (Leok & Zhang, (6.2) to (6.6)), with `generating` also
 /// its generating function; for any other H, and for one that depends on time, the equations of the
-/// stages (4.18). With `series` also so many terms of the discrete Hamiltonians of any H. Throws
-/// what `derive`, `gradient` and `discrete_series` throw, and MathError for the generating function
-/// of another H. Precondition: their names go together (see check_together).
+/// stages (4.18). With `series` also so many terms of the discrete Hamiltonians of any H. Of the
+/// general Galerkin form these alone. Throws what `derive_any`, `gradient` and `discrete_series`
+/// throw, MathError for the generating function of another H, and InputError for what is not built
+/// of the general form. Precondition: their names go together (see check_together).
 [[nodiscard]] StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,
                                            bool generating, std::optional<int> series = {});
 

@@ -3,6 +3,7 @@
 
 #include <arb_mat.h>
 
+#include <string>
 #include <utility>
 
 #include "generator/exact/algebra/number_vector.hpp"
@@ -10,7 +11,6 @@
 #include "generator/graph/written.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/scene/value_at.hpp"
-#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -99,6 +99,17 @@ std::optional<std::size_t> kinetic_rank(const System& system) {
     } catch (const InputError&) { return std::nullopt; } catch (const MathError&) {
         return std::nullopt;
     }
+}
+
+void check_kinetic_rank(const System& system, const std::optional<Place>& place) {
+    if (is_degenerate(system.structure)) { return; }
+    const auto rank = kinetic_rank(system);
+    if (!rank || *rank == system.degrees_of_freedom()) { return; }
+    throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
+                    "d2H/dp2 is regular, and its rank is " +
+                        std::to_string(*rank) + " of " +
+                        std::to_string(system.degrees_of_freedom()),
+                    place, "take as many nodes as functions");
 }
 
 }  // namespace hvi::gen

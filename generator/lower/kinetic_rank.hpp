@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "generator/ir/system.hpp"
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
@@ -13,5 +14,9 @@ namespace hvi::gen {
 /// not. Regular where enclosures prove it at one point, else by exact elimination with all of them
 /// for free symbols. Empty where an entry is too long to be written, or beyond that arithmetic.
 [[nodiscard]] std::optional<std::size_t> kinetic_rank(const System& system);
+
+/// With more nodes than functions (4.6e) has to determine the P from the V. Throws MathError where
+/// it is known to be singular, with its rank, and leaves rows of zeros to check_general_form().
+void check_kinetic_rank(const System& system, const std::optional<Place>& place);
 
 }  // namespace hvi::gen

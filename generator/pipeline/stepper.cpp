@@ -25,16 +25,9 @@ std::string command(const OneStepMethod& method, const Scene& scene, const Stepp
            options_for(wishes);
 }
 
-/// With more nodes than functions (4.6e) has to determine the P from the V.
-void check_rank(const OneStepMethod& method, const System& system) {
-    const bool is_asked = std::holds_alternative<GalerkinRule>(method.base);
-    const auto rank = is_asked ? kinetic_rank(system) : std::nullopt;
-    if (!rank || *rank == system.degrees_of_freedom()) return;
-    throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
-                    "d2H/dp2 is regular, and its rank is " +
-                        std::to_string(*rank) + " of " +
-                        std::to_string(system.degrees_of_freedom()),
-                    method.place, "take as many nodes as functions");
+/// Whether (4.6e) has to determine the P from the V.
+bool is_overdetermined(const OneStepMethod& method, const System& system) {
+    return std::holds_alternative<GalerkinRule>(method.base) && system.side == Side::hamiltonian;
 }
 
 /// Whether (4.14) is built for the L of a scene; nothing is asked of an H.
@@ -159,7 +152,7 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
     auto [method, curve] = derived(wished, wishes);
     members.curve = std::move(curve);
     System system = system_of(scene);
-    if (system.side == Side::hamiltonian) check_rank(method, system);
+    if (is_overdetermined(method, system)) check_kinetic_rank(system, method.place);
     GradientKernels gradients = gradient_kernels(system);
     Step step = planned(method, properties(system, gradients), scene, wishes);
     Evaluations evaluations = hvi::gen::evaluations(system, std::move(gradients), step);

@@ -64,6 +64,11 @@ private:
     std::string text_;
 };
 
+/// In a line of its own.
+void append_line(std::string& lines, const std::string& line) {
+    lines += (lines.empty() ? "" : ", \\\\\n") + line;
+}
+
 std::string map_latex(const StepEquations& step) {
     const std::vector<std::string> names = variables(step);
     std::string lines;
@@ -72,8 +77,7 @@ std::string map_latex(const StepEquations& step) {
         for (std::size_t j = 0; j < names.size(); ++j)
             sum.add(step.map->matrix[i][j], at(names[j], "n"));
         sum.add(step.map->offset[i], "");
-        lines += fmt::format("{}{} &= {}", lines.empty() ? "" : ", \\\\\n", at(names[i], "n+1"),
-                             sum.text());
+        append_line(lines, fmt::format("{} &= {}", at(names[i], "n+1"), sum.text()));
     }
     return lines;
 }
@@ -83,8 +87,7 @@ std::string stages_latex(const StepEquations& step) {
     now["t"] = at("t", "n");
     std::string lines;
     const auto append = [&](const std::string& left, const Expression& right) {
-        lines += fmt::format("{}{} &= {}", lines.empty() ? "" : ", \\\\\n", left,
-                             to_latex(renamed(right, now)));
+        append_line(lines, fmt::format("{} &= {}", left, to_latex(renamed(right, now))));
     };
     for (const Equation& stage : step.stages->stages)
         append(to_latex(Expression::symbol(stage.left)), stage.right);
@@ -104,17 +107,17 @@ std::string function_latex(const std::string& left, const Expression& function,
         for (const Expression& term : shown.arguments) sum.add(term, "");
     else
         sum.add(shown, "");
-    return fmt::format(", \\\\\n{} &= {}", left, sum.text());
+    return fmt::format("{} &= {}", left, sum.text());
 }
 
 /// Coefficients of powers of h: [h^2] of a function. What is too long is left out.
-std::string series_latex(const StepEquations& step) {
+void append_series(std::string& lines, const StepEquations& step) {
     const DiscreteSeries& series = *step.series;
-    std::string lines;
     const auto append = [&](int power, std::string_view of,
                             const DiscreteSeries::Coefficient& coefficient) {
         if (!coefficient) return;
-        lines += function_latex(fmt::format("[h^{{{}}}]\\,{}", power, of), *coefficient, step);
+        append_line(lines,
+                    function_latex(fmt::format("[h^{{{}}}]\\,{}", power, of), *coefficient, step));
     };
     const auto append_all = [&](std::string_view of,
                                 const std::vector<DiscreteSeries::Coefficient>& terms) {
@@ -126,7 +129,6 @@ std::string series_latex(const StepEquations& step) {
     if (series.first_difference)
         append(*series.first_difference, "(H_{d}^{+} - H_{d,\\mathrm{exact}}^{+})",
                series.difference);
-    return lines;
 }
 
 std::string displayed(const std::string& command, const std::string& lines) {
@@ -139,17 +141,18 @@ std::string displayed(const std::string& command, const std::string& lines) {
 }  // namespace
 
 std::string render_latex(const StepEquations& step) {
-    std::string lines = step.map ? map_latex(step) : stages_latex(step);
+    std::string lines = step.map ? map_latex(step) : step.stages ? stages_latex(step) : "";
     std::string option;
     if (step.generating) {
         option = " --generating";
-        lines += function_latex("H_{d}^{+}", step.generating->discrete, step);
+        append_line(lines, function_latex("H_{d}^{+}", step.generating->discrete, step));
         if (step.generating->exact)
-            lines += function_latex("H_{d,\\mathrm{exact}}^{+}", *step.generating->exact, step);
+            append_line(lines,
+                        function_latex("H_{d,\\mathrm{exact}}^{+}", *step.generating->exact, step));
     }
     if (step.series) {
         option += fmt::format(" --series {}", step.series->exact.size());
-        lines += series_latex(step);
+        append_series(lines, step);
     }
     return displayed(step.origin + option, lines);
 }
@@ -160,7 +163,7 @@ std::string render_latex(const LagrangianEquations& step) {
     now["t"] = at("t", "n");
     std::string lines = "L &= " + to_latex(step.lagrangian);
     const auto append = [&](const std::string& left, const Expression& right) {
-        lines += fmt::format(", \\\\\n{} &= {}", left, to_latex(renamed(right, now)));
+        append_line(lines, fmt::format("{} &= {}", left, to_latex(renamed(right, now))));
     };
     for (const Equation& position : step.positions)
         append(to_latex(Expression::symbol(position.left)), position.right);

@@ -177,7 +177,8 @@ void write_terms(Page& page, const StepEquations& step,
 
 void write_series(Page& page, const StepEquations& step) {
     const DiscreteSeries& found = *step.series;
-    page.remark("\ncoefficients of powers of h in the exact discrete Hamiltonian, (4.1):\n\n");
+    if (step.map || step.stages) page.remark("\n");
+    page.remark("coefficients of powers of h in the exact discrete Hamiltonian, (4.1):\n\n");
     write_terms(page, step, found.exact);
     page.remark("\nand in the H_d^+ of the method, (4.19):\n\n");
     write_terms(page, step, found.method);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/exact/numbers/budget.hpp"
+#include "generator/lower/kinetic_rank.hpp"
 #include "generator/lower/system.hpp"
 #include "generator/scene/value_at.hpp"
 #include "generator/series/elementary_hamiltonians.hpp"
@@ -53,10 +54,15 @@ struct Forms {
     Expression difference_form;
 };
 
+const std::vector<std::string>& parameters(const DerivedMethod& method) {
+    return std::visit(
+        [](const auto& derived) -> const auto& { return derived.parameters; }, method);
+}
+
 /// All symbols, each at a rational number of its own; at others in each point. NOTE: none is a
 /// binary fraction, so that all their balls have a radius, and a ball that is 0 is that of a
 /// function that is 0 everywhere.
-SymbolValues some_point(const System& system, const Tableau& tableau, std::size_t point) {
+SymbolValues some_point(const System& system, const DerivedMethod& method, std::size_t point) {
     SymbolValues values;
     const auto add = [&](const std::string& name) {
         const std::size_t third = 31 + 7 * point + 11 * values.size();
@@ -67,7 +73,7 @@ SymbolValues some_point(const System& system, const Tableau& tableau, std::size_
         const Computation& computation = system.graph.at(node);
         if (computation.operation == Operation::input) { add(computation.name); }
     }
-    for (const std::string& name : tableau.parameters) { add(name); }
+    for (const std::string& name : parameters(method)) { add(name); }
     return values;
 }
 
@@ -96,14 +102,14 @@ private:
 
 class Series {
 public:
-    Series(const Tableau& tableau, const Hamiltonian& hamiltonian, const Ground& ground)
+    Series(const DerivedMethod& method, const Hamiltonian& hamiltonian, const System& system,
+           const Ground& ground)
         : hamiltonian_(with_values(hamiltonian)),
           exact_(exact_weight(ground)),
-          method_(method_weight(tableau, ground)),
-          system_(system_of(hamiltonian, parameter_names(hamiltonian))),
-          elementary_(system_, ground),
-          points_{{{system_, some_point(system_, tableau, 0)},
-                   {system_, some_point(system_, tableau, 1)}}} {}
+          method_(method_weight(method, ground)),
+          elementary_(system, ground),
+          points_{
+              {{system, some_point(system, method, 0)}, {system, some_point(system, method, 1)}}} {}
 
     /// That of h, which is H: by constants in the span of the basis the sum of all weights is 1
     /// (Leok & Zhang, Section 4.4.3). NOTE: as it is written, and so however long it is.
@@ -119,7 +125,6 @@ private:
 
     Expression hamiltonian_;
     TreeWeight exact_, method_;
-    System system_;
     ElementaryHamiltonians<NodeValues> elementary_;
     std::array<AtPoint, 2> points_;
 };
@@ -194,15 +199,33 @@ std::optional<bool> Series::are_equal(const std::vector<TreePointer>& trees) {
     return std::nullopt;
 }
 
+/// The systems for which a method has weights.
+TreeFamily family_of(const DerivedMethod& method) {
+    return std::holds_alternative<GalerkinRule>(method) ? TreeFamily::nystrom : TreeFamily::general;
+}
+
+void check_quadratic_kinetic(const Hamiltonian& hamiltonian, const System& system) {
+    const Place place{hamiltonian.source, hamiltonian.expression.range};
+    if (!system.structure.kinetic_is_quadratic) {
+        throw InputError("series of the general Galerkin form are built for H = p^T K p/2 + U(q) "
+                         "alone; others are to come",
+                         place, "take as many nodes as functions");
+    }
+    check_kinetic_rank(system, place);
+}
+
 }  // namespace
 
-DiscreteSeries discrete_series(const Tableau& tableau, const Hamiltonian& hamiltonian, int terms,
-                               const Ground& ground) {
+DiscreteSeries discrete_series(const DerivedMethod& method, const Hamiltonian& hamiltonian,
+                               int terms, const Ground& ground) {
     const Progress::Stage stage("computing the series of the discrete Hamiltonians");
-    Series series(tableau, hamiltonian, ground);
+    const System system = system_of(hamiltonian, parameter_names(hamiltonian));
+    const TreeFamily family = family_of(method);
+    if (family == TreeFamily::nystrom) { check_quadratic_kinetic(hamiltonian, system); }
+    Series series(method, hamiltonian, system, ground);
     DiscreteSeries result;
     series.begin(result);
-    const auto trees = unrooted_trees(terms);
+    const auto trees = unrooted_trees(family, terms);
     for (std::size_t k = 1; k < trees.size(); ++k) { series.append(result, trees[k]); }
     return result;
 }

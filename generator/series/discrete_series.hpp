@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/numbers/ground.hpp"
 #include "generator/expr/expression.hpp"
 #include "generator/read/hamiltonian.hpp"
@@ -29,9 +29,11 @@ struct DiscreteSeries {
 };
 
 /// Up to h^terms. Throws MathError where coefficients of the method have no closed form or take too
-/// long; InputError as lower() does. Preconditions: the tableau is on the field of `ground`, and
-/// 1 <= terms <= most_vertices.
-[[nodiscard]] DiscreteSeries discrete_series(const Tableau& tableau, const Hamiltonian& hamiltonian,
-                                             int terms, const Ground& ground);
+/// long; InputError as lower() does. Of the general Galerkin form for H = p^T K p/2 + U(q): throws
+/// InputError for other H, and MathError for a singular K. Preconditions: the method is on the
+/// field of `ground`, and 1 <= terms <= most_vertices.
+[[nodiscard]] DiscreteSeries discrete_series(const DerivedMethod& method,
+                                             const Hamiltonian& hamiltonian, int terms,
+                                             const Ground& ground);
 
 }  // namespace hvi::gen

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/methods/trees.hpp"
 #include "generator/exact/numbers/ground.hpp"
 
@@ -27,15 +27,17 @@ namespace hvi::gen {
 /// the middle are f and those on its q are g; the colour of the middle itself says nothing.
 using TreeWeight = std::function<Number(const Tree&)>;
 
-/// All trees with 1, 2, ..., `vertices` vertices, each once; `symmetry` is how many automorphisms
-/// it has. Precondition: vertices <= most_vertices.
-[[nodiscard]] std::vector<std::vector<TreePointer>> unrooted_trees(int vertices);
+/// All trees of a family with 1, 2, ..., `vertices` vertices, each once; `symmetry` is how many
+/// automorphisms it has. Other trees have no elementary Hamiltonian for its systems. Precondition:
+/// vertices <= most_vertices.
+[[nodiscard]] std::vector<std::vector<TreePointer>> unrooted_trees(TreeFamily family, int vertices);
 
 /// Those of (4.1), rational numbers. They remember what trees share, as those of a method do.
 [[nodiscard]] TreeWeight exact_weight(const Ground& ground);
 
-/// Those of (4.19). Throws MathError where coefficients of the method have no closed form.
-/// Precondition: the tableau is on the field of `ground`.
-[[nodiscard]] TreeWeight method_weight(const Tableau& tableau, const Ground& ground);
+/// Those of (4.19); of the general Galerkin form for T = p^T K p/2. Throws MathError where
+/// coefficients of the method have no closed form. Precondition: the method is on the field of
+/// `ground`.
+[[nodiscard]] TreeWeight method_weight(const DerivedMethod& method, const Ground& ground);
 
 }  // namespace hvi::gen

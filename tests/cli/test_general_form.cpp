@@ -92,10 +92,38 @@ TEST_CASE("H that the general form does not step is refused, with the reason") {
     refused({"--hamiltonian", "(p1+p2)^2/2+q1^4+q2^2", "--coordinates", "q1, q2", "--momenta",
              "p1, p2"},
             1, "its rank is 1 of 2");
-    refused({"nonseparable"}, 2, "to come");
+    refused({"--hamiltonian", "sin(q1)*(p1+p2)^2+exp(p1+p2)+q2^2", "--coordinates", "q1, q2",
+             "--momenta", "p1, p2"},
+            1, "its rank is 1 of 2");
     refused({}, 2, "for one H alone");
-    refused({"pendulum", "--compose", "yoshida:4"}, 2, "to come");
     refused({"pendulum", "--dense"}, 2, "not built");
     refused({"pendulum", "--action"}, 2, "to come");
+    refused({"nonseparable", "--lanes", "stages"}, 2, "the velocities of the curve");
+    refused({"nonseparable", "--lanes", "ensemble"}, 2, "the velocities of the curve");
+    refused({"nonseparable", "--solver", "newton-taylor"}, 2, "--solver newton takes any H");
     CHECK(with_simpson({"stepper", "pendulum"}).status == 0);
+    CHECK(with_simpson({"stepper", "pendulum", "--compose", "yoshida:4"}).status == 0);
+    CHECK(with_simpson({"stepper", "nonseparable", "--compose", "blanes-moan:6"}).status == 0);
+}
+
+TEST_CASE("compositions of rules that are not symmetric are refused") {
+    const auto refused = [](const std::string& composition, int status, const std::string& words) {
+        const Outcome outcome = hvi_gen({"stepper", "--basis", "1, tau", "--nodes", "0, 2/3, 1",
+                                         "nonseparable", "--compose", composition});
+        INFO(outcome.err);
+        CHECK(outcome.status == status);
+        CHECK(outcome.err.find(words) != std::string::npos);
+    };
+    refused("yoshida:4", 1, "not its own adjoint");
+    refused("blanes-moan:6", 2, "is one of the adjoint");
+}
+
+TEST_CASE("the general form runs a scene that is not separable") {
+    const Directory directory;
+    const Outcome outcome =
+        hvi_gen({"run", "--basis", "1, tau", "--nodes", "gauss:3", "nonseparable", "--until", "20"},
+                directory.path());
+    INFO(outcome.err << outcome.out);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.find("largest error") != std::string::npos);
 }

@@ -117,6 +117,22 @@ difference    H_d^+ - H_d,exact^+ = O(h^3), and its first coefficient is
     }
 }
 
+TEST_CASE("of the general Galerkin form scheme prints the series alone") {
+    const std::vector<std::string> words = {"scheme",  "--basis",  "1",        "--nodes",
+                                            "gauss:6", "pendulum", "--series", "3"};
+    const std::string text = same_every_time(words);
+    CHECK(text.find("p\n\ncoefficients of powers of h in the exact") != std::string::npos);
+    CHECK(text.find("H_d^+ - H_d,exact^+ = O(h^3), and its") != std::string::npos);
+    const std::string json = same_every_time(with(words, {"--format", "json"}));
+    for (const char* part : {"\"map\": null", "\"stages\": null", "\"first_difference\": 3,"})
+        CHECK(json.find(part) != std::string::npos);
+    const std::string latex = same_every_time(with(words, {"--format", "latex"}));
+    CHECK(latex.find("\\begin{aligned}\n[h^{1}]\\,H_{d,") != std::string::npos);
+    const Outcome refused = hvi_gen({"scheme", "--basis", "1", "--nodes", "gauss:6", "pendulum"});
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find("the series are built alone") != std::string::npos);
+}
+
 TEST_CASE("scheme takes a scene by name, and by file") {
     const Directory directory;
     const std::string toml = contents(in_checkout("examples/scenes/harmonic-oscillator.toml"));

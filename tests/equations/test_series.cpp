@@ -1,7 +1,9 @@
 // The discrete Hamiltonians of any H as series in h: by closed forms, and in numbers by the
 // equations (2.7) and (4.19) themselves.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -72,21 +74,25 @@ Real residual(const DiscreteSeries& series, const Hamiltonian& H, Real h) {
     return sum(series.exact, H, point, {h, 1}).slope - evaluate(H.expression, end).value;
 }
 
+std::vector<Real> rounded(const NumberVector& numbers) {
+    std::vector<Real> result;
+    for (const Number& number : numbers) result.emplace_back(number.nearest_double());
+    return result;
+}
+
+std::vector<std::vector<Real>> rounded(const NumberMatrix& rows) {
+    std::vector<std::vector<Real>> result;
+    for (const NumberVector& row : rows) result.push_back(rounded(row));
+    return result;
+}
+
 /// The numbers of a tableau.
 struct Rounded {
     std::vector<Real> b;
     std::vector<std::vector<Real>> a, a_tilde;
 
-    explicit Rounded(const Tableau& tableau) {
-        const auto row = [](const NumberVector& numbers) {
-            std::vector<Real> result;
-            for (const Number& number : numbers) result.emplace_back(number.nearest_double());
-            return result;
-        };
-        b = row(tableau.b);
-        for (const NumberVector& numbers : tableau.A) a.push_back(row(numbers));
-        for (const NumberVector& numbers : tableau.A_tilde) a_tilde.push_back(row(numbers));
-    }
+    explicit Rounded(const Tableau& tableau)
+        : b(rounded(tableau.b)), a(rounded(tableau.A)), a_tilde(rounded(tableau.A_tilde)) {}
 };
 
 /// The second line of (4.19), by stages that solve (4.18) for given q_0 and p_1.
@@ -140,13 +146,130 @@ private:
     std::vector<Point> stages_;
 };
 
+/// H_d^+ of (4.6) for H = p^2/2 + U(q, t) in all degrees of freedom: the stationary value over V of
+/// p_1 (q_0 + h B V) - h V^T G V/2 + h sum_i b_i U(Q_i), Q_i = q_0 + h A_i V.
+class GeneralStep {
+public:
+    GeneralStep(const GalerkinRule& rule, const Hamiltonian& H, Real h)
+        : b_(rounded(rule.b)),
+          c_(rounded(rule.c)),
+          B_(rounded(rule.B)),
+          A_(rounded(rule.A_psi)),
+          G_(rounded(rule.gram)),
+          H_(H),
+          slopes_(gradient(H)),
+          h_(h),
+          start_(start(H)),
+          V_(B_.size(), std::vector<Real>(H.degrees_of_freedom())) {
+        for (int round = 0; round < 40; ++round) update();
+    }
+
+    [[nodiscard]] Real discrete_hamiltonian() const {
+        Real result = 0;
+        for (std::size_t d = 0; d < H_.degrees_of_freedom(); ++d) {
+            const Real p = start_.at(H_.momenta[d]).value;
+            result += p * start_.at(H_.coordinates[d]).value;
+            for (std::size_t k = 0; k < V_.size(); ++k) {
+                result += h_ * p * B_[k] * V_[k][d];
+                for (std::size_t l = 0; l < V_.size(); ++l)
+                    result -= h_ * G_[k][l] * V_[k][d] * V_[l][d] / 2;
+            }
+        }
+        for (std::size_t i = 0; i < b_.size(); ++i)
+            result += h_ * b_[i] * evaluate(H_.expression, at_node(i)).value;
+        return result;
+    }
+
+private:
+    /// With p = 0.
+    [[nodiscard]] Point at_node(std::size_t i) const {
+        Point point = start_;
+        point["t"].value += h_ * c_[i];
+        for (std::size_t d = 0; d < H_.degrees_of_freedom(); ++d) {
+            point[H_.momenta[d]] = {0};
+            for (std::size_t k = 0; k < V_.size(); ++k)
+                point[H_.coordinates[d]].value += h_ * A_[i][k] * V_[k][d];
+        }
+        return point;
+    }
+
+    /// G V = p_1 B + h sum_i b_i A_i dU/dq(Q_i).
+    void update() {
+        std::vector<std::vector<Real>> right(V_.size());
+        for (std::size_t k = 0; k < V_.size(); ++k)
+            for (const std::string& p : H_.momenta) right[k].push_back(start_.at(p).value * B_[k]);
+        for (std::size_t i = 0; i < b_.size(); ++i) {
+            const Point point = at_node(i);
+            for (std::size_t d = 0; d < H_.degrees_of_freedom(); ++d) {
+                const Real slope = evaluate(slopes_.by_coordinates[d], point).value;
+                for (std::size_t k = 0; k < V_.size(); ++k)
+                    right[k][d] += h_ * b_[i] * A_[i][k] * slope;
+            }
+        }
+        for (std::size_t d = 0; d < H_.degrees_of_freedom(); ++d) solve(right, d);
+    }
+
+    /// By sweeps of Gauss and Seidel.
+    void solve(const std::vector<std::vector<Real>>& right, std::size_t d) {
+        for (int sweep = 0; sweep < 200; ++sweep)
+            for (std::size_t k = 0; k < V_.size(); ++k) {
+                Real rest = right[k][d];
+                for (std::size_t l = 0; l < V_.size(); ++l)
+                    if (l != k) rest -= G_[k][l] * V_[l][d];
+                V_[k][d] = rest / G_[k][k];
+            }
+    }
+
+    std::vector<Real> b_, c_, B_;
+    std::vector<std::vector<Real>> A_, G_;
+    const Hamiltonian& H_;
+    Gradient slopes_;
+    Real h_;
+    Point start_;
+    std::vector<std::vector<Real>> V_;  ///< by function and degree of freedom
+};
+
+/// `1, tau | 0, 1/2, 1`, and weights behind another bar.
+Method rule(const std::string& given) {
+    const std::size_t bar = given.find('|'), weights = given.find('|', bar + 1);
+    return method_from_text(
+        source(given.substr(0, bar)), source(given.substr(bar + 1, weights - bar - 1)),
+        weights == std::string::npos ? nullptr : source(given.substr(weights + 1)));
+}
+
+constexpr const char* cubic = "1, tau | roots(64*tau^3-96*tau^2+36*tau-1)";
+constexpr const char* trigonometric = "1, cos(2*pi*tau) | 1/6, 1/2, 5/6 | 1/3, 1/3, 1/3";
+
+/// The edges at a vertex are all of one kind, and two at most where it is the end on their p.
+bool is_nystrom(const Tree& tree, std::vector<Colour> ends) {
+    for (const TreePointer& child : tree.children) {
+        ends.push_back(child->root == Colour::f ? Colour::g : Colour::f);
+        if (!is_nystrom(*child, {child->root})) return false;
+    }
+    const bool is_one_kind = std::count(ends.begin(), ends.end(), Colour::f) == 0 ||
+                             std::count(ends.begin(), ends.end(), Colour::g) == 0;
+    return is_one_kind && (ends.size() <= 2 || ends.front() == Colour::g);
+}
+
 }  // namespace
 
 TEST_CASE("trees without a root, whose edges have a direction") {
-    const auto all = unrooted_trees(8);
+    const auto all = unrooted_trees(TreeFamily::general, 8);
     const std::vector<std::size_t> counts = {1, 1, 3, 8, 27, 91, 350, 1376};  // OEIS A000238
     REQUIRE(all.size() == counts.size());
     for (std::size_t n = 0; n < all.size(); ++n) CHECK(all[n].size() == counts[n]);
+}
+
+TEST_CASE("those for a quadratic kinetic energy are some of them") {
+    const auto all = unrooted_trees(TreeFamily::general, 9);
+    const auto nystrom = unrooted_trees(TreeFamily::nystrom, 9);
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        std::multiset<std::string> expected, found;
+        for (const TreePointer& tree : all[n])
+            if (is_nystrom(*tree, {})) expected.insert(tree->text);
+        for (const TreePointer& tree : nystrom[n]) found.insert(tree->text);
+        CHECK(found == expected);
+    }
 }
 
 TEST_CASE("the exact series where the flow is known") {
@@ -196,6 +319,24 @@ TEST_CASE("the series of a method is that of (4.19)") {
         }
 }
 
+TEST_CASE("the series of the general Galerkin form is that of (4.6)") {
+    for (const char* given : {"1 | 0, 1", "1, tau | 0, 1/2, 1", "1, tau | 1/3, 1/2, 1",
+                              "1-tau, tau | gauss:5", "1, tau^2 | gauss:6", cubic, trigonometric})
+        for (const char* H_text : {"p^2/2 - cos(q)", henon_heiles, "p^2/2 + (1+t)*q^3/3"}) {
+            const int terms = 4;
+            const Hamiltonian H = hamiltonian(H_text);
+            const GalerkinRule derived = std::get<GalerkinRule>(derive_any(rule(given)));
+            const DiscreteSeries found = series(rule(given), H_text, terms);
+            const auto error = [&](Real h) {
+                return GeneralStep(derived, H, h).discrete_hamiltonian() -
+                       sum(found.method, H, start(H), {h}).value;
+            };
+            const Real coarse = error(0.04L), fine = error(0.02L);
+            CAPTURE(given, H_text, coarse, fine);
+            CHECK(std::log2(coarse / fine) == Approx(terms + 1).margin(0.35));
+        }
+}
+
 TEST_CASE("H_d^+ of symplectic Euler is q_0 p_1 + h H(q_0, p_1)") {
     for (const char* H : {nonseparable, henon_heiles, "p^2/2 - cos(q)"})
         for (std::size_t k = 1; k < 5; ++k)
@@ -219,6 +360,26 @@ TEST_CASE("the first difference is behind the order") {
     CHECK(first_difference("stormer-verlet", driven, 5) == 3);
     CHECK(to_text(series("midpoint", "p^2/2 - cos(q)", 3).difference.value()) ==
           "cos(q)^2/24-p^2*cos(q)/24-1/24");
+}
+
+TEST_CASE("of the general Galerkin form too") {
+    struct Known {
+        const char* rule;
+        int order;  ///< 2s, or what the rule is exact for
+    };
+    for (const Known& known :
+         {Known{"1 | 0, 1", 2}, Known{"1 | gauss:6", 2}, Known{"1, tau | 0, 1/2, 1", 4},
+          Known{"1, tau | gauss:3", 4}, Known{"1, tau | gauss:7", 4}, Known{cubic, 3},
+          Known{"1, tau, tau^2 | gauss:4", 6}, Known{"1, tau, tau^2 | gauss:8", 6}})
+        for (const char* H : {"p^2/2 - cos(q)", henon_heiles, kepler}) {
+            const DiscreteSeries found = series(rule(known.rule), H, known.order + 1);
+            CAPTURE(known.rule, H);
+            CHECK_FALSE(found.undecided);
+            CHECK(found.first_difference == known.order + 1);
+            CHECK(found.difference);
+        }
+    CHECK(to_text(series(rule("1 | 0, 1"), "p^2/2 - cos(q)", 3).difference.value()) ==
+          to_text(series("stormer-verlet", "p^2/2 - cos(q)", 3).difference.value()));
 }
 
 TEST_CASE("some H are kinder than others") {
@@ -253,6 +414,17 @@ TEST_CASE("series that there are not") {
         refusal([] { return series(method("1, exp(tau^2)", "0, 1"), "p^2/2 + q^2/2", 2); });
     CHECK(open.status == 1);
     CHECK(open.says("no closed form"));
+    const Refusal general = refusal([] { return series(rule("1 | 0, 1"), nonseparable, 2); });
+    CHECK(general.status == 2);
+    CHECK(general.says("others are to come"));
+    const Refusal singular =
+        refusal([] { return series(rule("1 | 0, 1"), "(p1+p2)^2/2 + q1^2 + q2^2", 2); });
+    CHECK(singular.status == 1);
+    CHECK(singular.says("its rank is 1 of 2"));
+    const Refusal generating = refusal(
+        [] { return step_equations(rule("1 | 0, 1"), hamiltonian("p^2/2 + q^2/2"), true, 2); });
+    CHECK(generating.status == 2);
+    CHECK(generating.says("series are built alone"));
 }
 
 TEST_CASE("what is too long to be written is decided all the same") {

@@ -55,6 +55,27 @@ TEST_CASE("a step that contradicts itself is found") {
     CHECK(is_found<Step>(pairs, [&](Step& step) { mt(step).pop_back(); }));
 }
 
+TEST_CASE("a step of the general Galerkin form that contradicts itself is found") {
+    const Step curve = plan({derive_any(method("1, tau", "gauss:3"))},
+                            {.joint_gradient_pays = false, .degrees_of_freedom = 1},
+                            {.solver = Solver::automatic});
+    const auto form = [](Step& step) -> GalerkinStep& { return std::get<GalerkinStep>(step.form); };
+    CHECK(
+        is_found<Step>(curve, [&](Step& step) { form(step).rounded.A[0][1][2] = Dyadic(1, -3); }));
+    CHECK(
+        is_found<Step>(curve, [&](Step& step) { form(step).rounded.X[0][1][1] = Dyadic(1, -3); }));
+    CHECK(is_found<Step>(curve, [&](Step& step) { form(step).rounded.B[0][0].reset(); }));
+    CHECK(is_found<Step>(curve, [&](Step& step) { form(step).rounded.D.pop_back(); }));
+    CHECK(is_found<Step>(curve, [&](Step& step) { form(step).form.phi.pop_back(); }));
+    CHECK(is_found<Step>(curve, [&](Step& step) { form(step).extrapolation->P.pop_back(); }));
+    CHECK(is_found<Step>(curve, [](Step& step) { step.slopes = Slopes::one_by_one; }));
+    CHECK(is_found<Step>(curve, [](Step& step) { step.layout = Layout::stages; }));
+    CHECK(is_found<Step>(curve, [](Step& step) { step.blocks.clear(); }));
+    Step other = curve;
+    form(other).steps = {Number(1)};
+    CHECK_FALSE(other == curve);
+}
+
 TEST_CASE("steps are equal where nothing is decided differently") {
     const Step gauss = positions_step();
     CHECK(gauss == positions_step());

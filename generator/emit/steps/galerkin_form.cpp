@@ -9,7 +9,6 @@
 namespace hvi::gen {
 namespace {
 
-/// Of an array, for loops.
 std::string unknowns(const GalerkinForm& form) {
     Writer writer(1);
     writer.comment(fmt::format("The equations of the {} W_j and the {} P_i, which are solved at "
@@ -55,9 +54,9 @@ std::string newton(const Step& step, const GalerkinStep& form) {
     }
     const SlopePoint at = node(step);
     writer.line("template <class Matrix>");
-    writer.open("void second_derivatives(std::size_t i, Matrix& qq, {}Matrix& {}, Matrix& pp) "
+    writer.open("void second_derivatives(std::size_t i, Matrix& qq, {}Matrix& qp, Matrix& pp) "
                 "const {{",
-                step.is_separable() ? "[[maybe_unused]] " : "", "qp");
+                step.is_separable() ? "[[maybe_unused]] " : "");
     writer.line("system.{};", hessian_qq_call(step, at, "qq"));
     if (!step.is_separable()) { writer.line("system.{};", hessian_qp_call(at, "qp")); }
     writer.line("system.{};", hessian_pp_call(step, at, "pp"));
@@ -120,8 +119,7 @@ std::string prediction(const Step& step, const GalerkinStep& form) {
     writer.open("void predict() {{");
     if (form.extrapolation) {
         writer.open("if (s_.h == s_.h_before) {{").line("s_.extrapolate(N_W, N_P);");
-        writer.line("{} equations{{system_, {}{}s_}};", "Coupled", clock_argument(step),
-                    "kinetic_, ");
+        writer.line("Coupled equations = {};", make_coupled(step, form));
         writer.line("s_.momenta();").line("equations.positions();").line("equations.slopes();");
         writer.line("return;").close();
     }

@@ -82,6 +82,12 @@ RationalPolynomial monic(RationalPolynomial polynomial) {
     return polynomial;
 }
 
+RationalPolynomial antiderivative(const RationalPolynomial& polynomial) {
+    RationalPolynomial result;
+    fmpq_poly_integral(result.get(), polynomial.get());
+    return result;
+}
+
 bool operator==(const RationalPolynomial& a, const RationalPolynomial& b) {
     return fmpq_poly_equal(a.get(), b.get()) != 0;
 }

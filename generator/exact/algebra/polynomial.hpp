@@ -61,6 +61,9 @@ private:
 /// Divided by its leading coefficient. Precondition: not zero.
 [[nodiscard]] RationalPolynomial monic(RationalPolynomial polynomial);
 
+/// The integral from 0 on.
+[[nodiscard]] RationalPolynomial antiderivative(const RationalPolynomial& polynomial);
+
 [[nodiscard]] bool operator==(const RationalPolynomial& a, const RationalPolynomial& b);
 
 /// a modulo P.

@@ -14,10 +14,41 @@ RationalMatrix operator*(const RationalMatrix& left, const RationalMatrix& right
     return result;
 }
 
+RationalMatrix operator-(const RationalMatrix& left, const RationalMatrix& right) {
+    RationalMatrix result(static_cast<std::size_t>(fmpq_mat_nrows(left.get())),
+                          static_cast<std::size_t>(fmpq_mat_ncols(left.get())));
+    fmpq_mat_sub(result.get(), left.get(), right.get());
+    return result;
+}
+
+bool operator==(const RationalMatrix& left, const RationalMatrix& right) {
+    return fmpq_mat_equal(left.get(), right.get()) != 0;
+}
+
 RationalMatrix transpose(const RationalMatrix& matrix) {
     RationalMatrix result(static_cast<std::size_t>(fmpq_mat_ncols(matrix.get())),
                           static_cast<std::size_t>(fmpq_mat_nrows(matrix.get())));
     fmpq_mat_transpose(result.get(), matrix.get());
+    return result;
+}
+
+RationalMatrix coefficient_rows(const std::vector<RationalPolynomial>& polynomials,
+                                std::size_t width) {
+    RationalMatrix result(polynomials.size(), width);
+    for (std::size_t k = 0; k < polynomials.size(); ++k) {
+        for (long m = 0; m <= polynomials[k].degree(); ++m) {
+            fmpq_poly_get_coeff_fmpq(result.entry(k, static_cast<std::size_t>(m)),
+                                     polynomials[k].get(), m);
+        }
+    }
+    return result;
+}
+
+RationalPolynomial polynomial(const RationalMatrix& row) {
+    RationalPolynomial result;
+    for (slong m = 0; m < fmpq_mat_ncols(row.get()); ++m) {
+        fmpq_poly_set_coeff_fmpq(result.get(), m, fmpq_mat_entry(row.get(), 0, m));
+    }
     return result;
 }
 

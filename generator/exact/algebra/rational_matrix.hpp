@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "generator/exact/algebra/number_vector.hpp"
 #include "generator/exact/algebra/polynomial.hpp"
@@ -35,7 +36,16 @@ private:
 };
 
 [[nodiscard]] RationalMatrix operator*(const RationalMatrix& left, const RationalMatrix& right);
+[[nodiscard]] RationalMatrix operator-(const RationalMatrix& left, const RationalMatrix& right);
+[[nodiscard]] bool operator==(const RationalMatrix& left, const RationalMatrix& right);
 [[nodiscard]] RationalMatrix transpose(const RationalMatrix& matrix);
+
+/// The coefficients of 1, x .. x^(width-1), a row for each polynomial. Precondition: their degrees
+/// are below the width.
+[[nodiscard]] RationalMatrix coefficient_rows(const std::vector<RationalPolynomial>& polynomials,
+                                              std::size_t width);
+/// The polynomial of a single row.
+[[nodiscard]] RationalPolynomial polynomial(const RationalMatrix& row);
 
 /// The rows of numbers as a matrix, if all of them are rational. Precondition: there is a row.
 [[nodiscard]] std::optional<RationalMatrix> rational_matrix(const NumberMatrix& rows);

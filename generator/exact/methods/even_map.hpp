@@ -4,6 +4,7 @@
 
 #include "generator/exact/algebra/polynomial_arithmetic.hpp"
 #include "generator/exact/methods/number_stages.hpp"
+#include "generator/exact/methods/rational_rule.hpp"
 
 namespace hvi::gen {
 
@@ -16,6 +17,9 @@ struct EvenMap {
 /// Of collocation at the roots of a polynomial over Q, see `node_polynomial`: rational, whatever
 /// the roots are.
 [[nodiscard]] EvenMap even_map(const RationalPolynomial& P);
+
+/// Of the general Galerkin form, the same.
+[[nodiscard]] EvenMap even_map(const RationalRule& rule);
 
 /// Of Algorithm 4.3 with exact coefficients and the weights b. NOTE: by sums over products of the
 /// basis functions and of their integrals, which are short: the tableau's coefficients, and powers

@@ -243,18 +243,23 @@ Tableau derive(const Method& method) {
     return on_new_ground([&](const Ground& ground) { return derive_on(ground, method).tableau; });
 }
 
-DerivedMethod derive_any(const Method& method) {
-    return on_new_ground([&](const Ground& ground) -> DerivedMethod {
-        const Progress::Stage stage("reading nodes and basis exactly");
-        const Ingredients given = ingredients(method, ground);
-        check_counts(method, given);
-        try {
-            if (given.nodes.c.size() > given.psi.size()) { return galerkin_rule(method, given); }
-            return derive(method, given);
-        } catch (const TooLarge& error) {
-            throw MathError(error.what(), whole(method.basis.source), error.help());
+AnyDerivation derive_any_on(const Ground& ground, const Method& method) {
+    const Progress::Stage stage("reading nodes and basis exactly");
+    const Ingredients given = ingredients(method, ground);
+    check_counts(method, given);
+    try {
+        if (given.nodes.c.size() > given.psi.size()) {
+            return {galerkin_rule(method, given), given.ground};
         }
-    });
+        return {derive(method, given), given.ground};
+    } catch (const TooLarge& error) {
+        throw MathError(error.what(), whole(method.basis.source), error.help());
+    }
+}
+
+DerivedMethod derive_any(const Method& method) {
+    return on_new_ground(
+        [&](const Ground& ground) { return derive_any_on(ground, method).method; });
 }
 
 Routes both_routes(const Method& method) {

@@ -5,6 +5,8 @@
 
 #include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/methods/interpolation.hpp"
+#include "generator/exact/methods/number_stages.hpp"
+#include "generator/exact/methods/rational_rule.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {
@@ -81,13 +83,32 @@ Number applied(const NumberVector& b, const NumberVector& f) {
     return sum;
 }
 
+/// sum_i b_i f(c_i) g(c_i), for polynomials over Q at the roots of P by an interpolatory rule.
+Number rational_product(const RationalPolynomial& f, const RationalPolynomial& g,
+                        const Ingredients& given) {
+    const RationalPolynomial rest = remainder(f * g, *given.nodes.polynomial);
+    return given.ground.rational(rest.integral_over_unit_interval(), "1");
+}
+
+/// Whether the weights are interpolatory at all roots of a polynomial over Q.
+bool is_rational(const Method& method, const Ingredients& given) {
+    return !method.weights && given.nodes.polynomial.has_value();
+}
+
+Number integral_by_rule(const Method& method, const Ingredients& given, const GalerkinRule& rule,
+                        std::size_t j) {
+    const auto f = as_polynomial(given.psi[j].function);
+    return is_rational(method, given) && f ? rational_product(*f, RationalPolynomial(1), given)
+                                           : applied(rule.b, rule.Psi[j]);
+}
+
 /// NOTE: what interpolation makes exact is not asked for, as enclosures could not prove it.
 void check_exact(const Method& method, const Ingredients& given, const GalerkinRule& rule) {
     const Progress::Stage stage("integrating the basis by the rule");
     for (std::size_t j = 0; j < rule.functions(); ++j) {
         const BasisFunction& psi = given.psi[j];
         if (!method.weights && is_polynomial_below(psi.function, rule.nodes())) { continue; }
-        const Number defect = applied(rule.b, rule.Psi[j]) - rule.B[j];
+        const Number defect = integral_by_rule(method, given, rule, j) - rule.B[j];
         if (defect.is_zero()) { continue; }
         throw MathError("the rule is not exact on the span of the basis, so the method is not "
                         "consistent: for `" +
@@ -98,22 +119,15 @@ void check_exact(const Method& method, const Ingredients& given, const GalerkinR
     }
 }
 
-/// sum_i b_i f(c_i) g(c_i), for polynomials over Q at the roots of P by an interpolatory rule.
-Number rational_product(const RationalPolynomial& f, const RationalPolynomial& g,
-                        const Ingredients& given) {
-    const RationalPolynomial rest = remainder(f * g, *given.nodes.polynomial);
-    return given.ground.rational(rest.integral_over_unit_interval(), "1");
-}
-
 NumberMatrix gram(const Method& method, const Ingredients& given, const GalerkinRule& rule) {
     const Progress::Stage stage("computing the Gram matrix");
-    const bool is_interpolatory = !method.weights && given.nodes.polynomial.has_value();
+    const bool rational = is_rational(method, given);
     NumberMatrix G(rule.functions(), NumberVector(rule.functions()));
     for (std::size_t j = 0; j < rule.functions(); ++j) {
         const auto f = as_polynomial(given.psi[j].function);
         for (std::size_t k = 0; k <= j; ++k) {
             const auto g = as_polynomial(given.psi[k].function);
-            if (is_interpolatory && f && g) {
+            if (rational && f && g) {
                 G[j][k] = rational_product(*f, *g, given);
             } else {
                 NumberVector products = rule.Psi[j];
@@ -126,6 +140,17 @@ NumberMatrix gram(const Method& method, const Ingredients& given, const Galerkin
         }
     }
     return G;
+}
+
+std::shared_ptr<const RationalRule> over_rationals(const Method& method, const Ingredients& given) {
+    if (!is_rational(method, given)) { return nullptr; }
+    RationalRule result{*given.nodes.polynomial, {}};
+    for (const BasisFunction& psi : given.psi) {
+        auto polynomial = as_polynomial(psi.function);
+        if (!polynomial) { return nullptr; }
+        result.psi.push_back(*std::move(polynomial));
+    }
+    return std::make_shared<const RationalRule>(std::move(result));
 }
 
 NumberMatrix inverse_gram(const Method& method, const Ingredients& given, const NumberMatrix& G) {
@@ -173,6 +198,19 @@ NystromTableau nystrom(const GalerkinRule& rule) {
     return result;
 }
 
+PartitionedMethod partitioned_method(const GalerkinRule& rule) {
+    const auto known = inverse(rule.gram);
+    HVI_CHECK(known);
+    const NumberMatrix W =
+        known->adjugate * transpose(rule.A_psi) * (Number(1) / known->determinant);
+    PartitionedMethod method{rule.b, rule.b, transpose(W) * rule.Psi, transpose(rule.Psi) * W};
+    for (std::size_t j = 0; j < rule.nodes(); ++j) {
+        for (NumberVector& row : method.A) { row[j] = rule.b[j] * row[j]; }
+        for (NumberVector& row : method.A_tilde) { row[j] = rule.b[j] * (Number(1) - row[j]); }
+    }
+    return method;
+}
+
 GalerkinRule galerkin_rule(const Method& method, const Ingredients& given) {
     const auto& [ground, psi, nodes] = given;
     HVI_CHECK(nodes.c.size() > psi.size());
@@ -190,6 +228,7 @@ GalerkinRule galerkin_rule(const Method& method, const Ingredients& given) {
     check_exact(method, given, rule);
     rule.gram = gram(method, given, rule);
     rule.n = positions(rule, inverse_gram(method, given, rule.gram));
+    rule.over_rationals = over_rationals(method, given);
     return rule;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "generator/exact/methods/tableau.hpp"
 
 namespace hvi::gen {
+
+struct PartitionedMethod;
+struct RationalRule;
 
 /// s functions psi_j and a rule b_i, c_i with r > s nodes that integrates them exactly, as 1, which
 /// is in their span. Letters as in the paper, A_psi for its A; indices are 0-based.
@@ -35,6 +39,10 @@ struct GalerkinRule {
     NumberMatrix gram;   ///< G[j][k] = sum_i b_i psi_j(c_i) psi_k(c_i), s x s, regular
     NumberMatrix n;      ///< r x r
 
+    /// The same over Q, for weights that are interpolatory at all roots of a polynomial over Q and
+    /// for polynomials over Q. Null otherwise.
+    std::shared_ptr<const RationalRule> over_rationals;
+
     [[nodiscard]] std::size_t functions() const { return B.size(); }
     [[nodiscard]] std::size_t nodes() const { return c.size(); }
 };
@@ -46,6 +54,11 @@ struct NystromTableau {
     NumberVector b_bar;
 };
 [[nodiscard]] NystromTableau nystrom(const GalerkinRule& rule);
+
+/// The form as a symplectic partitioned method of its r stages: A = A_psi G^-1 Psi diag(b) and
+/// A~ = (1 1^T - Psi^T G^-1 A_psi^T) diag(b), with the weights b. Its momenta in the stages are
+/// K^-1 times the velocities at the nodes.
+[[nodiscard]] PartitionedMethod partitioned_method(const GalerkinRule& rule);
 
 /// Stable text of all numbers, for people and tests.
 [[nodiscard]] std::string dump(const GalerkinRule& rule);
@@ -62,5 +75,12 @@ using DerivedMethod = std::variant<Tableau, GalerkinRule>;
 /// A tableau for as many nodes as functions, else the general form. Throws as derive() and
 /// galerkin_rule() do.
 [[nodiscard]] DerivedMethod derive_any(const Method& method);
+
+/// The same on the field of `ground`, see derive_on().
+struct AnyDerivation {
+    DerivedMethod method;
+    Ground ground;
+};
+[[nodiscard]] AnyDerivation derive_any_on(const Ground& ground, const Method& method);
 
 }  // namespace hvi::gen

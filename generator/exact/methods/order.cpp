@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/exact/methods/polynomial_stages.hpp"
+#include "generator/exact/methods/projected_stages.hpp"
 #include "generator/exact/methods/tree_classes.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
@@ -26,10 +27,10 @@ Verdict is_zero(const Ball& ball) {
     return *verdict;
 }
 
-Number constant_term(const RationalPolynomial& polynomial) {
+Number rational_defect(const RationalPolynomial& constant, const TreePointer& /*tree*/) {
     fmpq_t value;
     fmpq_init(value);
-    fmpq_poly_get_coeff_fmpq(value, polynomial.get(), 0);
+    fmpq_poly_get_coeff_fmpq(value, constant.get(), 0);
     Number result = number(Element::copy_of(value), nullptr);
     fmpq_clear(value);
     return result;
@@ -247,10 +248,7 @@ std::optional<Number> OrderConditions::error_constant() const {
 
 Orders orders(const Tableau& tableau, int max_order) {
     if (const RationalPolynomial* const P = tableau.node_polynomial()) {
-        const auto to_number = [](const RationalPolynomial& defect, const TreePointer&) {
-            return constant_term(defect);
-        };
-        return examine(PolynomialStages(*P), Decided(), to_number, max_order);
+        return examine(PolynomialStages(*P), Decided(), rational_defect, max_order);
     }
     if (tableau.galerkin && !tableau.parameters.empty()) {
         const GalerkinStages stages(tableau, *tableau.galerkin);
@@ -265,12 +263,17 @@ Orders orders(const PartitionedMethod& method, int max_order) {
     });
 }
 
-OrderConditions nystrom_order(const PartitionedMethod& method, int max_order) {
+OrderConditions nystrom_order(const GalerkinRule& rule, int max_order) {
     const Progress::Stage stage("checking order conditions");
     HVI_CHECK(max_order >= 1 && max_order <= most_vertices);
-    return on_stages(method, [&](const auto& stages, auto decide, auto to_number) {
-        return examine(stages, decide, to_number, TreeFamily::nystrom, max_order);
-    });
+    if (rule.over_rationals) {
+        return examine(ProjectedStages(*rule.over_rationals), Decided(), rational_defect,
+                       TreeFamily::nystrom, max_order);
+    }
+    return on_stages(partitioned_method(rule),
+                     [&](const auto& stages, auto decide, auto to_number) {
+                         return examine(stages, decide, to_number, TreeFamily::nystrom, max_order);
+                     });
 }
 
 Orders orders(const RoundedMethod& method, int max_order) {

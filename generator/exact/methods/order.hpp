@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/methods/number_stages.hpp"
 #include "generator/exact/methods/trees.hpp"
 
@@ -55,8 +56,9 @@ struct Orders {
 /// By the coefficients alone.
 [[nodiscard]] Orders orders(const PartitionedMethod& method, int max_order);
 
-/// Of trees for a quadratic kinetic energy alone.
-[[nodiscard]] OrderConditions nystrom_order(const PartitionedMethod& method, int max_order);
+/// Those of the general Galerkin form, for a quadratic kinetic energy. Over Q, whatever the nodes
+/// are, where the rule is `over_rationals`.
+[[nodiscard]] OrderConditions nystrom_order(const GalerkinRule& rule, int max_order);
 
 /// The largest orders of which each condition by itself can hold, for some of the numbers that the
 /// coefficients can be. Failures are proved; their residuals are those of the coefficients as

@@ -177,6 +177,12 @@ OscillatorMap oscillator_map(const PartitionedMethod& method) {
     return completed(std::move(map), arithmetic);
 }
 
+OscillatorMap oscillator_map(const GalerkinRule& rule) {
+    const Progress::Stage stage("computing the map of the harmonic oscillator");
+    if (rule.over_rationals) { return completed(even_map(*rule.over_rationals), {}); }
+    return oscillator_map(partitioned_method(rule));
+}
+
 // With determinant 1 the inverse of the step with -z, the adjoint, has m11 and m22 exchanged.
 OscillatorMap composed(const OscillatorMap& method, const Composition& composition) {
     const EvenMap own = even_map(method);
@@ -206,6 +212,10 @@ bool takes_long(const PartitionedMethod& method) {
         }
     }
     return characters > most_characters || (!rational && method.stages() > most_enclosed_stages);
+}
+
+bool takes_long(const GalerkinRule& rule) {
+    return rule.over_rationals == nullptr && takes_long(partitioned_method(rule));
 }
 
 bool takes_long(const Tableau& tableau) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "generator/exact/algebra/polynomial_quotient.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/methods/number_stages.hpp"
 
 namespace hvi::gen {
@@ -29,12 +30,18 @@ struct OscillatorMap {
 /// The same for any coefficients: with weights b~ of its own, p1 takes these.
 [[nodiscard]] OscillatorMap oscillator_map(const PartitionedMethod& method);
 
+/// That of the general Galerkin form.
+[[nodiscard]] OscillatorMap oscillator_map(const GalerkinRule& rule);
+
 /// That of steps of a method in a row, whose z are gamma_1 z, gamma_2 z, ...: as exact as the map
 /// of the method. Precondition: this has determinant 1.
 [[nodiscard]] OscillatorMap composed(const OscillatorMap& method, const Composition& composition);
 
 /// Whether this map, or linear stability by it, is a matter of minutes.
 [[nodiscard]] bool takes_long(const PartitionedMethod& method);
+
+/// The same of the general Galerkin form.
+[[nodiscard]] bool takes_long(const GalerkinRule& rule);
 
 /// Whether a method has free parameters, and a map of so many terms that it takes minutes.
 [[nodiscard]] bool takes_long(const Tableau& tableau);

@@ -7,12 +7,6 @@ namespace hvi::gen {
 
 namespace {
 
-RationalPolynomial antiderivative(const RationalPolynomial& g) {
-    RationalPolynomial result;
-    fmpq_poly_integral(result.get(), g.get());
-    return result;
-}
-
 RationalPolynomial over_unit_interval(const RationalPolynomial& g) {
     RationalPolynomial result;
     result.set_coefficient(0, g.integral_over_unit_interval());
