@@ -77,13 +77,13 @@ struct Curve : StepMemory<Vector> {
 
     /// h b_i times the velocity at node i: sum_j X_ij W_j.
     [[nodiscard]] Vector way(std::size_t i, const Table& X) const {
-        Vector way = W[0];
+        Vector result = W[0];
         for (Index k = 0; k < this->at.q.size(); ++k) {
             Scalar sum = 0;
             for (std::size_t j = 0; j < functions; ++j) { sum += X[i][j] * W[j][k]; }
-            way[k] = sum;
+            result[k] = sum;
         }
-        return way;
+        return result;
     }
 
     /// F_j.
