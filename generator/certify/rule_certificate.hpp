@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "generator/certify/certificate.hpp"
-#include "generator/exact/methods/galerkin_rule.hpp"
+#include "generator/exact/methods/rule_properties.hpp"
 
 namespace hvi::gen {
 
@@ -13,11 +13,7 @@ namespace hvi::gen {
 /// trees of partitioned methods have conditions for it is not known.
 struct RuleCertificate : Findings {
     std::size_t functions = 0;
-    /// b_i (bbar_j - abar_ij) = b_j (bbar_i - abar_ji) and bbar_i = b_i (1 - c_i), for all i, j
-    /// (Hairer, Lubich & Wanner, Geometric Numerical Integration, Theorem IV.2.5).
     Verdict symplectic;
-    /// A permutation of the nodes has c_sigma(i) = 1 - c_i, b_sigma(i) = b_i and
-    /// n_sigma(i)sigma(j) = n_ji: then a step with -h leads back.
     Verdict symmetric;
     OrderConditions nystrom;
     bool is_explicit = false;  ///< no position needs a force at itself or at a later one

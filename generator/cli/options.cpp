@@ -176,6 +176,7 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
     ReportOptions options;
     options.scenes = words.texts("SCENE");
     options.peers = words.has("--peers");
+    options.method = method_beside_scene(words);
     options.methods = words.value("--methods");
     options.steps = words.value("--steps");
     if (options.steps && options.steps->text == "auto") options.steps.reset();

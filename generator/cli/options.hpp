@@ -70,6 +70,7 @@ struct RunOptions {
 
 struct ReportOptions {
     std::vector<Given> scenes;   ///< names or files
+    MethodOptions method;        ///< empty where `methods` are all
     Given methods;               ///< names between commas
     Given steps;                 ///< sizes between commas; chosen where there are none
     Given until;                 ///< in place of the scenes'

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/cli/words.hpp"
 #include "generator/edges/edges.hpp"
@@ -45,6 +46,23 @@ Subject subject(const Given& name, const ReportOptions& options) {
         static_cast<void>(steps_until(scene, h, until));  // it leads there
         result.steps.push_back(nearest_value(scene, h));
     }
+    return result;
+}
+
+/// METHOD, then those of --methods; where there are none of both, the usual ones.
+std::vector<ComposedMethod> methods(const ReportOptions& options) {
+    std::vector<ComposedMethod> result;
+    const MethodOptions& method = options.method;
+    const bool is_given = method.name || method.basis || method.file;
+    if (!is_given && !method.parameters.empty())
+        throw InputError("--param is of METHOD, and none is given",
+                         whole(method.parameters.front()), "for example --method-file mine.toml");
+    if (is_given) result.push_back({method_of(method)});
+    Given names = options.methods;
+    if (!names && result.empty())
+        names = given("--methods", options.scenes.empty() ? usual_at_edges : usual_on_scenes);
+    if (!names) return result;
+    for (const Given& name : list_items(names)) result.push_back(composed_method(name));
     return result;
 }
 
@@ -159,10 +177,8 @@ void check_edges(const Report& report, const fs::path& directory) {
 }  // namespace
 
 void run(const ReportOptions& options) {
-    const std::string usual_methods = options.scenes.empty() ? usual_at_edges : usual_on_scenes;
     StudyWishes wishes;
-    const Given methods = options.methods ? options.methods : given("--methods", usual_methods);
-    for (const Given& name : list_items(methods)) wishes.methods.push_back(composed_method(name));
+    wishes.methods = methods(options);
     std::vector<Subject> subjects;
     for (const Given& scene : options.scenes) subjects.push_back(subject(scene, options));
 

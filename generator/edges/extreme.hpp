@@ -18,7 +18,7 @@ struct ExtremeMethod {
     std::size_t parts = 1;  ///< steps of one method in a row that make a step
     KnownOrder order;
     EdgeProgram kepler;
-    std::vector<std::vector<Form>> scaled;  ///< of each of the scenes that are scaled
+    std::vector<std::vector<Form>> scaled;  ///< of each of the scaled scenes, if stepped
     EdgeProgram two_bodies, three_bodies;
 };
 

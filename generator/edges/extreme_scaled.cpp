@@ -89,10 +89,13 @@ std::vector<std::vector<Form>> scaled_forms(Builds& builds, const ComposedMethod
     std::vector<std::vector<Form>> all;
     for (const ScaledScene& scaled : scaled_scenes()) {
         const Scene scene = scene_of(scaled.text);
-        all.push_back(scaled.in_all_forms
-                          ? forms(builds, method, scene)
-                          : std::vector<Form>{
-                                {"as is", Solver::automatic, EdgeProgram(builds, method, scene)}});
+        if (refusal_of_general_form(method, scene))
+            all.emplace_back();
+        else
+            all.push_back(scaled.in_all_forms
+                              ? forms(builds, method, scene)
+                              : std::vector<Form>{{"as is", Solver::automatic,
+                                                   EdgeProgram(builds, method, scene)}});
     }
     return all;
 }

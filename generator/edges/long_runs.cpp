@@ -7,7 +7,7 @@
 #include "generator/edges/edges.hpp"
 #include "generator/edges/energy_shifts.hpp"
 #include "generator/edges/rounded_tableau.hpp"
-#include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/support/bar.hpp"
 
 namespace hvi::gen {
@@ -122,10 +122,13 @@ std::optional<Comparison> comparison(Builds& builds, const std::vector<ComposedM
     const Scene scene = edge_scene(compared_scene);
     for (const ComposedMethod& method : methods) {
         if (method.composition) continue;
-        const Tableau tableau = derive(method.method);
+        const DerivedMethod derived = derive_any(method.method);
+        const auto* const tableau = std::get_if<Tableau>(&derived);
+        if (tableau == nullptr) continue;
         EdgeProgram program(builds, method, scene);
-        if (program.is_explicit() || (best && best->tableau.stages() >= tableau.stages())) continue;
-        best = Comparison{method.name(), tableau, program, EdgeProgram::naive(builds, scene)};
+        if (program.is_explicit() || (best && best->tableau.stages() >= tableau->stages()))
+            continue;
+        best = Comparison{method.name(), *tableau, program, EdgeProgram::naive(builds, scene)};
     }
     return best;
 }

@@ -9,6 +9,7 @@
 
 #include "generator/certify/certificate.hpp"
 #include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/rule_properties.hpp"
 #include "generator/exact/numbers/exact_number.hpp"
 
 namespace hvi::gen {
@@ -120,16 +121,27 @@ double largest_part(const std::optional<Composition>& composition) {
     return result;
 }
 
+KnownOscillator known_of(const Tableau& tableau) {
+    const PartitionedMethod own = partitioned_method(tableau);
+    return {{}, oscillator_map(tableau), {}, own, contraction(own)};
+}
+
+KnownOscillator known_of(const GalerkinRule& rule) {
+    const PartitionedMethod own = partitioned_method(rule);
+    return {{}, oscillator_map(rule), {}, own, contraction(own)};
+}
+
 }  // namespace
 
 // NOTE: A A~ of the adjoint is similar to the transpose of that of the method.
 KnownOscillator known_oscillator(const ComposedMethod& method) {
-    const Tableau tableau = derive(method.method);
-    const PartitionedMethod own = partitioned_method(tableau);
-    KnownOscillator known{method.name(), oscillator_map(tableau), {}, own, contraction(own)};
+    KnownOscillator known = std::visit([](const auto& derived) { return known_of(derived); },
+                                       derive_any(method.method));
+    known.method = method.name();
     if (const auto& composition = method.composition) {
         known.map = composed(known.map, *composition);
-        known.stages = partitioned_method(composed(weighted_stages(tableau), *composition));
+        known.stages =
+            partitioned_method(composed(weighted_stages(derive(method.method)), *composition));
         known.contraction *= std::pow(largest_part(composition), 2);
     }
     known.stability = linear_stability(known.map, stability_limit);
@@ -156,7 +168,7 @@ Oscillation oscillation(const KnownOscillator& known, double z) {
 }
 
 // With stages Y = 1 omega q + z A P and P = 1 p - z A~ Y + h A~ g, forces g add z b^T A~ K h g to
-// omega q and b^T K h g to p, where K is the inverse of 1 + z^2 A A~. (b = b~.)
+// omega q and b~^T K h g to p, where K is the inverse of 1 + z^2 A A~.
 double response(const PartitionedMethod& method, double z) {
     const Matrix A_tilde = rounded(method.A_tilde);
     Matrix M = product(rounded(method.A), A_tilde);
@@ -167,7 +179,7 @@ double response(const PartitionedMethod& method, double z) {
     for (std::size_t i = 0; i < b.size(); ++i)
         for (std::size_t j = 0; j < b.size(); ++j) zbA[j] += z * b[i] * A_tilde[i][j];
     return std::hypot(sum_of_sizes(solved_transposed(M, zbA)),
-                      sum_of_sizes(solved_transposed(M, b)));
+                      sum_of_sizes(solved_transposed(M, rounded({method.b_tilde}).front())));
 }
 
 }  // namespace hvi::gen

@@ -9,6 +9,7 @@
 
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/methods/order.hpp"
+#include "generator/exact/methods/rule_properties.hpp"
 
 namespace hvi::gen {
 
@@ -74,9 +75,24 @@ Refinement refined(const Passage& passage, const EdgeProgram& program, std::size
     return result;
 }
 
+namespace {
+
+OrderConditions nystrom_conditions(const Tableau& tableau, int highest) {
+    return orders(tableau, highest).nystrom;
+}
+
+OrderConditions nystrom_conditions(const GalerkinRule& rule, int highest) {
+    return nystrom_order(rule, highest);
+}
+
+}  // namespace
+
 KnownOrder known_order(const ComposedMethod& method) {
     constexpr int highest = 8;
-    const OrderConditions found = orders(derive(method.method), highest).nystrom;
+    const auto conditions = [](const auto& derived) {
+        return nystrom_conditions(derived, highest);
+    };
+    const OrderConditions found = std::visit(conditions, derive_any(method.method));
     return {composed_order(found.order, method.composition), found.is_at_least};
 }
 

@@ -9,6 +9,7 @@
 
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/text.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/simulate/peers.hpp"
 #include "generator/support/child.hpp"
@@ -54,6 +55,21 @@ Advance::Advance(const Heard& heard) : failure(heard.failure) {
     untouched = heard.answers.integer("untouched") == 1;
     iterations = static_cast<double>(heard.answers.integer("iterations")) /
                  static_cast<double>(std::max(1L, steps));
+}
+
+std::optional<EdgeCheck> refusal_of_general_form(const ComposedMethod& method, const Scene& scene) {
+    if (!std::holds_alternative<GalerkinRule>(derive_any(method.method))) return {};
+    const auto check = [&](const Error& error) {
+        return EdgeCheck{method.name(), scene.name,
+                         "a step",      "a step, or a reason why there is none",
+                         error.what(),  true};
+    };
+    try {
+        static_cast<void>(scene_stepper(method.method, scene, {}));
+    } catch (const InputError& error) { return check(error); } catch (const MathError& error) {
+        return check(error);
+    }
+    return {};
 }
 
 EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Scene& scene,

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "generator/pipeline/stepper.hpp"
+#include "generator/edges/edges.hpp"
 #include "generator/exact/methods/composed_method.hpp"
+#include "generator/pipeline/stepper.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/simulate/answers.hpp"
 
@@ -73,5 +75,10 @@ private:
     Build build_;
     bool is_explicit_ = false;
 };
+
+/// The general Galerkin form does not step every H: why not this one, as a case. Empty where it
+/// does, and for other methods.
+[[nodiscard]] std::optional<EdgeCheck> refusal_of_general_form(const ComposedMethod& method,
+                                                               const Scene& scene);
 
 }  // namespace hvi::gen

@@ -155,8 +155,13 @@ EdgeChapter rejections(Builds& builds, const std::vector<ComposedMethod>& method
     std::vector<Candidate> all;
     for (const ComposedMethod& method : methods) {
         const bool comes_back = is_symmetric(method);
-        for (const Scene& scene : scenes)
-            all.push_back({method.name(), comes_back, scene, EdgeProgram(builds, method, scene)});
+        for (const Scene& scene : scenes) {
+            if (auto refusal = refusal_of_general_form(method, scene))
+                chapter.checks.push_back(*std::move(refusal));
+            else
+                all.push_back(
+                    {method.name(), comes_back, scene, EdgeProgram(builds, method, scene)});
+        }
     }
     Bar bar;
     double done = 0;

@@ -158,6 +158,10 @@ std::vector<Expression> StageTerms::terms(const Expression& derivative, const Ro
     return result;
 }
 
+Expression StageTerms::multiple(const Number& factor, const Expression& expression) {
+    return is_zero(factor) ? Expression::integer(0) : term(factor, written(factor), expression);
+}
+
 Expression StageTerms::moved(const Expression& start, const Expression& derivative, const Row& row,
                              bool falls) {
     std::vector<Expression> slopes = terms(derivative, row);
@@ -166,7 +170,8 @@ Expression StageTerms::moved(const Expression& start, const Expression& derivati
     for (Expression& slope : slopes) slope = with_sign(negative, std::move(slope));
     const auto [inner, number, rest] = split(Expression::sum(std::move(slopes)));
     const Expression change = product({number, Expression::symbol("h"), rest});
-    return Expression::sum({start, with_sign((falls != negative) != inner, change)});
+    const Expression moved = with_sign((falls != negative) != inner, change);
+    return start == Expression::integer(0) ? moved : Expression::sum({start, moved});
 }
 
 Equation StageTerms::time(std::size_t stage, const Number& node) {

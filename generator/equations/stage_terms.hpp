@@ -18,6 +18,11 @@ struct Equation {
     Expression right;
 };
 
+/// An equation for an unknown in its left side, or in both.
+struct ImplicitEquation {
+    Expression left, right;
+};
+
 [[nodiscard]] std::set<std::string> symbols_in(const Expression& expression);
 [[nodiscard]] bool occurs_in(const std::string& symbol, const std::vector<Expression>& expressions);
 
@@ -50,6 +55,13 @@ public:
     }
 
     [[nodiscard]] Row written(const NumberVector& row);
+
+    /// sum_j row_j value(Q^j, ...)
+    [[nodiscard]] Expression sum(const Expression& value, const Row& row) {
+        return Expression::sum(terms(value, row));
+    }
+    /// factor * expression
+    [[nodiscard]] Expression multiple(const Number& factor, const Expression& expression);
 
     /// start +- h sum_j row_j derivative(Q^j, ...); the sign is a minus where it falls.
     [[nodiscard]] Expression moved(const Expression& start, const Expression& derivative,

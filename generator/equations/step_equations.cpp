@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "generator/equations/quadratic.hpp"
 #include "generator/exact/methods/galerkin_rule.hpp"
+#include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "generator/linear/one_step_map.hpp"
+#include "generator/linear/rule_map.hpp"
+#include "generator/lower/kinetic_rank.hpp"
+#include "generator/lower/system.hpp"
 
 namespace hvi::gen {
 
@@ -63,14 +68,46 @@ GeneratingEquations equations(const GeneratingFunction& function,
     return result;
 }
 
-bool has_closed_form(const Tableau& tableau) {
-    const auto is_closed = [](const NumberVector& row) {
-        return std::all_of(row.begin(), row.end(), is_exact);
-    };
-    return tableau.node_polynomial() != nullptr ||
-           (is_closed(tableau.b) && std::all_of(tableau.A.begin(), tableau.A.end(), is_closed) &&
-            std::all_of(tableau.A_tilde.begin(), tableau.A_tilde.end(), is_closed));
+bool is_closed(const NumberVector& row) { return std::all_of(row.begin(), row.end(), is_exact); }
+
+bool are_closed(const NumberMatrix& rows) {
+    return std::all_of(rows.begin(), rows.end(), is_closed);
 }
+
+bool has_closed_form(const Tableau& tableau) {
+    return tableau.node_polynomial() != nullptr ||
+           (is_closed(tableau.b) && are_closed(tableau.A) && are_closed(tableau.A_tilde));
+}
+
+bool has_closed_form(const GalerkinRule& rule) {
+    return is_closed(rule.b) && is_closed(rule.B) && are_closed(rule.Psi) && are_closed(rule.A_psi);
+}
+
+std::string obstacle_to_map(const QuadraticProof& proof, bool method_has_closed_form) {
+    return proof.form && !method_has_closed_form
+               ? "the coefficients of the method have no closed form"
+               : proof.obstacle;
+}
+
+/// With more nodes than functions (4.6e) has to determine the P from the V.
+void check_determined(const Hamiltonian& hamiltonian) {
+    const System system = system_of(hamiltonian, parameter_names(hamiltonian));
+    const std::size_t n = hamiltonian.degrees_of_freedom();
+    const auto rank = system.structure.kinetic_is_quadratic ? kinetic_rank(system) : std::nullopt;
+    if (!is_degenerate(system.structure) && rank.value_or(n) == n) return;
+    throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
+                    "d2H/dp2 is regular, and its rank is " +
+                        (rank ? std::to_string(*rank) + " of " + std::to_string(n)
+                              : "below the degrees of freedom, as a row of it is zero"),
+                    Place{hamiltonian.source, hamiltonian.expression.range},
+                    "take as many nodes as functions");
+}
+
+/// Beside the equations.
+struct StepWishes {
+    bool generating;
+    std::optional<int> series;
+};
 
 [[noreturn]] void refuse_generating(const Hamiltonian& hamiltonian, const std::string& obstacle) {
     const std::string help = "leave out --generating for the equations of the stages";
@@ -84,31 +121,40 @@ bool has_closed_form(const Tableau& tableau) {
 }
 
 /// With the map, and H_d^+ where it is wished; or with the equations of the stages.
-void add_equations(StepEquations& step, const Tableau& tableau, const Hamiltonian& hamiltonian,
-                   const Ground& ground, bool generating) {
+void add_equations(StepEquations& step, const Tableau& tableau, const Ground& ground,
+                   const Hamiltonian& hamiltonian, const StepWishes& wishes) {
     // NOTE: first, since it refuses with their places what has no value or is too long.
     const Gradient slopes = gradient(hamiltonian);
     const QuadraticProof proof = quadratic_form(hamiltonian, ground);
-    step.obstacle = proof.obstacle;
-    if (proof.form && !has_closed_form(tableau))
-        step.obstacle = "the coefficients of the method have no closed form";
+    step.obstacle = obstacle_to_map(proof, has_closed_form(tableau));
     if (!proof.form || !step.obstacle.empty()) {
-        if (generating) refuse_generating(hamiltonian, step.obstacle);
+        if (wishes.generating) refuse_generating(hamiltonian, step.obstacle);
         step.stages = stage_equations(tableau, hamiltonian, slopes);
         return;
     }
     step.map = equations(one_step_map(tableau, *proof.form, ground));
-    if (generating)
+    if (wishes.generating)
         step.generating =
             equations(generating_function(tableau, *proof.form, ground), variables(hamiltonian));
 }
 
-/// Of the general Galerkin form the series are built alone.
-[[noreturn]] void refuse_equations(const Method& method) {
-    throw InputError("of the general Galerkin form (4.6), with more nodes than functions, the "
-                     "series are built alone; its equations are to come",
-                     whole(method.nodes.source),
-                     "give as many nodes as basis functions, or --series N without --generating");
+/// The same of the general form: with its map, or with (4.6).
+void add_equations(StepEquations& step, const GalerkinRule& rule, const Ground& ground,
+                   const Hamiltonian& hamiltonian, const StepWishes& wishes) {
+    if (wishes.generating)
+        throw InputError("closed generating functions of the general Galerkin form are to come",
+                         Place{hamiltonian.source, hamiltonian.expression.range},
+                         "take as many nodes as functions; --series N gives their series");
+    const Gradient slopes = gradient(hamiltonian);
+    check_determined(hamiltonian);
+    const QuadraticProof proof = quadratic_form(hamiltonian, ground);
+    step.basis = rule.provenance.basis;
+    step.obstacle = obstacle_to_map(proof, has_closed_form(rule));
+    try {
+        if (proof.form && step.obstacle.empty())
+            step.map = equations(one_step_map(rule, *proof.form, ground));
+    } catch (const TooLarge&) { step.obstacle = "it is too long to be computed"; }
+    if (!step.map) step.at_nodes = galerkin_equations(rule, hamiltonian, slopes);
 }
 
 }  // namespace
@@ -128,14 +174,14 @@ StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonia
     step.momenta = hamiltonian.momenta;
     return on_new_ground([&](const Ground& ground) {
         StepEquations result = step;
-        const AnyDerivation derived = derive_any_on(ground, method);
-        if (const auto* const tableau = std::get_if<Tableau>(&derived.method)) {
-            add_equations(result, *tableau, hamiltonian, derived.ground, generating);
-        } else if (generating || !series) {
-            refuse_equations(method);
-        }
+        const AnyDerivation found = derive_any_on(ground, method);
+        std::visit(
+            [&](const auto& derived) {
+                add_equations(result, derived, found.ground, hamiltonian, {generating, series});
+            },
+            found.method);
         if (series)
-            result.series = discrete_series(derived.method, hamiltonian, *series, derived.ground);
+            result.series = discrete_series(found.method, hamiltonian, *series, found.ground);
         return result;
     });
 }

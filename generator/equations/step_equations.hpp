@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/equations/galerkin_equations.hpp"
 #include "generator/equations/stage_equations.hpp"
 #include "generator/equations/step_title.hpp"
 #include "generator/read/hamiltonian.hpp"
@@ -38,7 +39,8 @@ struct StepEquations : StepTitle {
     std::optional<MapEquations> map;  ///< where H is quadratic
     std::string obstacle;             ///< why there is none all the same
     std::optional<GeneratingEquations> generating;
-    std::optional<StageEquations> stages;  ///< of a tableau, where there is no map
+    std::optional<StageEquations> stages;       ///< where there is no map
+    std::optional<GalerkinEquations> at_nodes;  ///< the same of the general form
     std::optional<DiscreteSeries> series;
 };
 
@@ -47,10 +49,11 @@ struct StepEquations : StepTitle {
 
 /// The map of one step where H is quadratic (Leok & Zhang, (6.2) to (6.6)), with `generating` also
 /// its generating function; for any other H, and for one that depends on time, the equations of the
-/// stages (4.18). With `series` also so many terms of the discrete Hamiltonians of any H. Of the
-/// general Galerkin form these alone. Throws what `derive_any`, `gradient` and `discrete_series`
-/// throw, MathError for the generating function of another H, and InputError for what is not built
-/// of the general form. Precondition: their names go together (see check_together).
+/// stages (4.18), and (4.6) of the general form. With `series` also so many terms of the discrete
+/// Hamiltonians of any H. Throws what `derive_any`, `gradient` and `discrete_series` throw, and
+/// MathError for the generating function of another H; for the general form MathError where d2H/dp2
+/// is singular, and InputError for closed generating functions, which are to come. Precondition:
+/// their names go together (see check_together).
 [[nodiscard]] StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,
                                            bool generating, std::optional<int> series = {});
 

@@ -23,7 +23,7 @@ std::string origin_of(const Method& method, const Function& function) {
 
 template <class Function>
 StepTitle title(const Method& method, const Function& function) {
-    StepTitle title{method.name, origin_of(method, function), {}, function.parameters};
+    StepTitle title{method.name, origin_of(method, function), {}, function.parameters, {}};
     for (const Parameter& parameter : method.parameters) assign(title.values, parameter);
     std::sort(title.values.begin(), title.values.end(),
               [](const Parameter& a, const Parameter& b) { return a.name < b.name; });

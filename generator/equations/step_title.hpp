@@ -14,6 +14,8 @@ struct StepTitle {
     std::string origin;  ///< METHOD and the Hamiltonian as the command line has them
     std::vector<std::string> parameters;  ///< free symbols of H and of the method, sorted
     std::vector<Parameter> values;        ///< of the others, sorted by name
+    /// Of the general form, in which the velocities have coefficients for unknowns; else empty.
+    std::vector<Expression> basis;
 };
 
 [[nodiscard]] StepTitle title_of(const Method& method, const Hamiltonian& hamiltonian);

@@ -23,6 +23,10 @@ struct OneStepMethod {
     }
     /// `stormer-verlet-yoshida:6`; empty where the method has no name.
     [[nodiscard]] std::string name() const { return composed_name(provenance().name, composition); }
+    /// The name, or METHOD.
+    [[nodiscard]] std::string title() const {
+        return name().empty() ? provenance().origin : name();
+    }
 };
 
 /// Stable text, for people and tests: the steps of a composition, and all numbers.

@@ -22,13 +22,13 @@ LinearMap map_of_part(const StageFunctions& stages, const QuadraticForm& H, cons
 
 }  // namespace
 
-LinearMap one_step_map(const Tableau& tableau, const QuadraticForm& H, const Ground& ground) {
+LinearMap by_uncoupled_parts(const QuadraticForm& H,
+                             const std::function<LinearMap(const QuadraticForm&)>& map_of) {
     const Progress::Stage stage("computing the map of one step");
-    const StageFunctions stages = exact_stage_functions(tableau, H);
     const std::size_t size = H.g.size();
     LinearMap result{zeros(size, size), NumberVector(size)};
     for (const UncoupledPart& part : uncoupled_parts(H)) {
-        const LinearMap map = map_of_part(stages, restricted(H, part), ground.parameter("h"));
+        const LinearMap map = map_of(restricted(H, part));
         for (std::size_t i = 0; i < part.size(); ++i) {
             for (std::size_t j = 0; j < part.size(); ++j) {
                 result.matrix[part[i]][part[j]] = map.matrix[i][j];
@@ -37,6 +37,13 @@ LinearMap one_step_map(const Tableau& tableau, const QuadraticForm& H, const Gro
         }
     }
     return result;
+}
+
+LinearMap one_step_map(const Tableau& tableau, const QuadraticForm& H, const Ground& ground) {
+    const StageFunctions stages = exact_stage_functions(tableau, H);
+    return by_uncoupled_parts(H, [&](const QuadraticForm& part) {
+        return map_of_part(stages, part, ground.parameter("h"));
+    });
 }
 
 }  // namespace hvi::gen

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/exact/numbers/ground.hpp"
 #include "generator/linear/quadratic_form.hpp"
@@ -22,5 +24,10 @@ struct LinearMap {
 /// compute: with many coupled degrees of freedom, or with many parameters.
 [[nodiscard]] LinearMap one_step_map(const Tableau& tableau, const QuadraticForm& H,
                                      const Ground& ground);
+
+/// Of degrees of freedom that are not coupled each has a map of its own, and they are put together.
+[[nodiscard]] LinearMap
+by_uncoupled_parts(const QuadraticForm& H,
+                   const std::function<LinearMap(const QuadraticForm&)>& map_of);
 
 }  // namespace hvi::gen

@@ -21,7 +21,7 @@ constexpr std::array commands = {
     CommandEntry{scheme, "scheme", "METHOD SCENE",
                  "Print the equations of a step for a Hamiltonian"},
     CommandEntry{run, "run", "[METHOD] SCENE", "Integrate a scene: table, picture, summary"},
-    CommandEntry{report, "report", "SCENE...", "Error against run time, of methods on scenes"},
+    CommandEntry{report, "report", "SCENE... [METHOD]", "Error against run time, of methods on scenes"},
     CommandEntry{symmetries, "symmetries", "SCENE", "Affine symmetries and their momentum maps",
                  State::to_come},
     CommandEntry{ensemble, "ensemble", "SCENE [METHOD]", "Run many trajectories on all cores",
@@ -34,7 +34,7 @@ constexpr std::array commands = {
 };
 
 constexpr Commands every{tableau, check, stepper, scheme, run, report, list, completions, manual};
-constexpr Commands with_method{tableau, check, stepper, scheme, run};
+constexpr Commands with_method{tableau, check, stepper, scheme, run, report};
 constexpr Commands with_hamiltonian{stepper, scheme};
 
 constexpr std::array tableau_formats = {

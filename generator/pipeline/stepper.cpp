@@ -88,6 +88,16 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
                          "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
 }
 
+/// NOTE: a step of kicks and drifts keeps the slopes of its drifts, and the curve is one of kicks.
+void check_curve(const Step& step, const std::optional<Curve>& curve, const Method& method) {
+    const bool is_of_kicks = curve && curve->of == Curve::Slopes::forces;
+    if (!is_of_kicks || curve->F.front().empty() || !std::holds_alternative<PairStep>(step.form))
+        return;
+    throw InputError("--dense is not built for explicit steps of the general Galerkin form, but "
+                     "where the curve is a straight line",
+                     method.place);
+}
+
 OneStepMethod composed(DerivedMethod base, const Method& method, const StepperWishes& wishes) {
     if (wishes.composition) { check_composition(*wishes.composition, base); }
     return {std::move(base), wishes.composition, method.place};
@@ -102,8 +112,8 @@ struct MethodAndCurve {
 MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
     if (!wishes.dense) return {composed(derive_any(method), method, wishes), std::nullopt};
     MethodAndCurve result = on_new_ground([&](const Ground& ground) {
-        const Derivation derivation = derive_on(ground, method);
-        return MethodAndCurve{composed(derivation.tableau, method, wishes),
+        const AnyDerivation derivation = derive_any_on(ground, method);
+        return MethodAndCurve{composed(derivation.method, method, wishes),
                               curve(method, derivation)};
     });
     if (wishes.composition)
@@ -155,6 +165,7 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
     if (is_overdetermined(method, system)) check_kinetic_rank(system, method.place);
     GradientKernels gradients = gradient_kernels(system);
     Step step = planned(method, properties(system, gradients), scene, wishes);
+    check_curve(step, members.curve, wished);
     Evaluations evaluations = hvi::gen::evaluations(system, std::move(gradients), step);
     std::string name = name_of_class(
         wishes.class_name, scene.name.empty() ? method.name() : scene.name + "-" + method.name());

@@ -27,6 +27,19 @@ void append(Json& json, const std::vector<Equation>& equations, std::string_view
         json.push_back(equation.left + std::string(mark) + " = " + to_text(equation.right));
 }
 
+void append(Json& json, const std::vector<ImplicitEquation>& equations) {
+    for (const ImplicitEquation& equation : equations)
+        json.push_back(to_text(equation.left) + " = " + to_text(equation.right));
+}
+
+Json stages_json(const GalerkinEquations& equations) {
+    Json json = Json::array();
+    append(json, equations.positions);
+    append(json, equations.conditions);
+    append(json, equations.update, "'");
+    return json;
+}
+
 Json stages_json(const StageEquations& equations) {
     Json json = Json::array();
     append(json, equations.stages);
@@ -76,8 +89,7 @@ std::string render_json(const LagrangianEquations& step) {
     Json legendre = Json::array(), stages = Json::array(), update = Json::array();
     append(legendre, step.legendre);
     append(stages, step.positions);
-    for (const ImplicitEquation& equation : step.velocities_in_stages)
-        stages.push_back(to_text(equation.left) + " = " + to_text(equation.right));
+    append(stages, step.conditions);
     append(update, step.update, "'");
     Json json;
     json["schema"] = "hvi-scheme-lagrangian/1";
@@ -88,6 +100,7 @@ std::string render_json(const LagrangianEquations& step) {
     json["momenta"] = step.momenta;
     json["parameters"] = step.parameters;
     json["values"] = values_json(step);
+    if (!step.basis.empty()) json["basis"] = texts(step.basis);
     json["legendre"] = std::move(legendre);
     json["stages"] = std::move(stages);
     json["update"] = std::move(update);
@@ -103,11 +116,22 @@ std::string render_json(const StepEquations& step) {
     json["variables"] = variables(step);
     json["parameters"] = step.parameters;
     json["values"] = values_json(step);
+    if (!step.basis.empty()) json["basis"] = texts(step.basis);
     json["map"] = step.map ? matrix_json(*step.map) : Json(nullptr);
     json["offset"] = step.map ? texts(step.map->offset) : Json(nullptr);
-    json["stages"] = step.stages ? stages_json(*step.stages) : Json(nullptr);
-    json["explicit"] = step.stages ? Json(step.stages->is_explicit) : Json(nullptr);
-    json["exact"] = !step.stages || step.stages->is_exact;
+    json["stages"] = nullptr;
+    json["explicit"] = nullptr;
+    json["exact"] = true;
+    if (step.stages) {
+        json["stages"] = stages_json(*step.stages);
+        json["explicit"] = step.stages->is_explicit;
+        json["exact"] = step.stages->is_exact;
+    }
+    if (step.at_nodes) {
+        json["stages"] = stages_json(*step.at_nodes);
+        json["explicit"] = false;
+        json["exact"] = step.at_nodes->is_exact;
+    }
     if (step.generating) json["generating"] = generating_json(*step.generating);
     if (step.series) json["series"] = series_json(*step.series);
     return json.dump(2) + "\n";

@@ -95,6 +95,33 @@ std::string stages_latex(const StepEquations& step) {
     return lines;
 }
 
+/// With `now` for what has a value at the beginning of the step. They follow other lines, or none.
+std::string galerkin_latex(const GalerkinEquations& equations,
+                           const std::map<std::string, std::string>& now, std::string lines = "") {
+    const auto append = [&](const std::string& left, const Expression& right) {
+        lines += fmt::format("{}{} &= {}", lines.empty() ? "" : ", \\\\\n", left,
+                             to_latex(renamed(right, now)));
+    };
+    for (const Equation& position : equations.positions)
+        append(to_latex(Expression::symbol(position.left)), position.right);
+    for (const ImplicitEquation& condition : equations.conditions)
+        append(to_latex(condition.left), condition.right);
+    for (const Equation& update : equations.update) append(at(update.left, "n+1"), update.right);
+    return lines;
+}
+
+std::string at_nodes_latex(const StepEquations& step) {
+    std::map<std::string, std::string> now = names_at(variables(step), "n");
+    now["t"] = at("t", "n");
+    return galerkin_latex(*step.at_nodes, now);
+}
+
+/// What a quadratic H has, or any other for a tableau or for the general form.
+std::string step_latex(const StepEquations& step) {
+    if (step.map) return map_latex(step);
+    return step.stages ? stages_latex(step) : at_nodes_latex(step);
+}
+
 /// H_d^+(q_n, p_{n+1}), term by term.
 std::string function_latex(const std::string& left, const Expression& function,
                            const StepEquations& step) {
@@ -141,7 +168,7 @@ std::string displayed(const std::string& command, const std::string& lines) {
 }  // namespace
 
 std::string render_latex(const StepEquations& step) {
-    std::string lines = step.map ? map_latex(step) : step.stages ? stages_latex(step) : "";
+    std::string lines = step_latex(step);
     std::string option;
     if (step.generating) {
         option = " --generating";
@@ -161,15 +188,7 @@ std::string render_latex(const LagrangianEquations& step) {
     std::map<std::string, std::string> now = names_at(step.coordinates, "n");
     now.merge(names_at(step.momenta, "n"));
     now["t"] = at("t", "n");
-    std::string lines = "L &= " + to_latex(step.lagrangian);
-    const auto append = [&](const std::string& left, const Expression& right) {
-        append_line(lines, fmt::format("{} &= {}", left, to_latex(renamed(right, now))));
-    };
-    for (const Equation& position : step.positions)
-        append(to_latex(Expression::symbol(position.left)), position.right);
-    for (const ImplicitEquation& stage : step.velocities_in_stages)
-        append(to_latex(stage.left), stage.right);
-    for (const Equation& update : step.update) append(at(update.left, "n+1"), update.right);
+    const std::string lines = galerkin_latex(step, now, "L &= " + to_latex(step.lagrangian));
     return displayed(step.origin + " --lagrangian", lines);
 }
 

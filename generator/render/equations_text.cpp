@@ -108,6 +108,10 @@ void Page::parameters(const StepTitle& step) {
         values +=
             fmt::format("{}{} = {}", values.empty() ? "" : ", ", known.name, to_text(known.value));
     fact("values", values);
+    std::string functions;
+    for (const Expression& psi : step.basis)
+        functions += (functions.empty() ? "" : ", ") + to_text(psi);
+    fact("basis", functions);
     remark("\n");
 }
 
@@ -126,12 +130,43 @@ void write_map(Page& page, const StepEquations& step) {
         page.equation(names[i] + "'", new_value(*step.map, i, names));
 }
 
+/// What does not fit into a line begins a new one at the equals sign.
+void write_implicit(Page& page, const ImplicitEquation& equation) {
+    const std::string left = to_text(equation.left);
+    const std::size_t length = left.size() + to_text(equation.right).size();
+    if (length + std::string_view("  = ").size() <= terminal_columns) {
+        page.equation(left, equation.right);
+        return;
+    }
+    page.line(" ", left);
+    page.equation("  ", equation.right);
+}
+
+void write_galerkin(Page& page, const GalerkinEquations& equations) {
+    for (const Equation& position : equations.positions)
+        page.equation(position.left, position.right);
+    for (const ImplicitEquation& condition : equations.conditions) write_implicit(page, condition);
+    page.remark("\nand with them:\n\n");
+    for (const Equation& update : equations.update) page.equation(update.left + "'", update.right);
+    if (!equations.is_exact) page.remark(inexact);
+}
+
+void write_obstacle(Page& page, const StepEquations& step) {
+    if (step.obstacle.empty()) return;
+    page.line("", "H is quadratic, but the map has no formula here: " + step.obstacle);
+    page.remark("\n");
+}
+
+void write_at_nodes(Page& page, const StepEquations& step) {
+    write_obstacle(page, step);
+    page.remark("stages by (4.6), to be solved together for the values of p at the nodes,\n"
+                "and for the V, coefficients of dq/dt in the basis:\n\n");
+    write_galerkin(page, *step.at_nodes);
+}
+
 void write_stages(Page& page, const StepEquations& step) {
     const StageEquations& equations = *step.stages;
-    if (!step.obstacle.empty()) {
-        page.line("", "H is quadratic, but the map has no formula here: " + step.obstacle);
-        page.remark("\n");
-    }
+    write_obstacle(page, step);
     if (!equations.is_explicit) page.remark("stages, to be solved together:\n\n");
     for (const Equation& stage : equations.stages) page.equation(stage.left, stage.right);
     if (!equations.is_explicit) page.remark("\nand with them:\n\n");
@@ -199,18 +234,6 @@ void write_series(Page& page, const StepEquations& step) {
     }
 }
 
-/// What does not fit into a line begins a new one at the equals sign.
-void write_implicit(Page& page, const ImplicitEquation& equation) {
-    const std::string left = to_text(equation.left);
-    const std::size_t length = left.size() + to_text(equation.right).size();
-    if (length + std::string_view("  = ").size() <= terminal_columns) {
-        page.equation(left, equation.right);
-        return;
-    }
-    page.line(" ", left);
-    page.equation("  ", equation.right);
-}
-
 void write_lagrangian_head(Page& page, const LagrangianEquations& step) {
     page.title(step);
     page.remark("\n");
@@ -228,6 +251,7 @@ std::string render_text(const StepEquations& step) {
     write_head(page, step);
     if (step.map) write_map(page, step);
     if (step.stages) write_stages(page, step);
+    if (step.at_nodes) write_at_nodes(page, step);
     if (step.generating) write_generating(page, step);
     if (step.series) write_series(page, step);
     return page.text();
@@ -238,12 +262,11 @@ std::string render_text(const LagrangianEquations& step) {
     write_lagrangian_head(page, step);
     page.remark("momenta, by p = dL/dv:\n\n");
     for (const Equation& momentum : step.legendre) page.equation(momentum.left, momentum.right);
-    page.remark("\nstages by (4.14), to be solved together for the velocities in them:\n\n");
-    for (const Equation& position : step.positions) page.equation(position.left, position.right);
-    for (const ImplicitEquation& stage : step.velocities_in_stages) write_implicit(page, stage);
-    page.remark("\nand with them:\n\n");
-    for (const Equation& update : step.update) page.equation(update.left + "'", update.right);
-    if (!step.is_exact) page.remark(inexact);
+    page.remark(step.basis.empty()
+                    ? "\nstages by (4.14), to be solved together for the velocities in them:\n\n"
+                    : "\nstages by (4.14), to be solved together for the V, coefficients of\n"
+                      "dq/dt in the basis:\n\n");
+    write_galerkin(page, step);
     return page.text();
 }
 

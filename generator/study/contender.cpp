@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include "generator/exact/methods/order.hpp"
+#include "generator/exact/methods/rule_properties.hpp"
 #include "generator/scene/start.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/error.hpp"
@@ -17,6 +19,12 @@ namespace hvi::gen {
 namespace {
 
 constexpr int highest_order = 16;  // that is looked for
+
+int order_of(const Tableau& tableau) { return orders(tableau, highest_order).general.order; }
+
+/// For a quadratic kinetic energy; for other H it is at most this.
+int order_of(const GalerkinRule& rule) { return nystrom_order(rule, highest_order).order; }
+
 constexpr const char* reference_method = "gauss:10";
 
 }  // namespace
@@ -26,9 +34,9 @@ Contender contender(Builds& builds, const ComposedMethod& method, const Scene& s
     SceneStepper stepper =
         scene_stepper(method.method, scene, simulation_wishes(solver, method.composition));
     check_simulation(stepper);
+    const auto order_of_base = [](const auto& base) { return order_of(base); };
     const int order =
-        composed_order(orders(std::get<Tableau>(stepper.method.base), highest_order).general.order,
-                       method.composition);
+        composed_order(std::visit(order_of_base, stepper.method.base), method.composition);
     Build build = builds.order(simulation_program(stepper));
     return {std::move(stepper), order, std::move(build)};
 }

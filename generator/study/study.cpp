@@ -46,7 +46,7 @@ Programs programs(Builds& builds, const Scene& scene, const StudyWishes& wishes)
 }
 
 WorkCurve curve(const Contender& contender, const Course& course) {
-    WorkCurve curve{contender.stepper.method.name(), contender.order, false, {}, {}};
+    WorkCurve curve{contender.stepper.method.title(), contender.order, false, {}, {}};
     curve.points = work_points(course, measured(contender, course.until));
     curve.departures = departures(course, curve.points, [&](const WorkPoint& point) {
         const Steps steps{course.until / static_cast<double>(point.steps), point.steps};
@@ -84,7 +84,7 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
                         !system_of(scene).time.has_value()};
     std::vector<MeasureAgain> again;  // of each curve
     for (const Contender& contender : all.contenders) {
-        const auto part = begin("running " + contender.stepper.method.name());
+        const auto part = begin("running " + contender.stepper.method.title());
         report.curves.push_back(curve(contender, course));
         again.push_back(
             [measure = measured(contender, until)](const WorkPoint& point, double seconds) {

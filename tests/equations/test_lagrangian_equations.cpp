@@ -19,7 +19,7 @@ std::vector<std::string> lines(const LagrangianEquations& step) {
     std::vector<std::string> result;
     for (const Equation& position : step.positions)
         result.push_back(position.left + " = " + to_text(position.right));
-    for (const ImplicitEquation& stage : step.velocities_in_stages)
+    for (const ImplicitEquation& stage : step.conditions)
         result.push_back(to_text(stage.left) + " = " + to_text(stage.right));
     for (const Equation& update : step.update)
         result.push_back(update.left + "' = " + to_text(update.right));
@@ -52,7 +52,7 @@ Real largest_difference(const std::string& name, const Lagrangian& L) {
     };
     for (const Equation& position : step.positions)
         compare(point.at(position.left).value, evaluate(position.right, point).value);
-    for (const ImplicitEquation& stage : step.velocities_in_stages)
+    for (const ImplicitEquation& stage : step.conditions)
         compare(evaluate(stage.left, point).value, evaluate(stage.right, point).value);
     const auto ends = solved(other, some_point(H));
     for (const Equation& update : step.update)

@@ -270,7 +270,7 @@ LagrangianEquations oscillator_of_velocities(const std::string& mass) {
     result.momenta = {"p"};
     result.legendre = {{"p", expression(mass + "*q_dot")}};
     result.positions = {{"Q_1", expression("q+h*Q_dot_1/2")}};
-    result.velocities_in_stages = {{expression(mass + "*Q_dot_1"), expression("p-h*Q_1/2")}};
+    result.conditions = {{expression(mass + "*Q_dot_1"), expression("p-h*Q_1/2")}};
     result.update = {{"q", expression("q+h*Q_dot_1")}, {"p", expression("p-h*Q_1")}};
     return result;
 }

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 #include <hvi/generic_stepper.hpp>
+#include <scene/dense_boole_pendulum.hpp>
 #include <scene/dense_chebyshev_3_nonseparable.hpp>
 #include <scene/dense_chebyshev_3_pendulum.hpp>
 #include <scene/dense_gauss_2_nonseparable.hpp>
@@ -24,10 +25,13 @@
 #include <scene/dense_midpoint_pendulum.hpp>
 #include <scene/dense_mixed.hpp>
 #include <scene/dense_pairs_of_mass_matrix.hpp>
+#include <scene/dense_simpson_pendulum.hpp>
 #include <scene/dense_stormer-verlet_pendulum.hpp>
 #include <scene/dense_symplectic-euler_pendulum.hpp>
 #include <scene/dense_trig3_nonseparable.hpp>
 #include <scene/dense_trig3_pendulum.hpp>
+#include <scene/dense_unseen_pendulum.hpp>
+#include <scene/dense_wave_pendulum.hpp>
 #include <scene/verlet_pendulum.hpp>
 
 #include "scenes.hpp"
@@ -131,6 +135,99 @@ void compare_with_the_paper(const Table& table, typename Stepper::State x, doubl
     }
 }
 
+// ---- more nodes than functions ----
+
+/// Two functions at least, with their integrals from 0 to tau, and a rule.
+struct Rule {
+    using Function = std::function<long double(long double)>;
+    std::vector<Function> psi, integral;
+    std::vector<long double> c, b;
+};
+
+Rule::Function power(int k) {
+    return [k](long double tau) { return std::pow(tau, static_cast<long double>(k)); };
+}
+
+Rule::Function integral_of_power(int k) {
+    return [k](long double tau) { return std::pow(tau, k + 1.0L) / (k + 1); };
+}
+
+const Rule simpson{{power(0), power(1)},
+                   {integral_of_power(0), integral_of_power(1)},
+                   {0, 0.5L, 1},
+                   {1 / 6.0L, 2 / 3.0L, 1 / 6.0L}};
+const Rule boole{{power(0), power(1), power(2)},
+                 {integral_of_power(0), integral_of_power(1), integral_of_power(2)},
+                 {0, 0.25L, 0.5L, 0.75L, 1},
+                 {7 / 90.0L, 32 / 90.0L, 12 / 90.0L, 32 / 90.0L, 7 / 90.0L}};
+const long double long_pi = std::acos(-1.0L);
+const Rule wave{
+    {power(0), [](long double tau) { return std::cos(long_pi * tau); }},
+    {integral_of_power(0), [](long double tau) { return std::sin(long_pi * tau) / long_pi; }},
+    {0.5L - std::sqrt(0.15L), 0.5L, 0.5L + std::sqrt(0.15L)},
+    {5 / 18.0L, 4 / 9.0L, 5 / 18.0L}};
+
+/// x with A x = y, for a positive definite A: by elimination.
+std::vector<long double> solution(std::vector<std::vector<long double>> A,
+                                  std::vector<long double> y) {
+    const std::size_t s = y.size();
+    for (std::size_t k = 0; k < s; ++k) {
+        for (std::size_t i = 0; i < s; ++i) {
+            if (i == k) { continue; }
+            const long double factor = A[i][k] / A[k][k];
+            for (std::size_t j = k; j < s; ++j) { A[i][j] -= factor * A[k][j]; }
+            y[i] -= factor * y[k];
+        }
+    }
+    for (std::size_t k = 0; k < s; ++k) { y[k] /= A[k][k]; }
+    return y;
+}
+
+/// The curve (4.2) of a step of the pendulum: V by (4.6d), into which (4.6e), P_i = sum_j
+/// psi_j(c_i) V_j, is put, iterated until it stands still.
+std::function<long double(long double)> curve_of_pendulum(const Rule& rule, long double q,
+                                                          long double p, long double h) {
+    const std::size_t s = rule.psi.size(), r = rule.c.size();
+    std::vector<long double> V(s, 0);
+    const auto position = [&rule, q, h](const std::vector<long double>& V_now, long double tau) {
+        long double sum = q;
+        for (std::size_t j = 0; j < V_now.size(); ++j) {
+            sum += h * V_now[j] * rule.integral[j](tau);
+        }
+        return sum;
+    };
+    for (int sweep = 0; sweep < 100; ++sweep) {
+        std::vector<std::vector<long double>> G(s, std::vector<long double>(s, 0));
+        std::vector<long double> moments(s, 0);
+        for (std::size_t j = 0; j < s; ++j) {
+            const long double B = rule.integral[j](1);
+            moments[j] = B * p;
+            for (std::size_t i = 0; i < r; ++i) {
+                const long double c = rule.c[i], b = rule.b[i];
+                moments[j] -= h * b * (B - rule.integral[j](c)) * std::sin(position(V, c));
+                for (std::size_t k = 0; k < s; ++k) {
+                    G[j][k] += b * rule.psi[j](c) * rule.psi[k](c);
+                }
+            }
+        }
+        V = solution(G, moments);
+    }
+    return [=](long double tau) { return position(V, tau); };
+}
+
+template <class Stepper>
+void compare_with_the_general_form(const Rule& rule, double h) {
+    Stepper stepper;
+    typename Stepper::State x{{0.7}, {0.4}};
+    const auto curve = curve_of_pendulum(rule, x.q[0], x.p[0], h);
+    REQUIRE(stepper.step(x, h).ok());
+    const auto compare = [&](double tau) {
+        CHECK(std::abs(stepper.position(tau)[0] - static_cast<double>(curve(tau))) < 1e-15);
+    };
+    for (const double tau : {0.0, 0.03, 0.25, 0.4, 0.77, 0.99, 1.0}) { compare(tau); }
+    for (const long double c : rule.c) { compare(static_cast<double>(c)); }
+}
+
 // ---- the exact solution ----
 
 /// By the classical Runge-Kutta method in many small steps, which shares nothing with ours.
@@ -230,6 +327,14 @@ TEST_CASE("positions within a step are on the curve of the paper") {
     compare_with_the_paper<DenseNonseparableTrig3>(trig3, {{0.7}, {0.4}}, 0.2);
 }
 
+TEST_CASE("with more nodes than functions they are on the curve with the V of (4.6)") {
+    compare_with_the_general_form<DensePendulumSimpson>(simpson, 0.3);
+    compare_with_the_general_form<DensePendulumSimpson>(simpson, -0.3);
+    compare_with_the_general_form<DensePendulumBoole>(boole, 0.3);
+    compare_with_the_general_form<DensePendulumWave>(wave, 0.3);
+    compare_with_the_general_form<DensePendulumUnseen>(simpson, 0.3);
+}
+
 TEST_CASE("the curve ends where the step does, and there is none without a step") {
     check_ends<DensePendulumMidpoint>({{1.5}, {0.0}}, 0.1, 1e-15);
     check_ends<DensePendulumVerlet>({{1.5}, {0.0}}, 0.1, 1e-15);
@@ -240,6 +345,9 @@ TEST_CASE("the curve ends where the step does, and there is none without a step"
     check_ends<DenseNonseparableGauss8>({{-3.0}, {0.0}}, 0.02, 2e-15);
     check_ends<DenseKeplerLobatto4>(DenseKeplerLobatto4::initial(), 0.01, 2e-15);
     check_ends<DensePendulumTrig3>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DensePendulumSimpson>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DensePendulumBoole>({{1.5}, {0.0}}, 0.1, 1e-15);
+    check_ends<DensePendulumWave>({{1.5}, {0.0}}, 0.1, 1e-15);
     check_ends<DenseMixed>({{-3.0}, {0.0}}, 0.02, 2e-15);
     check_ends<DensePairsOfMassMatrix>({{0.5, -0.25}, {0.125, 1.0}}, 0.1, 2e-15);
 }
@@ -258,6 +366,8 @@ TEST_CASE("the error within a step is O(h^(order+1)), and of no higher power") {
     CHECK(exponent<DenseNonseparableLobatto3>(0.05) == is_near(3));
     CHECK(exponent<DensePendulumChebyshev3>(0.05) == is_near(3));
     CHECK(exponent<DenseNonseparableChebyshev3>(0.05) == is_near(3));
+    CHECK(exponent<DensePendulumSimpson>(0.05) == is_near(3));
+    CHECK(exponent<DensePendulumBoole>(0.05) == is_near(4));
     CHECK(exponent<DensePendulumTrig3>(0.05) == is_near(2));
     CHECK(exponent<DenseNonseparableTrig3>(0.05) == is_near(2));
 }

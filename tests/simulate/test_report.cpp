@@ -230,3 +230,23 @@ TEST_CASE("numbers are kept where pictures cannot be drawn") {
         CHECK(std::filesystem::exists(directory / kept));
     CHECK_FALSE(std::filesystem::exists(directory / "second/report.html"));
 }
+
+TEST_CASE("METHOD stands before those of --methods, the general Galerkin form too") {
+    use_cache();
+    const Directory directory;
+    const std::vector<std::string> simpson = {"--basis", "1, tau", "--nodes", "0, 1/2, 1"};
+    std::vector<std::string> words = {
+        "pendulum", "--methods", "gauss:2", "--steps",  "1/5, 1/10, 1/20, 1/40",
+        "--until",  "5",         "--only",  "json,work"};
+    words.insert(words.end(), simpson.begin(), simpson.end());
+    const Json json = report(words, directory);
+    const Json& methods = json["scenes"][0]["methods"];
+    REQUIRE(methods.size() == 2);
+    CHECK(methods[0]["name"] == "--basis \"1, tau\" --nodes \"0, 1/2, 1\"");
+    CHECK(methods[0]["order"] == 4);
+    CHECK(order_of(methods[0]["points"]) == Approx(4).margin(0.1));
+    CHECK(methods[1]["name"] == "gauss:2");
+    const Outcome alone = hvi_gen({"report", "pendulum", "--param", "w=1"}, directory.path());
+    CHECK(alone.status == 2);
+    CHECK(alone.err.find("none is given") != std::string::npos);
+}

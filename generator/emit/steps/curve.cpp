@@ -47,6 +47,21 @@ NumberMatrix of_forces(const Step& step, const Curve& curve) {
     return result;
 }
 
+/// The same of the general form, whose F is of these.
+NumberMatrix of_nodes(const Step& step, const Curve& curve) {
+    NumberMatrix result;
+    for (const StageValue& value : step.positions) {
+        result.push_back(curve.F[value.stages.front()]);
+    }
+    return result;
+}
+
+NumberMatrix of_slopes(const Step& step, const Curve& curve) {
+    if (curve.of == Curve::Slopes::forces) { return of_nodes(step, curve); }
+    return std::holds_alternative<PairStep>(step.form) ? of_velocities(step, curve)
+                                                       : of_forces(step, curve);
+}
+
 /// NOTE: symmetry makes zeros that enclosures do not prove. What is below 2^-300 can be one.
 Constant constant(std::string name, const Number& value) {
     constexpr int least = -300;
@@ -124,8 +139,7 @@ std::string comment(const Curve& curve) {
 
 std::string curve_table(const Step& step, const Curve& curve, std::string_view library) {
     if (is_straight(curve)) { return {}; }
-    const bool has_momenta = std::holds_alternative<PairStep>(step.form);
-    const NumberMatrix exact = has_momenta ? of_velocities(step, curve) : of_forces(step, curve);
+    const NumberMatrix exact = of_slopes(step, curve);
     std::vector<std::vector<Constant>> rows(exact.size());
     for (std::size_t i = 0; i < exact.size(); ++i) {
         for (std::size_t k = 0; k < exact[i].size(); ++k) {

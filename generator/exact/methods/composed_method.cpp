@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/methods/properties.hpp"
+#include "generator/exact/methods/rule_properties.hpp"
 
 namespace hvi::gen {
 
@@ -71,7 +73,8 @@ int composed_order(int of_method, const std::optional<Composition>& composition)
 }
 
 bool is_symmetric(const ComposedMethod& method) {
-    return method.composition || is_symmetric(derive(method.method)).holds;
+    const auto comes_back = [](const auto& derived) { return is_symmetric(derived).holds; };
+    return method.composition || std::visit(comes_back, derive_any(method.method));
 }
 
 WeightedStages weighted_stages(const ButcherPair& pair) {

@@ -18,7 +18,10 @@ struct ComposedMethod {
     Method method;
     std::optional<Composition> composition = {};
 
-    [[nodiscard]] std::string name() const { return composed_name(method.name, composition); }
+    /// `gauss:4`, or METHOD where it has no name.
+    [[nodiscard]] std::string name() const {
+        return method.name.empty() ? method.origin : composed_name(method.name, composition);
+    }
     /// How many steps of the method make a step.
     [[nodiscard]] std::size_t parts() const { return composition ? composition->steps.size() : 1; }
 };

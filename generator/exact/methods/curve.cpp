@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/algebra/number_polynomial.hpp"
 #include "generator/exact/expressions/basis.hpp"
+#include "generator/exact/methods/ingredients.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -45,26 +47,37 @@ NumberMatrix in_legendre_polynomials(const std::vector<BasisFunction>& psi, cons
     return rows;
 }
 
-/// (tau - c_1) ... (tau - c_s), over Q where that is known.
-NumberPolynomial node_polynomial(const Derivation& derivation) {
-    const Tableau& tableau = derivation.tableau;
-    if (const RationalPolynomial* const P = tableau.node_polynomial()) {
-        return with_numbers(*P, derivation.ground);
-    }
+/// (tau - c_1) ... (tau - c_r), over Q where that is known.
+NumberPolynomial node_polynomial(const Nodes& nodes, const Ground& ground) {
+    if (nodes.polynomial) { return with_numbers(*nodes.polynomial, ground); }
     NumberPolynomial P{Number(1)};
-    for (const Number& c : tableau.c) { P = product(P, {-c, Number(1)}); }
+    for (const Number& c : nodes.c) { P = product(P, {-c, Number(1)}); }
     return P;
 }
 
-/// By how many degrees more than interpolation gives the rule is proved to be exact, at most s.
-std::size_t degrees_beyond_interpolation(const Derivation& derivation) {
-    const NumberPolynomial P = node_polynomial(derivation);
+/// By how many degrees more than r - 1 the interpolatory rule of r nodes is proved to be exact, at
+/// most r.
+std::size_t degrees_beyond_interpolation(const Nodes& nodes, const Ground& ground) {
+    const NumberPolynomial P = node_polynomial(nodes, ground);
     std::size_t degrees = 0;
-    while (degrees < derivation.tableau.stages() &&
-           moment(P, degrees).known_zero().value_or(false)) {
+    while (degrees < nodes.c.size() && moment(P, degrees).known_zero().value_or(false)) {
         ++degrees;
     }
     return degrees;
+}
+
+/// The degrees 0, 1, ... for which a rule of other weights is proved to be exact, at most 2r.
+std::size_t exact_degrees(const GalerkinRule& rule) {
+    NumberVector powers = rule.b;  // b_i c_i^k
+    for (std::size_t k = 0; k < 2 * rule.nodes(); ++k) {
+        Number sum;
+        for (std::size_t i = 0; i < rule.nodes(); ++i) {
+            sum = sum + powers[i];
+            powers[i] = powers[i] * rule.c[i];
+        }
+        if (!(sum - Number(1) / whole_number(k + 1)).known_zero().value_or(false)) { return k; }
+    }
+    return 2 * rule.nodes();
 }
 
 // ---- other functions ----
@@ -123,29 +136,64 @@ InTerms in_terms(const std::vector<BasisFunction>& psi) {
     return result;
 }
 
-}  // namespace
+/// What the antiderivatives of the basis depart by from their chords.
+struct Departures {
+    NumberMatrix R;  ///< functions psi_k x functions g_l
+    std::vector<Antiderivative> A;
+    bool spans_polynomials = false;  ///< of degree less than s
+};
 
-Curve curve(const Method& method, const Derivation& derivation) {
-    const Tableau& tableau = derivation.tableau;
-    if (!tableau.parameters.empty()) {
-        throw InputError("--dense for a method with a free parameter is announced, but not built "
-                         "yet",
-                         whole(method.basis.source), "give the parameter a value with --param");
-    }
-    const auto psi = basis_functions(method.basis, tableau.c, derivation.ground);
+Departures departures(const std::vector<BasisFunction>& psi, const Ground& ground) {
     const bool is_polynomial = std::all_of(psi.begin(), psi.end(), [](const auto& function) {
         return function.function.is_polynomial();
     });
     if (!is_polynomial) {
         auto [rows, A] = in_terms(psi);
-        return {tableau.galerkin->M_inverse * rows, std::move(A), 1};
+        return {std::move(rows), std::move(A)};
     }
-    const NumberMatrix rows = in_legendre_polynomials(psi, derivation.ground);
-    const bool spans_polynomials = rows.front().size() + 1 == psi.size();
-    return {tableau.galerkin->M_inverse * rows,
-            {},
-            spans_polynomials ? std::min(psi.size(), degrees_beyond_interpolation(derivation) + 1)
-                              : 1};
+    NumberMatrix rows = in_legendre_polynomials(psi, ground);
+    const bool spans = rows.front().size() + 1 == psi.size();
+    return {std::move(rows), {}, spans};
+}
+
+void check_no_parameter(const Method& method, const std::vector<std::string>& parameters) {
+    if (parameters.empty()) { return; }
+    throw InputError("--dense for a method with a free parameter is announced, but not built yet",
+                     whole(method.basis.source), "give the parameter a value with --param");
+}
+
+Curve curve_of(const Tableau& tableau, const Method& method, const Ingredients& given) {
+    check_no_parameter(method, tableau.parameters);
+    auto [R, A, spans_polynomials] = departures(given.psi, given.ground);
+    const std::size_t s = given.psi.size();
+    const std::size_t order =
+        spans_polynomials ? std::min(s, degrees_beyond_interpolation(given.nodes, given.ground) + 1)
+                          : 1;
+    return {Curve::Slopes::velocities, tableau.galerkin->M_inverse * R, std::move(A), order};
+}
+
+Curve curve_of(const GalerkinRule& rule, const Method& method, const Ingredients& given) {
+    check_no_parameter(method, rule.parameters);
+    auto [R, A, spans_polynomials] = departures(given.psi, given.ground);
+    const std::size_t s = rule.functions();
+    const auto degrees = [&] {
+        return method.weights
+                   ? exact_degrees(rule)
+                   : rule.nodes() + degrees_beyond_interpolation(given.nodes, given.ground);
+    };
+    const auto G = inverse(rule.gram);
+    HVI_CHECK(G);
+    const NumberMatrix coefficients = G->adjugate * R * (Number(-1) / G->determinant);
+    return {Curve::Slopes::forces, rule.A_psi * coefficients, std::move(A),
+            spans_polynomials ? std::min(s, degrees() - s + 1) : 1};
+}
+
+}  // namespace
+
+Curve curve(const Method& method, const AnyDerivation& derivation) {
+    const Ingredients given = ingredients(method, derivation.ground);
+    return std::visit([&](const auto& derived) { return curve_of(derived, method, given); },
+                      derivation.method);
 }
 
 }  // namespace hvi::gen

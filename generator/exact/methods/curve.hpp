@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 
 namespace hvi::gen {
 
@@ -31,8 +32,22 @@ struct Antiderivative {
 /// they are g_k(tau) = (P_{k+1} - P_{k-1})(2 tau - 1)/2 = (2k + 1) integral_0^tau P_k(2 rho - 1)
 /// drho, k = 1, 2, ..., of Legendre's P_k, and F_jk is the integral of phi_j(tau) P_k(2 tau - 1)
 /// over [0,1]. Else g_k(tau) = A_k(tau) - tau A_k(1).
+///
+/// With more nodes than functions and H = p^T K p/2 + U(q) the curve (4.2) is, with the letters of
+/// GalerkinRule and A(tau) for the integrals of the psi_k over [0, tau],
+///
+///     q_d(tau h) = q_0 + tau h v + sum_j (tau - A(tau) G^-1 A_j^T) W_j,
+///
+/// as n_ij is for tau = c_i. It departs from the chord by sum_jk F_jk g_k(tau) W_j, where A_k(tau)
+/// = B_k tau + sum_l R_kl g_l(tau) and F = -A_psi G^-1 R.
 struct Curve {
-    NumberMatrix F;                 ///< stages x functions; without columns for a straight line
+    /// What the rows of F belong to.
+    enum class Slopes {
+        velocities,  ///< dH/dp(Q_j, P_j)
+        forces,      ///< W_j
+    };
+    Slopes of;
+    NumberMatrix F;                 ///< slopes x functions; without columns for a straight line
     std::vector<Antiderivative> A;  ///< empty for polynomials
     std::size_t order;              ///< the error is O(h^(order+1)) in one step, for all tau
 };
@@ -42,10 +57,15 @@ struct Curve {
 /// sin(b tau), all of which are to come.
 ///
 /// The order is min(s, r + 1) where the basis spans the polynomials of degree less than s and the
-/// rule is exact for r degrees more than interpolation makes it. Then sum_j a~_ij c_j^(k-1) =
-/// c_i^k/k for k <= r (see galerkin.cpp), so that the P_j, and with them the slopes, are good to
-/// O(h^(r+1)); q_d' is their interpolating polynomial, with the error O(h^s) of its own. For other
-/// bases it is 1: the span has the constants.
-[[nodiscard]] Curve curve(const Method& method, const Derivation& derivation);
+/// rule is exact for r degrees more than s - 1. With as many nodes as functions sum_j a~_ij
+/// c_j^(k-1) = c_i^k/k for k <= r (see galerkin.cpp), so that the P_j, and with them the slopes,
+/// are good to O(h^(r+1)); q_d' is their interpolating polynomial, with the error O(h^s) of its
+/// own. With more nodes (4.6d) is the rule for
+///
+///     integral psi_j p = p_0 B_j + integral (B_j - A_j(tau)) p'(tau),
+///
+/// which for a p of degree k it satisfies where it is exact for degree s - 1 + k: so q_d' is right
+/// up to O(h^min(s, r+1)) again. For other bases the order is 1: the span has the constants.
+[[nodiscard]] Curve curve(const Method& method, const AnyDerivation& derivation);
 
 }  // namespace hvi::gen
