@@ -90,7 +90,14 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
 
 /// NOTE: a step of kicks and drifts keeps the slopes of its drifts, and the curve is one of kicks.
 void check_curve(const Step& step, const std::optional<Curve>& curve, const Method& method) {
-    const bool is_of_kicks = curve && curve->of == Curve::Slopes::forces;
+    if (!curve) return;
+    if (std::holds_alternative<GalerkinStep>(step.form))
+        throw InputError("--dense is not built for steps that solve for the velocities of the "
+                         "curve",
+                         method.place,
+                         "with more nodes than functions it takes H = p^T K p/2 + U(q), and no "
+                         "--action");
+    const bool is_of_kicks = curve->of == Curve::Slopes::forces;
     if (!is_of_kicks || curve->F.front().empty() || !std::holds_alternative<PairStep>(step.form))
         return;
     throw InputError("--dense is not built for explicit steps of the general Galerkin form, but "
