@@ -45,9 +45,9 @@ struct LagrangianStages : Curve<Vector, nodes, functions> {
     void correct(const Table& X, const Table& D, const Scalar (&inverse_G)[functions],
                  const FrozenMatrix<Vector>& M) {
         for (std::size_t j = 0; j < functions; ++j) {
-            const Vector V = M.inverse_times(this->defect(j, X, D));
+            const Vector step = M.inverse_times(this->defect(j, X, D));
             for (Index k = 0; k < this->n; ++k) {
-                this->W[j][k] -= this->h * inverse_G[j] * V[k];
+                this->W[j][k] -= this->h * inverse_G[j] * step[k];
             }
         }
     }
