@@ -1,5 +1,7 @@
 // The discrete Hamiltonian of the last step, and the action of the steps.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <utility>
+
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/support/error.hpp"
