@@ -35,13 +35,9 @@ void check_lagrangian(const Scene& scene, const StepperWishes& wishes) {
     const auto* L = std::get_if<Lagrangian>(&scene.mechanics);
     if (L == nullptr) return;
     check_regular(*L);
-    const auto refuse = [&](const char* flag) {
-        throw InputError(std::string(flag) + " is not built for scenes with a Lagrangian",
-                         scene.place,
+    if (wishes.dense)
+        throw InputError("--dense is not built for scenes with a Lagrangian", scene.place,
                          "the scene of its Hamiltonian takes it: `hvi-gen scheme` prints that");
-    };
-    if (wishes.dense) refuse("--dense");
-    if (wishes.action) refuse("--action");
 }
 
 /// What is wished for and not built.
@@ -94,7 +90,14 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
 
 /// NOTE: a step of kicks and drifts keeps the slopes of its drifts, and the curve is one of kicks.
 void check_curve(const Step& step, const std::optional<Curve>& curve, const Method& method) {
-    const bool is_of_kicks = curve && curve->of == Curve::Slopes::forces;
+    if (!curve) return;
+    if (std::holds_alternative<GalerkinStep>(step.form))
+        throw InputError("--dense is not built for steps that solve for the velocities of the "
+                         "curve",
+                         method.place,
+                         "with more nodes than functions it takes H = p^T K p/2 + U(q), and no "
+                         "--action");
+    const bool is_of_kicks = curve->of == Curve::Slopes::forces;
     if (!is_of_kicks || curve->F.front().empty() || !std::holds_alternative<PairStep>(step.form))
         return;
     throw InputError("--dense is not built for explicit steps of the general Galerkin form, but "
@@ -124,12 +127,6 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
         throw InputError("--dense is not built for compositions, whose steps have no one curve",
                          wishes.composition->place);
     return result;
-}
-
-void check_action(const OneStepMethod& method, const StepperWishes& wishes) {
-    if (wishes.action && std::holds_alternative<GalerkinRule>(method.base))
-        throw InputError("--action for the general Galerkin form is to come", method.place,
-                         "take as many nodes as functions");
 }
 
 Step planned(const OneStepMethod& method, const SystemProperties& system, const Scene& scene,
@@ -170,7 +167,6 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
     check_start(scene);
     check_lagrangian(scene, wishes);
     auto [method, curve] = derived(wished, wishes);
-    check_action(method, wishes);
     members.curve = std::move(curve);
     System system = system_of(scene);
     if (is_overdetermined(method, system)) check_kinetic_rank(system, method.place);

@@ -32,21 +32,29 @@ void set_stages(Step& step, const GalerkinForm& form) {
     step.m.resize(form.nodes());
 }
 
-Decision what_is_solved_for(const SystemProperties& system) {
+/// Why no momenta are eliminated.
+std::string why_both(const SystemProperties& system, const StepWishes& wishes) {
+    if (!system.kinetic_is_quadratic) {
+        return "d2H/dp2 is not seen to be constant, so that neither can be eliminated";
+    }
+    if (wishes.action) { return "the action is summed over both"; }
+    return "the steps of a composition are taken one after the other, and those of a Nystrom "
+           "method are not built so";
+}
+
+Decision what_is_solved_for(const SystemProperties& system, const StepWishes& wishes) {
     if (system.side == Side::lagrangian) {
         return {"the velocities of the curve are solved for",
                 "(4.14) has p = dL/dv on it, and no mass matrix is inverted in a formula"};
     }
     return {"the velocities of the curve and the momenta at the nodes are solved for",
-            system.kinetic_is_quadratic
-                ? "the steps of a composition are taken one after the other, and those of a "
-                  "Nystrom method are not built so"
-                : "d2H/dp2 is not seen to be constant, so that neither can be eliminated"};
+            why_both(system, wishes)};
 }
 
 }  // namespace
 
-void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system) {
+void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system,
+                  const StepWishes& wishes) {
     GalerkinStep galerkin;
     galerkin.side = system.side;
     galerkin.form = galerkin_form(method.base);
@@ -55,7 +63,7 @@ void set_galerkin(Step& step, const OneStepMethod& method, const SystemPropertie
     const bool has_parts = system.side == Side::hamiltonian && system.is_separable;
     step.slopes = has_parts ? Slopes::of_parts : Slopes::joint;
     step.partner = Partner::different;
-    step.decisions.push_back(what_is_solved_for(system));
+    step.decisions.push_back(what_is_solved_for(system, wishes));
     if (const auto& composition = method.composition) {
         galerkin.steps = composition->steps;
         step.decisions.push_back({fmt::format("{} steps in a row", composition->steps.size()),

@@ -5,11 +5,13 @@
 #include "generator/ir/one_step_method.hpp"
 #include "generator/ir/properties.hpp"
 #include "generator/ir/step.hpp"
+#include "generator/plan/plan.hpp"
 
 namespace hvi::gen {
 
 /// Sets what the step is made of, but for its solver: the velocities of the curve and the momenta
 /// at the nodes, solved for at once. Precondition: no free parameter.
-void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system);
+void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system,
+                  const StepWishes& wishes);
 
 }  // namespace hvi::gen

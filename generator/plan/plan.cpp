@@ -431,7 +431,7 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
 Step planned_as_curves(const OneStepMethod& method, const SystemProperties& system,
                        const StepWishes& wishes) {
     Step step;
-    set_galerkin(step, method, system);
+    set_galerkin(step, method, system, wishes);
     if (system.depends_on_time) { set_times(step, std::get<GalerkinStep>(step.form).form.c); }
     set_solver(step, solver_for(wishes), system.joint_gradient_pays);
     return completed(std::move(step));
@@ -440,7 +440,7 @@ Step planned_as_curves(const OneStepMethod& method, const SystemProperties& syst
 Step planned(const GalerkinRule& rule, const OneStepMethod& method, const SystemProperties& system,
              const StepWishes& wishes) {
     check_general_form(rule, method.place, system);
-    if (!system.kinetic_is_quadratic || method.composition) {
+    if (!system.kinetic_is_quadratic || method.composition || wishes.action) {
         return planned_as_curves(method, system, wishes);
     }
     Step step;

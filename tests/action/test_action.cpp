@@ -5,10 +5,17 @@
 #include <cmath>
 #include <limits>
 
+#include <action/composed_curve_rooted.hpp>
+#include <action/composed_lagrangian.hpp>
+#include <action/composed_rooted.hpp>
+#include <action/curve_23_kepler.hpp>
+#include <action/curve_rooted.hpp>
+#include <action/curve_shaken.hpp>
 #include <action/gauss_oscillator.hpp>
 #include <action/gauss_pendulum.hpp>
 #include <action/gauss_qp.hpp>
 #include <action/gauss_shaken.hpp>
+#include <action/lagrangian_rooted.hpp>
 #include <action/lobatto_kepler.hpp>
 #include <action/midpoint_pendulum.hpp>
 #include <action/verlet_driven.hpp>
@@ -101,6 +108,29 @@ Flow shaken(double t, const Flow& y) {
     return {v, -q * q * q, p * v - (v * v / 2 + q * q * q * q / 4)};
 }
 
+/// The Hamiltonian of rooted.toml: with m = 1 + q^2/4 and u = v + cos(t)/2, p is m u.
+Flow rooted(double t, const Flow& y) {
+    const auto [q, p, integral] = y;
+    const double m = 1 + q * q / 4, u = p / m, v = u - std::cos(t) / 2;
+    const double L = m * u * u / 2 + std::cos(q) - q * std::sqrt(t) / 2;
+    return {v, q / 4 * u * u - std::sin(q) - std::sqrt(t) / 2, L};
+}
+
+/// The steps of yoshida:4, in parts of h.
+std::array<double, 3> parts() {
+    const double outer = 1 / (2 - std::cbrt(2.0));
+    return {outer, 1 - 2 * outer, outer};
+}
+
+template <class Composed, class Stepper>
+void check_composed() {
+    typename Stepper::State x{{{0.75}, {-0.5}}, 0.25};
+    const OneStep<Composed> step({{x.q, x.p}, x.t}, 0.2);
+    Stepper stepper;
+    for (const double part : parts()) { REQUIRE(stepper.step(x, part * 0.2).ok()); }
+    CHECK(step.H == Approx(stepper.action()).epsilon(1e-14));
+}
+
 // ---- promises ----
 
 /// What (3.13) says of each step of a run.
@@ -160,6 +190,32 @@ void check_promises(typename Stepper::State x, double h) {
     before = x;
     REQUIRE(stepper.step(x, h).ok());
     CHECK(stepper.action() == stepper.generating_function());
+}
+
+/// The force has a square root of t: forward from t = 0.01, back to before 0. The state, the bits
+/// of which stay, is the one at which the last good step has ended.
+template <class Composed, class Stepper>
+void check_later_failure() {
+    Stepper alone;
+    typename Stepper::State y{{{0.75}, {0.5}}, 0.01};
+    REQUIRE(alone.step(y, parts()[0] * 0.1).ok());
+    REQUIRE_FALSE(alone.step(y, parts()[1] * 0.1).ok());
+
+    Composed stepper;
+    typename Composed::State x{{{0.75}, {0.5}}, 0.02};
+    REQUIRE(stepper.step(x, -0.005).ok());
+    REQUIRE(stepper.step(x, -0.005).ok());
+    const double H = stepper.generating_function(), S = stepper.action();
+    const typename Composed::State before = x;
+    REQUIRE(std::abs(x.t - 0.01) < 1e-15);
+    REQUIRE_FALSE(stepper.step(x, 0.1).ok());
+    CHECK(x.q == before.q);
+    CHECK(x.p == before.p);
+    CHECK(x.t == before.t);
+    CHECK(stepper.generating_function() == H);
+    CHECK(stepper.action() == S);
+    REQUIRE(stepper.step(x, 0.01).ok());
+    CHECK(went_on(stepper, before, S));
 }
 
 }  // namespace
@@ -239,17 +295,18 @@ TEST_CASE("from the exact discrete Hamiltonian H_d^+ differs by h^(order+1)") {
     CHECK(falls([&](double h) {
               return error<GaussShaken>(shaken, {{{1.0}, {0.5}}, 0.25}, h);
           }) == Approx(5).margin(0.2));
+    CHECK(falls([&](double h) {
+              return error<CurveShaken>(shaken, {{{0.5}, {0.75}}, 1.0}, h);
+          }) == Approx(5).margin(0.2));
+    CHECK(falls([&](double h) {
+              return error<LagrangianRooted>(rooted, {{{0.5}, {0.75}}, 1.0}, h);
+          }) == Approx(5).margin(0.2));
 }
 
 TEST_CASE("H_d^+ of a composed step is the action of its steps") {
-    const double outer = 1 / (2 - std::cbrt(2.0));
-    VerletDriven::State x{{{0.75}, {-0.5}}, 0.25};
-    const OneStep<YoshidaDriven> step(x, 0.2);
-    VerletDriven stepper;
-    for (const double part : {outer, 1 - 2 * outer, outer}) {
-        REQUIRE(stepper.step(x, part * 0.2).ok());
-    }
-    CHECK(step.H == Approx(stepper.action()).epsilon(1e-14));
+    check_composed<YoshidaDriven, VerletDriven>();
+    check_composed<ComposedCurveRooted, CurveRooted>();
+    check_composed<ComposedRooted, LagrangianRooted>();
 }
 
 TEST_CASE("the action is the sum of (3.11) along a run") {
@@ -258,6 +315,10 @@ TEST_CASE("the action is the sum of (3.11) along a run") {
     check_run<LobattoKepler>(LobattoKepler::initial(), 0.05);
     check_run<YoshidaKepler>(YoshidaKepler::initial(), 0.05);
     check_run<YoshidaDriven>({{{0.75}, {-0.5}}, 0.25}, 0.1);
+    check_run<Curve23Kepler>(Curve23Kepler::initial(), 0.05);
+    check_run<ComposedCurveRooted>({{{0.75}, {-0.5}}, 0.25}, 0.1);
+    check_run<ComposedLagrangian>(ComposedLagrangian::initial(), 0.02);
+    check_run<LagrangianRooted>({{{0.75}, {-0.5}}, 0.25}, 0.1);
 }
 
 TEST_CASE("what the action begins anew with, and what it outlives") {
@@ -266,6 +327,15 @@ TEST_CASE("what the action begins anew with, and what it outlives") {
     check_promises<LobattoKepler>(LobattoKepler::initial(), 0.05);
     check_promises<VerletDriven>({{{0.75}, {0.5}}, 0.25}, 0.1);
     check_promises<GaussShaken>({{{0.75}, {0.5}}, 0.25}, 0.1);
+    check_promises<Curve23Kepler>(Curve23Kepler::initial(), 0.05);
+    check_promises<ComposedCurveRooted>({{{0.75}, {0.5}}, 0.25}, 0.1);
+    check_promises<ComposedLagrangian>(ComposedLagrangian::initial(), 0.02);
+    check_promises<LagrangianRooted>({{{0.75}, {0.5}}, 0.25}, 0.1);
+}
+
+TEST_CASE("a composition of which a later step fails leaves the action as it was") {
+    check_later_failure<ComposedCurveRooted, CurveRooted>();
+    check_later_failure<ComposedRooted, LagrangianRooted>();
 }
 
 TEST_CASE("the time is part of the state from which the action goes on") {

@@ -9,13 +9,29 @@
 #include <driver/dual.hpp>
 
 // NOTE: behind dual.hpp, which says why.
+#include <action/composed_curve_kepler.hpp>
+#include <action/composed_curve_rooted.hpp>
+#include <action/composed_lagrangian.hpp>
 #include <action/composed_nonseparable.hpp>
+#include <action/composed_rooted.hpp>
+#include <action/curve_12_kepler.hpp>
+#include <action/curve_12_nonseparable.hpp>
+#include <action/curve_23_kepler.hpp>
+#include <action/curve_23_nonseparable.hpp>
+#include <action/curve_24_kepler.hpp>
+#include <action/curve_24_nonseparable.hpp>
+#include <action/curve_rooted.hpp>
+#include <action/curve_shaken.hpp>
 #include <action/euler_b_henon_heiles.hpp>
 #include <action/euler_pendulum.hpp>
 #include <action/fitted_driven.hpp>
 #include <action/gauss_nonseparable.hpp>
 #include <action/gauss_pendulum.hpp>
 #include <action/gauss_shaken.hpp>
+#include <action/lagrangian_23_double.hpp>
+#include <action/lagrangian_double.hpp>
+#include <action/lagrangian_rooted.hpp>
+#include <action/lagrangian_spherical.hpp>
 #include <action/lobatto_kepler.hpp>
 #include <action/lobatto_nonseparable.hpp>
 #include <action/midpoint_pendulum.hpp>
@@ -114,4 +130,30 @@ TEST_CASE("(3.10), (3.12) and (3.14) by dual numbers: H depends on the time") {
     check_derivatives<BasicYoshidaDriven>(start, 0.2, 1e-14);
     check_derivatives<BasicGaussShaken>(start, 0.2, 1e-14);
     check_derivatives<BasicFittedDriven>(start, 0.2, 1e-14);
+}
+
+TEST_CASE("(3.10), (3.12) and (3.14) by dual numbers: more nodes than functions") {
+    const Curve12Nonseparable::State start{{0.7}, {0.4}};
+    check_derivatives<BasicCurve12Nonseparable>(start, 0.1, 1e-13);
+    check_derivatives<BasicCurve23Nonseparable>(start, 0.1, 1e-13);
+    check_derivatives<BasicCurve24Nonseparable>(start, 0.1, 1e-13);
+    check_derivatives<BasicCurve12Kepler>(Curve12Kepler::initial(), 0.05, 1e-12);
+    check_derivatives<BasicCurve23Kepler>(Curve23Kepler::initial(), 0.05, 1e-12);
+    check_derivatives<BasicCurve24Kepler>(Curve24Kepler::initial(), 0.05, 1e-12);
+    check_derivatives<BasicComposedCurveKepler>(ComposedCurveKepler::initial(), 0.05, 1e-12);
+    const CurveShaken::State at_time{{{0.7}, {0.4}}, 0.3};
+    check_derivatives<BasicCurveShaken>(at_time, 0.2, 1e-13);
+    check_derivatives<BasicCurveRooted>(at_time, 0.1, 1e-13);
+    check_derivatives<BasicComposedCurveRooted>(at_time, 0.1, 1e-13);
+}
+
+TEST_CASE("(3.10), (3.12) and (3.14) by dual numbers: Lagrangians") {
+    const LagrangianDouble::State start{{0.7, -0.4}, {0.5, 1.5}};
+    check_derivatives<BasicLagrangianDouble>(start, 0.05, 1e-12);
+    check_derivatives<BasicLagrangian23Double>(start, 0.05, 1e-12);
+    check_derivatives<BasicComposedLagrangian>(start, 0.05, 1e-12);
+    check_derivatives<BasicLagrangianSpherical>(LagrangianSpherical::initial(), 0.05, 1e-12);
+    const LagrangianRooted::State at_time{{{0.7}, {0.4}}, 0.3};
+    check_derivatives<BasicLagrangianRooted>(at_time, 0.1, 1e-13);
+    check_derivatives<BasicComposedRooted>(at_time, 0.1, 1e-13);
 }

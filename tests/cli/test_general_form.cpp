@@ -97,13 +97,29 @@ TEST_CASE("H that the general form does not step is refused, with the reason") {
             1, "its rank is 1 of 2");
     refused({}, 2, "for one H alone");
     CHECK(with_simpson({"stepper", "pendulum", "--dense"}).status == 0);
-    refused({"pendulum", "--action"}, 2, "to come");
+    refused({"nonseparable", "--dense"}, 2, "the velocities of the curve");
+    refused({"pendulum", "--dense", "--action"}, 2, "the velocities of the curve");
     refused({"nonseparable", "--lanes", "stages"}, 2, "the velocities of the curve");
     refused({"nonseparable", "--lanes", "ensemble"}, 2, "the velocities of the curve");
     refused({"nonseparable", "--solver", "newton-taylor"}, 2, "--solver newton takes any H");
     CHECK(with_simpson({"stepper", "pendulum"}).status == 0);
     CHECK(with_simpson({"stepper", "pendulum", "--compose", "yoshida:4"}).status == 0);
     CHECK(with_simpson({"stepper", "nonseparable", "--compose", "blanes-moan:6"}).status == 0);
+}
+
+TEST_CASE("the action takes the general form, with momenta at the nodes") {
+    const auto header = [](const Arguments& scene) {
+        const Outcome outcome = with_simpson({"stepper", "--action"}, scene);
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.out.find(" generating_function() const ") != std::string::npos);
+        return outcome.out;
+    };
+    const std::string reason = "the action is summed\n//         over both";
+    CHECK(header({"pendulum"}).find(reason) != std::string::npos);
+    CHECK(header({"kepler", "--compose", "yoshida:4"}).find(reason) != std::string::npos);
+    CHECK(header({"nonseparable"}).find(reason) == std::string::npos);
+    CHECK(header({"double-pendulum-lagrangian"}).find(reason) == std::string::npos);
 }
 
 TEST_CASE("compositions of rules that are not symmetric are refused") {

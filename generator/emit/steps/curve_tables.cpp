@@ -91,6 +91,15 @@ NumberVector inverses(const NumberVector& numbers) {
     return result;
 }
 
+/// NOTE: the action takes several in a row as one: see composed_step.hpp.in.
+std::string end_of_curve(const Step& step, const GalerkinStep& form, const SceneWishes& wishes) {
+    const std::string end = end_of_step(step, "status.iterations");
+    if (wishes.action && form.steps.empty()) {
+        return end_with_action("integral_over_step()", end);
+    }
+    return Writer(2).line("return {};", end).str();
+}
+
 bool takes_fixed_points(const GalerkinStep& form) {
     return form.iteration.solver != Solver::newton;
 }

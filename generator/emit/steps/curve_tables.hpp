@@ -1,4 +1,4 @@
-// The tables of the general Galerkin form, of (4.6) and of (4.14).
+// What steps of (4.6) and of (4.14) have in common: the tables of the general Galerkin form.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -23,6 +23,10 @@ void rough_table(Writer& writer, std::string_view name, std::string_view formula
 
 /// 1/x of each.
 [[nodiscard]] NumberVector inverses(const NumberVector& numbers);
+
+/// The last lines of step(), or of one of several in a row.
+[[nodiscard]] std::string end_of_curve(const Step& step, const GalerkinStep& form,
+                                       const SceneWishes& wishes);
 
 /// Fixed points are iterated, at first or throughout.
 [[nodiscard]] bool takes_fixed_points(const GalerkinStep& form);

@@ -89,7 +89,7 @@ std::string make_coupled(const Step& step, const GalerkinStep& form) {
 
 // ---- step() ----
 
-std::string steps_of_curves(const Step& step, const GalerkinStep& form) {
+std::string steps_of_curves(const Step& step, const GalerkinStep& form, const SceneWishes& wishes) {
     Writer writer(2);
     writer.line("s_.weigh(b);");
     if (takes_fixed_points(form)) {
@@ -105,7 +105,7 @@ std::string steps_of_curves(const Step& step, const GalerkinStep& form) {
     writer.blank().line("status = solver_.solve({});", make_coupled(step, form));
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance(B);");
-    return writer.line("return {};", end_of_step(step, "status.iterations")).str();
+    return writer.insert(end_of_curve(step, form, wishes)).str();
 }
 
 std::string prediction(const Step& step, const GalerkinStep& form) {
@@ -170,17 +170,18 @@ std::string members_of_curves(const Step& step, const GalerkinStep& form) {
 
 }  // namespace
 
-ImplicitParts parts(const Step& step, const GalerkinStep& form, const SceneWishes&) {
-    if (form.side == Side::lagrangian) { return lagrangian_parts(step, form); }
+ImplicitParts parts(const Step& step, const GalerkinStep& form, const SceneWishes& wishes) {
+    if (form.side == Side::lagrangian) { return lagrangian_parts(step, form, wishes); }
     ImplicitParts parts;
     parts.runtime = {"detail/coefficients/curve_coefficients", "detail/stages/curve_stages"};
     if (takes_fixed_points(form)) { parts.runtime.emplace_back("detail/linear/frozen_matrix"); }
-    parts.steps = steps_of_curves(step, form);
+    parts.steps = steps_of_curves(step, form, wishes);
     parts.constants = constants_of_curves(step, form);
     parts.predict = prediction(step, form);
     parts.coupled = coupled_curve(step, form);
     parts.members = members_of_curves(step, form);
     parts.composes = !form.steps.empty();
+    if (wishes.action) { add_action(parts, step, form); }
     return parts;
 }
 

@@ -57,6 +57,16 @@ std::string one_step(const Step& step, const std::string& body, const std::strin
                       {"steps", body}});
 }
 
+std::string composed_step(bool has_action) {
+    const auto where = [&](std::string_view text) { return std::string(has_action ? text : ""); };
+    const std::string status = "Status(Status::Code::ok, iterations)";
+    return fill_part("composed_step.hpp.in",
+                     {{"integral", where("Scalar integral = 0;")},
+                      {"add", where("integral += integral_over_step();")},
+                      {"begins", where("action_.begin(x, integral);")},
+                      {"status", has_action ? fmt::format("action_.end(x, {})", status) : status}});
+}
+
 std::string emit_implicit(const OneStepMethod& method, const Step& step, const auto& form,
                           const EmitOptions& options) {
     const SystemPart system = system_part(method, step, options);
@@ -75,7 +85,7 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
                       {"parameter", parameter_text(step)},
                       {"state", system.state},
                       {"curve", parts.curve},
-                      {"step", parts.composes ? fill_part("composed_step.hpp.in", {}) : step_text},
+                      {"step", parts.composes ? composed_step(has_action) : step_text},
                       {"part", parts.composes ? step_text : ""},
                       {"action", parts.action},
                       {"integral", parts.integral},

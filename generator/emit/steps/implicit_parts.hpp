@@ -28,7 +28,8 @@ struct ImplicitParts {
                                   const SceneWishes& wishes);
 
 /// (4.14). Precondition: the side is the Lagrangian one.
-[[nodiscard]] ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form);
+[[nodiscard]] ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form,
+                                             const SceneWishes& wishes);
 
 /// The same, with the stages in lanes.
 [[nodiscard]] ImplicitParts lane_parts(const Step& step, const PairStep& form,
@@ -83,12 +84,14 @@ constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix&
 [[nodiscard]] std::string curve_text(const Curve& curve, std::size_t slopes, std::string_view chord,
                                      const std::function<std::string(std::size_t)>& slope);
 
-/// The members generating_function() and action().
-[[nodiscard]] std::string action_text();
+/// Adds the members generating_function() and action(), and the private one that they are made of,
+/// integral_over_step(): p dq - H dt, summed over the stages. That of pairs takes x, which the step
+/// has not moved yet.
+void add_action(ImplicitParts& parts, const Step& step, const PairStep& form);
+void add_action(ImplicitParts& parts, const Step& step, const GalerkinStep& form);
 
-/// The private member that they are made of: p dq - H dt, summed over the stages before the step
-/// moves x.
-[[nodiscard]] std::string integral_text(const Step& step);
+/// The last lines of step() with an action: `integral` is the call, `end` the status.
+[[nodiscard]] std::string end_with_action(std::string_view integral, std::string_view end);
 
 /// `struct Modes` of the equations of Newton's method.
 [[nodiscard]] std::string modes_text(const std::optional<RealModes>& modes);

@@ -56,7 +56,8 @@ std::string coupled_lagrangian(const Step& step, const GalerkinStep& form) {
 
 // ---- step() ----
 
-std::string steps_of_lagrangian(const Step& step, const GalerkinStep& form) {
+std::string steps_of_lagrangian(const Step& step, const GalerkinStep& form,
+                                const SceneWishes& wishes) {
     const std::string time = also(time_of_start(step, "s_"));
     Writer writer(2);
     writer.line("s_.weigh(b);");
@@ -74,7 +75,7 @@ std::string steps_of_lagrangian(const Step& step, const GalerkinStep& form) {
                 takes_fixed_points(form) ? "mass_, " : "");
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance(B);");
-    return writer.line("return {};", end_of_step(step, "status.iterations")).str();
+    return writer.insert(end_of_curve(step, form, wishes)).str();
 }
 
 /// NOTE: positions and slopes too, as a sweep begins with the correction.
@@ -131,15 +132,17 @@ std::string members_of_lagrangian(const Step& step, const GalerkinStep& form) {
 
 }  // namespace
 
-ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form) {
+ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form,
+                               const SceneWishes& wishes) {
     ImplicitParts parts;
     parts.runtime = {"detail/coefficients/curve_coefficients", "detail/stages/lagrangian_stages"};
-    parts.steps = steps_of_lagrangian(step, form);
+    parts.steps = steps_of_lagrangian(step, form, wishes);
     parts.constants = constants_of_lagrangian(step, form);
     parts.predict = prediction_of_lagrangian(step, form);
     parts.coupled = coupled_lagrangian(step, form);
     parts.members = members_of_lagrangian(step, form);
     parts.composes = !form.steps.empty();
+    if (wishes.action) { add_action(parts, step, form); }
     return parts;
 }
 

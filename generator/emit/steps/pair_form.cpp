@@ -180,8 +180,7 @@ std::string steps_of_pairs(const Step& step, const SceneWishes& wishes) {
     updates.rest();
     const std::string end = end_of_step(step, several ? "iterations" : "status.iterations");
     if (wishes.action) {
-        writer.line("action_.begin(x, integral_over_step(x));");
-        writer.line("return action_.end(x, {});", end);
+        writer.insert(end_with_action("integral_over_step(x)", end));
     } else {
         writer.line("return {};", end);
     }
@@ -294,7 +293,7 @@ std::string coupled_pairs(const Step& step) {
     return text;
 }
 
-std::string members_of_pairs(const Step& step, const SceneWishes& wishes) {
+std::string members_of_pairs(const Step& step) {
     Writer writer(1);
     writer.line("System system_;");
     writer.insert(coefficients_member(step)).insert(clock_member(step));
@@ -313,7 +312,6 @@ std::string members_of_pairs(const Step& step, const SceneWishes& wishes) {
         writer.line("Vector velocity_{{}};  // dH/dp at s_.at.p, where the last step ended");
     }
     declare_slopes_before(writer, step);
-    if (wishes.action) { writer.line("hvi::detail::ActionSum<State> action_;"); }
     return writer.str();
 }
 
@@ -339,17 +337,13 @@ ImplicitParts parts(const Step& step, const PairStep& form, const SceneWishes& w
     parts.constants = constants_text(step, form, wishes);
     if (form.iteration) { parts.predict = prediction_of_pairs(step, *form.iteration); }
     parts.coupled = coupled_pairs(step);
-    parts.members = members_of_pairs(step, wishes);
+    parts.members = members_of_pairs(step);
     if (wishes.curve) {
         parts.curve =
             curve_text(*wishes.curve, step.momenta.size(), sum_of_slopes("Lq", step.momenta.size()),
                        [](std::size_t i) { return fmt::format("s_.Lq[{}][k]", i); });
     }
-    if (wishes.action) {
-        parts.runtime.push_back("detail/stages/action");
-        parts.action = action_text();
-        parts.integral = integral_text(step);
-    }
+    if (wishes.action) { add_action(parts, step, form); }
     return parts;
 }
 

@@ -218,8 +218,7 @@ std::vector<Function> slopes(const System& system, const Step& step,
         result.push_back(of_momenta(slope(system, step, "dHdp", gradients.dHdp), step));
     }
     if (system.side == Side::lagrangian) {
-        result.push_back(
-            of_momenta(slope(system, step, "dLdv", evaluations.gradients.dHdp), step));
+        result.push_back(of_momenta(slope(system, step, "dLdv", evaluations.gradients.dHdp), step));
     }
     if (evaluations.inverse_mass) {
         result.push_back(slope(system, step, "inverse_mass", *evaluations.inverse_mass));
@@ -260,6 +259,12 @@ std::vector<Function> functions(const System& system, const SceneWishes& wishes,
     const auto value = [&](const std::string& name, const Scaled& result) {
         return Function{name, {}, kernel(system.graph, {result}), true, true, ""};
     };
+    const auto value_in_time = [&](const std::string& name, const Scaled& result) {
+        Function function = value(name, result);
+        function.has_time = step.depends_on_time();
+        return function;
+    };
+    const bool has_L = system.side == Side::lagrangian;
     const bool is_map = std::holds_alternative<TabulatedStep>(step.form);
     std::vector<Function> result =
         is_map ? std::vector<Function>{quadratic(system)} : slopes(system, step, evaluations);
@@ -267,9 +272,11 @@ std::vector<Function> functions(const System& system, const SceneWishes& wishes,
         const bool has_forces = function.name == "dHdq" || function.name == "gradient";
         function.is_counted = wishes.evaluations && has_forces;
     }
-    if (wishes.energy || wishes.action) {
-        result.push_back(value("energy", system.energy));
-        result.back().has_time = step.depends_on_time();
+    if (wishes.energy || (wishes.action && !has_L)) {
+        result.push_back(value_in_time("energy", system.energy));
+    }
+    if (wishes.action && has_L) {
+        result.push_back(value_in_time("lagrangian", system.hamiltonian));
     }
     if (wishes.invariants) {
         for (std::size_t i = 0; i < system.invariants.size(); ++i) {

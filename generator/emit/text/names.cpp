@@ -84,11 +84,8 @@ constexpr std::array<std::string_view, 41> taken_by_scenes{
 };
 
 /// The same where it has an action.
-constexpr std::array<std::string_view, 4> taken_by_actions{
-    "generating_function",
-    "action",
-    "action_",
-    "integral_over_step",
+constexpr std::array<std::string_view, 5> taken_by_actions{
+    "generating_function", "action", "action_", "integral_over_step", "lagrangian",
 };
 
 bool is_identifier(std::string_view name) {

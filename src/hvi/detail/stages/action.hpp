@@ -30,9 +30,10 @@ template <class Vector>
     return same_bits(x.q, y.q) && same_bits(x.p, y.p) && x.t == y.t;
 }
 
-/// (4.19) and (3.11) by the integrals of p dq - H dt over the steps l = 0, ..., k - 1,
+/// (4.19), or (4.2), and (3.11) by the integrals of p dq - H dt over the steps l = 0, ..., k - 1,
+/// in which U_i, the velocity at stage i, is dH/dp(Q_i, P_i) for (4.19),
 ///
-///     A_l = h sum_i b_i (P_i . dH/dp(Q_i, P_i) - H(Q_i, P_i)),
+///     A_l = h sum_i b_i (P_i . U_i - H(Q_i, P_i)) = h sum_i b_i L(Q_i, U_i),
 ///     H_d^+(q_l, p_{l+1}) = p_{l+1} . q_{l+1} - A_l,    S_d^k = p_k . q_k - sum_l A_l.
 ///
 /// What rounding cuts off from the sum of all A_l is kept. It begins anew with a step that does not

@@ -75,6 +75,17 @@ struct Curve : StepMemory<Vector> {
         }
     }
 
+    /// h b_i times the velocity at node i: sum_j X_ij W_j.
+    [[nodiscard]] Vector way(std::size_t i, const Table& X) const {
+        Vector result = W[0];
+        for (Index k = 0; k < this->at.q.size(); ++k) {
+            Scalar sum = 0;
+            for (std::size_t j = 0; j < functions; ++j) { sum += X[i][j] * W[j][k]; }
+            result[k] = sum;
+        }
+        return result;
+    }
+
     /// F_j.
     [[nodiscard]] Vector defect(std::size_t j, const Table& X, const Table& D) const {
         Vector F = Y[0];
@@ -154,12 +165,8 @@ struct CurveStages : Curve<Vector, nodes, functions> {
 
     /// E_i.
     [[nodiscard]] Vector defect_of_velocity(std::size_t i, const Table& X) const {
-        Vector E = Lq[i];
-        for (Index k = 0; k < this->at.q.size(); ++k) {
-            Scalar sum = 0;
-            for (std::size_t j = 0; j < functions; ++j) { sum += X[i][j] * this->W[j][k]; }
-            E[k] = sum - Lq[i][k];
-        }
+        Vector E = this->way(i, X);
+        for (Index k = 0; k < this->at.q.size(); ++k) { E[k] -= Lq[i][k]; }
         return E;
     }
 

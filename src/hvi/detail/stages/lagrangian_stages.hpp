@@ -27,12 +27,8 @@ struct LagrangianStages : Curve<Vector, nodes, functions> {
 
     /// U_i.
     [[nodiscard]] Vector velocity(std::size_t i, const Table& X) const {
-        Vector U = this->W[0];
-        for (Index k = 0; k < this->n; ++k) {
-            Scalar sum = 0;
-            for (std::size_t j = 0; j < functions; ++j) { sum += X[i][j] * this->W[j][k]; }
-            U[k] = sum / this->hb[i];
-        }
+        Vector U = this->way(i, X);
+        for (Index k = 0; k < this->n; ++k) { U[k] /= this->hb[i]; }
         return U;
     }
 
