@@ -30,14 +30,9 @@ bool is_overdetermined(const OneStepMethod& method, const System& system) {
     return std::holds_alternative<GalerkinRule>(method.base) && system.side == Side::hamiltonian;
 }
 
-/// Whether (4.14) is built for the L of a scene; nothing is asked of an H.
-void check_lagrangian(const Scene& scene, const StepperWishes& wishes) {
-    const auto* L = std::get_if<Lagrangian>(&scene.mechanics);
-    if (L == nullptr) return;
-    check_regular(*L);
-    if (wishes.dense)
-        throw InputError("--dense is not built for scenes with a Lagrangian", scene.place,
-                         "the scene of its Hamiltonian takes it: `hvi-gen scheme` prints that");
+/// Whether (4.14) makes steps of the L of a scene; nothing is asked of an H.
+void check_lagrangian(const Scene& scene) {
+    if (const auto* L = std::get_if<Lagrangian>(&scene.mechanics)) check_regular(*L);
 }
 
 /// What is wished for and not built.
@@ -90,16 +85,9 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
 
 /// NOTE: a step of kicks and drifts keeps the slopes of its drifts, and the curve is one of kicks.
 void check_curve(const Step& step, const std::optional<Curve>& curve, const Method& method) {
-    if (!curve) return;
-    if (std::holds_alternative<GalerkinStep>(step.form))
-        throw InputError("--dense is not built for steps that solve for the velocities of the "
-                         "curve",
-                         method.place,
-                         "with more nodes than functions it takes H = p^T K p/2 + U(q), and no "
-                         "--action");
-    const bool is_of_kicks = curve->of == Curve::Slopes::forces;
-    if (!is_of_kicks || curve->F.front().empty() || !std::holds_alternative<PairStep>(step.form))
-        return;
+    const bool is_of_kicks =
+        curve && curve->of_forces && std::holds_alternative<PairStep>(step.form);
+    if (!is_of_kicks || curve->F.front().empty()) return;
     throw InputError("--dense is not built for explicit steps of the general Galerkin form, but "
                      "where the curve is a straight line",
                      method.place);
@@ -165,7 +153,7 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
                         .action = wishes.action};
     check_members(scene, members);
     check_start(scene);
-    check_lagrangian(scene, wishes);
+    check_lagrangian(scene);
     auto [method, curve] = derived(wished, wishes);
     members.curve = std::move(curve);
     System system = system_of(scene);

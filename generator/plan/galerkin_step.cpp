@@ -72,8 +72,9 @@ void set_galerkin(Step& step, const OneStepMethod& method, const SystemPropertie
     }
     step.decisions.push_back(
         {"the basis is orthogonal for the rule",
-         "any basis of the span makes the same step, and with this one an iteration needs no "
-         "matrix larger than d2H/dp2"});
+         fmt::format("any basis of the span makes the same step, and with this one an iteration "
+                     "needs no matrix larger than {}",
+                     system.side == Side::hamiltonian ? "d2H/dp2" : "d2L/dv2")});
     set_extrapolation(step, galerkin);
     step.form = std::move(galerkin);
 }

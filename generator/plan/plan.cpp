@@ -430,8 +430,11 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
 /// By the general Galerkin form with its own unknowns.
 Step planned_as_curves(const OneStepMethod& method, const SystemProperties& system,
                        const StepWishes& wishes) {
+    check_no_parameter(method);
     Step step;
     set_galerkin(step, method, system, wishes);
+    const auto* tableau = std::get_if<Tableau>(&method.base);
+    if (tableau != nullptr) { step.partner = partner(*tableau); }
     if (system.depends_on_time) { set_times(step, std::get<GalerkinStep>(step.form).form.c); }
     set_solver(step, solver_for(wishes), system.joint_gradient_pays);
     return completed(std::move(step));
@@ -439,7 +442,8 @@ Step planned_as_curves(const OneStepMethod& method, const SystemProperties& syst
 
 Step planned(const GalerkinRule& rule, const OneStepMethod& method, const SystemProperties& system,
              const StepWishes& wishes) {
-    check_general_form(rule, method.place, system);
+    check_no_parameter(method);
+    check_general_form(method.place, system);
     if (!system.kinetic_is_quadratic || method.composition || wishes.action) {
         return planned_as_curves(method, system, wishes);
     }

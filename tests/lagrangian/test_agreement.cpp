@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 #include <catch2/catch.hpp>
 #include <hvi/detail/numbers/math.hpp>
@@ -51,6 +52,33 @@ double distance(double h, int steps) {
     return static_cast<double>(largest / hvi::detail::epsilon<Scalar>);
 }
 
+/// The largest distance between the curves of both, over some steps, each from the same state.
+template <class OfLagrangian, class OfHamiltonian>
+double distance_of_curves(double h) {
+    OfLagrangian left;
+    OfHamiltonian right;
+    auto x = OfLagrangian::initial();
+    double largest = 0;
+    for (int i = 0; i < 20; ++i) {
+        typename OfHamiltonian::State y;
+        y.q = x.q;
+        y.p = x.p;
+        if constexpr (std::is_same_v<decltype(x), hvi::TimedState<typename OfLagrangian::Vector>>) {
+            y.t = x.t;
+        }
+        REQUIRE(left.step(x, h).ok());
+        REQUIRE(right.step(y, h).ok());
+        for (const double tau : {0.0, 0.2, 0.5, 0.875, 1.0}) {
+            const auto a = left.position(tau), b = right.position(tau);
+            for (std::size_t k = 0; k < a.size(); ++k) {
+                largest = std::fmax(largest, std::abs(a[k] - b[k]));
+            }
+        }
+        for (std::size_t k = 0; k < x.q.size(); ++k) { CHECK(left.position(1)[k] == x.q[k]); }
+    }
+    return largest;
+}
+
 template <template <class...> class OfLagrangian, template <class...> class OfHamiltonian>
 void check(double h, double most) {
     constexpr int steps = 1000;
@@ -89,4 +117,12 @@ TEST_CASE("the same where L depends on time and has terms that are linear in v")
     check<BasicLagrangianDriven, BasicHamiltonianDriven>(1.0 / 32, 2000);
     check<BasicLagrangianDrivenRule, BasicHamiltonianDrivenRule>(1.0 / 32, 2000);
     check<BasicLagrangianDrivenTrig, BasicHamiltonianDrivenTrig>(1.0 / 32, 2000);
+}
+
+// NOTE: of H some have the momenta eliminated, some the slopes of pairs, some both unknowns.
+TEST_CASE("the curves between the ends of steps are the same") {
+    CHECK(distance_of_curves<LagrangianDoublePendulum, HamiltonianDoublePendulum>(0.05) < 1e-14);
+    CHECK(distance_of_curves<LagrangianPendulumRule, HamiltonianPendulumRule>(0.125) < 1e-14);
+    CHECK(distance_of_curves<LagrangianDrivenRule, HamiltonianDrivenRule>(0.0625) < 1e-14);
+    CHECK(distance_of_curves<LagrangianDrivenTrig, HamiltonianDrivenTrig>(0.0625) < 1e-14);
 }

@@ -47,28 +47,32 @@ NumberMatrix of_forces(const Step& step, const Curve& curve) {
     return result;
 }
 
-/// The same of the general form, whose F is of these.
-NumberMatrix of_nodes(const Step& step, const Curve& curve) {
+/// The same of the general form.
+NumberMatrix of_nodes(const Step& step, const NumberMatrix& F) {
     NumberMatrix result;
-    for (const StageValue& value : step.positions) {
-        result.push_back(curve.F[value.stages.front()]);
+    for (const StageValue& value : step.positions) { result.push_back(F[value.stages.front()]); }
+    return result;
+}
+
+/// Of W_j, with h U_i = sum_j phi_ij W_j.
+NumberMatrix of_curve(const GalerkinForm& form, const Curve& curve) {
+    NumberMatrix result(form.functions(), NumberVector(curve.F.front().size()));
+    for (std::size_t j = 0; j < form.functions(); ++j) {
+        for (std::size_t i = 0; i < form.nodes(); ++i) {
+            for (std::size_t k = 0; k < curve.F[i].size(); ++k) {
+                result[j][k] = result[j][k] + form.phi[i][j] * curve.F[i][k];
+            }
+        }
     }
     return result;
 }
 
 NumberMatrix of_slopes(const Step& step, const Curve& curve) {
-    if (curve.of == Curve::Slopes::forces) { return of_nodes(step, curve); }
-    return std::holds_alternative<PairStep>(step.form) ? of_velocities(step, curve)
-                                                       : of_forces(step, curve);
-}
-
-/// NOTE: symmetry makes zeros that enclosures do not prove. What is below 2^-300 can be one.
-Constant constant(std::string name, const Number& value) {
-    constexpr int least = -300;
-    if (!value.known_zero() && value.nearest_multiple(least).is_zero()) {
-        return {std::move(name), nearest(Number(0)), fmt::format("0 within 2^{}", least)};
+    if (const auto* galerkin = std::get_if<GalerkinStep>(&step.form)) {
+        return of_curve(galerkin->form, curve);
     }
-    return {std::move(name), nearest_or_small(value), exact_text(value)};
+    if (std::holds_alternative<PairStep>(step.form)) { return of_velocities(step, curve); }
+    return curve.of_forces ? of_nodes(step, *curve.of_forces) : of_forces(step, curve);
 }
 
 bool is_straight(const Curve& curve) { return curve.F.front().empty(); }

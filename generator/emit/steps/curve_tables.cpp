@@ -17,12 +17,6 @@ std::vector<Constant> column(std::string_view name, const NumberVector& exact,
     return result;
 }
 
-std::vector<Constant> column(std::string_view name, const NumberVector& exact) {
-    std::vector<Rounded> values;
-    for (const Number& entry : exact) { values.push_back(nearest_or_small(entry)); }
-    return column(name, exact, values);
-}
-
 NumberMatrix weighted(const GalerkinForm& form) {
     NumberMatrix X = form.phi;
     for (std::size_t i = 0; i < form.nodes(); ++i) {
@@ -41,7 +35,8 @@ NumberMatrix remaining(const GalerkinForm& form) {
 
 }  // namespace
 
-std::string curve_tables(const Step& step, const GalerkinStep& galerkin) {
+std::string curve_tables(const Step& step, const GalerkinStep& galerkin,
+                         const SceneWishes& wishes) {
     const GalerkinForm& form = galerkin.form;
     const RoundedGalerkinForm& values = galerkin.rounded;
     Writer writer(1);
@@ -60,29 +55,45 @@ std::string curve_tables(const Step& step, const GalerkinStep& galerkin) {
     table(writer, "B", column("B", form.B, values.B));
     writer.line("static_assert(hvi::detail::symplectic_curve(X, A, D, B), \"the method is "
                 "symplectic\");");
+    if (wishes.curve) { writer.insert(curve_table(step, *wishes.curve, library(wishes))); }
     return writer.str();
+}
+
+void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWishes& wishes) {
+    if (!wishes.curve) { return; }
+    const auto W = [](std::size_t j) { return fmt::format("s_.W[{}][k]", j); };
+    std::string chord;
+    for (std::size_t j = 0; j < form.form.functions(); ++j) {
+        chord += fmt::format("{}B[{}] * {}", j == 0 ? "" : " + ", j, W(j));
+    }
+    parts.curve = curve_text(*wishes.curve, form.form.functions(), chord, W);
 }
 
 std::string gamma_table(const GalerkinStep& form) {
     if (form.steps.empty()) { return {}; }
     Writer writer(1);
     writer.blank().comment("A step is steps of these parts of h.");
-    table(writer, "gamma", column("gamma", form.steps));
+    rough_table(writer, "gamma", "gamma", form.steps);
     return writer.str();
 }
 
 void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact) {
-    RoundedMatrix values;
-    for (const NumberVector& row : exact) {
-        auto& rounded = values.emplace_back();
-        for (const Number& entry : row) { rounded.push_back(nearest_or_small(entry)); }
+    std::vector<std::vector<Constant>> rows(exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        for (std::size_t j = 0; j < exact[i].size(); ++j) {
+            rows[i].push_back(constant(fmt::format("{}_{},{}", name, i + 1, j + 1), exact[i][j]));
+        }
     }
-    table(writer, name, constants(name, exact, values));
+    table(writer, name, rows);
 }
 
 void rough_table(Writer& writer, std::string_view name, std::string_view formula,
                  const NumberVector& exact) {
-    table(writer, name, column(formula, exact));
+    std::vector<Constant> entries;
+    for (std::size_t j = 0; j < exact.size(); ++j) {
+        entries.push_back(constant(fmt::format("{}_{}", formula, j + 1), exact[j]));
+    }
+    table(writer, name, entries);
 }
 
 NumberVector inverses(const NumberVector& numbers) {

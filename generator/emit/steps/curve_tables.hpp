@@ -6,11 +6,17 @@
 #include <string_view>
 
 #include "generator/emit/steps/header.hpp"
+#include "generator/emit/steps/implicit_parts.hpp"
 
 namespace hvi::gen {
 
-/// b, X, A, D and B, and c where the system depends on time.
-[[nodiscard]] std::string curve_tables(const Step& step, const GalerkinStep& form);
+/// b, X, A, D and B, and c where the system depends on time; the bends of the curve where it is
+/// wished for.
+[[nodiscard]] std::string curve_tables(const Step& step, const GalerkinStep& form,
+                                       const SceneWishes& wishes);
+
+/// Adds position(tau) where it is wished for; its table is one of `curve_tables`.
+void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWishes& wishes);
 
 /// The parts of a composition; empty where there is none.
 [[nodiscard]] std::string gamma_table(const GalerkinStep& form);

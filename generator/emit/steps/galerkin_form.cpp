@@ -143,9 +143,10 @@ void write_correction(Writer& writer, const GalerkinForm& form) {
     rough_table(writer, "inverse_G", "1/G", inverse_G);
 }
 
-std::string constants_of_curves(const Step& step, const GalerkinStep& galerkin) {
+std::string constants_of_curves(const Step& step, const GalerkinStep& galerkin,
+                                const SceneWishes& wishes) {
     Writer writer(1);
-    writer.insert(curve_tables(step, galerkin));
+    writer.insert(curve_tables(step, galerkin, wishes));
     if (takes_fixed_points(galerkin)) { write_correction(writer, galerkin.form); }
     if (galerkin.extrapolation) {
         writer.blank().comment("W and P of the next step are about N_W and N_P times those of this "
@@ -176,11 +177,12 @@ ImplicitParts parts(const Step& step, const GalerkinStep& form, const SceneWishe
     parts.runtime = {"detail/coefficients/curve_coefficients", "detail/stages/curve_stages"};
     if (takes_fixed_points(form)) { parts.runtime.emplace_back("detail/linear/frozen_matrix"); }
     parts.steps = steps_of_curves(step, form, wishes);
-    parts.constants = constants_of_curves(step, form);
+    parts.constants = constants_of_curves(step, form, wishes);
     parts.predict = prediction(step, form);
     parts.coupled = coupled_curve(step, form);
     parts.members = members_of_curves(step, form);
     parts.composes = !form.steps.empty();
+    add_position(parts, form, wishes);
     if (wishes.action) { add_action(parts, step, form); }
     return parts;
 }

@@ -105,9 +105,10 @@ std::string prediction_of_lagrangian(const Step& step, const GalerkinStep& form)
 
 // ---- constants, members ----
 
-std::string constants_of_lagrangian(const Step& step, const GalerkinStep& galerkin) {
+std::string constants_of_lagrangian(const Step& step, const GalerkinStep& galerkin,
+                                    const SceneWishes& wishes) {
     Writer writer(1);
-    writer.insert(curve_tables(step, galerkin));
+    writer.insert(curve_tables(step, galerkin, wishes));
     if (takes_fixed_points(galerkin)) {
         writer.blank().comment("G_j is the sum of b_i phi_j(c_i)^2 over i.");
         rough_table(writer, "inverse_G", "1/G", inverses(galerkin.form.gram));
@@ -137,11 +138,12 @@ ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form,
     ImplicitParts parts;
     parts.runtime = {"detail/coefficients/curve_coefficients", "detail/stages/lagrangian_stages"};
     parts.steps = steps_of_lagrangian(step, form, wishes);
-    parts.constants = constants_of_lagrangian(step, form);
+    parts.constants = constants_of_lagrangian(step, form, wishes);
     parts.predict = prediction_of_lagrangian(step, form);
     parts.coupled = coupled_lagrangian(step, form);
     parts.members = members_of_lagrangian(step, form);
     parts.composes = !form.steps.empty();
+    add_position(parts, form, wishes);
     if (wishes.action) { add_action(parts, step, form); }
     return parts;
 }

@@ -139,4 +139,12 @@ void refuse_float(Writer& writer, const std::vector<Constant>& constants) {
     }
 }
 
+Constant constant(std::string name, const Number& value) {
+    constexpr int least = -300;
+    if (!value.known_zero() && value.nearest_multiple(least).is_zero()) {
+        return {std::move(name), nearest(Number(0)), fmt::format("0 within 2^{}", least)};
+    }
+    return {std::move(name), nearest_or_small(value), exact_text(value)};
+}
+
 }  // namespace hvi::gen

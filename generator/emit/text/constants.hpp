@@ -18,6 +18,10 @@ struct Constant {
     std::string exact;
 };
 
+/// One that is rounded on its own. NOTE: symmetry and orthogonality make zeros that enclosures do
+/// not prove. What is below 2^-300 can be one.
+[[nodiscard]] Constant constant(std::string name, const Number& value);
+
 /// `static constexpr Scalar NAME[n] = {...};` with the exact value beside or above each entry: one
 /// literal where it is the same in all formats, else a call of rounded(). Throws MathError where
 /// double, or a longer format, has no such number.

@@ -169,7 +169,7 @@ Curve curve_of(const Tableau& tableau, const Method& method, const Ingredients& 
     const std::size_t order =
         spans_polynomials ? std::min(s, degrees_beyond_interpolation(given.nodes, given.ground) + 1)
                           : 1;
-    return {Curve::Slopes::velocities, tableau.galerkin->M_inverse * R, std::move(A), order};
+    return {tableau.galerkin->M_inverse * R, std::nullopt, std::move(A), order};
 }
 
 Curve curve_of(const GalerkinRule& rule, const Method& method, const Ingredients& given) {
@@ -183,8 +183,13 @@ Curve curve_of(const GalerkinRule& rule, const Method& method, const Ingredients
     };
     const auto G = inverse(rule.gram);
     HVI_CHECK(G);
-    const NumberMatrix coefficients = G->adjugate * R * (Number(-1) / G->determinant);
-    return {Curve::Slopes::forces, rule.A_psi * coefficients, std::move(A),
+    const NumberMatrix coefficients = G->adjugate * R * (Number(1) / G->determinant);
+    const NumberMatrix at_nodes = transpose(rule.Psi) * coefficients;
+    NumberMatrix F;
+    for (std::size_t i = 0; i < rule.nodes(); ++i) {
+        if (rule.b[i].known_zero() != true) { F.push_back(at_nodes[i] * rule.b[i]); }
+    }
+    return {std::move(F), rule.A_psi * coefficients * Number(-1), std::move(A),
             spans_polynomials ? std::min(s, degrees() - s + 1) : 1};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "generator/exact/methods/galerkin.hpp"
@@ -39,17 +40,14 @@ struct Antiderivative {
 ///     q_d(tau h) = q_0 + tau h v + sum_j (tau - A(tau) G^-1 A_j^T) W_j,
 ///
 /// as n_ij is for tau = c_i. It departs from the chord by sum_jk F_jk g_k(tau) W_j, where A_k(tau)
-/// = B_k tau + sum_l R_kl g_l(tau) and F = -A_psi G^-1 R.
+/// = B_k tau + sum_l R_kl g_l(tau) and F = -A_psi G^-1 R. For any H it departs by the velocities
+/// U_i at the nodes, as these make V = G^-1 Psi diag(b) U: with F = diag(b) Psi^T G^-1 R.
 struct Curve {
-    /// What the rows of F belong to.
-    enum class Slopes {
-        velocities,  ///< dH/dp(Q_j, P_j)
-        forces,      ///< W_j
-    };
-    Slopes of;
-    NumberMatrix F;                 ///< slopes x functions; without columns for a straight line
-    std::vector<Antiderivative> A;  ///< empty for polynomials
-    std::size_t order;              ///< the error is O(h^(order+1)) in one step, for all tau
+    NumberMatrix F;  ///< velocities at nodes that have a weight x functions; without columns for a
+                     ///< straight line
+    std::optional<NumberMatrix> of_forces;  ///< of all W_j x functions, with more nodes
+    std::vector<Antiderivative> A;          ///< empty for polynomials
+    std::size_t order;  ///< the error is O(h^(order+1)) in one step, for all tau
 };
 
 /// The curve of `derivation`, that of `method`. Throws InputError for a method with a free
