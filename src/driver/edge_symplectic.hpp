@@ -12,9 +12,12 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include <driver/answer.hpp>
 #include <driver/dual.hpp>
+#include <hvi/detail/linear/frozen_matrix.hpp>
+#include <hvi/state.hpp>
 
 namespace hvi::driver {
 
@@ -86,6 +89,48 @@ private:
     std::array<std::array<double, 2 * n>, 2 * n> sizes_{};
 };
 
+/// The condition number of d2L/dv2 where the scene begins, by the sums of rows; 1 where it has a
+/// Hamiltonian. (4.14) is solved for velocities whose momenta are right.
+template <class Stepper, class = void>
+struct Condition {
+    static double number() { return 1; }
+};
+template <class Stepper>
+struct Condition<Stepper, std::void_t<decltype(std::declval<const Stepper&>().velocity(
+                              std::declval<const typename Stepper::State&>()))>> {
+    static double number() {
+        const typename Stepper::State x = Stepper::initial();
+        const typename Stepper::System system{typename Stepper::Parameters{}};
+        detail::FrozenMatrix<typename Stepper::Vector> M;
+        const auto fill = [&](auto& out) {
+            if constexpr (std::is_same_v<typename Stepper::State,
+                                         State<typename Stepper::Vector>>) {
+                system.d2Ldv2(x.q, x.p, out);
+            } else {
+                system.d2Ldv2(x.q, x.p, x.t, out);
+            }
+        };
+        if (!M.compute(fill)) { return 1; }
+        double size = 0, size_of_inverse = 0;
+        for (std::size_t i = 0; i < x.q.size(); ++i) {
+            auto unit = x.q;
+            for (std::size_t k = 0; k < unit.size(); ++k) { unit[k] = k == i ? 1 : 0; }
+            // NOTE: columns, which are the rows of a symmetric matrix.
+            size = std::fmax(size, sum_of(M.times(unit)));
+            size_of_inverse = std::fmax(size_of_inverse, sum_of(M.inverse_times(unit)));
+        }
+        return size * size_of_inverse;
+    }
+
+private:
+    template <class Vector>
+    static double sum_of(const Vector& v) {
+        double sum = 0;
+        for (const auto& component : v) { sum += std::abs(component.value); }
+        return sum;
+    }
+};
+
 /// The main() of a program that is called as `program H STEPS`, and ended by SIGALRM where it takes
 /// longer than its limit.
 template <class Stepper>
@@ -100,6 +145,7 @@ int edge_symplectic(int argc, char** argv) {
     ::alarm(limit);
     const auto defect = SymplecticDefect<Stepper>().of(Stepper::initial(), h, steps);
     if (defect) { say("defect", *defect); }
+    say("condition", Condition<Stepper>::number());
     return 0;
 }
 

@@ -115,7 +115,7 @@ TEST_CASE("the scenes that come with the program are read") {
     };
     const std::vector<Facts> all = {
         {"bead-on-hoop", 1, {"m", "r", "g", "w"}, 0, false, "gauss:3", "1/20", "200", "a = 1/10"},
-        {"chain-of-links", 6, {"m", "l", "g"}, 0, false, "gauss:3", "1/200", "20", "a[6] = pi/4"},
+        {"chain-of-links", 6, {"m", "l", "g"}, 0, false, "gauss:3", "1/200", "20", "a[6] = pi/8"},
         {"double-pendulum",
          2,
          {"m1", "m2", "l1", "l2", "g"},
