@@ -72,7 +72,8 @@ std::optional<std::string> installed_version(Builds& builds, const PeerLibrary& 
 }
 
 bool applies(const Peer& peer, const System& system) {
-    return !peer.needs_separable || (system.structure.is_separable && !system.time);
+    const bool has_parts = system.side == Side::hamiltonian && system.structure.is_separable;
+    return !peer.needs_separable || (has_parts && !system.time);
 }
 
 SceneStepper stepper_for_peers(const Scene& scene) {

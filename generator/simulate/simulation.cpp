@@ -78,10 +78,11 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
                                    {"invariants", quoted(conserved)},
                                    {"count", std::to_string(conserved.size())},
                                    {"values", values(system)},
-                                   {"separable", fact(system.structure.is_separable)},
+                                   {"separable", fact(stepper.step.is_separable())},
                                    {"joint", fact(stepper.step.slopes == Slopes::joint)},
                                    {"quadratic", fact(system.structure.kinetic_is_quadratic)},
-                                   {"time", fact(system.time.has_value())}}),
+                                   {"time", fact(system.time.has_value())},
+                                   {"lagrangian", fact(system.side == Side::lagrangian)}}),
             {{header_name, stepper.header}},
             driver.libraries};
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see main.hpp. Its Stepper is one with Newton's method, whose System has the second
-// derivatives.
+// derivatives of H, or of L.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 #include <utility>
+
+#include <hvi/detail/linear/frozen_matrix.hpp>
+#include <hvi/detail/stages/lagrangian_stages.hpp>
 
 namespace hvi::driver {
 
-/// dq/dt = dH/dp, dp/dt = -dH/dq, by the code that steppers evaluate; y is q, and then p.
+/// What the canonical equations of both sides have in common; y is q, and then p.
 template <class Problem>
-class Equations {
+class CanonicalEquations {
 public:
     using System = typename Problem::Stepper::System;
     using Vector = typename System::Vector;
@@ -31,8 +35,39 @@ public:
         return y;
     }
 
+    /// Of dH/dq, or of dL/dq, so far.
+    [[nodiscard]] std::int64_t evaluations() const { return system_.evaluations; }
+
+protected:
+    /// Entries that are not written are zero.
+    class Matrix {
+    public:
+        double& operator()(std::size_t i, std::size_t j) { return entries_[n * i + j]; }
+
+    private:
+        std::array<double, n * n> entries_{};
+    };
+
+    static std::pair<Vector, Vector> parts(const double* y) {
+        std::pair<Vector, Vector> x;
+        std::copy(y, y + n, x.first.begin());
+        std::copy(y + n, y + 2 * n, x.second.begin());
+        return x;
+    }
+
+    System system_{typename Problem::Stepper::Parameters{}};
+};
+
+/// dq/dt = dH/dp, dp/dt = -dH/dq, by the code that steppers evaluate.
+template <class Problem>
+class EquationsOfHamiltonian : public CanonicalEquations<Problem> {
+public:
+    using Base = CanonicalEquations<Problem>;
+    using Base::n;
+    using typename Base::Vector;
+
     void slope(const double* y, double* dydt, double t) const {
-        const auto [q, p] = parts(y);
+        const auto [q, p] = Base::parts(y);
         Vector by_q{}, by_p{};
         if constexpr (Problem::has_joint_gradient) {
             of_q([&](const auto&... x) { system_.gradient(x..., by_q, by_p); }, q, p, t);
@@ -55,7 +90,7 @@ public:
 
     /// The derivatives of slope() by y, row by row.
     void jacobian(const double* y, double* rows, double t) const {
-        const auto [q, p] = parts(y);
+        const auto [q, p] = Base::parts(y);
         Matrix qq, qp, pp;
         of_q([&](const auto&... x) { system_.d2Hdq2(x..., qq); }, q, p, t);
         if constexpr (Problem::kinetic_is_quadratic) {
@@ -78,25 +113,9 @@ public:
         }
     }
 
-    /// Of dH/dq, so far.
-    [[nodiscard]] std::int64_t evaluations() const { return system_.evaluations; }
-
 private:
-    /// Entries that are not written are zero.
-    class Matrix {
-    public:
-        double& operator()(std::size_t i, std::size_t j) { return entries_[n * i + j]; }
-
-    private:
-        std::array<double, n * n> entries_{};
-    };
-
-    static std::pair<Vector, Vector> parts(const double* y) {
-        std::pair<Vector, Vector> x;
-        std::copy(y, y + n, x.first.begin());
-        std::copy(y + n, y + 2 * n, x.second.begin());
-        return x;
-    }
+    using Base::system_;
+    using typename Base::Matrix;
 
     /// Calls f with the arguments that the derivatives by q have.
     template <class Function>
@@ -133,8 +152,78 @@ private:
             for (std::size_t i = 0; i < n; ++i) { pp(i, j) = column[i]; }
         }
     }
-
-    System system_{typename Problem::Stepper::Parameters{}};
 };
+
+/// p = dL/dv(q, v), dq/dt = v, dp/dt = dL/dq(q, v).
+template <class Problem>
+class EquationsOfLagrangian : public CanonicalEquations<Problem> {
+public:
+    using Base = CanonicalEquations<Problem>;
+    using Base::n;
+    using typename Base::Vector;
+
+    void slope(const double* y, double* dydt, double t) const {
+        const auto [q, p] = Base::parts(y);
+        at_time(t, [&, &q = q, &p = p](const auto&... time) {
+            const Vector v = detail::velocity_of(system_, q, p, time...);
+            Vector by_q{}, by_v{};
+            system_.gradient(q, v, time..., by_q, by_v);
+            std::copy(v.begin(), v.end(), dydt);
+            std::copy(by_q.begin(), by_q.end(), dydt + n);
+        });
+    }
+
+    /// The derivatives of slope() by y, row by row: with M = d2L/dv2 and C = d2L/dqdv those of v
+    /// are -M^-1 C^T and M^-1, and those of dL/dq are d2L/dq2 and C, times these.
+    void jacobian(const double* y, double* rows, double t) const {
+        const auto [q, p] = Base::parts(y);
+        Matrix qq, C;
+        detail::FrozenMatrix<Vector> M;
+        at_time(t, [&, &q = q, &p = p](const auto&... time) {
+            const Vector v = detail::velocity_of(system_, q, p, time...);
+            system_.d2Ldq2(q, v, time..., qq);
+            system_.d2Ldqdv(q, v, time..., C);
+            static_cast<void>(M.compute([&](auto& out) { system_.d2Ldv2(q, v, time..., out); }));
+        });
+        for (std::size_t j = 0; j < n; ++j) {
+            Vector by_q{}, by_p{};  // columns of the derivatives of v
+            for (std::size_t i = 0; i < n; ++i) {
+                by_q[i] = -C(j, i);
+                by_p[i] = i == j ? 1 : 0;
+            }
+            by_q = M.inverse_times(by_q);
+            by_p = M.inverse_times(by_p);
+            for (std::size_t i = 0; i < n; ++i) {
+                double of_q = qq(i, j), of_p = 0;
+                for (std::size_t k = 0; k < n; ++k) {
+                    of_q += C(i, k) * by_q[k];
+                    of_p += C(i, k) * by_p[k];
+                }
+                rows[2 * n * i + j] = by_q[i];
+                rows[2 * n * i + n + j] = by_p[i];
+                rows[2 * n * (n + i) + j] = of_q;
+                rows[2 * n * (n + i) + n + j] = of_p;
+            }
+        }
+    }
+
+private:
+    using Base::system_;
+    using typename Base::Matrix;
+
+    /// Calls f with the time where L has one.
+    template <class Function>
+    static void at_time([[maybe_unused]] double t, Function f) {
+        if constexpr (Problem::depends_on_time) {
+            f(t);
+        } else {
+            f();
+        }
+    }
+};
+
+template <class Problem>
+using Equations = std::conditional_t<Problem::has_lagrangian, EquationsOfLagrangian<Problem>,
+                                     EquationsOfHamiltonian<Problem>>;
 
 }  // namespace hvi::driver

@@ -121,14 +121,41 @@ TEST_CASE("with more nodes than functions the curve passes through the positions
         const AnyDerivation derivation = derive_any_on(ground, method);
         const auto& rule = std::get<GalerkinRule>(derivation.method);
         const Curve found = curve(method, derivation);
-        CHECK(found.of == Curve::Slopes::forces);
+        REQUIRE(found.of_forces);
         for (std::size_t j = 0; j < rule.nodes(); ++j) {
             for (std::size_t i = 0; i < rule.nodes(); ++i) {
                 const NumberVector g = departures(found, rule.c[i], derivation.ground);
                 // The chord ends at sum_j (1 - c_j) W_j.
                 Number sum = rule.c[i] * (Number(1) - rule.c[j]);
-                for (std::size_t k = 0; k < g.size(); ++k) { sum = sum + found.F[j][k] * g[k]; }
+                for (std::size_t k = 0; k < g.size(); ++k) {
+                    sum = sum + (*found.of_forces)[j][k] * g[k];
+                }
                 CHECK(agree(sum, rule.n[i][j]));
+            }
+        }
+        return 0;
+    });
+}
+
+TEST_CASE("with more nodes than functions velocities of the span make their own curve") {
+    const auto given = GENERATE(as<std::string>(), "1, tau | gauss:3", "1, tau | 0, 1/2, 1",
+                                "1, tau, tau^2 | lobatto:5", "1, cos(pi*tau) | gauss:3");
+    INFO(given);
+    on_new_ground([&](const Ground& ground) {
+        const Method method = any_method(given);
+        const AnyDerivation derivation = derive_any_on(ground, method);
+        const auto& rule = std::get<GalerkinRule>(derivation.method);
+        const Curve found = curve(method, derivation);
+        for (std::size_t i = 0; i < rule.nodes(); ++i) {
+            const NumberVector g = departures(found, rule.c[i], derivation.ground);
+            for (std::size_t l = 0; l < rule.functions(); ++l) {
+                Number sum = rule.c[i] * rule.B[l];  // the chord of the integral of psi_l
+                for (std::size_t j = 0; j < rule.nodes(); ++j) {
+                    for (std::size_t k = 0; k < g.size(); ++k) {
+                        sum = sum + rule.Psi[l][j] * found.F[j][k] * g[k];
+                    }
+                }
+                CHECK(agree(sum, rule.A_psi[i][l]));
             }
         }
         return 0;
