@@ -118,13 +118,13 @@ std::string antiderivatives(const Curve& curve, std::string_view library) {
     }
     writer.open("[[nodiscard]] static std::array<Scalar, {}> curve_terms(Scalar tau) {{",
                 curve.A.size());
-    writer.line("std::array<Scalar, {}> A{{}};", curve.A.size());
+    writer.line("std::array<Scalar, {}> terms{{}};", curve.A.size());
     std::size_t rate = 0;
     for (std::size_t k = 0; k < curve.A.size(); ++k) {
-        writer.line("A[{}] = {};", k, value(curve.A[k], rate, library));
+        writer.line("terms[{}] = {};", k, value(curve.A[k], rate, library));
         if (curve.A[k].kind != Antiderivative::Kind::power) { ++rate; }
     }
-    return writer.line("return A;").close().str();
+    return writer.line("return terms;").close().str();
 }
 
 // ---- position(tau) ----
