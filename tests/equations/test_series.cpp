@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/exact/methods/order.hpp"
 #include "generator/series/tree_weights.hpp"
 #include "tests/equations/systems.hpp"
 
@@ -360,6 +361,41 @@ TEST_CASE("the first difference is behind the order") {
     CHECK(first_difference("stormer-verlet", driven, 5) == 3);
     CHECK(to_text(series("midpoint", "p^2/2 - cos(q)", 3).difference.value()) ==
           "cos(q)^2/24-p^2*cos(q)/24-1/24");
+}
+
+TEST_CASE("for all named methods the first difference is behind the order that trees prove") {
+    for (const char* name : {"symplectic-euler",
+                             "midpoint",
+                             "adjoint-symplectic-euler",
+                             "stormer-verlet",
+                             "trig3",
+                             "gauss:1",
+                             "gauss:2",
+                             "lobatto:2",
+                             "lobatto:3",
+                             "radau-left:1",
+                             "radau-left:2",
+                             "radau-right:1",
+                             "radau-right:2",
+                             "newton-cotes:2",
+                             "newton-cotes:3",
+                             "newton-cotes-open:1",
+                             "newton-cotes-open:2",
+                             "chebyshev:1",
+                             "chebyshev:2",
+                             "chebyshev:3",
+                             "clenshaw-curtis:2",
+                             "clenshaw-curtis:3",
+                             "fejer:1",
+                             "fejer:2",
+                             "fejer:3"}) {
+        const int order = orders(derive(method(name)), 6).general.order;
+        for (const char* H :
+             {nonseparable, "p^2*(1+q^2)/2 + cos(q)", "q*p^3/3 + q^2*p/2 + q^2 + exp(p)"}) {
+            CAPTURE(name, H);
+            CHECK(first_difference(name, H, order + 1) == order + 1);
+        }
+    }
 }
 
 TEST_CASE("of the general Galerkin form too") {

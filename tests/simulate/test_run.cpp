@@ -277,9 +277,10 @@ TEST_CASE("an interrupted run leaves nothing half written") {
 TEST_CASE("whatever ends a run ends the compiler too, and leaves nothing") {
     for (const std::string signal : {"INT", "QUIT", "TERM", "HUP"}) {
         const PretendedCompiler compiler(right_answers, "sleep 100 & echo $! > \"$CHILD\"; wait");
-        const Outcome outcome = compiler.run("export CHILD=\"$PWD/child\"; $run -o out & "
-                                             "while ! [ -s child ]; do sleep 0.1; done; kill -" +
-                                             signal + " $!; wait $!");
+        const Outcome outcome =
+            compiler.run("export CHILD=\"$PWD/child\"; $run -o out & "
+                         "while kill -0 $! && ! [ -s child ]; do sleep 0.1; done; kill -" +
+                         signal + " $!; wait $!");
         INFO(signal << "\n" << outcome.err);
         CHECK(outcome.status == 130);
         CHECK(outcome.out.empty());
