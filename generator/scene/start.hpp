@@ -24,8 +24,9 @@ namespace hvi::gen {
 /// initial data.
 void check_start(const Scene& scene);
 
-/// Coordinates, then momenta, of the scene's [exact] at a time, good to the last bit or two. Throws
-/// MathError, with its place, where it has no value. Precondition: the scene has [exact].
+/// Coordinates, then momenta or velocities, of the scene's [exact] at a time, good to the last bit
+/// or two. Throws MathError, with its place, where it has no value. Precondition: the scene has
+/// [exact].
 [[nodiscard]] std::vector<double> exact_state(const Scene& scene, double time);
 
 }  // namespace hvi::gen

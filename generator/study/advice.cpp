@@ -178,7 +178,7 @@ Reference reference_in_double(const Contender& contender, const AdviceWishes& wi
 Reference good_reference(const Build& quadruple, const Contender& contender, const Scene& scene,
                          const AdviceWishes& wishes) {
     const double wanted = part_of_accuracy * wishes.accuracy;
-    const bool is_fine = !scene.exact.empty() || wishes.accuracy < coarsest_of_quadruple;
+    const bool is_fine = has_exact_states(scene) || wishes.accuracy < coarsest_of_quadruple;
     Reference found = is_fine
                           ? reference(quadruple, scene, wishes.until, wishes.first_count, wanted)
                           : reference_in_double(contender, wishes);

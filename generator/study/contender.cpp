@@ -29,6 +29,10 @@ constexpr const char* reference_method = "gauss:10";
 
 }  // namespace
 
+bool has_exact_states(const Scene& scene) {
+    return !scene.exact.empty() && std::holds_alternative<Hamiltonian>(scene.mechanics);
+}
+
 Contender contender(Builds& builds, const ComposedMethod& method, const Scene& scene,
                     Solver solver) {
     SceneStepper stepper =
@@ -48,7 +52,7 @@ MeasureSteps measured(const Contender& contender, double until) {
 }
 
 Build reference_build(Builds& builds, const Scene& scene) {
-    if (!scene.exact.empty()) return {};
+    if (has_exact_states(scene)) return {};
     const auto name = std::make_shared<const Source>(Source{"--method", reference_method});
     return builds.order(reference_program(scene_stepper(
         named_method(name), scene, {.solver = Solver::fixed_point, .float128 = true})));
@@ -59,7 +63,7 @@ Reference reference(const Build& build, const Scene& scene, double until, std::i
     constexpr double seconds = 30;
     // Of so high an order, larger steps than the scene's may do.
     const std::int64_t begin = std::max<std::int64_t>(1, count / 16);
-    if (!scene.exact.empty()) return {"exact", 0, exact_state(scene, until)};
+    if (has_exact_states(scene)) return {"exact", 0, exact_state(scene, until)};
     const ReferenceSolution found = find_reference(built(build), until, begin, wanted, seconds);
     if (found.state.empty())
         throw MathError(

@@ -25,6 +25,10 @@ struct Contender {
 /// Measures its runs, until the time of the course.
 [[nodiscard]] MeasureSteps measured(const Contender& contender, double until);
 
+/// Whether its [exact] is one of states: beside a Lagrangian it is of velocities, and states have
+/// momenta.
+[[nodiscard]] bool has_exact_states(const Scene& scene);
+
 /// The program of a reference solution, where the scene has none that is exact.
 [[nodiscard]] Build reference_build(Builds& builds, const Scene& scene);
 
