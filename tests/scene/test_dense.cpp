@@ -219,10 +219,13 @@ template <class Stepper>
 void compare_with_the_general_form(const Rule& rule, double h) {
     Stepper stepper;
     typename Stepper::State x{{0.7}, {0.4}};
-    const auto curve = curve_of_pendulum(rule, x.q[0], x.p[0], h);
+    const auto curve =
+        curve_of_pendulum(rule, static_cast<long double>(x.q[0]), static_cast<long double>(x.p[0]),
+                          static_cast<long double>(h));
     REQUIRE(stepper.step(x, h).ok());
     const auto compare = [&](double tau) {
-        CHECK(std::abs(stepper.position(tau)[0] - static_cast<double>(curve(tau))) < 1e-15);
+        CHECK(std::abs(stepper.position(tau)[0] -
+                       static_cast<double>(curve(static_cast<long double>(tau)))) < 1e-15);
     };
     for (const double tau : {0.0, 0.03, 0.25, 0.4, 0.77, 0.99, 1.0}) { compare(tau); }
     for (const long double c : rule.c) { compare(static_cast<double>(c)); }
