@@ -171,8 +171,11 @@ void set_extrapolation(Step& step, GalerkinStep& galerkin) {
     } else {
         galerkin.extrapolation = extrapolation(form);
         step.decisions.push_back(
-            {"the last step's curve and momenta, extrapolated, are the starting values of the "
-             "iteration",
+            {galerkin.side == Side::hamiltonian
+                 ? "the last step's curve and momenta, extrapolated, are the starting values of "
+                   "the iteration"
+                 : "the last step's curve, extrapolated, gives the starting values of the "
+                   "iteration",
              "they are good to the order of the interpolation"});
     }
 }
