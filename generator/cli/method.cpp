@@ -25,49 +25,48 @@ Hamiltonian read_hamiltonian(const SystemOptions& options) {
     return hamiltonian_from_text(options.hamiltonian, options.coordinates, options.momenta);
 }
 
-/// Calls `set` for what each `--param` says.
-template <class Set>
-void set_parameters(const std::vector<Given>& assignments, Set set) {
+/// What each `--param` says.
+std::vector<Parameter> parameters_in(const std::vector<Given>& assignments) {
+    std::vector<Parameter> parameters;
     std::set<std::string> names;
     for (const Given& assignment : assignments) {
-        Parameter parameter = parse_parameter(assignment);
-        if (!names.insert(parameter.name).second)
-            throw InputError("`" + parameter.name + "` is given a value twice", parameter.place);
-        set(std::move(parameter));
+        parameters.push_back(parse_parameter(assignment));
+        if (!names.insert(parameters.back().name).second)
+            throw InputError("`" + parameters.back().name + "` is given a value twice",
+                             parameters.back().place);
     }
+    return parameters;
 }
 
 }  // namespace
 
 Method method_of(const MethodOptions& options) {
     Method method = read_method(options);
-    set_parameters(options.parameters,
-                   [&](Parameter parameter) { set_parameter(method, std::move(parameter)); });
+    for (Parameter& parameter : parameters_in(options.parameters))
+        set_parameter(method, std::move(parameter));
     return method;
 }
 
 Coefficients coefficients_of(const std::filesystem::path& file, const MethodOptions& options) {
     Coefficients coefficients = coefficients_from_file(file);
-    set_parameters(options.parameters,
-                   [&](Parameter parameter) { set_parameter(coefficients, std::move(parameter)); });
+    for (Parameter& parameter : parameters_in(options.parameters))
+        set_parameter(coefficients, std::move(parameter));
     return coefficients;
 }
 
 MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& system) {
     Method method = read_method(options);
+    std::vector<Parameter> parameters = parameters_in(options.parameters);
     if (!system.scene) {
         Hamiltonian hamiltonian = read_hamiltonian(system);
         check_together(method, hamiltonian);
-        set_parameters(options.parameters, [&](Parameter parameter) {
+        for (Parameter& parameter : parameters)
             set_parameter(method, hamiltonian, std::move(parameter));
-        });
         return {std::move(method), std::move(hamiltonian)};
     }
-    Scene scene = find_scene(system.scene);
+    Scene scene = find_scene(system.scene, parameters);
     check_together(method, scene);
-    set_parameters(options.parameters, [&](Parameter parameter) {
-        set_parameter(method, scene, std::move(parameter));
-    });
+    for (Parameter& parameter : parameters) set_parameter(method, scene, std::move(parameter));
     return {std::move(method), std::move(scene.mechanics)};
 }
 
@@ -111,14 +110,16 @@ bool has_parameter(const Method& method, const std::string& name) {
 }  // namespace
 
 MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system) {
-    Scene scene = system.scene ? find_scene(system.scene) : scene_of(read_hamiltonian(system));
+    std::vector<Parameter> parameters = parameters_in(options.parameters);
+    Scene scene =
+        system.scene ? find_scene(system.scene, parameters) : scene_of(read_hamiltonian(system));
     Method method = method_for(options, scene);
     check_together(method, scene);
     std::string defaults;
-    set_parameters(options.parameters, [&](Parameter parameter) {
+    for (Parameter& parameter : parameters) {
         if (!has_parameter(method, parameter.name)) defaults += parameter_option(parameter);
         set_parameter(method, scene, std::move(parameter));
-    });
+    }
     function_of(scene).origin += defaults;
     for (const Parameter& parameter : scene.parameters) {
         if (parameter.place.source == nullptr)

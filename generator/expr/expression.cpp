@@ -110,6 +110,24 @@ Expression Expression::call(std::string function, std::vector<Expression> argume
     return result;
 }
 
+Expression Expression::element(std::string name, std::vector<Expression> indices) {
+    HVI_CHECK(!indices.empty());
+    Expression result = make(Kind::element, std::move(indices));
+    result.name = std::move(name);
+    return result;
+}
+
+Expression Expression::sum_over(std::string index, Expression first, Expression last,
+                                Expression term) {
+    std::vector<Expression> arguments;
+    arguments.push_back(std::move(first));
+    arguments.push_back(std::move(last));
+    arguments.push_back(std::move(term));
+    Expression result = make(Kind::sum_over, std::move(arguments));
+    result.name = std::move(index);
+    return result;
+}
+
 bool operator==(const Expression& left, const Expression& right) {
     return left.kind == right.kind && left.name == right.name &&
            left.numerator == right.numerator && left.denominator == right.denominator &&

@@ -16,12 +16,26 @@ namespace hvi::gen {
 /// tree. Invariants: `number` has digits in `numerator` and `denominator` (no sign, denominator not
 /// zero, lowest terms not required), and in `name` what it is written as where that is a decimal;
 /// `symbol` and `call` have a `name`; `sum` and `product` have at least two arguments; `negation`
-/// and `reciprocal` have one; `power` has two (base, exponent); `call` has one or more.
+/// and `reciprocal` have one; `power` has two (base, exponent); `call` has one or more. What a
+/// reader of indices returns has besides `element`, a name with its indices as arguments, and
+/// `sum_over`, an index with a name and three arguments (first, last, term); unrolled() leaves none
+/// of them, and what is said of expressions elsewhere is said of those without.
 struct Expression {
-    enum class Kind { number, symbol, sum, product, negation, reciprocal, power, call };
+    enum class Kind {
+        number,
+        symbol,
+        sum,
+        product,
+        negation,
+        reciprocal,
+        power,
+        call,
+        element,
+        sum_over
+    };
 
     Kind kind = Kind::number;
-    std::string name;               ///< symbol, call; of a number, see above
+    std::string name;  ///< symbol, call, element, index of sum_over; of a number, see above
     std::string numerator = "0";    ///< number
     std::string denominator = "1";  ///< number
     std::vector<Expression> arguments;
@@ -41,6 +55,9 @@ struct Expression {
     [[nodiscard]] static Expression reciprocal(Expression argument);
     [[nodiscard]] static Expression power(Expression base, Expression exponent);
     [[nodiscard]] static Expression call(std::string function, std::vector<Expression> arguments);
+    [[nodiscard]] static Expression element(std::string name, std::vector<Expression> indices);
+    [[nodiscard]] static Expression sum_over(std::string index, Expression first, Expression last,
+                                             Expression term);
 };
 
 /// Same tree, whatever the ranges.

@@ -32,7 +32,9 @@ void collect(const Expression& expression, bool inverted, Fraction& fraction) {
     case Expression::Kind::symbol:
     case Expression::Kind::sum:
     case Expression::Kind::power:
-    case Expression::Kind::call: here.emplace_back(&expression); break;
+    case Expression::Kind::call:
+    case Expression::Kind::element:
+    case Expression::Kind::sum_over: here.emplace_back(&expression); break;
     }
 }
 

@@ -11,13 +11,15 @@ namespace {
 
 std::string parenthesised(const std::string& text) { return "(" + text + ")"; }
 
-/// Whether it is written as `2`, `x` or `sin(x)`.
+/// Whether it is written as `2`, `x`, `x[1]` or `sin(x)`.
 bool is_word(const Fraction& fraction) {
     if (fraction.negative || !fraction.is_simple()) return false;
     if (fraction.above.empty()) return true;
     const WrittenFactor& factor = fraction.above.front();
     return std::holds_alternative<std::string_view>(factor) ||
            get_if_kind(factor, Expression::Kind::symbol) != nullptr ||
+           get_if_kind(factor, Expression::Kind::element) != nullptr ||
+           get_if_kind(factor, Expression::Kind::sum_over) != nullptr ||
            get_if_kind(factor, Expression::Kind::call) != nullptr;
 }
 
@@ -46,12 +48,27 @@ std::string call_text(const Expression& call) {
     return text + ")";
 }
 
+/// `x[i+1]`, or with several indices `u[i,j]`.
+std::string element_text(const Expression& element) {
+    std::string text = element.name + "[";
+    for (std::size_t k = 0; k < element.arguments.size(); ++k)
+        text += (k == 0 ? "" : ",") + to_text(element.arguments[k]);
+    return text + "]";
+}
+
+std::string sum_over_text(const Expression& sum) {
+    return "sum(" + sum.name + "=" + to_text(sum.arguments[0]) + ".." + to_text(sum.arguments[1]) +
+           "," + to_text(sum.arguments[2]) + ")";
+}
+
 std::string factor_text(const WrittenFactor& factor) {
     if (const auto* digits = std::get_if<std::string_view>(&factor)) return std::string(*digits);
     const Expression& expression = *std::get<const Expression*>(factor);
     switch (expression.kind) {
     case Expression::Kind::sum: return parenthesised(to_text(expression));
     case Expression::Kind::call: return call_text(expression);
+    case Expression::Kind::element: return element_text(expression);
+    case Expression::Kind::sum_over: return sum_over_text(expression);
     case Expression::Kind::power:
         return base_text(expression.arguments[0]) + "^" + exponent_text(expression.arguments[1]);
     default: return expression.name;

@@ -113,6 +113,8 @@ private:
         case Kind::reciprocal: return 1 / not_zero(expression.arguments[0]);
         case Kind::power: return power(expression);
         case Kind::call: return call(expression);
+        case Kind::element:
+        case Kind::sum_over: break;
         }
         HVI_CHECK(false && "every kind of expression has a value");
         return {};

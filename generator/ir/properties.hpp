@@ -4,13 +4,9 @@
 
 #include <cstddef>
 
-namespace hvi::gen {
+#include "generator/expr/side.hpp"
 
-/// Which function a scene says its motion by.
-enum class Side {
-    hamiltonian,  ///< H(q, p)
-    lagrangian,   ///< L(q, v)
-};
+namespace hvi::gen {
 
 /// Of the H of a scene what its graph proves, see Structure; of that of a class of the user what he
 /// says. What is false may be true and not seen.

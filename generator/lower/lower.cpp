@@ -52,9 +52,12 @@ public:
         case Kind::reciprocal: return product(expression);
         case Kind::negation: return graph_.times({-1, 1}, (*this)(expression.arguments.front()));
         case Kind::power: return power(expression);
-        case Kind::call: break;
+        case Kind::call: return graph_.call(expression.name, (*this)(expression.arguments.front()));
+        case Kind::element:
+        case Kind::sum_over: break;
         }
-        return graph_.call(expression.name, (*this)(expression.arguments.front()));
+        HVI_CHECK(false && "indices are unrolled");
+        return {};
     }
 
 private:

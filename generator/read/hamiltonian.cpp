@@ -13,6 +13,7 @@
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/token.hpp"
+#include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
 
@@ -149,12 +150,12 @@ void check_functions(const Expression& expression, const std::shared_ptr<const S
     });
 }
 
-Hamiltonian hamiltonian_of(std::shared_ptr<const Source> expression, const NameList& coordinates,
-                           const NameList& momenta) {
+Hamiltonian hamiltonian_of(Expression expression, std::shared_ptr<const Source> source,
+                           const NameList& coordinates, const NameList& momenta) {
     const Vocabulary variables = declared_variables(coordinates, momenta);
     Hamiltonian H;
-    H.source = std::move(expression);
-    H.expression = parse_indexed_expression(H.source);
+    H.source = std::move(source);
+    H.expression = std::move(expression);
     H.coordinates = texts(coordinates);
     H.momenta = texts(momenta);
     check_words_of(H.expression, H.source, variables, "a Hamiltonian");
@@ -167,10 +168,11 @@ Hamiltonian hamiltonian_from_text(std::shared_ptr<const Source> expression,
     HVI_CHECK((coordinates == nullptr) == (momenta == nullptr));
     Hamiltonian H;
     if (coordinates != nullptr) {
-        H = hamiltonian_of(std::move(expression), names_in(coordinates), names_in(momenta));
+        H = hamiltonian_of(unrolled(parse_indexed_expression(expression)), expression,
+                           names_in(coordinates), names_in(momenta));
     } else {
         H.source = std::move(expression);
-        H.expression = parse_indexed_expression(H.source);
+        H.expression = unrolled(parse_indexed_expression(H.source));
         find_variables(H);
         const Vocabulary found =
             declared_variables(placed(H.coordinates, H.source), placed(H.momenta, H.source));

@@ -42,8 +42,10 @@ hamiltonian_from_text(std::shared_ptr<const Source> expression,
                       const std::shared_ptr<const Source>& coordinates = nullptr,
                       const std::shared_ptr<const Source>& momenta = nullptr);
 
-/// The same for variables whose names stand anywhere; `origin` is left empty.
-[[nodiscard]] Hamiltonian hamiltonian_of(std::shared_ptr<const Source> expression,
+/// The same of an expression that stands in `source`, and of variables whose names stand anywhere;
+/// `origin` is left empty.
+[[nodiscard]] Hamiltonian hamiltonian_of(Expression expression,
+                                         std::shared_ptr<const Source> source,
                                          const NameList& coordinates, const NameList& momenta);
 
 /// What the variables are called that belong to the coordinates.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,17 +19,24 @@ public:
     /// Reads a list of names, which is the whole text.
     [[nodiscard]] std::vector<Name> names();
 
+    /// Reads one name, which is the whole text.
+    [[nodiscard]] RuleName rule_name();
+
 private:
     [[nodiscard]] Expression name(const Token& name) override;
-    [[nodiscard]] Expression indexed_name(const Token& name);
-    [[nodiscard]] Expression sum_over_index(const Token& name);
-    [[nodiscard]] std::string index_of_sum();
-    [[nodiscard]] long whole_number();
-    [[nodiscard]] long whole_number(const Expression& expression) const;
+    [[nodiscard]] Expression element(const Token& name);
+    [[nodiscard]] Expression modulo(const Token& name);
+    [[nodiscard]] Expression sum_over_indices(const Token& name);
+    [[nodiscard]] bool is_next_index() const;
+    [[nodiscard]] Expression one_sum(const Token& name);
+    [[nodiscard]] std::string index_name();
+    [[nodiscard]] Expression index();
     void take_close_index();
-    void append_names(std::vector<Name>& names);
+    [[nodiscard]] Name one_name();
+    [[nodiscard]] IndexBounds bounds();
 
-    std::map<std::string, long> indices_of_sums_;
+    std::set<std::string> indices_of_sums_;  ///< of those around this place
+    int indices_deep_ = 0;                   ///< how many indices are around it
 };
 
 }  // namespace hvi::gen

@@ -38,12 +38,12 @@ std::vector<std::string> new_names(const MechanicalFunction& function,
 
 }  // namespace
 
-Lagrangian lagrangian_of(std::shared_ptr<const Source> expression, const NameList& coordinates,
-                         const NameList& velocities) {
+Lagrangian lagrangian_of(Expression expression, std::shared_ptr<const Source> source,
+                         const NameList& coordinates, const NameList& velocities) {
     const Vocabulary variables = declared_variables(coordinates, velocities, words_of_velocities);
     Lagrangian L;
-    L.source = std::move(expression);
-    L.expression = parse_indexed_expression(L.source);
+    L.source = std::move(source);
+    L.expression = std::move(expression);
     L.coordinates = texts(coordinates);
     L.velocities = texts(velocities);
     check_words_of(L.expression, L.source, variables, "a Lagrangian");

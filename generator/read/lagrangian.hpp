@@ -17,8 +17,8 @@ struct Lagrangian : MechanicalFunction {
     std::vector<std::string> velocities;  ///< velocities[i] belongs to coordinates[i]
 };
 
-/// L of these variables; `origin` is left empty. Throws InputError.
-[[nodiscard]] Lagrangian lagrangian_of(std::shared_ptr<const Source> expression,
+/// L of these variables, which stands in `source`; `origin` is left empty. Throws InputError.
+[[nodiscard]] Lagrangian lagrangian_of(Expression expression, std::shared_ptr<const Source> source,
                                        const NameList& coordinates, const NameList& velocities);
 
 /// Coordinates, then velocities.

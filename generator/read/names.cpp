@@ -39,19 +39,28 @@ bool is_name(const std::string& text) {
            std::all_of(text.begin(), text.end(), is_name_char);
 }
 
-/// Whether an index of 1 to 7 digits follows the name, written as the reader writes it.
-bool is_indexed(const std::string& name) {
-    const std::size_t bracket = name.find('[');
-    if (bracket == std::string::npos || name.back() != ']') return false;
-    std::string_view index = std::string_view(name).substr(bracket + 1);
-    index.remove_suffix(1);
-    if (index.substr(0, 1) == "-" && index != "-0") index.remove_prefix(1);
+/// Whether it is written as the reader writes a whole number of at most 7 digits.
+bool is_whole_number(std::string_view text) {
+    if (text.substr(0, 1) == "-" && text != "-0") text.remove_prefix(1);
     const bool short_number =
-        !index.empty() && index.size() <= 7 && std::all_of(index.begin(), index.end(), is_digit);
-    return short_number && (index == "0" || index.front() != '0');
+        !text.empty() && text.size() <= 7 && std::all_of(text.begin(), text.end(), is_digit);
+    return short_number && (text == "0" || text.front() != '0');
 }
 
 }  // namespace
+
+bool is_indexed_name(const std::string& name) {
+    const std::size_t bracket = name.find('[');
+    if (bracket == std::string::npos || name.back() != ']') return false;
+    std::string_view indices = std::string_view(name).substr(bracket + 1);
+    indices.remove_suffix(1);
+    for (;;) {
+        const std::size_t comma = indices.find(',');
+        if (!is_whole_number(indices.substr(0, comma))) return false;
+        if (comma == std::string_view::npos) return true;
+        indices.remove_prefix(comma + 1);
+    }
+}
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -79,7 +88,7 @@ void check_parameter_name(const std::string& name, const Place& place, std::stri
 }
 
 void check_symbol_name(const std::string& name, const Place& place, std::string_view subject) {
-    check_parameter_name(is_indexed(name) ? std::string(without_index(name)) : name, place,
+    check_parameter_name(is_indexed_name(name) ? std::string(without_index(name)) : name, place,
                          subject);
 }
 

@@ -22,6 +22,10 @@ namespace hvi::gen {
 /// `h`, or a function.
 [[nodiscard]] bool is_reserved(std::string_view name);
 
+/// Whether whole numbers follow the name as its indices, as the reader writes it: `x[3]`,
+/// `u[1,-2]`.
+[[nodiscard]] bool is_indexed_name(const std::string& name);
+
 /// The name without its index: `x` of `x[3]`.
 [[nodiscard]] std::string_view without_index(std::string_view name);
 

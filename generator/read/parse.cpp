@@ -18,14 +18,18 @@ Expression parse_expression(std::shared_ptr<const Source> source, Range part) {
     return ExpressionParser(std::move(source), part).lone_expression();
 }
 
-Expression parse_indexed_expression(std::shared_ptr<const Source> source) {
-    const Range part = whole(source).range;
-    return IndexedParser(std::move(source), part).lone_expression();
+IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source) {
+    Expression written = IndexedParser(source, whole(source).range).lone_expression();
+    return {std::move(written), std::move(source)};
 }
 
 std::vector<Name> parse_names(std::shared_ptr<const Source> source) {
     const Range part = whole(source).range;
     return IndexedParser(std::move(source), part).names();
+}
+
+RuleName parse_rule_name(std::shared_ptr<const Source> source, Range part) {
+    return IndexedParser(std::move(source), part).rule_name();
 }
 
 List parse_list(std::shared_ptr<const Source> source) {

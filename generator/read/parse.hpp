@@ -48,25 +48,48 @@ struct List {
 /// The same for a part of a source. Precondition: `part` lies within the text.
 [[nodiscard]] Expression parse_expression(std::shared_ptr<const Source> source, Range part);
 
+/// An expression in which names can have indices and sums run over them, as it was written; see
+/// Expression::Kind. unrolled() makes an expression of it that is made of plain symbols.
+struct IndexedExpression {
+    Expression written;
+    std::shared_ptr<const Source> source;  ///< the ranges in `written` are ranges there
+};
+
 /// Reads one expression in which names can have indices and sums can run over them:
 ///
-///     operand = ... | name "[" sum "]" | "sum" "(" name "=" sum ".." sum "," sum ")"
+///     operand = ... | name "[" index ("," index)* "]"
+///             | "sum" "(" name "=" index ".." index ("," name "=" index ".." index)* "," sum ")"
+///     index   = a sum, in which an operand can be "mod" "(" index "," index ")" too
 ///
-/// They are expanded: `sum(i=1..2, x[i]^2)` is x[1]^2 + x[2]^2, of symbols with the names `x[1]`
-/// and `x[2]`. Bounds and indices are whole numbers made of numbers and of the i of sums around
-/// them. Throws as `parse_expression` does, and for what expands to more than 100 000 words.
-[[nodiscard]] Expression parse_indexed_expression(std::shared_ptr<const Source> source);
+/// Throws as `parse_expression` does.
+[[nodiscard]] IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source);
 
-/// A name in a list of names.
-struct Name {
-    std::string text;
+/// The first and the last value of an index; where one stands alone, it is both.
+struct IndexBounds {
+    Expression first, last;
     Range range;
 };
 
-/// Reads a list of at least one name, separated by commas: `x, y[1..3], z[7]` for x, y[1], y[2],
-/// y[3], z[7].
-/// Throws InputError for any other text, and for more than 1000 names.
+/// A name in a list of names, with what its indices can be; without an index, `bounds` is empty.
+struct Name {
+    std::string stem;
+    std::vector<IndexBounds> bounds;
+    Range range;
+};
+
+/// Reads a list of at least one name, separated by commas: `x, y[1..3], z[7], u[1..N,0..2]`. Throws
+/// InputError for any other text.
 [[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source);
+
+/// A name whose indices have names: `u[i,j]`.
+struct RuleName {
+    std::string stem;
+    std::vector<std::string> indices;
+};
+
+/// Reads one such name, with indices or without, from a part of a source. Throws InputError for any
+/// other text.
+[[nodiscard]] RuleName parse_rule_name(std::shared_ptr<const Source> source, Range part);
 
 /// Reads a list of at least one item, separated by commas. An item is an expression, or a family
 /// with its size: a word of letters, digits and dashes, a colon, and a whole number. Throws as

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "generator/read/embedded.hpp"
+#include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
+#include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
 
@@ -36,8 +38,22 @@ std::vector<std::string> parameter_names(const Scene& scene) {
         did_you_mean(name, names, "`hvi-gen list scenes` shows those that come with the program"));
 }
 
-Scene embedded_scene(const EmbeddedFile& file) {
-    return scene_from_toml({std::string(file.name), std::string(file.text)});
+IndexedScene embedded_scene(const EmbeddedFile& file) {
+    return indexed_scene_from_toml({std::string(file.name), std::string(file.text)});
+}
+
+IndexedScene find_indexed_scene(const Given& name_or_file) {
+    const std::string& name = name_or_file->text;
+    for (const EmbeddedFile& file : embedded_scenes()) {
+        if (name_of(file) != name) continue;
+        IndexedScene scene = embedded_scene(file);
+        scene.origin = name;
+        return scene;
+    }
+    std::error_code ignored;
+    const auto status = std::filesystem::status(name, ignored);
+    if (status.type() == std::filesystem::file_type::not_found) refuse_unknown(name_or_file);
+    return indexed_scene_from_file(name);
 }
 
 }  // namespace
@@ -66,22 +82,18 @@ const Hamiltonian& hamiltonian_of(const Scene& scene) {
                     whole(function_of(scene).source), "`hvi-gen scheme` prints its Hamiltonian");
 }
 
-Scene find_scene(const Given& name_or_file) {
-    const std::string& name = name_or_file->text;
-    const auto placed = [&](Scene scene) {
-        scene.place = whole(name_or_file);
-        return scene;
-    };
-    for (const EmbeddedFile& file : embedded_scenes()) {
-        if (name_of(file) != name) continue;
-        Scene scene = embedded_scene(file);
-        function_of(scene).origin = name;
-        return placed(std::move(scene));
-    }
-    std::error_code ignored;
-    const auto status = std::filesystem::status(name, ignored);
-    if (status.type() == std::filesystem::file_type::not_found) refuse_unknown(name_or_file);
-    return placed(scene_from_file(name));
+Scene scene_from_toml(const Source& file) { return unrolled(indexed_scene_from_toml(file)); }
+
+Scene scene_from_file(const std::filesystem::path& path) {
+    return unrolled(indexed_scene_from_file(path));
+}
+
+Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
+    IndexedScene written = find_indexed_scene(name_or_file);
+    for (const Parameter& value : values) static_cast<void>(assign(written, value));
+    Scene scene = unrolled(written);
+    scene.place = whole(name_or_file);
+    return scene;
 }
 
 std::vector<SceneEntry> scenes() {
@@ -97,7 +109,7 @@ std::vector<SceneEntry> scenes() {
 
 NamedExpression expression_of_parameters(const Scene& scene, std::string name,
                                          std::shared_ptr<const Source> text) {
-    Expression read = parse_indexed_expression(text);
+    Expression read = unrolled(parse_indexed_expression(text), scene.sizes);
     check_functions(read, text, "this");
     const std::vector<std::string> names = parameter_names(scene);
     walk(read, [&](const Expression& part) {
@@ -123,7 +135,7 @@ void set_parameter(Method& method, Scene& scene, Parameter parameter) {
     const std::vector<std::string> of_method = parameter_names(method);
     const bool in_scene = contains(names, parameter.name);
     const bool in_method = contains(of_method, parameter.name);
-    if (!in_scene && !in_method) {
+    if (!in_scene && !in_method && scene.sizes.count(parameter.name) == 0) {
         names.insert(names.end(), of_method.begin(), of_method.end());
         refuse_parameter(parameter, variables(scene), name_of_function(scene), names);
     }

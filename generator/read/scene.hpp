@@ -12,6 +12,7 @@
 
 #include "generator/read/hamiltonian.hpp"
 #include "generator/read/lagrangian.hpp"
+#include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
 
@@ -38,9 +39,10 @@ struct Scene {
     std::string description;  ///< the key `description`: one line; or empty
     std::variant<Hamiltonian, Lagrangian> mechanics;  ///< no parameter of it has a value yet
     std::vector<Parameter> parameters;                ///< all, in the order of the file
-    std::vector<NamedExpression> invariants;          ///< in the order of the file
-    std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
-    std::vector<NamedExpression> exact;    ///< the same, as functions of t; or empty
+    WholeNumbers sizes;  ///< structural parameters: numbers in all that stands here
+    std::vector<NamedExpression> invariants;  ///< in the order of the file
+    std::vector<NamedExpression> initial;     ///< of the coordinates, then of the other variables
+    std::vector<NamedExpression> exact;       ///< the same, as functions of t; or empty
     RunWishes run;
     std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
 };
@@ -58,16 +60,18 @@ struct Scene {
 /// H. Throws MathError, with the place of L, where the scene has a Lagrangian.
 [[nodiscard]] const Hamiltonian& hamiltonian_of(const Scene& scene);
 
-/// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
-/// line of the file.
+/// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it, unrolled. Throws InputError
+/// with the line of the file.
 [[nodiscard]] Scene scene_from_file(const std::filesystem::path& path);
 
 /// The same for the text of such a file; the source's name is that of the file.
 [[nodiscard]] Scene scene_from_toml(const Source& file);
 
 /// The scene that the command line names: one that comes with the program (`kepler`), else that of
-/// the file. Throws InputError, with what may have been meant, where there is neither.
-[[nodiscard]] Scene find_scene(const Given& name_or_file);
+/// the file; with other values for those of its parameters that `values` names. Throws InputError,
+/// with what may have been meant, where there is neither.
+[[nodiscard]] Scene find_scene(const Given& name_or_file,
+                               const std::vector<Parameter>& values = {});
 
 /// Names and descriptions of the scenes that come with the program, by name.
 struct SceneEntry {
@@ -85,7 +89,8 @@ struct SceneEntry {
 void check_together(const Method& method, const Scene& scene);
 
 /// Fixes the value of a parameter of the scene's H or L, initial values and the rest, or of the
-/// method's. Throws InputError as set_parameter() of a Hamiltonian does.
+/// method's. Throws InputError as set_parameter() of a Hamiltonian does. NOTE: a size has had its
+/// value since find_scene().
 void set_parameter(Method& method, Scene& scene, Parameter parameter);
 
 }  // namespace hvi::gen

@@ -1,45 +1,18 @@
-// Scene files: from TOML to what a scene is, with the place of every word.
+// Scene files: from TOML to a scene as it is written, with the place of every word.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
-#include "generator/read/check.hpp"
 #include "generator/read/file.hpp"
+#include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
-#include "generator/read/nearest.hpp"
-#include "generator/read/scene.hpp"
 #include "generator/read/toml_file.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-constexpr std::size_t most_invariants = 64;
-constexpr std::size_t most_words_of_scene =
-    300'000;  ///< of all expressions, with their sums expanded
-
-/// What may stand in an expression besides parameters, pi and e.
-struct SceneRules {
-    std::string_view subject;  ///< what messages call it
-    bool variables = false;
-    bool time = false;
-    std::string_view help;  ///< for a symbol that resembles no other
-};
-
-constexpr std::string_view made_of_parameters = "it is made of numbers, parameters, pi and e";
-constexpr SceneRules hamiltonian_rules{"the Hamiltonian", true, true,
-                                       "give it a value: add it to [parameters]"};
-constexpr SceneRules lagrangian_rules{"the Lagrangian", true, true,
-                                      "give it a value: add it to [parameters]"};
-constexpr SceneRules invariant_rules{"an invariant", true, false, "add it to [parameters]"};
-constexpr SceneRules initial_rules{"an initial value", false, false, made_of_parameters};
-constexpr SceneRules exact_rules{"an exact solution", false, true,
-                                 "it is made of numbers, parameters, pi, e and the time `t`"};
-constexpr SceneRules step_rules{"the step size", false, false, made_of_parameters};
-constexpr SceneRules until_rules{"the time at the end", false, false, made_of_parameters};
 
 using Entry = std::pair<const toml::key*, const toml::node*>;
 
@@ -51,10 +24,6 @@ std::vector<Entry> in_order(const toml::table& table) {
         return left.first->source().begin < right.first->source().begin;
     });
     return entries;
-}
-
-std::string indexed(std::string_view name, std::string_view index) {
-    return fmt::format("{}[{}]", name, index);
 }
 
 /// The name of a file without its folders and its ending, as plain as a name must be.
@@ -76,39 +45,31 @@ class SceneReader {
 public:
     explicit SceneReader(const Source& source) : source_(source), file_(source) {}
 
-    [[nodiscard]] Scene read();
+    [[nodiscard]] IndexedScene read();
 
 private:
     [[nodiscard]] const toml::node& required(std::string_view key, std::string_view example) const;
     [[nodiscard]] const toml::table* section(std::string_view key, std::string_view example) const;
     [[nodiscard]] std::string description() const;
-    [[nodiscard]] NameList names(std::string_view key, std::string_view example) const;
-    [[nodiscard]] NamedExpression expression(std::string name, const toml::node& node,
-                                             const SceneRules& rules);
-    void check_words(const Expression& expression, const std::shared_ptr<const Source>& source,
-                     const SceneRules& rules);
-    void check_mechanics() const;
+    [[nodiscard]] NameTexts names(std::string_view key, std::string_view example) const;
+    [[nodiscard]] IndexedExpression expression(const toml::node& node) const;
+    [[nodiscard]] NamedIndexed named(std::string name, const toml::node& node) const;
     void check_absent(std::string_view key, std::string_view other, std::string_view fault,
                       std::string_view help) const;
-    [[nodiscard]] Hamiltonian hamiltonian();
-    [[nodiscard]] Lagrangian lagrangian();
-    void read_data(Scene& scene, const SceneRules& rules, const Expression& function,
-                   const std::shared_ptr<const Source>& source);
-    [[nodiscard]] std::vector<Parameter> parameters();
-    void add_parameter(std::vector<Parameter>& list, DeclaredName name, const toml::node& value);
-    [[nodiscard]] std::vector<NamedExpression> invariants();
-    [[nodiscard]] std::vector<NamedExpression> values(const toml::table& table,
-                                                      const SceneRules& rules);
-    [[noreturn]] void refuse_variable(const std::string& name, const Place& place) const;
-    void add_values(std::map<std::string, NamedExpression>& found, const Entry& entry,
-                    const SceneRules& rules);
-    [[nodiscard]] RunWishes run();
+    void check_mechanics() const;
+    void read_mechanics(IndexedScene& scene) const;
+    [[nodiscard]] IndexedValue value(const Entry& entry) const;
+    [[nodiscard]] RuleName rule_name(const toml::key& key) const;
+    [[nodiscard]] ValueList list(const toml::array& array) const;
+    void append(ValueList& list, const toml::array& array, std::size_t depth) const;
+    [[nodiscard]] std::vector<IndexedValue> parameters() const;
+    [[nodiscard]] std::vector<Definition> definitions() const;
+    [[nodiscard]] std::vector<NamedIndexed> invariants() const;
+    [[nodiscard]] ValueTable values(const toml::table& table) const;
+    [[nodiscard]] IndexedRun run() const;
 
     const Source& source_;
     TomlFile file_;
-    std::vector<std::string> variables_;
-    Vocabulary words_;  ///< variables, then parameters too
-    std::size_t word_count_ = 0;
 };
 
 const toml::node& SceneReader::required(std::string_view key, std::string_view example) const {
@@ -139,58 +100,35 @@ std::string SceneReader::description() const {
 }
 
 /// The names in a text, or in those of an array.
-NameList SceneReader::names(std::string_view key, std::string_view example) const {
+NameTexts SceneReader::names(std::string_view key, std::string_view example) const {
     const toml::node& node = required(key, fmt::format("a line such as {} = {}", key, example));
-    const auto in_text = [&](const toml::node& text) {
+    NameTexts all{{}, file_.place(node)};
+    const auto append = [&](const toml::node& text) {
         if (!text.is_string())
             throw InputError("a text with names is wanted here", file_.place(text),
                              fmt::format("write for example {} = {}", key, example));
-        return names_in(file_.source(text, file_.text(text)));
+        const auto source = file_.source(text, file_.text(text));
+        all.texts.push_back({parse_names(source), source});
     };
     const auto* array = node.as_array();
-    if (array == nullptr) return in_text(node);
-    if (array->empty()) throw InputError("the list is empty", file_.place(node));
-    NameList all{{}, file_.place(node)};
-    for (const toml::node& text : *array) {
-        NameList some = in_text(text);
-        all.names.insert(all.names.end(), some.names.begin(), some.names.end());
-        if (all.names.size() > most_degrees_of_freedom) break;  // which is refused
+    if (array == nullptr) {
+        append(node);
+        all.place = whole(all.texts.front().source);
+        return all;
     }
+    if (array->empty()) throw InputError("the list is empty", file_.place(node));
+    for (const toml::node& text : *array) append(text);
     return all;
 }
 
-NamedExpression SceneReader::expression(std::string name, const toml::node& node,
-                                        const SceneRules& rules) {
-    const auto source = file_.source(node, file_.text(node));
-    Expression read = parse_indexed_expression(source);
-    check_words(read, source, rules);
-    return {std::move(name), std::move(read), {source, {0, source->text.size()}}};
+IndexedExpression SceneReader::expression(const toml::node& node) const {
+    return parse_indexed_expression(file_.source(node, file_.text(node)));
 }
 
-void SceneReader::check_words(const Expression& expression,
-                              const std::shared_ptr<const Source>& source,
-                              const SceneRules& rules) {
-    check_functions(expression, source, rules.subject);
-    const auto check = [&](const std::string& symbol, const Place& place) {
-        if (is_constant(symbol) || (symbol == "t" && rules.time)) return;
-        if (symbol == "t")
-            throw InputError(fmt::format("{} cannot depend on the time `t`", rules.subject), place);
-        check_symbol_name(symbol, place);
-        words_.check(symbol, place, std::string(rules.help));
-        if (!rules.variables && !words_.is("a parameter", without_index(symbol)))
-            throw InputError(
-                fmt::format("{} cannot depend on the variable `{}`", rules.subject, symbol), place,
-                std::string(rules.help));
-    };
-    walk(expression, [&](const Expression& part) {
-        if (part.kind == Expression::Kind::symbol) check(part.name, {source, part.range});
-        ++word_count_;
-        return true;
-    });
-    if (word_count_ > most_words_of_scene)
-        throw InputError(fmt::format("the expressions of the scene have more than {} words",
-                                     most_words_of_scene),
-                         Place{source, {0, source->text.size()}});
+NamedIndexed SceneReader::named(std::string name, const toml::node& node) const {
+    IndexedExpression read = expression(node);
+    Place place = whole(read.source);
+    return {std::move(name), std::move(read), std::move(place)};
 }
 
 void SceneReader::check_absent(std::string_view key, std::string_view other, std::string_view fault,
@@ -214,140 +152,125 @@ void SceneReader::check_mechanics() const {
     }
 }
 
-/// NOTE: its symbols are looked at once the parameters are known.
-Hamiltonian SceneReader::hamiltonian() {
+void SceneReader::read_mechanics(IndexedScene& scene) const {
+    check_mechanics();
+    const bool has_lagrangian = file_.table().contains("lagrangian");
+    scene.side = has_lagrangian ? Side::lagrangian : Side::hamiltonian;
     const toml::node& node =
-        required("hamiltonian", "a line such as hamiltonian = \"p^2/2 - cos(q)\"");
-    const NameList coordinates = names("coordinates", "[\"x\", \"y\"]");
-    const NameList momenta = names("momenta", "[\"px\", \"py\"]");
-    words_ = declared_variables(coordinates, momenta);
-    Hamiltonian H = hamiltonian_of(file_.source(node, file_.text(node)), coordinates, momenta);
-    H.origin = quoted_file_name(source_.name);
-    return H;
+        has_lagrangian ? *file_.table().get("lagrangian")
+                       : required("hamiltonian", "a line such as hamiltonian = \"p^2/2 - cos(q)\"");
+    scene.coordinates = names("coordinates", "[\"x\", \"y\"]");
+    scene.conjugates = has_lagrangian ? names("velocities", "[\"vx\", \"vy\"]")
+                                      : names("momenta", "[\"px\", \"py\"]");
+    scene.function = expression(node);
+    scene.origin = quoted_file_name(source_.name);
 }
 
-/// NOTE: the same.
-Lagrangian SceneReader::lagrangian() {
-    const toml::node& node = *file_.table().get("lagrangian");
-    const NameList coordinates = names("coordinates", "[\"x\", \"y\"]");
-    const NameList velocities = names("velocities", "[\"vx\", \"vy\"]");
-    words_ = declared_variables(coordinates, velocities, words_of_velocities);
-    Lagrangian L = lagrangian_of(file_.source(node, file_.text(node)), coordinates, velocities);
-    L.origin = quoted_file_name(source_.name);
-    return L;
+/// `x`, or the indices in `"u[i,j]"`, which are names. NOTE: `x[1]` is one name.
+RuleName SceneReader::rule_name(const toml::key& key) const {
+    const std::string name(key.str());
+    const std::size_t bracket = name.find('[');
+    if (bracket == std::string::npos || is_indexed_name(name)) return {name, {}};
+    Place place = file_.place(key.source());
+    const std::string_view text = std::string_view(place.source->text).substr(place.range.begin);
+    if (text.front() == '"' || text.front() == '\'') {
+        ++place.range.begin;
+        --place.range.end;
+    }
+    return parse_rule_name(place.source, place.range);
 }
 
-void SceneReader::add_parameter(std::vector<Parameter>& list, DeclaredName name,
-                                const toml::node& value) {
-    words_.declare(name, "a parameter");
-    if (list.size() == most_parameters)
-        throw InputError(fmt::format("there are more than {} parameters", most_parameters),
-                         name.place);
-    const auto source = file_.source(value, file_.text(value));
-    Parameter parameter{std::move(name.name), {}, std::move(name.place)};
-    read_value(parameter, source, {0, source->text.size()});
-    list.push_back(std::move(parameter));
+IndexedValue SceneReader::value(const Entry& entry) const {
+    const auto& [key, node] = entry;
+    RuleName name = rule_name(*key);
+    IndexedValue result{std::move(name.stem), {}, file_.place(key->source()), file_.place(*node)};
+    const auto* array = node->as_array();
+    if (!name.indices.empty())
+        result.value = ValueRule{std::move(name.indices), expression(*node)};
+    else if (array != nullptr)
+        result.value = list(*array);
+    else
+        result.value = expression(*node);
+    return result;
 }
 
-std::vector<Parameter> SceneReader::parameters() {
-    std::vector<Parameter> list;
+ValueList SceneReader::list(const toml::array& array) const {
+    ValueList list;
+    const toml::array* inner = &array;
+    while (inner != nullptr) {
+        list.extents.push_back(inner->size());
+        inner = inner->empty() ? nullptr : inner->front().as_array();
+    }
+    append(list, array, 0);
+    return list;
+}
+
+/// Those of a row, or of a matrix, whose rows are equally long.
+void SceneReader::append(ValueList& list, const toml::array& array, std::size_t depth) const {
+    const bool is_row = depth + 1 == list.extents.size();
+    if (array.size() != list.extents[depth])
+        throw InputError(fmt::format("this row has {} value{}, and the first one {}", array.size(),
+                                     array.size() == 1 ? "" : "s", list.extents[depth]),
+                         file_.place(array), "all rows are equally long");
+    for (const toml::node& each : array) {
+        const auto* row = each.as_array();
+        if (is_row) {
+            list.values.push_back(expression(each));
+        } else if (row == nullptr) {
+            throw InputError("a row is wanted here, as the first one is", file_.place(each));
+        } else {
+            append(list, *row, depth + 1);
+        }
+    }
+}
+
+std::vector<IndexedValue> SceneReader::parameters() const {
+    std::vector<IndexedValue> list;
     const toml::table* table = section("parameters", "mu = 1");
     if (table == nullptr) return list;
-    for (const auto& [key, node] : in_order(*table)) {
-        const std::string name(key->str());
-        const Place place = file_.place(key->source());
-        check_parameter_name(name, place);
-        const auto* array = node->as_array();
-        if (array == nullptr) {
-            add_parameter(list, {name, place}, *node);
-            continue;
-        }
-        if (array->empty()) throw InputError("the list is empty", file_.place(*node));
-        std::size_t index = 0;
-        for (const toml::node& value : *array)
-            add_parameter(list, {indexed(name, std::to_string(++index)), place}, value);
+    for (const Entry& entry : in_order(*table)) {
+        check_parameter_name(std::string(entry.first->str()), file_.place(entry.first->source()));
+        list.push_back(value(entry));
+        const auto* several = std::get_if<ValueList>(&list.back().value);
+        if (several != nullptr && several->values.empty())
+            throw InputError("the list is empty", list.back().place_of_value);
     }
     return list;
 }
 
-std::vector<NamedExpression> SceneReader::invariants() {
-    std::vector<NamedExpression> list;
+std::vector<Definition> SceneReader::definitions() const {
+    std::vector<Definition> list;
+    const toml::table* table = section("definitions", "r = \"sqrt(x^2 + y^2)\"");
+    if (table == nullptr) return list;
+    for (const auto& [key, node] : in_order(*table)) {
+        RuleName name = rule_name(*key);
+        Place place = file_.place(key->source());
+        check_parameter_name(name.stem, place, "a definition");
+        list.push_back(
+            {std::move(name.stem), std::move(name.indices), expression(*node), std::move(place)});
+    }
+    return list;
+}
+
+std::vector<NamedIndexed> SceneReader::invariants() const {
+    std::vector<NamedIndexed> list;
     const toml::table* table = section("invariants", "momentum = \"px1 + px2\"");
     if (table == nullptr) return list;
-    Vocabulary names = words_;
     for (const auto& [key, node] : in_order(*table)) {
-        const DeclaredName name{std::string(key->str()), file_.place(key->source())};
-        check_parameter_name(name.name, name.place, "an invariant");
-        names.declare(name, "an invariant");
-        if (list.size() == most_invariants)
-            throw InputError(fmt::format("there are more than {} invariants", most_invariants),
-                             name.place);
-        list.push_back(expression(name.name, *node, invariant_rules));
+        list.push_back(named(std::string(key->str()), *node));
+        list.back().place_of_name = file_.place(key->source());
     }
     return list;
 }
 
-[[noreturn]] void SceneReader::refuse_variable(const std::string& name, const Place& place) const {
-    const std::string stem(without_index(name));
-    if (words_.contains(name) && name != stem)
-        throw InputError(fmt::format("the value of `{}` stands among those of `{}`", name, stem),
-                         place, fmt::format("write {} = [...], with all values", stem));
-    std::vector<std::string_view> names;
-    for (const std::string& variable : variables_)
-        if (names.empty() || names.back() != without_index(variable))
-            names.push_back(without_index(variable));
-    throw InputError(
-        fmt::format("`{}` is no variable", name), place,
-        did_you_mean(name, names, fmt::format("the variables are {}", fmt::join(names, ", "))));
+ValueTable SceneReader::values(const toml::table& table) const {
+    ValueTable values{{}, file_.place(table)};
+    for (const Entry& entry : in_order(table)) values.values.push_back(value(entry));
+    return values;
 }
 
-/// The value of a variable, or those of x[1], x[2], ... by ascending index.
-void SceneReader::add_values(std::map<std::string, NamedExpression>& found, const Entry& entry,
-                             const SceneRules& rules) {
-    const auto& [key, node] = entry;
-    const std::string name(key->str());
-    std::vector<std::string> indices = words_.indices(name);
-    if (indices.empty() || words_.is("a parameter", name))
-        refuse_variable(name, file_.place(key->source()));
-    if (indices.front().empty()) {
-        found.emplace(name, expression(name, *node, rules));
-        return;
-    }
-    const auto* array = node->as_array();
-    const std::size_t given = array == nullptr ? 1 : array->size();
-    if (array == nullptr || given != indices.size())
-        throw InputError(fmt::format("`{}` has {} {}, and here {} {} value{}", name, indices.size(),
-                                     indices.size() == 1 ? "index" : "indices",
-                                     given == 1 ? "is" : "are", given, given == 1 ? "" : "s"),
-                         file_.place(*node), "write the values for all indices as a list");
-    std::sort(indices.begin(), indices.end(), [](const auto& left, const auto& right) {
-        return std::stol(left) < std::stol(right);
-    });
-    for (std::size_t k = 0; k < given; ++k) {
-        const std::string each = indexed(name, indices[k]);
-        found.emplace(each, expression(each, *array->get(k), rules));
-    }
-}
-
-/// One for each variable: those of the coordinates, then of the others.
-std::vector<NamedExpression> SceneReader::values(const toml::table& table,
-                                                 const SceneRules& rules) {
-    std::map<std::string, NamedExpression> found;
-    for (const Entry& entry : in_order(table)) add_values(found, entry, rules);
-    std::vector<NamedExpression> list;
-    for (const std::string& name : variables_) {
-        const auto position = found.find(name);
-        if (position == found.end())
-            throw InputError(fmt::format("{} is missing: that of `{}`", rules.subject, name),
-                             file_.place(table),
-                             fmt::format("each of {} has one", fmt::join(variables_, ", ")));
-        list.push_back(std::move(position->second));
-    }
-    return list;
-}
-
-RunWishes SceneReader::run() {
-    RunWishes wishes;
+IndexedRun SceneReader::run() const {
+    IndexedRun wishes;
     const toml::table* table = section("run", "step = \"1/10\"");
     if (table == nullptr) return wishes;
     file_.check_keys(*table, "section [run]", {"method", "step", "until"});
@@ -358,55 +281,37 @@ RunWishes SceneReader::run() {
         wishes.method = file_.source(*node, file_.text(*node));
         static_cast<void>(named_method(wishes.method));
     }
-    if (const toml::node* node = table->get("step"))
-        wishes.step = expression("step", *node, step_rules);
-    if (const toml::node* node = table->get("until"))
-        wishes.until = expression("until", *node, until_rules);
+    if (const toml::node* node = table->get("step")) wishes.step = named("step", *node);
+    if (const toml::node* node = table->get("until")) wishes.until = named("until", *node);
     return wishes;
 }
 
-/// What follows once the variables are known, which are those of `function`, H or L.
-void SceneReader::read_data(Scene& scene, const SceneRules& rules, const Expression& function,
-                            const std::shared_ptr<const Source>& source) {
-    scene.parameters = parameters();
-    check_words(function, source, rules);
-    scene.invariants = invariants();
-    static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
-    scene.initial = values(*section("initial", "x = 0"), initial_rules);
-    if (const toml::table* table = section("exact", "q = \"cos(t)\""))
-        scene.exact = values(*table, exact_rules);
-    scene.run = run();
-}
-
-Scene SceneReader::read() {
+IndexedScene SceneReader::read() {
     file_.check_keys(file_.table(), "scene",
                      {"name", "description", "coordinates", "momenta", "velocities", "hamiltonian",
-                      "lagrangian", "parameters", "invariants", "initial", "exact", "run"});
-    check_mechanics();
-    Scene scene;
+                      "lagrangian", "parameters", "definitions", "invariants", "initial", "exact",
+                      "run"});
+    IndexedScene scene;
     scene.name = file_.name();
     if (scene.name.empty()) scene.name = name_of_file(source_.name);
     scene.description = description();
-    if (file_.table().contains("lagrangian")) {
-        Lagrangian L = lagrangian();
-        variables_ = variables(L);
-        read_data(scene, lagrangian_rules, L.expression, L.source);
-        scene.mechanics = std::move(L);
-        return scene;
-    }
-    Hamiltonian H = hamiltonian();
-    variables_ = variables(H);
-    read_data(scene, hamiltonian_rules, H.expression, H.source);
-    scene.mechanics = std::move(H);
+    read_mechanics(scene);
+    scene.parameters = parameters();
+    scene.definitions = definitions();
+    scene.invariants = invariants();
+    static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
+    scene.initial = values(*section("initial", "x = 0"));
+    if (const toml::table* table = section("exact", "q = \"cos(t)\"")) scene.exact = values(*table);
+    scene.run = run();
     return scene;
 }
 
 }  // namespace
 
-Scene scene_from_toml(const Source& file) { return SceneReader(file).read(); }
+IndexedScene indexed_scene_from_toml(const Source& file) { return SceneReader(file).read(); }
 
-Scene scene_from_file(const std::filesystem::path& path) {
-    return scene_from_toml(toml_source(path));
+IndexedScene indexed_scene_from_file(const std::filesystem::path& path) {
+    return indexed_scene_from_toml(toml_source(path));
 }
 
 }  // namespace hvi::gen

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/token_reader.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 namespace hvi::gen {
@@ -10,7 +8,6 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::size_t longest_text = 64 * 1024;
-constexpr std::size_t most_words_read = 100'000;
 
 }  // namespace
 
@@ -23,13 +20,12 @@ TokenReader::TokenReader(std::shared_ptr<const Source> source, Range part, Indic
     if (next_.is(Kind::end)) fail(part, "the text is empty");
 }
 
-void TokenReader::count() {
-    if (++taken_ > most_words_read)
-        fail(next_.range, fmt::format("the sums expand to more than {} words", most_words_read));
+bool TokenReader::next_is_followed_by(Kind kind) const {
+    Lexer ahead = lexer_;
+    return ahead.next().is(kind);
 }
 
 Token TokenReader::take() {
-    count();
     previous_ = next_;
     next_ = lexer_.next();
     return previous_;
@@ -46,7 +42,6 @@ void TokenReader::take_close(const Token& open) {
 }
 
 void TokenReader::take_elsewhere(const Token& token) {
-    count();
     previous_ = token;
     lexer_.move_to(token.range.end);
     next_ = lexer_.next();

@@ -22,8 +22,9 @@ protected:
     [[nodiscard]] const Token& next() const { return next_; }          ///< not yet taken
     [[nodiscard]] const Token& previous() const { return previous_; }  ///< taken last
     [[nodiscard]] bool next_is(Kind kind) const { return next_.is(kind); }
+    /// Whether the token behind the next one is of this kind.
+    [[nodiscard]] bool next_is_followed_by(Kind kind) const;
 
-    /// Throws InputError when 100 000 tokens are taken: an expanded sum has many.
     Token take();
     /// The next token, which is to be of this kind; `what` is said when it is not.
     Token take(Kind kind, const char* what);
@@ -43,12 +44,9 @@ protected:
     [[noreturn]] void fail(Range range, std::string what, std::string help = {}) const;
 
 private:
-    void count();
-
     Lexer lexer_;
     Token next_;
     Token previous_;
-    std::size_t taken_ = 0;
 };
 
 }  // namespace hvi::gen

@@ -3,39 +3,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
-#include "generator/read/parse.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-/// `3` of `x[3]`, or empty.
-std::string index_of(const std::string& name) {
-    const std::size_t bracket = name.find('[');
-    return bracket == std::string::npos ? "" : name.substr(bracket + 1, name.size() - bracket - 2);
+/// 3 of `x[3]`, 1 and 2 of `u[1,2]`, or empty.
+Index index_of(const std::string& name) {
+    Index index;
+    std::size_t begin = name.find('[');
+    while (begin != std::string::npos) {
+        index.push_back(std::stol(name.substr(begin + 1)));
+        begin = name.find(',', begin + 1);
+    }
+    return index;
 }
 
+/// `3`, or `1,2`.
+std::string in_words(const Index& index) { return fmt::format("{}", fmt::join(index, ",")); }
+
 /// "from 1 to 6" for neighbours in ascending order, else all of them.
-std::string in_words(const std::vector<std::string>& indices) {
-    bool ascend = indices.size() > 2;
-    for (std::size_t k = 1; k < indices.size(); ++k)
-        ascend = ascend && std::stol(indices[k]) == std::stol(indices[k - 1]) + 1;
-    return ascend ? fmt::format("from {} to {}", indices.front(), indices.back())
-                  : fmt::format("{}", fmt::join(indices, ", "));
+std::string in_words(const std::vector<Index>& indices) {
+    constexpr std::size_t most_written = 20;
+    bool ascend = indices.size() > 2 && indices.front().size() == 1;
+    for (std::size_t k = 1; ascend && k < indices.size(); ++k)
+        ascend = indices[k].front() == indices[k - 1].front() + 1;
+    if (ascend || indices.size() > most_written)
+        return fmt::format("from {} to {}", in_words(indices.front()), in_words(indices.back()));
+    std::vector<std::string> all;
+    for (const Index& index : indices) all.push_back(in_words(index));
+    return fmt::format("{}", fmt::join(all, ", "));
 }
 
 }  // namespace
-
-NameList names_in(const std::shared_ptr<const Source>& source) {
-    NameList list{{}, whole(source)};
-    for (Name& name : parse_names(source))
-        list.names.push_back({std::move(name.text), {source, name.range}});
-    return list;
-}
 
 void Vocabulary::declare(const DeclaredName& declared, std::string_view subject) {
     const auto& [name, place] = declared;
@@ -48,15 +53,23 @@ void Vocabulary::declare(const DeclaredName& declared, std::string_view subject)
         throw InputError(fmt::format("`{}` is {} already", stem, entry.subject), place);
     if (!names_.insert(name).second)
         throw InputError(fmt::format("`{}` is named twice", name), place);
-    const std::string index = index_of(name);
-    if (!is_new && entry.indices.front().empty() != index.empty())
-        throw InputError(fmt::format("`{}` is named with an index and without", stem), place);
+    const Index index = index_of(name);
+    const std::size_t dimension = is_new ? index.size() : entry.indices.front().size();
+    if (dimension != index.size())
+        throw InputError(dimension == 0 || index.empty()
+                             ? fmt::format("`{}` is named with an index and without", stem)
+                             : fmt::format("`{}` is named with {} and with {} indices", stem,
+                                           dimension, index.size()),
+                         place);
     entry.indices.push_back(index);
 }
 
-std::vector<std::string> Vocabulary::indices(std::string_view stem) const {
+std::vector<Index> Vocabulary::indices(std::string_view stem) const {
     const auto found = entries_.find(stem);
-    return found == entries_.end() ? std::vector<std::string>{} : found->second.indices;
+    if (found == entries_.end()) return {};
+    std::vector<Index> indices = found->second.indices;
+    std::sort(indices.begin(), indices.end());
+    return indices;
 }
 
 bool Vocabulary::is(std::string_view subject, std::string_view stem) const {

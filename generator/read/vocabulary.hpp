@@ -13,9 +13,12 @@
 
 namespace hvi::gen {
 
+/// The 1 and 2 of u[1,2].
+using Index = std::vector<long>;
+
 /// A name where it is declared.
 struct DeclaredName {
-    std::string name;  ///< `x`, or with an index `x[3]`
+    std::string name;  ///< `x`, or with an index `x[3]`, `u[1,2]`
     Place place;
 };
 
@@ -24,9 +27,6 @@ struct NameList {
     std::vector<DeclaredName> names;
     Place place;
 };
-
-/// The names in a text such as `x, y[1..3]`, as parse_names() reads them.
-[[nodiscard]] NameList names_in(const std::shared_ptr<const Source>& source);
 
 /// The names declared so far. What differs in the index only, like x[1] and x[2], has one subject.
 class Vocabulary {
@@ -37,9 +37,9 @@ public:
 
     [[nodiscard]] bool contains(const std::string& name) const { return names_.count(name) != 0; }
 
-    /// The indices of x[1], x[2], ... as they were declared; of x alone one empty text; none where
+    /// The indices of x[1], x[2], ... in ascending order; of x alone an empty one; none where
     /// `stem` names nothing.
-    [[nodiscard]] std::vector<std::string> indices(std::string_view stem) const;
+    [[nodiscard]] std::vector<Index> indices(std::string_view stem) const;
 
     /// Whether a stem has that subject.
     [[nodiscard]] bool is(std::string_view subject, std::string_view stem) const;
@@ -53,7 +53,7 @@ public:
 private:
     struct Entry {
         std::string subject;
-        std::vector<std::string> indices;
+        std::vector<Index> indices;  ///< as they were declared
     };
     std::map<std::string, Entry, std::less<>> entries_;  ///< by name without an index
     std::set<std::string> names_;

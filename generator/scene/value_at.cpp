@@ -74,9 +74,12 @@ public:
         }
         case Kind::reciprocal: return reciprocal(expression);
         case Kind::power: return power(expression);
-        case Kind::call: break;
+        case Kind::call: return call(expression);
+        case Kind::element:
+        case Kind::sum_over: break;
         }
-        return call(expression);
+        HVI_CHECK(false && "indices are unrolled");
+        return {};
     }
 
 private:

@@ -4,6 +4,7 @@
 
 #include "generator/equations/lagrangian_equations.hpp"
 #include "generator/hamiltonian/legendre.hpp"
+#include "generator/read/unroll.hpp"
 #include "tests/equations/systems.hpp"
 
 using namespace hvi::gen;
@@ -12,7 +13,9 @@ namespace {
 
 Lagrangian lagrangian(const std::string& text, const std::string& coordinates,
                       const std::string& velocities) {
-    return lagrangian_of(source(text), names_in(source(coordinates)), names_in(source(velocities)));
+    const auto of = source(text);
+    return lagrangian_of(unrolled(parse_indexed_expression(of)), of, names_in(source(coordinates)),
+                         names_in(source(velocities)));
 }
 
 std::vector<std::string> lines(const LagrangianEquations& step) {

@@ -119,7 +119,7 @@ lanes: _ | _ | ~--lanes~stages | ~--lanes~ensemble | ~--lanes~none
 compose: _ | _ | _ | ~--compose~<composition>
 class: _ | _ | ~--name~<name>
 hamiltonian: --hamiltonian~<h>+<$name>*q~--param~<$name>=<number>
-scene: <head><one> | <head><two>
+scene: <head><one> | <head><two> | <head><many>
 head: _ | description = "<words>"~ | name = "<name>"~
 words: a pendulum | ends in a \\ | // | */ and /* | %s {} | @name@ | \"quoted\" | \\u000a \\n
 one: coordinates = "q"~momenta = "p"~hamiltonian = "<h>"~<parameters><invariant><start>
@@ -127,6 +127,14 @@ invariant: [invariants]~<$kept> = "<u>"~
 start: [initial]~q = <value>~p = <value>~<run>
 two: coordinates = ["x", "y"]~momenta = ["px", "py"]~hamiltonian = "<h_of_two>"~<parameters><starts>
 starts: [initial]~x = <value>~y = <value>~px = <value>~py = <value>~<run>
+many: coordinates = "q[1..N]"~momenta = "p[1..N]"~hamiltonian = "<h_of_many>"~<size><defined><rules>
+size: [parameters]~N = <digit>~<$name> = <constant_value>~<$name>2 = "<$name>/N"~
+defined: [definitions]~"d[i]" = "<d>"~
+rules: [initial]~"q[i]" = "i/<digit>"~"p[i]" = <value>~<run>
+h_of_many: sum(i=1..N, p[i]^2)/2 + <u_of_many> | sum(i=1..N, p[i]^2/2 + q[i]^<exponent>)
+u_of_many: sum(i=1..N, d[i]^2) | sum(i=1..N-1, j=i+1..N, (q[i]-q[j])^2) | sum(i=1..N, <function>(d[i]))
+    | sum(i=1..N, q[mod(i,N)+1]*q[i]) | sum(i=1..N+1, q[i]) | q[<digit>] | <$name>2*sum(i=2..N, q[i-1])
+d: q[i] | q[mod(i,N)+1]-q[i] | <number>*q[i] | sum(j=1..N, q[j]*i)
 parameters: [parameters]~<$name> = <constant_value>~
 constant_value: 1 | "1/2" | 0.25 | "<number>"
 run: [run]~method = "<named>"~step = <value>~until = <value>~

@@ -7,8 +7,8 @@
 
 #include "generator/read/coefficients.hpp"
 #include "generator/read/hamiltonian.hpp"
+#include "generator/read/indexed_scene.hpp"
 #include "generator/read/method.hpp"
-#include "generator/read/scene.hpp"
 #include "tests/fuzz/attempt.hpp"
 
 namespace hvi::gen::fuzz {
@@ -39,7 +39,7 @@ void check_printing(const Expression& expression) {
     const std::string printed = to_text(expression);
     static_cast<void>(to_latex(expression));
     if (depth(expression) > 90 || printed.size() > 60000) return;
-    require(to_text(parse_indexed_expression(source(printed))) == printed,
+    require(to_text(unrolled(parse_indexed_expression(source(printed)))) == printed,
             "printing changes a meaning");
 }
 
@@ -133,8 +133,22 @@ void check_scene(const Scene& result) {
             "a description or an origin of several lines");
 }
 
+/// NOTE: see check_printing() for what is left out.
+void check_indices(const IndexedExpression& expression) {
+    check_ranges(expression.written, *expression.source);
+    const std::string printed = to_text(expression.written);
+    if (depth(expression.written) > 90 || printed.size() > 60000) return;
+    require(to_text(parse_indexed_expression(source(printed)).written) == printed,
+            "printing changes a sum");
+}
+
 void scene(std::string_view bytes) {
-    attempt_to_read([&] { check_scene(scene_from_toml({"fuzz.toml", std::string(bytes)})); });
+    attempt_to_read([&] {
+        const IndexedScene written = indexed_scene_from_toml({"fuzz.toml", std::string(bytes)});
+        check_indices(written.function);
+        for (const Definition& definition : written.definitions) check_indices(definition.value);
+        check_scene(unrolled(written));
+    });
 }
 
 void hamiltonian(std::string_view bytes) {

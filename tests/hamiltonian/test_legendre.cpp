@@ -4,6 +4,7 @@
 
 #include "generator/hamiltonian/legendre.hpp"
 #include "generator/read/names.hpp"
+#include "generator/read/unroll.hpp"
 #include "tests/hamiltonian/dual.hpp"
 #include "tests/read/refusal.hpp"
 
@@ -13,7 +14,9 @@ namespace {
 
 Lagrangian lagrangian(const std::string& text, const std::string& coordinates = "q",
                       const std::string& velocities = "v") {
-    return lagrangian_of(source(text), names_in(source(coordinates)), names_in(source(velocities)));
+    const auto of = source(text);
+    return lagrangian_of(unrolled(parse_indexed_expression(of)), of, names_in(source(coordinates)),
+                         names_in(source(velocities)));
 }
 
 Hamiltonian of_momenta(const std::string& text, const std::string& coordinates = "q",
@@ -23,7 +26,7 @@ Hamiltonian of_momenta(const std::string& text, const std::string& coordinates =
 
 /// At points where nothing is special.
 void check_equal(const Expression& found, const std::string& expected) {
-    const Expression other = parse_indexed_expression(source(expected));
+    const Expression other = unrolled(parse_indexed_expression(source(expected)));
     INFO(to_text(found) << "\nis to be " << expected);
     std::set<std::string> names{"t"};
     insert_parameters(found, names);

@@ -93,7 +93,7 @@ TEST_CASE("words of a Lagrangian stand where they may") {
     const Refusal unknown = any_refused("B*(x", "C*(x");
     CHECK(unknown.what == "`C` is neither a variable nor a parameter with a value");
     CHECK(unknown.marked == "m*(vx^2 + vy^2)/2 + [C]*(x*vy - y*vx)/2");
-    CHECK(any_refused("B*(x", "roots(x)*(x").says("`roots` cannot stand in a Lagrangian"));
+    CHECK(any_refused("B*(x", "roots(x)*(x").says("`roots` cannot stand in the Lagrangian"));
     CHECK(any_refused("vx = \"2*m\"", "vx = \"2*vy\"")
               .says("an initial value cannot depend on the variable `vy`"));
     CHECK(any_refused("vx = \"2*m\"\n", "").what == "an initial value is missing: that of `vx`");

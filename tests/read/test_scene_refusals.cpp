@@ -44,12 +44,12 @@ TEST_CASE("variables and the time stand where they may only") {
     CHECK(refused(planet, "1 - ecc", "tau").says("reserved"));
     CHECK(refused(planet, "1 - ecc", "roots(ecc)").what ==
           "`roots` cannot stand in an initial value");
-    CHECK(refused(planet, "mu/sqrt", "bspline(1,0)/sqrt").says("a Hamiltonian"));
+    CHECK(refused(planet, "mu/sqrt", "bspline(1,0)/sqrt").says("the Hamiltonian"));
     CHECK(refused(planet, "[run]", "[exact]\nx = \"y\"\ny = 0\npx = 0\npy = 0\n[run]").what ==
           "an exact solution cannot depend on the variable `y`");
-    CHECK(refused(planet, "\"3/5\"", "\"2*mu\"").what ==
-          "the value of a parameter is a number, and `mu` is none");
-    CHECK(refused(planet, "\"3/5\"", "\"2*mu\"").marked == "2*[mu]");
+    CHECK(refused(planet, "\"3/5\"", "\"2*px\"").what ==
+          "the value of a parameter cannot depend on the variable `px`");
+    CHECK(refused(planet, "\"3/5\"", "\"2*px\"").marked == "2*[px]");
     CHECK(read(edited(planet, "\"3/5\"", "\"e/pi\"")).parameters.size() == 2);
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("values of another type") {
     check("hamiltonian = \"", "hamiltonian = true #",
           "hamiltonian = [true] #(px^2 + py^2)/2 - mu/sqrt(x^2 + y^2)\"");
     check("mu = 1", "mu = true", "mu = [true]");
-    check("mu = 1", "mu = [[1]]", "mu = [[[1]]]");
+    check("mu = 1", "mu = [[true]]", "mu = [[[true]]]");
     check("\"x*py - y*px\"", "[\"x\"]", "angular = [[\"x\"]]");
     check("y = 0", "y = 1979-05-27", "y = [1979-05-27]");
     check("\"gauss:4\"", "4", "method = [4]");

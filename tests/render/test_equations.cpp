@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "generator/read/parse.hpp"
+#include "generator/read/unroll.hpp"
 #include "generator/render/equations.hpp"
 #include "tests/render/output.hpp"
 
@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 Expression expression(const std::string& text) {
-    return parse_indexed_expression(std::make_shared<const Source>(Source{"text", text}));
+    return unrolled(parse_indexed_expression(std::make_shared<const Source>(Source{"text", text})));
 }
 
 StepEquations step(const std::string& H) {

@@ -100,6 +100,8 @@ private:
         case Kind::reciprocal: return reciprocal(expression.arguments[0]);
         case Kind::power: return raised(expression);
         case Kind::call: return call(expression);
+        case Kind::element:
+        case Kind::sum_over: break;
         }
         HVI_CHECK(false && "every kind of expression has a value");
         return {};

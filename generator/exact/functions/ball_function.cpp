@@ -190,6 +190,8 @@ public:
                 .at(expression.name)
                 .value(result.get(), (*this)(arguments[0]).get(), bits_);
             break;
+        case Kind::element:
+        case Kind::sum_over: HVI_CHECK(false && "indices are unrolled");
         }
         return result;
     }

@@ -1,0 +1,13 @@
+// The two sides of mechanics.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+namespace hvi::gen {
+
+/// What a system is given by.
+enum class Side {
+    hamiltonian,  ///< H(q, p)
+    lagrangian,   ///< L(q, v)
+};
+
+}  // namespace hvi::gen

@@ -1,0 +1,109 @@
+// Scenes as they are written: indices are indices, and sums run over them.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "generator/expr/side.hpp"
+#include "generator/read/scene.hpp"
+
+namespace hvi::gen {
+
+/// An expression with its name.
+struct NamedIndexed {
+    std::string name;
+    IndexedExpression expression;
+    Place place;               ///< of its whole text
+    Place place_of_name = {};  ///< of an invariant
+};
+
+/// The texts that declare variables: `["x[1..N]", "y"]` are two.
+struct NameTexts {
+    struct Text {
+        std::vector<Name> names;
+        std::shared_ptr<const Source> source;
+    };
+    std::vector<Text> texts;
+    Place place;  ///< of all
+};
+
+/// Values one by one, in the order of indices of which the last runs fastest: those of a matrix
+/// [[1, 2, 3], [4, 5, 6]] are six, with the extents 2 and 3.
+struct ValueList {
+    std::vector<IndexedExpression> values;
+    std::vector<std::size_t> extents;
+};
+
+/// The value for every index: `"x[i]" = "sin(i)"`.
+struct ValueRule {
+    std::vector<std::string> indices;
+    IndexedExpression value;
+};
+
+/// What a name, or a name with an index, stands for.
+struct IndexedValue {
+    std::string name;  ///< without an index
+    std::variant<IndexedExpression, ValueList, ValueRule> value;
+    Place place;           ///< of the name
+    Place place_of_value;  ///< of all values
+};
+
+/// The values in a section.
+struct ValueTable {
+    std::vector<IndexedValue> values;  ///< in the order of the file
+    Place place;                       ///< of the section
+};
+
+/// Parts of a function that have a name: `r`, or with indices `d[i]`.
+struct Definition {
+    std::string name;
+    std::vector<std::string> indices;
+    IndexedExpression value;
+    Place place;  ///< of the name
+};
+
+/// What [run] asks for.
+struct IndexedRun {
+    std::shared_ptr<const Source> method;
+    std::optional<NamedIndexed> step, until;
+};
+
+/// A scene whose text is well-formed; whether its words have a meaning is not yet looked at. Sums
+/// are sums, and what has indices is one family, of a size that parameters may give.
+struct IndexedScene {
+    std::string name, description;
+    Side side = Side::hamiltonian;  ///< which of the two `function` is
+    NameTexts coordinates;
+    NameTexts conjugates;  ///< momenta, or velocities
+    IndexedExpression function;
+    std::string origin;                    ///< as the command line has it
+    std::vector<IndexedValue> parameters;  ///< no ValueRule among them
+    std::vector<Definition> definitions;
+    std::vector<NamedIndexed> invariants;
+    ValueTable initial;
+    std::optional<ValueTable> exact;
+    IndexedRun run;
+};
+
+/// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
+/// line of the file.
+[[nodiscard]] IndexedScene indexed_scene_from_file(const std::filesystem::path& path);
+
+/// The same for the text of such a file; the source's name is that of the file.
+[[nodiscard]] IndexedScene indexed_scene_from_toml(const Source& file);
+
+/// Gives a parameter another value: `N`, or `m[2]` of a list. Whether there is such a parameter.
+[[nodiscard]] bool assign(IndexedScene& scene, const Parameter& parameter);
+
+/// The scene with all sums written out, names with indices as so many names, definitions put in,
+/// and parameters that are made of others computed. What stands in an index or a range is a number:
+/// no parameter of the result. Throws InputError where a word has no meaning or stands where it may
+/// not, and for more than 64 degrees of freedom, parameters or invariants.
+[[nodiscard]] Scene unrolled(const IndexedScene& scene);
+
+}  // namespace hvi::gen

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/read/put_in.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <set>
+#include <utility>
+
+namespace hvi::gen {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+constexpr std::size_t most_words = 100'000;
+
+/// What stands for a symbol or an element; nothing where it stays.
+using Substitute = std::function<std::optional<Expression>(const Expression&)>;
+
+/// Puts expressions of other texts in places of one.
+class PuttingIn {
+public:
+    PuttingIn(const std::shared_ptr<const Source>& source, Substitute substitute)
+        : source_(source), substitute_(std::move(substitute)) {}
+
+    /// NOTE: made by the functions that the reader uses, so that it is flat as what is read is.
+    [[nodiscard]] Expression operator()(const Expression& expression) {
+        count(expression);
+        Expression result = expression;
+        for (Expression& argument : result.arguments) { argument = (*this)(argument); }
+        if (auto other = substitute_(result)) { return placed(std::move(*other), result.range); }
+        if (result.kind == Kind::sum) { result = Expression::sum(std::move(result.arguments)); }
+        if (result.kind == Kind::product) {
+            result = Expression::product(std::move(result.arguments));
+        }
+        result.range = expression.range;
+        return result;
+    }
+
+private:
+    [[nodiscard]] Expression placed(Expression expression, Range range) {
+        count(expression);
+        for (Expression& argument : expression.arguments) {
+            argument = placed(std::move(argument), range);
+        }
+        expression.range = range;
+        return expression;
+    }
+
+    void count(const Expression& expression) {
+        if (++words_ <= most_words) { return; }
+        throw InputError(
+            fmt::format("with what its names stand for this has more than {} words", most_words),
+            Place{source_, expression.range});
+    }
+
+    const std::shared_ptr<const Source>& source_;
+    Substitute substitute_;
+    std::size_t words_ = 0;
+};
+
+/// With other names for the indices of sums, that no text has: those of a definition are none of
+/// those around the place where it is put in.
+Expression with_own_indices(const Expression& expression, const std::string& mark,
+                            std::set<std::string>& of_sums) {
+    Expression result = expression;
+    const bool is_sum = result.kind == Kind::sum_over;
+    const bool is_own = is_sum || (result.kind == Kind::symbol && of_sums.count(result.name) != 0);
+    const bool is_new = is_sum && of_sums.insert(result.name).second;
+    for (Expression& argument : result.arguments) {
+        argument = with_own_indices(argument, mark, of_sums);
+    }
+    if (is_new) { of_sums.erase(result.name); }
+    if (is_own) { result.name += mark; }
+    return result;
+}
+
+/// The value of a definition for these indices.
+Expression value_at(const Definition& definition, const std::vector<Expression>& indices) {
+    const auto index = [&](const Expression& part) -> std::optional<Expression> {
+        if (part.kind != Kind::symbol) { return {}; }
+        for (std::size_t d = 0; d < indices.size(); ++d) {
+            if (definition.indices[d] == part.name) { return indices[d]; }
+        }
+        return {};
+    };
+    return PuttingIn(definition.value.source, index)(definition.value.written);
+}
+
+}  // namespace
+
+void Definitions::add(const Definition& definition) {
+    Definition own = definition;
+    own.value = put_in(definition.value);
+    std::set<std::string> of_sums;
+    own.value.written = with_own_indices(own.value.written, "'" + definition.name, of_sums);
+    if (!definitions_.emplace(definition.name, std::move(own)).second) {
+        throw InputError(fmt::format("`{}` is defined twice", definition.name), definition.place);
+    }
+}
+
+IndexedExpression Definitions::put_in(const IndexedExpression& expression) const {
+    const auto defined = [&](const Expression& part) -> std::optional<Expression> {
+        if (part.kind != Kind::symbol && part.kind != Kind::element) { return {}; }
+        const auto found = definitions_.find(part.name);
+        if (found == definitions_.end()) { return {}; }
+        const Definition& definition = found->second;
+        const std::size_t wanted = definition.indices.size();
+        if (wanted != part.arguments.size()) {
+            throw InputError(fmt::format("`{}` is defined with {} ind{}, and here it has {}",
+                                         part.name, wanted, wanted == 1 ? "ex" : "ices",
+                                         part.arguments.size()),
+                             Place{expression.source, part.range});
+        }
+        return value_at(definition, part.arguments);
+    };
+    return {PuttingIn(expression.source, defined)(expression.written), expression.source};
+}
+
+namespace {
+
+class Resolution {
+public:
+    explicit Resolution(std::vector<Parameter>& parameters) : parameters_(parameters) {
+        for (std::size_t k = 0; k < parameters.size(); ++k) {
+            numbers_.emplace(parameters[k].name, k);
+        }
+        states_.resize(parameters.size(), State::written);
+    }
+
+    void resolve(std::size_t k) {
+        Parameter& parameter = parameters_[k];
+        if (states_[k] == State::resolved) { return; }
+        if (states_[k] == State::begun) {
+            throw InputError(fmt::format("the value of `{}` depends on itself", parameter.name),
+                             parameter.place);
+        }
+        states_[k] = State::begun;
+        const auto value = [&](const Expression& part) -> std::optional<Expression> {
+            const auto found = numbers_.find(part.name);
+            if (part.kind != Kind::symbol || found == numbers_.end()) { return {}; }
+            resolve(found->second);
+            return parameters_[found->second].value;
+        };
+        parameter.value = PuttingIn(parameter.source, value)(parameter.value);
+        states_[k] = State::resolved;
+    }
+
+private:
+    enum class State { written, begun, resolved };
+
+    std::vector<Parameter>& parameters_;
+    std::map<std::string, std::size_t> numbers_;
+    std::vector<State> states_;
+};
+
+}  // namespace
+
+void resolve(std::vector<Parameter>& parameters) {
+    Resolution resolution(parameters);
+    for (std::size_t k = 0; k < parameters.size(); ++k) { resolution.resolve(k); }
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,32 @@
+// Names for parts of expressions, and what they stand for.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/read/indexed_scene.hpp"
+
+namespace hvi::gen {
+
+/// The definitions of a scene: `r`, or `d[i]` for any index.
+class Definitions {
+public:
+    /// Adds one, with those before it put in. Throws InputError where there is one of that name.
+    void add(const Definition& definition);
+
+    /// The expression with what its names are defined to be in their places; an error in that is
+    /// shown where the name stands. Throws InputError for a definition with another number of
+    /// indices, and for more than 100 000 words.
+    [[nodiscard]] IndexedExpression put_in(const IndexedExpression& expression) const;
+
+private:
+    std::map<std::string, Definition, std::less<>> definitions_;
+};
+
+/// The parameters with the values of others put in. Throws InputError where a value depends on
+/// itself, and for more than 100 000 words. Precondition: what stands in a value is one of them.
+void resolve(std::vector<Parameter>& parameters);
+
+}  // namespace hvi::gen

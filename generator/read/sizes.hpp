@@ -1,0 +1,14 @@
+// Structural parameters: those that indices and ranges are made of.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/read/indexed_scene.hpp"
+#include "generator/read/unroll.hpp"
+
+namespace hvi::gen {
+
+/// The parameters of a scene that stand in an index or in a range, with those that their values are
+/// made of. Throws InputError where one of them is no whole number.
+[[nodiscard]] WholeNumbers sizes(const IndexedScene& scene);
+
+}  // namespace hvi::gen

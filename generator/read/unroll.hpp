@@ -1,0 +1,45 @@
+// Indices put in: sums become terms, and an index a part of a name.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "generator/read/parse.hpp"
+#include "generator/read/vocabulary.hpp"
+
+namespace hvi::gen {
+
+/// Whole numbers by name: structural parameters, and indices.
+using WholeNumbers = std::map<std::string, long, std::less<>>;
+
+/// The expression with its sums written out: `sum(i=1..2, x[i]^2)` is x[1]^2 + x[2]^2, of symbols
+/// with the names `x[1]` and `x[2]`; with several indices they are called `u[1,2]`. Names that are
+/// `known` are numbers. A sum whose bounds depend on a name may have no term, and is 0 then. Throws
+/// InputError where an index is no whole number below a million in size, where a sum without names
+/// in its bounds has no term, and for what has more than 100 000 words.
+[[nodiscard]] Expression unrolled(const IndexedExpression& expression,
+                                  const WholeNumbers& known = {});
+
+/// The value of an index. Throws InputError, with its place in `source`, as unrolled() does.
+[[nodiscard]] long whole_number(const Expression& index,
+                                const std::shared_ptr<const Source>& source,
+                                const WholeNumbers& known = {});
+
+/// Each name with each of its indices, the last one running fastest: `x, y[1..3]` is x, y[1], y[2],
+/// y[3]. Throws InputError as unrolled() does, where a range is empty, and for more than 1000
+/// names.
+[[nodiscard]] NameList unrolled(const std::vector<Name>& names,
+                                const std::shared_ptr<const Source>& source,
+                                const WholeNumbers& known = {});
+
+/// The names in a text such as `x, y[1..3]`. Throws InputError as parse_names() and unrolled() do.
+[[nodiscard]] NameList names_in(const std::shared_ptr<const Source>& source);
+
+/// `x` with the index 3 is `x[3]`, `u` with 1 and 2 is `u[1,2]`, and without an index it is itself.
+[[nodiscard]] std::string indexed_name(std::string_view stem, const std::vector<long>& index);
+
+}  // namespace hvi::gen

@@ -1,0 +1,395 @@
+// From a scene as it is written to one without indices.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "generator/read/indexed_scene.hpp"
+#include "generator/read/names.hpp"
+#include "generator/read/nearest.hpp"
+#include "generator/read/put_in.hpp"
+#include "generator/read/sizes.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::size_t most_invariants = 64;
+constexpr std::size_t most_words_of_scene =
+    300'000;  ///< of all expressions, with their sums expanded
+
+/// What may stand in an expression besides parameters, pi and e.
+struct SceneRules {
+    std::string_view subject;  ///< what messages call it
+    bool variables = false;
+    bool time = false;
+    std::string_view help;  ///< for a symbol that resembles no other
+};
+
+constexpr std::string_view made_of_parameters = "it is made of numbers, parameters, pi and e";
+constexpr SceneRules hamiltonian_rules{"the Hamiltonian", true, true,
+                                       "give it a value: add it to [parameters]"};
+constexpr SceneRules lagrangian_rules{"the Lagrangian", true, true,
+                                      "give it a value: add it to [parameters]"};
+constexpr SceneRules parameter_rules{"the value of a parameter", false, false, made_of_parameters};
+constexpr SceneRules invariant_rules{"an invariant", true, false, "add it to [parameters]"};
+constexpr SceneRules initial_rules{"an initial value", false, false, made_of_parameters};
+constexpr SceneRules exact_rules{"an exact solution", false, true,
+                                 "it is made of numbers, parameters, pi, e and the time `t`"};
+constexpr SceneRules step_rules{"the step size", false, false, made_of_parameters};
+constexpr SceneRules until_rules{"the time at the end", false, false, made_of_parameters};
+
+/// The index of the k-th value of a list: 1, 2, ..., or of a matrix 1,1, 1,2, ...
+Index index_of_value(const ValueList& list, std::size_t k) {
+    Index index(list.extents.size());
+    for (std::size_t d = index.size(); d-- > 0; k /= list.extents[d]) {
+        index[d] = static_cast<long>(k % list.extents[d]) + 1;
+    }
+    return index;
+}
+
+/// How many values each component of the indices has.
+std::vector<std::size_t> extents(const std::vector<Index>& indices) {
+    std::vector<std::size_t> result;
+    for (std::size_t d = 0; d < indices.front().size(); ++d) {
+        std::set<long> values;
+        for (const Index& index : indices) { values.insert(index[d]); }
+        result.push_back(values.size());
+    }
+    return result;
+}
+
+[[noreturn]] void refuse_count(const IndexedValue& value, std::size_t wanted, std::size_t given) {
+    throw InputError(fmt::format("`{}` has {} {}, and here {} {} value{}", value.name, wanted,
+                                 wanted == 1 ? "index" : "indices", given == 1 ? "is" : "are",
+                                 given, given == 1 ? "" : "s"),
+                     value.place_of_value, "write the values for all indices as a list");
+}
+
+class SceneUnrolling {
+public:
+    explicit SceneUnrolling(const IndexedScene& written)
+        : written_(written), sizes_(sizes(written)) {}
+
+    [[nodiscard]] Scene operator()();
+
+private:
+    [[nodiscard]] NameList names(const NameTexts& written) const;
+    void declare_variables(const NameList& coordinates, const NameList& conjugates);
+    void define();
+    void set_mechanics(Scene& scene);
+
+    [[nodiscard]] NamedExpression expression(std::string name, const IndexedExpression& written,
+                                             const SceneRules& rules,
+                                             const WholeNumbers& indices = {});
+    void check_words(const Expression& expression, const std::shared_ptr<const Source>& source,
+                     const SceneRules& rules);
+
+    [[nodiscard]] std::vector<Parameter> parameters();
+    void add_parameter(std::vector<Parameter>& list, const IndexedValue& value, std::string name,
+                       const IndexedExpression& written);
+    [[nodiscard]] std::vector<NamedExpression> invariants();
+
+    using Values = std::map<std::string, NamedExpression>;
+    [[nodiscard]] std::vector<NamedExpression> values(const ValueTable& table,
+                                                      const SceneRules& rules);
+    void add_values(Values& found, const IndexedValue& value, const SceneRules& rules);
+    void add_list(Values& found, const IndexedValue& value, const ValueList& list,
+                  const std::vector<Index>& indices, const SceneRules& rules);
+    void add_rule(Values& found, const IndexedValue& value, const ValueRule& rule,
+                  const std::vector<Index>& indices, const SceneRules& rules);
+    [[noreturn]] void refuse_variable(const std::string& name, const Place& place) const;
+    [[nodiscard]] RunWishes run();
+
+    const IndexedScene& written_;
+    WholeNumbers sizes_;
+    Definitions definitions_;
+    std::vector<std::string> variables_;
+    Vocabulary words_;  ///< variables, then parameters too
+    std::size_t word_count_ = 0;
+};
+
+NameList SceneUnrolling::names(const NameTexts& written) const {
+    NameList all{{}, written.place};
+    for (const NameTexts::Text& text : written.texts) {
+        NameList some = unrolled(text.names, text.source, sizes_);
+        all.names.insert(all.names.end(), some.names.begin(), some.names.end());
+        if (all.names.size() > most_degrees_of_freedom) { break; }  // which is refused
+    }
+    return all;
+}
+
+void SceneUnrolling::declare_variables(const NameList& coordinates, const NameList& conjugates) {
+    const bool has_velocities = written_.side == Side::lagrangian;
+    words_ = declared_variables(coordinates, conjugates,
+                                has_velocities ? words_of_velocities : words_of_momenta);
+    variables_ = texts(coordinates);
+    for (const std::string& name : texts(conjugates)) { variables_.push_back(name); }
+}
+
+/// The definitions, each with those above it put in.
+void SceneUnrolling::define() {
+    for (const Definition& definition : written_.definitions) {
+        if (!words_.indices(definition.name).empty()) {
+            throw InputError(
+                fmt::format("`{}` is a variable or a parameter already", definition.name),
+                definition.place);
+        }
+        definitions_.add(definition);
+    }
+}
+
+NamedExpression SceneUnrolling::expression(std::string name, const IndexedExpression& written,
+                                           const SceneRules& rules, const WholeNumbers& indices) {
+    WholeNumbers known = indices;
+    known.insert(sizes_.begin(), sizes_.end());
+    Expression read = unrolled(definitions_.put_in(written), known);
+    check_words(read, written.source, rules);
+    return {std::move(name), std::move(read), whole(written.source)};
+}
+
+void SceneUnrolling::check_words(const Expression& expression,
+                                 const std::shared_ptr<const Source>& source,
+                                 const SceneRules& rules) {
+    check_functions(expression, source, rules.subject);
+    const auto check = [&](const std::string& symbol, const Place& place) {
+        if (is_constant(symbol) || (symbol == "t" && rules.time)) { return; }
+        if (symbol == "t") {
+            throw InputError(fmt::format("{} cannot depend on the time `t`", rules.subject), place);
+        }
+        check_symbol_name(symbol, place);
+        words_.check(symbol, place, std::string(rules.help));
+        if (!rules.variables && !words_.is("a parameter", without_index(symbol))) {
+            throw InputError(
+                fmt::format("{} cannot depend on the variable `{}`", rules.subject, symbol), place,
+                std::string(rules.help));
+        }
+    };
+    walk(expression, [&](const Expression& part) {
+        if (part.kind == Expression::Kind::symbol) { check(part.name, {source, part.range}); }
+        ++word_count_;
+        return true;
+    });
+    if (word_count_ > most_words_of_scene) {
+        throw InputError(fmt::format("the expressions of the scene have more than {} words",
+                                     most_words_of_scene),
+                         whole(source));
+    }
+}
+
+// ---- parameters ----
+
+void SceneUnrolling::add_parameter(std::vector<Parameter>& list, const IndexedValue& value,
+                                   std::string name, const IndexedExpression& written) {
+    words_.declare({name, value.place}, "a parameter");
+    if (list.size() == most_parameters) {
+        throw InputError(fmt::format("there are more than {} parameters", most_parameters),
+                         value.place);
+    }
+    list.push_back({std::move(name), unrolled(written, sizes_), value.place, written.source});
+}
+
+/// Those that are no sizes.
+std::vector<Parameter> SceneUnrolling::parameters() {
+    std::vector<Parameter> list;
+    for (const IndexedValue& value : written_.parameters) {
+        if (sizes_.count(value.name) != 0) { continue; }
+        if (const auto* one = std::get_if<IndexedExpression>(&value.value)) {
+            add_parameter(list, value, value.name, *one);
+        } else {
+            const auto& several = std::get<ValueList>(value.value);
+            for (std::size_t k = 0; k < several.values.size(); ++k) {
+                add_parameter(list, value, indexed_name(value.name, index_of_value(several, k)),
+                              several.values[k]);
+            }
+        }
+    }
+    for (const Parameter& parameter : list) {
+        check_words(parameter.value, parameter.source, parameter_rules);
+    }
+    resolve(list);
+    return list;
+}
+
+// ---- H, or L ----
+
+void SceneUnrolling::set_mechanics(Scene& scene) {
+    const NameList coordinates = names(written_.coordinates);
+    const NameList conjugates = names(written_.conjugates);
+    declare_variables(coordinates, conjugates);
+    scene.parameters = parameters();
+    define();
+    const std::shared_ptr<const Source>& source = written_.function.source;
+    const bool is_lagrangian = written_.side == Side::lagrangian;
+    Expression function =
+        expression("", written_.function, is_lagrangian ? lagrangian_rules : hamiltonian_rules)
+            .expression;
+    if (is_lagrangian) {
+        scene.mechanics = lagrangian_of(std::move(function), source, coordinates, conjugates);
+    } else {
+        scene.mechanics = hamiltonian_of(std::move(function), source, coordinates, conjugates);
+    }
+    function_of(scene).origin = written_.origin;
+}
+
+std::vector<NamedExpression> SceneUnrolling::invariants() {
+    std::vector<NamedExpression> list;
+    Vocabulary names = words_;
+    for (const NamedIndexed& invariant : written_.invariants) {
+        const Place& place = invariant.place_of_name;
+        check_parameter_name(invariant.name, place, "an invariant");
+        names.declare({invariant.name, place}, "an invariant");
+        if (list.size() == most_invariants) {
+            throw InputError(fmt::format("there are more than {} invariants", most_invariants),
+                             place);
+        }
+        list.push_back(expression(invariant.name, invariant.expression, invariant_rules));
+    }
+    return list;
+}
+
+// ---- initial values, and exact ones ----
+
+[[noreturn]] void SceneUnrolling::refuse_variable(const std::string& name,
+                                                  const Place& place) const {
+    const std::string stem(without_index(name));
+    if (words_.contains(name) && name != stem) {
+        throw InputError(fmt::format("the value of `{}` stands among those of `{}`", name, stem),
+                         place, fmt::format("write {} = [...], with all values", stem));
+    }
+    std::vector<std::string_view> names;
+    for (const std::string& variable : variables_) {
+        if (names.empty() || names.back() != without_index(variable)) {
+            names.push_back(without_index(variable));
+        }
+    }
+    throw InputError(
+        fmt::format("`{}` is no variable", name), place,
+        did_you_mean(name, names, fmt::format("the variables are {}", fmt::join(names, ", "))));
+}
+
+void SceneUnrolling::add_list(Values& found, const IndexedValue& value, const ValueList& list,
+                              const std::vector<Index>& indices, const SceneRules& rules) {
+    const std::size_t given = list.values.size();
+    if (given != indices.size()) { refuse_count(value, indices.size(), given); }
+    if (list.extents.size() > 1 && list.extents != extents(indices)) {
+        throw InputError(fmt::format("the indices of `{}` run over {} values, and these over {}",
+                                     value.name, fmt::join(extents(indices), " times "),
+                                     fmt::join(list.extents, " times ")),
+                         value.place_of_value);
+    }
+    for (std::size_t k = 0; k < given; ++k) {
+        const std::string name = indexed_name(value.name, indices[k]);
+        found.emplace(name, expression(name, list.values[k], rules));
+    }
+}
+
+void SceneUnrolling::add_rule(Values& found, const IndexedValue& value, const ValueRule& rule,
+                              const std::vector<Index>& indices, const SceneRules& rules) {
+    const std::size_t dimension = indices.front().size();
+    if (rule.indices.size() != dimension) {
+        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", value.name, dimension,
+                                     dimension == 1 ? "ex" : "ices", rule.indices.size()),
+                         value.place);
+    }
+    for (const Index& index : indices) {
+        WholeNumbers known;
+        for (std::size_t d = 0; d < dimension; ++d) { known[rule.indices[d]] = index[d]; }
+        const std::string name = indexed_name(value.name, index);
+        found.emplace(name, expression(name, rule.value, rules, known));
+    }
+}
+
+/// The value of a variable, or those of x[1], x[2], ... by ascending index.
+void SceneUnrolling::add_values(Values& found, const IndexedValue& value, const SceneRules& rules) {
+    const std::vector<Index> indices = words_.indices(value.name);
+    if (indices.empty() || words_.is("a parameter", value.name)) {
+        refuse_variable(value.name, value.place);
+    }
+    if (found.count(indexed_name(value.name, indices.front())) != 0) {
+        throw InputError(fmt::format("`{}` is given values twice", value.name), value.place);
+    }
+    const bool has_index = !indices.front().empty();
+    if (const auto* rule = std::get_if<ValueRule>(&value.value)) {
+        add_rule(found, value, *rule, indices, rules);
+    } else if (const auto* one = std::get_if<IndexedExpression>(&value.value)) {
+        if (has_index) { refuse_count(value, indices.size(), 1); }
+        found.emplace(value.name, expression(value.name, *one, rules));
+    } else if (has_index) {
+        add_list(found, value, std::get<ValueList>(value.value), indices, rules);
+    } else {
+        throw InputError("a text or a number is wanted here", value.place_of_value,
+                         "write for example \"1/2\"");
+    }
+}
+
+/// One for each variable: those of the coordinates, then of the others.
+std::vector<NamedExpression> SceneUnrolling::values(const ValueTable& table,
+                                                    const SceneRules& rules) {
+    Values found;
+    for (const IndexedValue& value : table.values) { add_values(found, value, rules); }
+    std::vector<NamedExpression> list;
+    for (const std::string& name : variables_) {
+        const auto position = found.find(name);
+        if (position == found.end()) {
+            throw InputError(fmt::format("{} is missing: that of `{}`", rules.subject, name),
+                             table.place,
+                             fmt::format("each of {} has one", fmt::join(variables_, ", ")));
+        }
+        list.push_back(std::move(position->second));
+    }
+    return list;
+}
+
+RunWishes SceneUnrolling::run() {
+    const IndexedRun& written = written_.run;
+    RunWishes wishes;
+    wishes.method = written.method;
+    if (written.step) { wishes.step = expression("step", written.step->expression, step_rules); }
+    if (written.until) {
+        wishes.until = expression("until", written.until->expression, until_rules);
+    }
+    return wishes;
+}
+
+Scene SceneUnrolling::operator()() {
+    Scene scene;
+    scene.name = written_.name;
+    scene.description = written_.description;
+    scene.sizes = sizes_;
+    set_mechanics(scene);
+    scene.invariants = invariants();
+    scene.initial = values(written_.initial, initial_rules);
+    if (written_.exact) { scene.exact = values(*written_.exact, exact_rules); }
+    scene.run = run();
+    return scene;
+}
+
+}  // namespace
+
+Scene unrolled(const IndexedScene& scene) { return SceneUnrolling(scene)(); }
+
+bool assign(IndexedScene& scene, const Parameter& parameter) {
+    const std::string stem(without_index(parameter.name));
+    for (IndexedValue& value : scene.parameters) {
+        if (value.name != stem) { continue; }
+        const IndexedExpression given{parameter.value, parameter.source};
+        if (auto* one = std::get_if<IndexedExpression>(&value.value)) {
+            if (parameter.name != stem) { return false; }
+            *one = given;
+            return true;
+        }
+        auto& list = std::get<ValueList>(value.value);
+        for (std::size_t k = 0; k < list.values.size(); ++k) {
+            if (indexed_name(stem, index_of_value(list, k)) != parameter.name) { continue; }
+            list.values[k] = given;
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace hvi::gen

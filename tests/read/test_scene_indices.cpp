@@ -1,0 +1,192 @@
+// Scenes whose names have indices, of sizes that parameters give, and whose parts have names.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <catch2/catch.hpp>
+
+#include "generator/read/indexed_scene.hpp"
+#include "tests/read/scenes.hpp"
+
+using namespace hvi::gen;
+
+namespace {
+
+/// A ring of N springs.
+const std::string ring = R"toml(coordinates = "q[1..N]"
+momenta = "p[1..N]"
+hamiltonian = "sum(i=1..N, p[i]^2/2 + k*(q[mod(i,N)+1]-q[i])^2/2)"
+[parameters]
+N = 3
+k = "w^2"
+w = "N/6"
+[invariants]
+momentum = "sum(i=1..N, p[i])"
+[initial]
+"q[i]" = "sin(2*pi*i/N)"
+"p[j]" = 0
+[run]
+step = "1/(10*N)"
+)toml";
+
+/// A field on a lattice, with a matrix.
+const std::string lattice = R"toml(coordinates = "u[1..2,0..1]"
+momenta = "v[1..2,0..1]"
+hamiltonian = "sum(i=1..2, j=0..1, v[i,j]^2/2 + K[i,j+1]*u[i,j]^2)"
+[parameters]
+K = [[1, 2], [3, "1/2"]]
+[initial]
+u = [[1, 2], [3, 4]]
+v = [0, 0, 0, "K[2,1]"]
+)toml";
+
+/// A planet whose distance has a name.
+const std::string named = R"toml(coordinates = ["x[1..2]", "y[1..2]"]
+momenta = ["px[1..2]", "py[1..2]"]
+hamiltonian = "sum(i=1..2, px[i]^2+py[i]^2)/2 - mu/r[1] - mu/r[2] - U"
+[parameters]
+mu = 1
+[definitions]
+s[k] = 0
+[initial]
+x = [1, 2]
+y = [0, 0]
+px = [0, 0]
+py = [1, 1]
+)toml";
+
+std::string text_of_H(const std::string& scene) {
+    return to_text(hamiltonian_of(read(scene)).expression);
+}
+
+}  // namespace
+
+TEST_CASE("a parameter gives the size of a scene") {
+    const Scene scene = read(ring);
+    CHECK(variables(scene) == Names{"q[1]", "q[2]", "q[3]", "p[1]", "p[2]", "p[3]"});
+    CHECK(text_of_H(ring) == "p[1]^2/2+k*(q[2]-q[1])^2/2+p[2]^2/2+k*(q[3]-q[2])^2/2+p[3]^2/2+"
+                             "k*(q[1]-q[3])^2/2");
+    CHECK(names(scene.parameters) == Names{"k", "w"});
+    CHECK(scene.sizes == WholeNumbers{{"N", 3}});
+    CHECK(lines(scene.invariants) == Names{"momentum = p[1]+p[2]+p[3]"});
+    CHECK(lines(scene.initial)[1] == "q[2] = sin(2*pi*2/3)");
+    CHECK(lines(scene.initial)[5] == "p[3] = 0");
+    CHECK(to_text(scene.run.step->expression) == "1/(10*3)");
+}
+
+TEST_CASE("a parameter may be made of others, which may stand below it") {
+    const Scene scene = read(ring);
+    CHECK(to_text(scene.parameters[0].value) == "(3/6)^2");
+    CHECK(to_text(scene.parameters[1].value) == "3/6");
+    const Refusal circle = refused(ring, "w = \"N/6\"", "w = \"k\"");
+    CHECK(circle.what == "the value of `k` depends on itself");
+    CHECK(circle.status == 2);
+    CHECK(refused(ring, "N/6", "M/6").says("`M` is neither"));
+    CHECK(refused(ring, "N/6", "q[1]").says("cannot depend on the variable `q[1]`"));
+    std::string doubled = "a0 = 2\n";
+    for (int k = 1; k < 40; ++k) {
+        const std::string before = "a" + std::to_string(k - 1);
+        doubled += "a" + std::to_string(k) + " = \"" + before + "*" + before + "\"\n";
+    }
+    CHECK(refused(ring, "k = ", doubled + "k = ").says("more than 100000 words"));
+}
+
+TEST_CASE("a size that is given takes the place of that in the file") {
+    IndexedScene scene = indexed_scene_from_toml({"s.toml", ring});
+    const auto set = [&](const std::string& text) {
+        return assign(scene, parse_parameter(source(text, "--param")));
+    };
+    CHECK(set("N=1"));
+    CHECK(set("w=7"));
+    CHECK_FALSE(set("M=2"));
+    CHECK_FALSE(set("N[1]=2"));
+    const Scene one = unrolled(scene);
+    CHECK(to_text(hamiltonian_of(one).expression) == "p[1]^2/2+k*(q[1]-q[1])^2/2");
+    CHECK(to_text(one.parameters[0].value) == "7^2");
+    CHECK(set("N=1/2"));
+    const Refusal half = refusal([&] { return unrolled(scene); });
+    CHECK(half.what == "a whole number is wanted here");
+    CHECK(half.name == "--param");
+    CHECK(half.marked == "N=[1/2]");
+    IndexedScene matrix = indexed_scene_from_toml({"s.toml", lattice});
+    CHECK(assign(matrix, parse_parameter(source("K[2,1]=9"))));
+    CHECK_FALSE(assign(matrix, parse_parameter(source("K[3,1]=9"))));
+    CHECK(to_text(unrolled(matrix).parameters[2].value) == "9");
+}
+
+TEST_CASE("a size that is no whole number is refused where its value stands") {
+    const Refusal half = refused(ring, "N = 3", "N = \"7/2\"");
+    CHECK(half.name == "s.toml:5");
+    CHECK(half.marked == "[7/2]");
+    CHECK(half.what == "a whole number is wanted here");
+    CHECK(refused(ring, "N = 3", "N = 0").says("there is no such index"));
+    CHECK(refused(ring, "N = 3", "N = 65").says("more than 64 degrees of freedom"));
+    CHECK(refused(ring, "N = 3", "N = 2000").says("more than 1000 names"));
+    CHECK(refused(ring, "N = 3", "M = 3").marked == "q[1..[N]]");
+    CHECK(refused(ring, "N = 3", "N = [3]").marked == "q[1..[N]]");
+}
+
+TEST_CASE("names with two indices have values as a matrix, as a list, or by a rule") {
+    const Scene scene = read(lattice);
+    CHECK(hamiltonian_of(scene).coordinates == Names{"u[1,0]", "u[1,1]", "u[2,0]", "u[2,1]"});
+    CHECK(names(scene.parameters) == Names{"K[1,1]", "K[1,2]", "K[2,1]", "K[2,2]"});
+    CHECK(lines(scene.initial) == Names{"u[1,0] = 1", "u[1,1] = 2", "u[2,0] = 3", "u[2,1] = 4",
+                                        "v[1,0] = 0", "v[1,1] = 0", "v[2,0] = 0",
+                                        "v[2,1] = K[2,1]"});
+    const Scene rule = read(edited(lattice, "u = [[1, 2], [3, 4]]", "\"u[a,b]\" = \"10*a + b\""));
+    CHECK(lines(rule.initial)[3] == "u[2,1] = 10*2+1");
+}
+
+TEST_CASE("what is wrong with a matrix is said where it is") {
+    const auto says = [](const std::string& other) {
+        const Refusal error = refused(lattice, "[[1, 2], [3, 4]]", other);
+        return error.marked.substr(4) + ": " + error.what;
+    };
+    CHECK(says("[[1, 2], [3]]") == "[[1, 2], [[3]]]: this row has 1 value, and the first one 2");
+    CHECK(says("[[1, 2], 3]") == "[[1, 2], [3]]: a row is wanted here, as the first one is");
+    CHECK(says("[[1, 2, 3, 4]]") ==
+          "[[[1, 2, 3, 4]]]: the indices of `u` run over 2 times 2 values, and these over 1 times "
+          "4");
+    CHECK(says("[1, 2, 3]") == "[[1, 2, 3]]: `u` has 4 indices, and here are 3 values");
+    CHECK(says("[[1, 2], []]") == "[[1, 2], [[]]]: this row has 0 values, and the first one 2");
+    CHECK(refused(lattice, "K[i,j+1]", "K[i,j]").what == "there is no `K[1,0]`");
+    CHECK(refused(lattice, "K[i,j+1]", "K[i]").what == "there is no `K[1]`");
+    CHECK(refused(lattice, "u = [[", "\"u[a]\" = [[").says("a text or a number is wanted"));
+    CHECK(refused(lattice, "u = [[1, 2], [3, 4]]", "\"u[a]\" = 1").what ==
+          "`u` has 2 indices, and here it has 1");
+    CHECK(refused(lattice, "v = [", "u = [").status == 2);
+    CHECK(refused(lattice, "v = [0, 0, 0, \"K[2,1]\"]", "\"u[a,b]\" = 1").what ==
+          "`u` is given values twice");
+    CHECK(refused(lattice, "u[1..2,0..1]\"", "u[1..2,0..1], u[7]\"").what ==
+          "`u` is named with 2 and with 1 indices");
+}
+
+TEST_CASE("parts of H have names") {
+    const auto with = [](const std::string& definitions) {
+        return edited(named, "s[k] = 0", definitions);
+    };
+    const std::string r = "\"r[k]\" = \"sqrt(x[k]^2 + y[k]^2)\"\n";
+    const std::string expected =
+        "(px[1]^2+py[1]^2+px[2]^2+py[2]^2)/2-mu/sqrt(x[1]^2+y[1]^2)-mu/sqrt(x[2]^2+y[2]^2)-";
+    CHECK(text_of_H(with(r + "U = \"x[1]*y[2]\"")) == expected + "x[1]*y[2]");
+    CHECK(text_of_H(with(r + "U = \"1/r[2]\"")) == expected + "1/sqrt(x[2]^2+y[2]^2)");
+    // The index of the sum in U is not that which r is called with.
+    CHECK(text_of_H(with("\"r[k]\" = \"sum(i=1..2, x[i])*y[k]\"\nU = \"sum(i=1..2, r[i])\"")) ==
+          "(px[1]^2+py[1]^2+px[2]^2+py[2]^2)/2-mu/((x[1]+x[2])*y[1])-mu/((x[1]+x[2])*y[2])-"
+          "((x[1]+x[2])*y[1]+(x[1]+x[2])*y[2])");
+    const auto says = [&](const std::string& definitions) {
+        return refused(with(definitions)).what;
+    };
+    CHECK(says(r) == "`U` is neither a variable nor a parameter with a value");
+    CHECK(says(r + "U = \"mu + V\"").find("`V` is neither") == 0);
+    CHECK(says(r + "U = \"U\"").find("`U` is neither") == 0);
+    CHECK(says(r + "U = 1\nmu = 2") == "`mu` is a variable or a parameter already");
+    CHECK(says(r + "U = 1\nx = 2") == "`x` is a variable or a parameter already");
+    CHECK(says("r = 1\nU = 1") == "`r` is defined with 0 indices, and here it has 1");
+    CHECK(says(r + "U = \"r\"") == "`r` is defined with 1 index, and here it has 0");
+    CHECK(says(r + "sin = 1").find("`sin` is reserved") == 0);
+    CHECK(refused(with(r + "U = \"mu +\"")).says("the text ends"));
+    std::string doubled = "U0 = \"x[1]\"\n";
+    for (int k = 1; k < 40; ++k) {
+        const std::string before = "U" + std::to_string(k - 1);
+        doubled += "U" + std::to_string(k) + " = \"" + before + "*" + before + "\"\n";
+    }
+    CHECK(says(r + doubled + "U = \"U39\"").find("more than 100000 words") != std::string::npos);
+}
