@@ -20,9 +20,9 @@ Method read_method(const MethodOptions& options) {
     return method_from_text(options.basis, options.nodes, options.weights);
 }
 
-/// Without the values of parameters.
-Hamiltonian read_hamiltonian(const SystemOptions& options) {
-    return hamiltonian_from_text(options.hamiltonian, options.coordinates, options.momenta);
+/// With the values of sizes alone.
+Hamiltonian read_hamiltonian(const SystemOptions& options, const std::vector<Parameter>& values) {
+    return hamiltonian_from_text(options.hamiltonian, options.coordinates, options.momenta, values);
 }
 
 /// What each `--param` says.
@@ -58,7 +58,7 @@ MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& s
     Method method = read_method(options);
     std::vector<Parameter> parameters = parameters_in(options.parameters);
     if (!system.scene) {
-        Hamiltonian hamiltonian = read_hamiltonian(system);
+        Hamiltonian hamiltonian = read_hamiltonian(system, parameters);
         check_together(method, hamiltonian);
         for (Parameter& parameter : parameters)
             set_parameter(method, hamiltonian, std::move(parameter));
@@ -111,8 +111,8 @@ bool has_parameter(const Method& method, const std::string& name) {
 
 MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system) {
     std::vector<Parameter> parameters = parameters_in(options.parameters);
-    Scene scene =
-        system.scene ? find_scene(system.scene, parameters) : scene_of(read_hamiltonian(system));
+    Scene scene = system.scene ? find_scene(system.scene, parameters)
+                               : scene_of(read_hamiltonian(system, parameters));
     Method method = method_for(options, scene);
     check_together(method, scene);
     std::string defaults;

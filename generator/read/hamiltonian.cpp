@@ -12,8 +12,8 @@
 #include "generator/expr/functions.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
+#include "generator/read/sizes.hpp"
 #include "generator/read/token.hpp"
-#include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
 
@@ -164,24 +164,30 @@ Hamiltonian hamiltonian_of(Expression expression, std::shared_ptr<const Source> 
 
 Hamiltonian hamiltonian_from_text(std::shared_ptr<const Source> expression,
                                   const std::shared_ptr<const Source>& coordinates,
-                                  const std::shared_ptr<const Source>& momenta) {
+                                  const std::shared_ptr<const Source>& momenta,
+                                  const std::vector<Parameter>& values) {
     HVI_CHECK((coordinates == nullptr) == (momenta == nullptr));
+    const IndexedExpression written = parse_indexed_expression(std::move(expression));
+    std::string origin = fmt::format("--hamiltonian \"{}\"", to_text(written.written));
     Hamiltonian H;
     if (coordinates != nullptr) {
-        H = hamiltonian_of(unrolled(parse_indexed_expression(expression)), expression,
-                           names_in(coordinates), names_in(momenta));
+        const NameTexts of_q = name_texts(coordinates), of_p = name_texts(momenta);
+        WholeNumbers known = sizes(written, {of_q, of_p}, values);
+        H = hamiltonian_of(unrolled(written, known), written.source, unrolled(of_q, known),
+                           unrolled(of_p, known));
+        H.sizes = std::move(known);
+        origin += fmt::format(" --coordinates \"{}\" --momenta \"{}\"",
+                              fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
     } else {
-        H.source = std::move(expression);
-        H.expression = unrolled(parse_indexed_expression(H.source));
+        H.source = written.source;
+        H.sizes = sizes(written, {}, values);
+        H.expression = unrolled(written, H.sizes);
         find_variables(H);
         const Vocabulary found =
             declared_variables(placed(H.coordinates, H.source), placed(H.momenta, H.source));
         check_words_of(H.expression, H.source, found, "a Hamiltonian");
     }
-    H.origin = fmt::format("--hamiltonian \"{}\"", to_text(H.expression));
-    if (coordinates != nullptr)
-        H.origin += fmt::format(" --coordinates \"{}\" --momenta \"{}\"",
-                                fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));
+    H.origin = std::move(origin);
     return H;
 }
 
@@ -234,7 +240,8 @@ void check_together(const Method& method, const std::vector<std::string>& variab
 void set_parameter(Method& method, Hamiltonian& hamiltonian, Parameter parameter) {
     const bool in_hamiltonian = contains(parameter_names(hamiltonian), parameter.name);
     const bool in_method = contains(parameter_names(method), parameter.name);
-    if (!in_hamiltonian && !in_method) {
+    const bool is_size = hamiltonian.sizes.count(parameter.name) != 0;
+    if (!in_hamiltonian && !in_method && !is_size) {
         std::vector<std::string> names = parameter_names(hamiltonian);
         for (const std::string& name : parameter_names(method)) names.push_back(name);
         refuse_parameter(parameter, variables(hamiltonian), "the Hamiltonian", names);

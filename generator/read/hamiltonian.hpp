@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/read/method.hpp"
-#include "generator/read/vocabulary.hpp"
+#include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
 
@@ -24,6 +24,7 @@ struct MechanicalFunction {
         source;  ///< its text: the ranges in `expression` are ranges there
     std::vector<std::string> coordinates;
     std::vector<Parameter> parameters;  ///< each a symbol of it that is no variable, no name twice
+    WholeNumbers sizes;                 ///< structural parameters: numbers in all that stands here
     std::string origin;  ///< as the command line has it, without parameters; one line of ASCII
 
     [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }
@@ -35,12 +36,14 @@ struct Hamiltonian : MechanicalFunction {
 };
 
 /// The Hamiltonian of `--hamiltonian`, `--coordinates` and `--momenta`. Without the last two its
-/// variables are q and p, or the pairs q1 and p1, q2 and p2, ... of which one at least occurs.
-/// Throws InputError. Precondition: both lists of names are given, or none.
+/// variables are q and p, or the pairs q1 and p1, q2 and p2, ... of which one at least occurs. What
+/// stands in indices and ranges has its value among `values`. Throws InputError. Precondition: both
+/// lists of names are given, or none.
 [[nodiscard]] Hamiltonian
 hamiltonian_from_text(std::shared_ptr<const Source> expression,
                       const std::shared_ptr<const Source>& coordinates = nullptr,
-                      const std::shared_ptr<const Source>& momenta = nullptr);
+                      const std::shared_ptr<const Source>& momenta = nullptr,
+                      const std::vector<Parameter>& values = {});
 
 /// The same of an expression that stands in `source`, and of variables whose names stand anywhere;
 /// `origin` is left empty.
@@ -96,7 +99,8 @@ void check_together(const Method& method, const std::vector<std::string>& variab
                     std::string_view owner);
 
 /// Gives a value to a symbol wherever it occurs, in place of one that it has. Throws InputError
-/// when it is a variable, and when neither the method nor H has it.
+/// when it is a variable, and when neither the method nor H has it. NOTE: a size has had its value
+/// since H was read.
 void set_parameter(Method& method, Hamiltonian& hamiltonian, Parameter parameter);
 
 /// Throws InputError for a parameter that is none of `names`; `owner` is what messages call what

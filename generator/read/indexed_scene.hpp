@@ -22,16 +22,6 @@ struct NamedIndexed {
     Place place_of_name = {};  ///< of an invariant
 };
 
-/// The texts that declare variables: `["x[1..N]", "y"]` are two.
-struct NameTexts {
-    struct Text {
-        std::vector<Name> names;
-        std::shared_ptr<const Source> source;
-    };
-    std::vector<Text> texts;
-    Place place;  ///< of all
-};
-
 /// Values one by one, in the order of indices of which the last runs fastest: those of a matrix
 /// [[1, 2, 3], [4, 5, 6]] are six, with the extents 2 and 3.
 struct ValueList {

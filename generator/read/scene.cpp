@@ -109,7 +109,7 @@ std::vector<SceneEntry> scenes() {
 
 NamedExpression expression_of_parameters(const Scene& scene, std::string name,
                                          std::shared_ptr<const Source> text) {
-    Expression read = unrolled(parse_indexed_expression(text), scene.sizes);
+    Expression read = unrolled(parse_indexed_expression(text), function_of(scene).sizes);
     check_functions(read, text, "this");
     const std::vector<std::string> names = parameter_names(scene);
     walk(read, [&](const Expression& part) {
@@ -135,7 +135,7 @@ void set_parameter(Method& method, Scene& scene, Parameter parameter) {
     const std::vector<std::string> of_method = parameter_names(method);
     const bool in_scene = contains(names, parameter.name);
     const bool in_method = contains(of_method, parameter.name);
-    if (!in_scene && !in_method && scene.sizes.count(parameter.name) == 0) {
+    if (!in_scene && !in_method && function_of(scene).sizes.count(parameter.name) == 0) {
         names.insert(names.end(), of_method.begin(), of_method.end());
         refuse_parameter(parameter, variables(scene), name_of_function(scene), names);
     }

@@ -12,7 +12,6 @@
 
 #include "generator/read/hamiltonian.hpp"
 #include "generator/read/lagrangian.hpp"
-#include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
 
@@ -39,10 +38,9 @@ struct Scene {
     std::string description;  ///< the key `description`: one line; or empty
     std::variant<Hamiltonian, Lagrangian> mechanics;  ///< no parameter of it has a value yet
     std::vector<Parameter> parameters;                ///< all, in the order of the file
-    WholeNumbers sizes;  ///< structural parameters: numbers in all that stands here
-    std::vector<NamedExpression> invariants;  ///< in the order of the file
-    std::vector<NamedExpression> initial;     ///< of the coordinates, then of the other variables
-    std::vector<NamedExpression> exact;       ///< the same, as functions of t; or empty
+    std::vector<NamedExpression> invariants;          ///< in the order of the file
+    std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
+    std::vector<NamedExpression> exact;    ///< the same, as functions of t; or empty
     RunWishes run;
     std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
 };

@@ -87,29 +87,29 @@ NameSet structural_names(const IndexedScene& scene) {
 /// Finds the values of some parameters, and of those that they are made of.
 class Sizes {
 public:
-    explicit Sizes(const IndexedScene& scene) {
-        for (const IndexedValue& parameter : scene.parameters) {
-            const auto* value = std::get_if<IndexedExpression>(&parameter.value);
-            if (value != nullptr) { values_.emplace(parameter.name, value); }
-        }
+    using Values = std::map<std::string, IndexedExpression>;
+
+    explicit Sizes(Values values) : values_(std::move(values)) {}
+
+    [[nodiscard]] WholeNumbers of(const NameSet& names) && {
+        for (const std::string& name : names) { find(name); }
+        return std::move(known_);
     }
 
+private:
     /// NOTE: what is no parameter, or is made of itself, stays unknown, and is refused where it
     /// stands.
     void find(const std::string& name) {
         const auto position = values_.find(name);
         if (position == values_.end() || !begun_.insert(name).second) { return; }
-        const IndexedExpression& value = *position->second;
+        const IndexedExpression& value = position->second;
         NameSet others;
         insert_symbols(value.written, {}, others);
         for (const std::string& other : others) { find(other); }
         known_[name] = whole_number(value.written, value.source, known_);
     }
 
-    [[nodiscard]] WholeNumbers known() && { return std::move(known_); }
-
-private:
-    std::map<std::string, const IndexedExpression*> values_;
+    Values values_;
     NameSet begun_;
     WholeNumbers known_;
 };
@@ -117,9 +117,24 @@ private:
 }  // namespace
 
 WholeNumbers sizes(const IndexedScene& scene) {
-    Sizes result(scene);
-    for (const std::string& name : structural_names(scene)) { result.find(name); }
-    return std::move(result).known();
+    Sizes::Values values;
+    for (const IndexedValue& parameter : scene.parameters) {
+        const auto* value = std::get_if<IndexedExpression>(&parameter.value);
+        if (value != nullptr) { values.emplace(parameter.name, *value); }
+    }
+    return Sizes(std::move(values)).of(structural_names(scene));
+}
+
+WholeNumbers sizes(const IndexedExpression& expression, const std::vector<NameTexts>& names,
+                   const std::vector<Parameter>& values) {
+    NameSet structural;
+    insert_structural(expression.written, {}, structural);
+    for (const NameTexts& texts : names) { insert_structural(texts, structural); }
+    Sizes::Values known;
+    for (const Parameter& value : values) {
+        known.emplace(value.name, IndexedExpression{value.value, value.source});
+    }
+    return Sizes(std::move(known)).of(structural);
 }
 
 }  // namespace hvi::gen

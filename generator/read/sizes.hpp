@@ -11,4 +11,9 @@ namespace hvi::gen {
 /// made of. Throws InputError where one of them is no whole number.
 [[nodiscard]] WholeNumbers sizes(const IndexedScene& scene);
 
+/// The same of an expression and of names, of which `values` are parameters.
+[[nodiscard]] WholeNumbers sizes(const IndexedExpression& expression,
+                                 const std::vector<NameTexts>& names,
+                                 const std::vector<Parameter>& values);
+
 }  // namespace hvi::gen

@@ -127,7 +127,7 @@ private:
     }
 
     [[nodiscard]] Expression element(const Expression& written) {
-        std::vector<long> index;
+        Index index;
         for (const Expression& each : written.arguments) {
             index.push_back(whole_number(each, source_, known_));
         }
@@ -171,7 +171,7 @@ struct Interval {
 };
 
 /// Calls `visit` with each index, the last component running fastest.
-void for_each_index(const std::vector<Interval>& intervals, std::vector<long>& index,
+void for_each_index(const std::vector<Interval>& intervals, Index& index,
                     const std::function<void()>& visit) {
     if (index.size() == intervals.size()) {
         visit();
@@ -202,37 +202,46 @@ long whole_number(const Expression& index, const std::shared_ptr<const Source>& 
     return *value;
 }
 
-NameList unrolled(const std::vector<Name>& names, const std::shared_ptr<const Source>& source,
-                  const WholeNumbers& known) {
-    NameList list{{}, whole(source)};
-    for (const Name& name : names) {
-        const Place place{source, name.range};
-        std::vector<Interval> intervals;
-        std::size_t count = 1;
-        for (const IndexBounds& bounds : name.bounds) {
-            const long first = whole_number(bounds.first, source, known);
-            const long last = whole_number(bounds.last, source, known);
-            if (first > last) { throw InputError("there is no such index", place); }
-            intervals.push_back({first, last});
-            count *= static_cast<std::size_t>(last - first + 1);
-            if (count > most_names) { break; }
-        }
-        if (count > most_names - list.names.size()) {
-            throw InputError(fmt::format("there are more than {} names", most_names), place);
-        }
-        std::vector<long> index;
-        for_each_index(intervals, index, [&] {
-            list.names.push_back({indexed_name(name.stem, index), place});
-        });
+namespace {
+
+/// Of one name; throws where there are more than `most`.
+void append(std::vector<DeclaredName>& list, const Name& name,
+            const std::shared_ptr<const Source>& source, const WholeNumbers& known) {
+    const Place place{source, name.range};
+    const std::size_t left = most_names - list.size();
+    std::vector<Interval> intervals;
+    std::size_t count = 1;
+    for (const IndexBounds& bounds : name.bounds) {
+        const long first = whole_number(bounds.first, source, known);
+        const long last = whole_number(bounds.last, source, known);
+        if (first > last) { throw InputError("there is no such index", place); }
+        intervals.push_back({first, last});
+        if (count <= left) { count *= static_cast<std::size_t>(last - first + 1); }
+    }
+    if (count > left) {
+        throw InputError(fmt::format("there are more than {} names", most_names), place);
+    }
+    Index index;
+    for_each_index(intervals, index, [&] {
+        list.push_back({indexed_name(name.stem, index), place});
+    });
+}
+
+}  // namespace
+
+NameList unrolled(const NameTexts& names, const WholeNumbers& known) {
+    NameList list{{}, names.place};
+    for (const NameTexts::Text& text : names.texts) {
+        for (const Name& name : text.names) { append(list.names, name, text.source, known); }
     }
     return list;
 }
 
-NameList names_in(const std::shared_ptr<const Source>& source) {
-    return unrolled(parse_names(source), source);
+NameTexts name_texts(const std::shared_ptr<const Source>& source) {
+    return {{{parse_names(source), source}}, whole(source)};
 }
 
-std::string indexed_name(std::string_view stem, const std::vector<long>& index) {
+std::string indexed_name(std::string_view stem, const Index& index) {
     return index.empty() ? std::string(stem) : fmt::format("{}[{}]", stem, fmt::join(index, ","));
 }
 

@@ -29,17 +29,25 @@ using WholeNumbers = std::map<std::string, long, std::less<>>;
                                 const std::shared_ptr<const Source>& source,
                                 const WholeNumbers& known = {});
 
+/// The texts that declare variables: `["x[1..N]", "y"]` are two.
+struct NameTexts {
+    struct Text {
+        std::vector<Name> names;
+        std::shared_ptr<const Source> source;
+    };
+    std::vector<Text> texts;
+    Place place;  ///< of all
+};
+
+/// Those of one text, such as `x, y[1..N]`. Throws InputError as parse_names() does.
+[[nodiscard]] NameTexts name_texts(const std::shared_ptr<const Source>& source);
+
 /// Each name with each of its indices, the last one running fastest: `x, y[1..3]` is x, y[1], y[2],
 /// y[3]. Throws InputError as unrolled() does, where a range is empty, and for more than 1000
 /// names.
-[[nodiscard]] NameList unrolled(const std::vector<Name>& names,
-                                const std::shared_ptr<const Source>& source,
-                                const WholeNumbers& known = {});
-
-/// The names in a text such as `x, y[1..3]`. Throws InputError as parse_names() and unrolled() do.
-[[nodiscard]] NameList names_in(const std::shared_ptr<const Source>& source);
+[[nodiscard]] NameList unrolled(const NameTexts& names, const WholeNumbers& known = {});
 
 /// `x` with the index 3 is `x[3]`, `u` with 1 and 2 is `u[1,2]`, and without an index it is itself.
-[[nodiscard]] std::string indexed_name(std::string_view stem, const std::vector<long>& index);
+[[nodiscard]] std::string indexed_name(std::string_view stem, const Index& index);
 
 }  // namespace hvi::gen

@@ -77,7 +77,6 @@ public:
     [[nodiscard]] Scene operator()();
 
 private:
-    [[nodiscard]] NameList names(const NameTexts& written) const;
     void declare_variables(const NameList& coordinates, const NameList& conjugates);
     void define();
     void set_mechanics(Scene& scene);
@@ -111,16 +110,6 @@ private:
     Vocabulary words_;  ///< variables, then parameters too
     std::size_t word_count_ = 0;
 };
-
-NameList SceneUnrolling::names(const NameTexts& written) const {
-    NameList all{{}, written.place};
-    for (const NameTexts::Text& text : written.texts) {
-        NameList some = unrolled(text.names, text.source, sizes_);
-        all.names.insert(all.names.end(), some.names.begin(), some.names.end());
-        if (all.names.size() > most_degrees_of_freedom) { break; }  // which is refused
-    }
-    return all;
-}
 
 void SceneUnrolling::declare_variables(const NameList& coordinates, const NameList& conjugates) {
     const bool has_velocities = written_.side == Side::lagrangian;
@@ -217,8 +206,8 @@ std::vector<Parameter> SceneUnrolling::parameters() {
 // ---- H, or L ----
 
 void SceneUnrolling::set_mechanics(Scene& scene) {
-    const NameList coordinates = names(written_.coordinates);
-    const NameList conjugates = names(written_.conjugates);
+    const NameList coordinates = unrolled(written_.coordinates, sizes_);
+    const NameList conjugates = unrolled(written_.conjugates, sizes_);
     declare_variables(coordinates, conjugates);
     scene.parameters = parameters();
     define();
@@ -233,6 +222,7 @@ void SceneUnrolling::set_mechanics(Scene& scene) {
         scene.mechanics = hamiltonian_of(std::move(function), source, coordinates, conjugates);
     }
     function_of(scene).origin = written_.origin;
+    function_of(scene).sizes = sizes_;
 }
 
 std::vector<NamedExpression> SceneUnrolling::invariants() {
@@ -359,7 +349,6 @@ Scene SceneUnrolling::operator()() {
     Scene scene;
     scene.name = written_.name;
     scene.description = written_.description;
-    scene.sizes = sizes_;
     set_mechanics(scene);
     scene.invariants = invariants();
     scene.initial = values(written_.initial, initial_rules);

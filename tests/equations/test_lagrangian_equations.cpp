@@ -14,8 +14,9 @@ namespace {
 Lagrangian lagrangian(const std::string& text, const std::string& coordinates,
                       const std::string& velocities) {
     const auto of = source(text);
-    return lagrangian_of(unrolled(parse_indexed_expression(of)), of, names_in(source(coordinates)),
-                         names_in(source(velocities)));
+    return lagrangian_of(unrolled(parse_indexed_expression(of)), of,
+                         unrolled(name_texts(source(coordinates))),
+                         unrolled(name_texts(source(velocities))));
 }
 
 std::vector<std::string> lines(const LagrangianEquations& step) {

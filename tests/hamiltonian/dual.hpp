@@ -81,6 +81,8 @@ inline Dual evaluate(const Expression& expression, const Point& point) {
     }
     case What::power: return power(argument(0), argument(1));
     case What::call: return call(expression.name, argument(0));
+    case What::element:
+    case What::sum_over: break;  // of texts with indices alone
     }
     return {std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::quiet_NaN()};
 }

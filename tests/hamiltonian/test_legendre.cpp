@@ -15,8 +15,9 @@ namespace {
 Lagrangian lagrangian(const std::string& text, const std::string& coordinates = "q",
                       const std::string& velocities = "v") {
     const auto of = source(text);
-    return lagrangian_of(unrolled(parse_indexed_expression(of)), of, names_in(source(coordinates)),
-                         names_in(source(velocities)));
+    return lagrangian_of(unrolled(parse_indexed_expression(of)), of,
+                         unrolled(name_texts(source(coordinates))),
+                         unrolled(name_texts(source(velocities))));
 }
 
 Hamiltonian of_momenta(const std::string& text, const std::string& coordinates = "q",

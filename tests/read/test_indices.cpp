@@ -17,8 +17,7 @@ std::string expanded(const std::string& text, const WholeNumbers& known = {}) {
 }
 
 NameList read_names(const std::string& text, const WholeNumbers& known = {}) {
-    const auto names = source(text);
-    return unrolled(parse_names(names), names, known);
+    return unrolled(name_texts(source(text)), known);
 }
 
 std::vector<std::string> names(const std::string& text, const WholeNumbers& known = {}) {

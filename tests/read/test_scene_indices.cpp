@@ -64,7 +64,7 @@ TEST_CASE("a parameter gives the size of a scene") {
     CHECK(text_of_H(ring) == "p[1]^2/2+k*(q[2]-q[1])^2/2+p[2]^2/2+k*(q[3]-q[2])^2/2+p[3]^2/2+"
                              "k*(q[1]-q[3])^2/2");
     CHECK(names(scene.parameters) == Names{"k", "w"});
-    CHECK(scene.sizes == WholeNumbers{{"N", 3}});
+    CHECK(function_of(scene).sizes == WholeNumbers{{"N", 3}});
     CHECK(lines(scene.invariants) == Names{"momentum = p[1]+p[2]+p[3]"});
     CHECK(lines(scene.initial)[1] == "q[2] = sin(2*pi*2/3)");
     CHECK(lines(scene.initial)[5] == "p[3] = 0");
@@ -189,4 +189,22 @@ TEST_CASE("parts of H have names") {
         doubled += "U" + std::to_string(k) + " = \"" + before + "*" + before + "\"\n";
     }
     CHECK(says(r + doubled + "U = \"U39\"").find("more than 100000 words") != std::string::npos);
+}
+
+TEST_CASE("a size may be given beside a Hamiltonian of the command line") {
+    const std::vector<Parameter> values{parse_parameter(source("N=3"))};
+    const auto H = [&](const std::string& text) {
+        return hamiltonian_from_text(source(text), source("q[1..N]"), source("p[1..N]"), values);
+    };
+    const Hamiltonian chain = H("sum(i=1..N, p[i]^2)/(2*N) + q[1]*q[N]");
+    CHECK(to_text(chain.expression) == "(p[1]^2+p[2]^2+p[3]^2)/(2*3)+q[1]*q[3]");
+    CHECK(chain.coordinates == Names{"q[1]", "q[2]", "q[3]"});
+    CHECK(chain.sizes == WholeNumbers{{"N", 3}});
+    CHECK(chain.origin == "--hamiltonian \"sum(i=1..N,p[i]^2)/(2*N)+q[1]*q[N]\" --coordinates "
+                          "\"q[1], q[2], q[3]\" --momenta \"p[1], p[2], p[3]\"");
+    CHECK(refusal([&] {
+              return hamiltonian_from_text(source("q[1]"), source("q[1..N]"), source("p[1..N]"));
+          }).marked == "q[1..[N]]");
+    CHECK(H("q[1] + q[2] + q[3] + p[1]*w").sizes == WholeNumbers{{"N", 3}});
+    CHECK(hamiltonian_from_text(source("p^2 + q^2*N"), nullptr, nullptr, values).sizes.empty());
 }
