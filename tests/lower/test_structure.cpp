@@ -54,8 +54,8 @@ TEST_CASE("quadratic and degenerate Hamiltonians") {
 TEST_CASE("quadratic in a disguise that exact arithmetic sees through") {
     const System quotient = analysed("p^2/2+(q^4-1)/(q^2-1)");
     CHECK(quotient.structure.is_quadratic);
-    CHECK_FALSE(varies(quotient.graph.at(quotient.structure.qq[0][0].node).roles));
-    CHECK(value(quotient.graph, quotient.structure.qq[0][0], {}) == 2);
+    CHECK_FALSE(varies(quotient.graph.at(quotient.hessian.qq[0][0].node).roles));
+    CHECK(value(quotient.graph, quotient.hessian.qq[0][0], {}) == 2);
     CHECK(analysed("exp(q)*exp(-q)*p^2").structure.is_quadratic);
     CHECK(analysed("sin(2*q)-2*sin(q)*cos(q)+p^2").structure.is_quadratic);
     CHECK(analysed("(p^2+q^2)*sqrt(k)^2").structure.is_quadratic);
@@ -106,7 +106,7 @@ TEST_CASE("the inverse mass times the momenta, without what is linear in T") {
     const Values at{{"m", 4}, {"pa", 5}, {"pb", 7}, {"a", 0}, {"b", 0}};
     CHECK(value(coupled.graph, coupled.structure.inverse_mass[0], at) == 2.0L * 5 / 4 + 7);
     CHECK(value(coupled.graph, coupled.structure.inverse_mass[1], at) == 5);
-    CHECK(value(coupled.graph, coupled.dHdp[1], at) == 5 + 3);
+    CHECK(value(coupled.graph, coupled.by_conjugates[1], at) == 5 + 3);
 }
 
 TEST_CASE("what sin^2 + cos^2 and cosh^2 - sinh^2 hide") {
