@@ -21,9 +21,9 @@ struct Hessian {
     HessianBlock conjugates;  ///< by p, or by v
 };
 
-/// What the second derivatives tell. What is true here is proved: a graph computes by exact
-/// algebra, and what it does not see to be constant may be proved so in a field; see
-/// constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p.
+/// What the derivatives of H tell; of an L nothing is looked for. What is true here is proved: a
+/// graph computes by exact algebra, and what it does not see to be constant may be proved so in a
+/// field; see constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p.
 struct Structure {
     bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
     bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix d2H/dp2
@@ -35,7 +35,6 @@ struct Structure {
     std::vector<Scaled> by_q, by_p;     ///< then the first derivatives at q = p = 0
     bool is_linear_in_p = false;        ///< d2H/dp2 is zero, and not all else
     bool is_linear_in_q = false;
-    std::vector<std::size_t> cyclic;  ///< the q_i that do not occur, so that p_i stays
 };
 
 /// Whether H has terms that are linear in q or p. Precondition: has_linear_map.
@@ -76,11 +75,13 @@ struct System {
     Scaled energy;                            ///< H, or v dL/dv - L
     std::vector<Scaled> by_q, by_conjugates;  ///< the first derivatives
     Hessian hessian;
-    Structure structure;
+    Structure structure;                  ///< of H
     std::vector<SystemValue> initial;     ///< of coordinates, then of conjugates; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
 
     [[nodiscard]] std::size_t degrees_of_freedom() const { return q.size(); }
+    /// The q_i that do not occur in the function, so that p_i stays.
+    [[nodiscard]] std::vector<std::size_t> cyclic_coordinates() const;
     /// `p` or `v` as the scene names them.
     [[nodiscard]] const std::vector<std::string>& conjugate_names() const {
         return side == Side::hamiltonian ? momenta : velocities;

@@ -24,6 +24,11 @@ bool is_zero(const Matrix& matrix) {
     return holds_for_all(matrix, [](const Scaled& entry) { return entry.is_zero(); });
 }
 
+bool is_constant(const Graph& graph, const Matrix& matrix) {
+    return holds_for_all(matrix,
+                         [&](const Scaled& entry) { return !varies(graph.at(entry.node).roles); });
+}
+
 /// Whether all entries are constant; then they are nodes that do not vary.
 bool settle(Graph& graph, Matrix& matrix) {
     Matrix settled = matrix;
@@ -82,32 +87,38 @@ void set_direction(Structure& found, System& system) {
 
 }  // namespace
 
+Hessian hessian(System& system) {
+    Hessian second;
+    Graph& graph = system.graph;
+    for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {
+        second.qq.push_back(gradient(graph, system.by_q[i], system.q));
+        second.mixed.push_back(gradient(graph, system.by_q[i], system.conjugates));
+        second.conjugates.push_back(gradient(graph, system.by_conjugates[i], system.conjugates));
+    }
+    // NOTE: where one block is not constant, what the others are is of no use.
+    static_cast<void>(settle(graph, second.conjugates) && settle(graph, second.mixed) &&
+                      settle(graph, second.qq));
+    return second;
+}
+
 Structure structure(System& system) {
     Structure found;
-    Hessian& hessian = system.hessian;
-    for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {
-        hessian.qq.push_back(gradient(system.graph, system.by_q[i], system.q));
-        hessian.mixed.push_back(gradient(system.graph, system.by_q[i], system.conjugates));
-        hessian.conjugates.push_back(
-            gradient(system.graph, system.by_conjugates[i], system.conjugates));
-        if (system.by_q[i].is_zero()) { found.cyclic.push_back(i); }
-    }
     const Graph& graph = system.graph;
+    const auto& [qq, mixed, pp] = system.hessian;
     found.is_separable = !depends_on(graph, system.by_q, Role::conjugate) &&
                          !depends_on(graph, system.by_conjugates, Role::coordinate) &&
                          !depends_on(graph, system.by_conjugates, Role::time);
-    const bool kinetic_is_constant = settle(system.graph, hessian.conjugates);
-    found.kinetic_is_quadratic = found.is_separable && kinetic_is_constant;
+    found.kinetic_is_quadratic = found.is_separable && is_constant(graph, pp);
     if (found.kinetic_is_quadratic) {
-        found.inverse_mass = product(system, hessian.conjugates);
+        found.inverse_mass = product(system, pp);
         set_direction(found, system);
     }
-    found.is_quadratic = kinetic_is_constant && settle(system.graph, hessian.mixed) &&
-                         settle(system.graph, hessian.qq);
+    found.is_quadratic =
+        is_constant(graph, pp) && is_constant(graph, mixed) && is_constant(graph, qq);
     found.has_linear_map = found.is_quadratic && !system.time;
     if (found.has_linear_map) { set_linear_part(found, system); }
-    found.is_linear_in_p = is_zero(hessian.conjugates);
-    found.is_linear_in_q = is_zero(hessian.qq);
+    found.is_linear_in_p = is_zero(pp);
+    found.is_linear_in_q = is_zero(qq);
     return found;
 }
 

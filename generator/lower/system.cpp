@@ -75,7 +75,9 @@ NamedSystem named_system(const Function& function, const std::vector<std::string
     }
     system.function = lower(system.graph, function.expression, result.symbols, function.source);
     add_gradient(system);
-    system.structure = structure(system);
+    system.hessian = hessian(system);
+    // NOTE: no step for an L takes anything of that.
+    if (system.side == Side::hamiltonian) { system.structure = structure(system); }
     system.energy = energy(system);
     return result;
 }

@@ -98,12 +98,12 @@ std::vector<std::string> facts(const System& system) {
     const Structure& found = system.structure;
     const char f = system.function_letter();
     std::vector<std::string> result{kind_of(system)};
-    const bool has_parts = system.side == Side::hamiltonian && found.is_separable;
-    if (found.is_quadratic && has_parts) { result.emplace_back("H = T(p) + U(q)"); }
+    if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
     if (system.time) { result.push_back(fmt::format("{} depends on the time", f)); }
-    if (!found.cyclic.empty()) {
+    const std::vector<std::size_t> cyclic = system.cyclic_coordinates();
+    if (!cyclic.empty()) {
         result.push_back(fmt::format("{} does not depend on {}: the momenta are constant", f,
-                                     names(system, found.cyclic)));
+                                     names(system, cyclic)));
     }
     const Entries second = entries(system.graph, system.hessian);
     result.push_back(fmt::format("{} of {} second derivatives are not zero, {} constant",

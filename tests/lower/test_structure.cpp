@@ -95,9 +95,29 @@ TEST_CASE("both gradients at once, where that is likely to cost less") {
 }
 
 TEST_CASE("what H does not depend on") {
-    CHECK(analysed("p^2/2").structure.cyclic == std::vector<std::size_t>{0});
-    CHECK(analysed("p^2/2+q-q").structure.cyclic == std::vector<std::size_t>{0});
-    CHECK(analysed("p^2/2+q").structure.cyclic.empty());
+    CHECK(analysed("p^2/2").cyclic_coordinates() == std::vector<std::size_t>{0});
+    CHECK(analysed("p^2/2+q-q").cyclic_coordinates() == std::vector<std::size_t>{0});
+    CHECK(analysed("p^2/2+q").cyclic_coordinates().empty());
+}
+
+TEST_CASE("of an L there are second derivatives, and no parts are looked for") {
+    // L = v^2/2 + w^2/2 - x^2/2: d2L/dv2 = 1, d2L/dx2 = -1, and p_w is constant.
+    const System system = system_of(scene_from_toml(Source{"l.toml", R"toml(
+lagrangian = "v^2/2+w^2/2-x^2/2"
+coordinates = ["x", "y"]
+velocities = ["v", "w"]
+[initial]
+x = 1
+y = 0
+v = 0
+w = 1
+)toml"}));
+    CHECK_FALSE(system.structure.is_separable);
+    CHECK_FALSE(system.structure.has_linear_map);
+    CHECK(system.structure.direction.empty());
+    CHECK(value(system.graph, system.hessian.conjugates[0][0], {}) == 1);
+    CHECK(value(system.graph, system.hessian.qq[0][0], {}) == -1);
+    CHECK(system.cyclic_coordinates() == std::vector<std::size_t>{1});
 }
 
 TEST_CASE("the inverse mass times the momenta, without what is linear in T") {
