@@ -45,19 +45,19 @@ private:
     std::string obstacle_;
 };
 
-/// S of the blocks qq, qp and pp, by its lower triangle.
-NumberMatrix matrix(const Structure& found, Coefficients& coefficients) {
-    const std::size_t n = found.qq.size();
+/// S of the blocks, by its lower triangle.
+NumberMatrix matrix(const Hessian& hessian, Coefficients& coefficients) {
+    const std::size_t n = hessian.qq.size();
     NumberMatrix S(2 * n, NumberVector(2 * n));
     const auto set = [&](std::size_t i, std::size_t j, const Scaled& entry) {
         S[i][j] = S[j][i] = coefficients.number(entry);
     };
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
-            set(i, j, found.qq[i][j]);
-            set(n + i, n + j, found.pp[i][j]);
+            set(i, j, hessian.qq[i][j]);
+            set(n + i, n + j, hessian.conjugates[i][j]);
         }
-        for (std::size_t j = 0; j < n; ++j) set(i, n + j, found.qp[i][j]);
+        for (std::size_t j = 0; j < n; ++j) set(i, n + j, hessian.mixed[i][j]);
     }
     return S;
 }
@@ -69,11 +69,11 @@ QuadraticProof quadratic_form(const Hamiltonian& hamiltonian, const Ground& grou
     System system = system_of(hamiltonian, parameter_names(hamiltonian));
     const Structure& found = system.structure;
     if (!found.has_linear_map) return {};
-    const auto constant = at_origin(system.graph, system.hamiltonian);
+    const auto constant = at_origin(system.graph, system.function);
     if (!constant) return {std::nullopt, "H has no value for q = p = 0 as it is written"};
     Coefficients coefficients(system.graph, ground);
     QuadraticForm form;
-    form.S = matrix(found, coefficients);
+    form.S = matrix(system.hessian, coefficients);
     for (const auto* slopes : {&found.by_q, &found.by_p})
         for (const Scaled& slope : *slopes) form.g.push_back(coefficients.number(slope));
     form.constant = coefficients.number(*constant);

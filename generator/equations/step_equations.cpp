@@ -94,7 +94,7 @@ void check_determined(const Hamiltonian& hamiltonian) {
     const System system = system_of(hamiltonian, parameter_names(hamiltonian));
     const std::size_t n = hamiltonian.degrees_of_freedom();
     const auto rank = system.structure.kinetic_is_quadratic ? kinetic_rank(system) : std::nullopt;
-    if (!is_degenerate(system.structure) && rank.value_or(n) == n) return;
+    if (!is_degenerate(system.hessian) && rank.value_or(n) == n) return;
     throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
                     "d2H/dp2 is regular, and its rank is " +
                         (rank ? std::to_string(*rank) + " of " + std::to_string(n)

@@ -184,8 +184,8 @@ struct RoundedGalerkinForm {
 /// W and P of the next step from those of this one, for unchanged h: W_j = sum_k W_jk W_k, and
 /// P_i = sum_k P_ik P_k.
 struct CurveExtrapolation {
-    NumberMatrix W;  ///< functions x functions
-    NumberMatrix P;  ///< nodes x nodes
+    NumberMatrix W;                 ///< functions x functions
+    std::optional<NumberMatrix> P;  ///< nodes x nodes; none for an L, where no P is solved for
 };
 
 /// The general Galerkin form (4.6) for any H, or (4.14) for an L, where the W_j alone are solved

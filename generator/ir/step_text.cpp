@@ -170,17 +170,18 @@ std::string lines(const VelocityStep& form) {
            (form.modes ? lines(*form.modes) : "") + lines(form.iteration);
 }
 
+std::string lines(const CurveExtrapolation& from) {
+    return lines("N_W", from.W) + (from.P ? lines("N_P", *from.P) : "");
+}
+
 std::string lines(const GalerkinStep& form) {
     const bool is_lagrangian = form.side == Side::lagrangian;
-    std::string result = std::string("form: curves") + (is_lagrangian ? " of L\n" : "\n") +
-                         line("b", form.form.b) + lines("phi", form.form.phi) +
-                         lines("A", form.form.A) + line("B", form.form.B) +
-                         line("G", form.form.gram) + lines("X", form.rounded.X) +
-                         lines("A", form.rounded.A) + lines("D", form.rounded.D) +
-                         lines("B", {form.rounded.B}) + lines(form.iteration);
-    if (form.extrapolation) {
-        result += lines("N_W", form.extrapolation->W) + lines("N_P", form.extrapolation->P);
-    }
+    std::string result =
+        std::string("form: curves") + (is_lagrangian ? " of L\n" : "\n") + line("b", form.form.b) +
+        lines("phi", form.form.phi) + lines("A", form.form.A) + line("B", form.form.B) +
+        line("G", form.form.gram) + lines("X", form.rounded.X) + lines("A", form.rounded.A) +
+        lines("D", form.rounded.D) + lines("B", {form.rounded.B}) + lines(form.iteration);
+    if (form.extrapolation) { result += lines(*form.extrapolation); }
     return form.steps.empty() ? result : result + line("steps", form.steps);
 }
 

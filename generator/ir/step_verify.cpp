@@ -183,7 +183,9 @@ void verify_form(const Step& step, const GalerkinStep& form) {
     HVI_CHECK(form.side == Side::hamiltonian || step.slopes == Slopes::joint);
     HVI_CHECK(!form.iteration.extrapolation);
     if (!form.extrapolation) { return; }
-    HVI_CHECK(is_table(form.extrapolation->W, s, s) && is_table(form.extrapolation->P, r, r));
+    const std::optional<NumberMatrix>& P = form.extrapolation->P;
+    HVI_CHECK(is_table(form.extrapolation->W, s, s));
+    HVI_CHECK(P.has_value() == (form.side == Side::hamiltonian) && (!P || is_table(*P, r, r)));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A Hamiltonian system: what a scene says, as one graph, and what is found in it.
+// A Hamiltonian or Lagrangian system: what a scene says, as one graph, and what is found in it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,34 +11,37 @@
 
 namespace hvi::gen {
 
-/// A block of the Hessian of H; a zero entry is proved to be one.
+/// A block of a Hessian; a zero entry is proved to be one.
 using HessianBlock = std::vector<std::vector<Scaled>>;
 
-/// The second derivatives of H and what they tell. What is true here is proved: a graph computes by
-/// exact algebra, and what it does not see to be constant may be proved so in a field; see
-/// constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p.
-struct Structure {
-    HessianBlock qq, qp,
-        pp;  ///< qp[i][j] is the derivative by q_i and p_j; all in the system's graph
+/// The second derivatives of H, or of L, all in the system's graph.
+struct Hessian {
+    HessianBlock qq;
+    HessianBlock mixed;       ///< [i][j] by q_i and the conjugate of q_j
+    HessianBlock conjugates;  ///< by p, or by v
+};
 
+/// What the derivatives of H tell; of an L nothing is looked for. What is true here is proved: a
+/// graph computes by exact algebra, and what it does not see to be constant may be proved so in a
+/// field; see constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p.
+struct Structure {
     bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
-    bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix pp
+    bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix d2H/dp2
     std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
     std::vector<Node> direction;        ///< then inputs v_k of their own,
-    std::vector<Scaled> qq_along;       ///< and qq v
+    std::vector<Scaled> qq_along;       ///< and d2H/dq2 v
     bool is_quadratic = false;          ///< all second derivatives are constant
     bool has_linear_map = false;        ///< and H has no t: all steps are one linear map
     std::vector<Scaled> by_q, by_p;     ///< then the first derivatives at q = p = 0
-    bool is_linear_in_p = false;        ///< pp is zero, and not all else
+    bool is_linear_in_p = false;        ///< d2H/dp2 is zero, and not all else
     bool is_linear_in_q = false;
-    std::vector<std::size_t> cyclic;  ///< the q_i that do not occur, so that p_i stays
 };
 
 /// Whether H has terms that are linear in q or p. Precondition: has_linear_map.
 [[nodiscard]] bool has_linear_part(const Structure& quadratic);
 
-/// Whether H does not depend on some momentum, or not more than linearly: a row of pp is zero.
-[[nodiscard]] bool is_degenerate(const Structure& structure);
+/// Whether H does not depend on some momentum, or not more than linearly: a row of d2H/dp2 is zero.
+[[nodiscard]] bool is_degenerate(const Hessian& hessian);
 
 /// A parameter that stays one: its value is a default.
 struct SystemParameter {
@@ -54,39 +57,42 @@ struct SystemValue {
     Scaled value;
 };
 
-/// H(q, p), its variables, the right sides of Hamilton's equations up to the sign, and what else a
-/// scene has. What they have in common is one node. On the Lagrangian side there are L in place of
-/// H and velocities in place of momenta throughout, and the momenta are names alone.
+/// H(q, p) or L(q, v), its variables, its derivatives, and what else a scene has. What they have in
+/// common is one node. The conjugates are the momenta, or on the Lagrangian side the velocities;
+/// there the momenta are names alone.
 struct System {
     std::string name, description;  ///< of the scene; may be empty
     Side side = Side::hamiltonian;
-    Expression expression;  ///< of H, as it was written
+    Expression expression;  ///< of the function, as it was written
     std::vector<std::string> coordinates, momenta;
-    std::vector<std::string> velocities;  ///< on the Lagrangian side
+    std::vector<std::string> velocities;      ///< on the Lagrangian side
     std::vector<SystemParameter> parameters;  ///< in the order of the scene
 
     Graph graph;
-    std::vector<Node> q, p;    ///< inputs, in the order of their names
-    std::optional<Node> time;  ///< the input t, where H depends on it
-    Scaled hamiltonian;
-    Scaled energy;  ///< H, or v dL/dv - L
-    std::vector<Scaled> dHdq, dHdp;
-    Structure structure;
-    std::vector<SystemValue> initial;     ///< of coordinates, then of momenta; or empty
+    std::vector<Node> q, conjugates;          ///< inputs, in the order of their names
+    std::optional<Node> time;                 ///< the input t, where the function depends on it
+    Scaled function;                          ///< H or L
+    Scaled energy;                            ///< H, or v dL/dv - L
+    std::vector<Scaled> by_q, by_conjugates;  ///< the first derivatives
+    Hessian hessian;
+    Structure structure;                  ///< of H
+    std::vector<SystemValue> initial;     ///< of coordinates, then of conjugates; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
 
     [[nodiscard]] std::size_t degrees_of_freedom() const { return q.size(); }
-    /// The names of p.
-    [[nodiscard]] const std::vector<std::string>& conjugates() const {
+    /// The q_i that do not occur in the function, so that p_i stays.
+    [[nodiscard]] std::vector<std::size_t> cyclic_coordinates() const;
+    /// `p` or `v` as the scene names them.
+    [[nodiscard]] const std::vector<std::string>& conjugate_names() const {
         return side == Side::hamiltonian ? momenta : velocities;
     }
-    /// `H` or `L`, and what its second variable is called, `p` or `v`.
+    /// `H` or `L`, and what its conjugates are called, `p` or `v`.
     [[nodiscard]] char function_letter() const { return side == Side::hamiltonian ? 'H' : 'L'; }
     [[nodiscard]] char conjugate_letter() const { return side == Side::hamiltonian ? 'p' : 'v'; }
 };
 
 /// Stable text, for people and tests: what each node computes, `#7: product #3 #4`, and which nodes
-/// are H, its derivatives, the initial data and the invariants.
+/// are the function, its derivatives, the initial data and the invariants.
 [[nodiscard]] std::string dump(const System& system);
 
 /// Stops the program (HVI_CHECK) where the record contradicts itself: a node that needs a later one

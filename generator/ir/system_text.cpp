@@ -50,7 +50,7 @@ std::string names(const std::vector<std::string>& all) {
     return result;
 }
 
-/// Entries that are not zero; `second` is d2H.
+/// Entries that are not zero; `second` is d2H or d2L.
 std::string lines(const std::string& second, const HessianBlock& block,
                   const std::vector<std::string>& rows, const std::vector<std::string>& columns) {
     std::string result;
@@ -82,17 +82,17 @@ std::string found(const System& system) {
 std::string derivatives(const System& system) {
     const std::string f(1, system.function_letter());
     const std::vector<std::string>& q = system.coordinates;
-    const std::vector<std::string>& p = system.conjugates();
-    std::string result = line(f, text(system.hamiltonian));
+    const std::vector<std::string>& y = system.conjugate_names();
+    std::string result = line(f, text(system.function));
     for (std::size_t i = 0; i < q.size(); ++i) {
-        result += line("d" + f + "/d" + q[i], text(system.dHdq[i]));
+        result += line("d" + f + "/d" + q[i], text(system.by_q[i]));
     }
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        result += line("d" + f + "/d" + p[i], text(system.dHdp[i]));
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        result += line("d" + f + "/d" + y[i], text(system.by_conjugates[i]));
     }
-    const Structure& second = system.structure;
-    result += lines("d2" + f, second.qq, q, q) + lines("d2" + f, second.qp, q, p) +
-              lines("d2" + f, second.pp, p, p);
+    const Hessian& second = system.hessian;
+    result += lines("d2" + f, second.qq, q, q) + lines("d2" + f, second.mixed, q, y) +
+              lines("d2" + f, second.conjugates, y, y);
     return system.side == Side::hamiltonian ? result : result + line("energy", text(system.energy));
 }
 
@@ -110,9 +110,7 @@ std::string dump(const System& system) {
     std::string result = line("scene", system.name);
     result += line("coordinates", names(system.coordinates));
     result += line("momenta", names(system.momenta));
-    if (system.side == Side::lagrangian) {
-        result += line("velocities", names(system.velocities));
-    }
+    if (system.side == Side::lagrangian) { result += line("velocities", names(system.velocities)); }
     for (const SystemParameter& parameter : system.parameters) {
         result += line("parameter " + parameter.name, to_text(parameter.value));
     }

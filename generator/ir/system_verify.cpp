@@ -48,9 +48,9 @@ void verify(const Graph& graph, const std::vector<SystemValue>& values) {
 
 void verify_variables(const System& system) {
     const std::size_t n = system.degrees_of_freedom();
-    HVI_CHECK(system.p.size() == n);
+    HVI_CHECK(system.conjugates.size() == n);
     HVI_CHECK(system.coordinates.size() == n && system.momenta.size() == n);
-    HVI_CHECK(system.conjugates().size() == n && system.energy.node < system.graph.size());
+    HVI_CHECK(system.conjugate_names().size() == n && system.energy.node < system.graph.size());
     HVI_CHECK(system.initial.empty() || system.initial.size() == 2 * n);
     for (const SystemParameter& parameter : system.parameters) {
         HVI_CHECK(system.graph.at(parameter.node).operation == Operation::input);
@@ -65,11 +65,11 @@ void verify(const System& system) {
     const std::size_t n = system.degrees_of_freedom();
     for (Node node = 0; node < graph.size(); ++node) { verify(graph, node); }
     verify_variables(system);
-    verify(graph, system.dHdq, n);
-    verify(graph, system.dHdp, n);
-    verify(graph, found.qq, n, true);
-    verify(graph, found.qp, n, false);
-    verify(graph, found.pp, n, true);
+    verify(graph, system.by_q, n);
+    verify(graph, system.by_conjugates, n);
+    verify(graph, system.hessian.qq, n, true);
+    verify(graph, system.hessian.mixed, n, false);
+    verify(graph, system.hessian.conjugates, n, true);
     verify(graph, system.initial);
     verify(graph, system.invariants);
     HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);

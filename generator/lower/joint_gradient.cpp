@@ -19,9 +19,9 @@ double cost(const OperationCounts& counts) {
 }  // namespace
 
 GradientKernels gradient_kernels(const System& system) {
-    std::vector<Scaled> both = system.dHdq;
-    both.insert(both.end(), system.dHdp.begin(), system.dHdp.end());
-    return {kernel(system.graph, system.dHdq), kernel(system.graph, system.dHdp),
+    std::vector<Scaled> both = system.by_q;
+    both.insert(both.end(), system.by_conjugates.begin(), system.by_conjugates.end());
+    return {kernel(system.graph, system.by_q), kernel(system.graph, system.by_conjugates),
             kernel(system.graph, std::move(both))};
 }
 
@@ -33,8 +33,9 @@ GradientKernels gradient_kernels(const System& system) {
 bool joint_gradient_pays(const System& system, const GradientKernels& kernels) {
     constexpr double more_iterations = 1.4, sum = 16;
     const double jointly = cost(kernels.joint.counts) + sum;
-    const double in_turn = cost(kernels.dHdq.counts) +
-                           cost(kernel_of_momenta(system.graph, system.dHdp).counts) + 2 * sum;
+    const double in_turn = cost(kernels.by_q.counts) +
+                           cost(kernel_of_momenta(system.graph, system.by_conjugates).counts) +
+                           2 * sum;
     return more_iterations * jointly < in_turn;
 }
 

@@ -1,4 +1,4 @@
-// The two gradients of H as straight-line code, one by one and at once.
+// The two gradients of H, or of L, as straight-line code, one by one and at once.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 namespace hvi::gen {
 
 struct GradientKernels {
-    Kernel dHdq, dHdp;
-    Kernel joint;  ///< dH/dq, then dH/dp
+    Kernel by_q, by_conjugates;
+    Kernel joint;  ///< by_q, then by_conjugates
 };
 
 [[nodiscard]] GradientKernels gradient_kernels(const System& system);

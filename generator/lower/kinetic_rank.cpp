@@ -17,7 +17,7 @@ namespace {
 
 std::optional<NumberMatrix> kinetic_matrix(const System& system, const Ground& ground) {
     NumberMatrix K;
-    for (const std::vector<Scaled>& entries : system.structure.pp) {
+    for (const std::vector<Scaled>& entries : system.hessian.conjugates) {
         NumberVector& row = K.emplace_back();
         for (const Scaled& entry : entries) {
             const auto text = written(system.graph, entry);
@@ -62,7 +62,7 @@ struct MatrixOfBalls {
 /// Whether it is proved to be regular at one of some points. Then it is at almost all.
 bool is_regular_somewhere(const System& system) {
     constexpr std::size_t points = 3;
-    const auto& pp = system.structure.pp;
+    const HessianBlock& pp = system.hessian.conjugates;
     for (std::size_t step = 0; step < points; ++step) {
         try {
             const SymbolValues point = sample_point(system.graph, step);
@@ -102,7 +102,7 @@ std::optional<std::size_t> kinetic_rank(const System& system) {
 }
 
 void check_kinetic_rank(const System& system, const std::optional<Place>& place) {
-    if (is_degenerate(system.structure)) { return; }
+    if (is_degenerate(system.hessian)) { return; }
     const auto rank = kinetic_rank(system);
     if (!rank || *rank == system.degrees_of_freedom()) { return; }
     throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "

@@ -24,6 +24,11 @@ bool is_zero(const Matrix& matrix) {
     return holds_for_all(matrix, [](const Scaled& entry) { return entry.is_zero(); });
 }
 
+bool is_constant(const Graph& graph, const Matrix& matrix) {
+    return holds_for_all(matrix,
+                         [&](const Scaled& entry) { return !varies(graph.at(entry.node).roles); });
+}
+
 /// Whether all entries are constant; then they are nodes that do not vary.
 bool settle(Graph& graph, Matrix& matrix) {
     Matrix settled = matrix;
@@ -49,7 +54,7 @@ std::vector<Scaled> product(System& system, const Matrix& K) {
     for (const std::vector<Scaled>& row : K) {
         std::vector<Scaled> terms;
         for (std::size_t j = 0; j < row.size(); ++j) {
-            terms.push_back(system.graph.product(row[j], {{1, 1}, system.p[j]}));
+            terms.push_back(system.graph.product(row[j], {{1, 1}, system.conjugates[j]}));
         }
         result.push_back(system.graph.sum(std::move(terms)));
     }
@@ -63,8 +68,8 @@ void set_linear_part(Structure& found, System& system) {
         found.has_linear_map = found.has_linear_map && value;
         values.push_back(value.value_or(Graph::number(0)));
     };
-    for (const Scaled& slope : system.dHdq) { add(found.by_q, slope); }
-    for (const Scaled& slope : system.dHdp) { add(found.by_p, slope); }
+    for (const Scaled& slope : system.by_q) { add(found.by_q, slope); }
+    for (const Scaled& slope : system.by_conjugates) { add(found.by_p, slope); }
 }
 
 /// NOTE: not the sums of qq_ij v_j: as the gradient of v dH/dq it costs as much as a few dH/dq,
@@ -74,7 +79,7 @@ void set_direction(Structure& found, System& system) {
     for (std::size_t k = 0; k < system.degrees_of_freedom(); ++k) {
         const Scaled v = system.graph.input("direction " + std::to_string(k), Role::direction);
         found.direction.push_back(v.node);
-        terms.push_back(system.graph.product(v, system.dHdq[k]));
+        terms.push_back(system.graph.product(v, system.by_q[k]));
     }
     const Scaled along = system.graph.sum(std::move(terms));
     found.qq_along = gradient(system.graph, along, system.q);
@@ -82,30 +87,38 @@ void set_direction(Structure& found, System& system) {
 
 }  // namespace
 
+Hessian hessian(System& system) {
+    Hessian second;
+    Graph& graph = system.graph;
+    for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {
+        second.qq.push_back(gradient(graph, system.by_q[i], system.q));
+        second.mixed.push_back(gradient(graph, system.by_q[i], system.conjugates));
+        second.conjugates.push_back(gradient(graph, system.by_conjugates[i], system.conjugates));
+    }
+    // NOTE: where one block is not constant, what the others are is of no use.
+    static_cast<void>(settle(graph, second.conjugates) && settle(graph, second.mixed) &&
+                      settle(graph, second.qq));
+    return second;
+}
+
 Structure structure(System& system) {
     Structure found;
-    for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {
-        found.qq.push_back(gradient(system.graph, system.dHdq[i], system.q));
-        found.qp.push_back(gradient(system.graph, system.dHdq[i], system.p));
-        found.pp.push_back(gradient(system.graph, system.dHdp[i], system.p));
-        if (system.dHdq[i].is_zero()) { found.cyclic.push_back(i); }
-    }
     const Graph& graph = system.graph;
-    found.is_separable = !depends_on(graph, system.dHdq, Role::conjugate) &&
-                         !depends_on(graph, system.dHdp, Role::coordinate) &&
-                         !depends_on(graph, system.dHdp, Role::time);
-    const bool pp_constant = settle(system.graph, found.pp);
-    found.kinetic_is_quadratic = found.is_separable && pp_constant;
+    const auto& [qq, mixed, pp] = system.hessian;
+    found.is_separable = !depends_on(graph, system.by_q, Role::conjugate) &&
+                         !depends_on(graph, system.by_conjugates, Role::coordinate) &&
+                         !depends_on(graph, system.by_conjugates, Role::time);
+    found.kinetic_is_quadratic = found.is_separable && is_constant(graph, pp);
     if (found.kinetic_is_quadratic) {
-        found.inverse_mass = product(system, found.pp);
+        found.inverse_mass = product(system, pp);
         set_direction(found, system);
     }
     found.is_quadratic =
-        pp_constant && settle(system.graph, found.qp) && settle(system.graph, found.qq);
+        is_constant(graph, pp) && is_constant(graph, mixed) && is_constant(graph, qq);
     found.has_linear_map = found.is_quadratic && !system.time;
     if (found.has_linear_map) { set_linear_part(found, system); }
-    found.is_linear_in_p = is_zero(found.pp);
-    found.is_linear_in_q = is_zero(found.qq);
+    found.is_linear_in_p = is_zero(pp);
+    found.is_linear_in_q = is_zero(qq);
     return found;
 }
 

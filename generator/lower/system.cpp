@@ -26,11 +26,11 @@ struct NamedSystem {
 
 void add_gradient(System& system) {
     std::vector<Node> variables = system.q;
-    variables.insert(variables.end(), system.p.begin(), system.p.end());
-    const std::vector<Scaled> slopes = gradient(system.graph, system.hamiltonian, variables);
+    variables.insert(variables.end(), system.conjugates.begin(), system.conjugates.end());
+    const std::vector<Scaled> slopes = gradient(system.graph, system.function, variables);
     const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(system.q.size());
-    system.dHdq.assign(slopes.begin(), middle);
-    system.dHdp.assign(middle, slopes.end());
+    system.by_q.assign(slopes.begin(), middle);
+    system.by_conjugates.assign(middle, slopes.end());
 }
 
 void set_variables(System& system, const Hamiltonian& hamiltonian) {
@@ -45,10 +45,11 @@ void set_variables(System& system, const Lagrangian& lagrangian) {
 
 /// H, or v dL/dv - L.
 Scaled energy(System& system) {
-    if (system.side == Side::hamiltonian) { return system.hamiltonian; }
-    std::vector<Scaled> terms{system.graph.times({-1, 1}, system.hamiltonian)};
-    for (std::size_t k = 0; k < system.p.size(); ++k) {
-        terms.push_back(system.graph.product({{1, 1}, system.p[k]}, system.dHdp[k]));
+    if (system.side == Side::hamiltonian) { return system.function; }
+    std::vector<Scaled> terms{system.graph.times({-1, 1}, system.function)};
+    for (std::size_t k = 0; k < system.conjugates.size(); ++k) {
+        terms.push_back(
+            system.graph.product({{1, 1}, system.conjugates[k]}, system.by_conjugates[k]));
     }
     return system.graph.sum(std::move(terms));
 }
@@ -65,16 +66,18 @@ NamedSystem named_system(const Function& function, const std::vector<std::string
         system.q.push_back(result.input(name, Role::coordinate));
     }
     for (const std::string& name : has_velocities ? system.velocities : system.momenta) {
-        system.p.push_back(result.input(name, Role::conjugate));
+        system.conjugates.push_back(result.input(name, Role::conjugate));
     }
     if (depends_on_time(function)) { system.time = result.input("t", Role::time); }
     for (const std::string& name : parameters) { result.input(name, Role::parameter); }
     for (const Parameter& fixed : function.parameters) {
         result.symbols[fixed.name] = lower(system.graph, fixed.value, {}, fixed.place.source);
     }
-    system.hamiltonian = lower(system.graph, function.expression, result.symbols, function.source);
+    system.function = lower(system.graph, function.expression, result.symbols, function.source);
     add_gradient(system);
-    system.structure = structure(system);
+    system.hessian = hessian(system);
+    // NOTE: no step for an L takes anything of that.
+    if (system.side == Side::hamiltonian) { system.structure = structure(system); }
     system.energy = energy(system);
     return result;
 }
@@ -129,7 +132,7 @@ SystemProperties properties(const System& system, const GradientKernels& gradien
         .depends_on_time = system.time.has_value(),
         .kinetic_is_quadratic = system.structure.kinetic_is_quadratic,
         .has_linear_map = system.structure.has_linear_map,
-        .is_degenerate = is_degenerate(system.structure),
+        .is_degenerate = is_degenerate(system.hessian),
         .joint_gradient_pays = joint_gradient_pays(system, gradients),
         .degrees_of_freedom = system.degrees_of_freedom(),
     };

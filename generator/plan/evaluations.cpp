@@ -25,13 +25,15 @@ BlockKernel block(const Graph& graph, const HessianBlock& entries, bool is_symme
 
 SecondDerivatives second_derivatives(const System& system, const Step& step) {
     const Graph& graph = system.graph;
-    const Structure& found = system.structure;
+    const Hessian& hessian = system.hessian;
     SecondDerivatives result;
-    const bool has_momenta = !std::holds_alternative<VelocityStep>(step.form);
-    if (has_momenta) { result.pp = block(graph, found.pp, true); }
+    const bool has_conjugates = !std::holds_alternative<VelocityStep>(step.form);
+    if (has_conjugates) { result.conjugates = block(graph, hessian.conjugates, true); }
     if (!step.iteration()->takes_newton()) { return result; }
-    result.qq = block(graph, found.qq, true);
-    if (has_momenta && !step.is_separable()) { result.qp = block(graph, found.qp, false); }
+    result.qq = block(graph, hessian.qq, true);
+    if (has_conjugates && !step.is_separable()) {
+        result.mixed = block(graph, hessian.mixed, false);
+    }
     return result;
 }
 
@@ -41,7 +43,7 @@ Tangents tangents(const System& system) {
     const auto is_among = [](Node node, const std::vector<Node>& nodes) {
         return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
     };
-    std::vector<Scaled> values = system.dHdq;
+    std::vector<Scaled> values = system.by_q;
     for (const Node node : result.along.given) {
         const bool is_argument = is_among(node, system.q) || is_among(node, found.direction);
         if (is_argument || !varies(system.graph.at(node).roles)) { continue; }
@@ -56,7 +58,7 @@ Tangents tangents(const System& system) {
 
 OperationCounts SecondDerivatives::counts() const {
     OperationCounts sum;
-    for (const std::optional<BlockKernel>* block : {&qq, &qp, &pp}) {
+    for (const std::optional<BlockKernel>* block : {&qq, &mixed, &conjugates}) {
         if (*block) { sum += (*block)->kernel.counts; }
     }
     return sum;

@@ -24,7 +24,7 @@ struct BlockKernel {
 /// For Newton's method: d2H/dq2 alone where the momenta are eliminated, and of a separable H no
 /// mixed ones. For fixed points of the general Galerkin form d2H/dp2 alone.
 struct SecondDerivatives {
-    std::optional<BlockKernel> qq, qp, pp;
+    std::optional<BlockKernel> qq, mixed, conjugates;  ///< see Hessian
 
     [[nodiscard]] OperationCounts counts() const;
 };

@@ -28,10 +28,10 @@ std::string text(const OperationCounts& counts) {
 }
 
 /// Of L = v^T M v/2 + a v - U.
-std::string kind_of_lagrangian(const Graph& graph, const Structure& found) {
-    for (const std::vector<Scaled>& row : found.pp) {
+std::string kind_of_lagrangian(const System& system) {
+    for (const std::vector<Scaled>& row : system.hessian.conjugates) {
         for (const Scaled& entry : row) {
-            if (varies(graph.at(entry.node).roles)) {
+            if (varies(system.graph.at(entry.node).roles)) {
                 return "L is quadratic in v, and the mass matrix d2L/dv2 is not constant";
             }
         }
@@ -41,7 +41,7 @@ std::string kind_of_lagrangian(const Graph& graph, const Structure& found) {
 
 std::string kind_of(const System& system) {
     const Structure& found = system.structure;
-    if (system.side == Side::lagrangian) { return kind_of_lagrangian(system.graph, found); }
+    if (system.side == Side::lagrangian) { return kind_of_lagrangian(system); }
     if (found.is_quadratic) { return "H is quadratic: Hamilton's equations are linear"; }
     if (found.is_linear_in_p && found.is_linear_in_q) { return "H is linear in q and in p"; }
     if (found.is_linear_in_p) { return "H is linear in p: it has no Lagrangian"; }
@@ -64,7 +64,7 @@ struct Entries {
     std::size_t all = 0, not_zero = 0, constant = 0;
 };
 
-Entries entries(const Graph& graph, const Structure& found) {
+Entries entries(const Graph& graph, const Hessian& hessian) {
     Entries result;
     const auto look = [&](const HessianBlock& block) {
         for (const std::vector<Scaled>& row : block) {
@@ -76,10 +76,10 @@ Entries entries(const Graph& graph, const Structure& found) {
             }
         }
     };
-    look(found.qq);
-    look(found.qp);
-    look(found.qp);  // its transpose
-    look(found.pp);
+    look(hessian.qq);
+    look(hessian.mixed);
+    look(hessian.mixed);  // its transpose
+    look(hessian.conjugates);
     return result;
 }
 
@@ -98,14 +98,14 @@ std::vector<std::string> facts(const System& system) {
     const Structure& found = system.structure;
     const char f = system.function_letter();
     std::vector<std::string> result{kind_of(system)};
-    const bool has_parts = system.side == Side::hamiltonian && found.is_separable;
-    if (found.is_quadratic && has_parts) { result.emplace_back("H = T(p) + U(q)"); }
+    if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
     if (system.time) { result.push_back(fmt::format("{} depends on the time", f)); }
-    if (!found.cyclic.empty()) {
+    const std::vector<std::size_t> cyclic = system.cyclic_coordinates();
+    if (!cyclic.empty()) {
         result.push_back(fmt::format("{} does not depend on {}: the momenta are constant", f,
-                                     names(system, found.cyclic)));
+                                     names(system, cyclic)));
     }
-    const Entries second = entries(system.graph, found);
+    const Entries second = entries(system.graph, system.hessian);
     result.push_back(fmt::format("{} of {} second derivatives are not zero, {} constant",
                                  second.not_zero, second.all, second.constant));
     return result;
@@ -130,8 +130,8 @@ std::vector<std::string> costs(const System& system, const Step& step,
         result.push_back(by_q + " and " + by_p +
                          " once: " + text(evaluations.gradients.joint.counts));
     } else {
-        result.push_back("dH/dq once: " + text(evaluations.gradients.dHdq.counts));
-        result.push_back("dH/dp once: " + text(evaluations.gradients.dHdp.counts));
+        result.push_back("dH/dq once: " + text(evaluations.gradients.by_q.counts));
+        result.push_back("dH/dp once: " + text(evaluations.gradients.by_conjugates.counts));
     }
     if (evaluations.second) {
         const bool is_newton = step.iteration()->takes_newton();

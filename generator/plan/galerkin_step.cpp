@@ -60,8 +60,7 @@ void set_galerkin(Step& step, const OneStepMethod& method, const SystemPropertie
     galerkin.form = galerkin_form(method.base);
     note_unused_nodes(step, method);
     set_stages(step, galerkin.form);
-    const bool has_parts = system.side == Side::hamiltonian && system.is_separable;
-    step.slopes = has_parts ? Slopes::of_parts : Slopes::joint;
+    step.slopes = system.is_separable ? Slopes::of_parts : Slopes::joint;
     step.partner = Partner::different;
     step.decisions.push_back(what_is_solved_for(system, wishes));
     if (const auto& composition = method.composition) {

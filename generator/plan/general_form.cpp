@@ -89,17 +89,6 @@ void set_explicit(Step& step, const NumberVector& c) {
 
 }  // namespace
 
-void check_no_parameter(const OneStepMethod& method) {
-    const std::vector<std::string>& parameters = std::visit(
-        [](const auto& base) -> const std::vector<std::string>& { return base.parameters; },
-        method.base);
-    if (parameters.empty()) { return; }
-    throw InputError(
-        "steps of the general Galerkin form, and of Lagrangians, with a free parameter "
-        "are not built",
-        method.place, "give it a value: --param " + parameters.front() + "=1");
-}
-
 void check_general_form(const std::optional<Place>& place, const SystemProperties& system) {
     if (system.is_degenerate) {
         throw MathError("with more nodes than functions no step is determined: (4.6e) gives more "

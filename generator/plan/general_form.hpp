@@ -13,11 +13,8 @@
 namespace hvi::gen {
 
 /// Throws MathError for H of which some row of d2H/dp2 is zero, and InputError for that of a class
-/// of the user, and for a rule with a free parameter.
+/// of the user.
 void check_general_form(const std::optional<Place>& place, const SystemProperties& system);
-
-/// Throws InputError for a free parameter.
-void check_no_parameter(const OneStepMethod& method);
 
 /// Sets what the step is made of, for H = p^T K p/2 + U(q): positions alone that are solved for, or
 /// kicks and drifts where none depends on itself. Nodes without a weight are left out: no slope is

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/equal.hpp"
+#include "generator/plan/free_parameter.hpp"
 #include "generator/plan/galerkin_step.hpp"
 #include "generator/plan/general_form.hpp"
 #include "generator/plan/lanes.hpp"
@@ -280,89 +280,6 @@ void note_action(Step& step) {
     if (step.is_explicit()) { return; }
     step.decisions.push_back({"the stages keep their momenta, and are computed one by one",
                               "the action is summed over positions, momenta and slopes"});
-}
-
-std::string text(const ZeroPlaces& zeros, const std::string& parameter) {
-    if (!zeros.family.empty()) { return zeros.family; }
-    std::string list;
-    const auto mirrored = [&](double place) {
-        return std::any_of(zeros.places.begin(), zeros.places.end(), [&](double other) {
-            return std::abs(place + other) < 1e-6 * std::abs(place);
-        });
-    };
-    for (const double place : zeros.places) {
-        if (place < 0 && mirrored(place)) { continue; }
-        list +=
-            fmt::format("{}{}{:.6g}", list.empty() ? "" : ", ", mirrored(place) ? "+-" : "", place);
-    }
-    return fmt::format("{} = {} (all of size below {:.0f})", parameter, list,
-                       ParametricNumbers::most_printed);
-}
-
-/// Where there is no method.
-void note_zeros(Step& step) {
-    const ParametricNumbers& numbers = step.from_parameter->numbers;
-    const auto what = [](Zero zero) {
-        return zero == Zero::pole ? "coefficients are infinite there" : "a weight is zero there";
-    };
-    if (numbers.at_zero != Zero::harmless) {
-        step.decisions.push_back(
-            {fmt::format("no method at {} = 0", numbers.parameter), what(numbers.at_zero)});
-    }
-    for (const ZeroPlaces& zeros : numbers.zeros) {
-        step.decisions.push_back(
-            {"no method at " + text(zeros, numbers.parameter), what(zeros.zero)});
-    }
-}
-
-void set_from_parameter(Step& step, const Tableau& tableau,
-                        const std::optional<hvi::gen::Place>& method) {
-    const auto depends = [](const NumberVector& numbers) {
-        return std::any_of(numbers.begin(), numbers.end(),
-                           [](const Number& number) { return number.has_parameters(); });
-    };
-    if (!depends(tableau.b) && std::none_of(step.m.begin(), step.m.end(), depends)) {
-        for (const std::string& name : tableau.parameters) {
-            step.decisions.push_back({"no argument for " + name, "it cancels"});
-        }
-        return;
-    }
-    NumberVector others;
-    const auto other = [&](const Number& number) {
-        others.push_back(number);
-        return others.size() - 1;
-    };
-    FromParameter from;
-    const auto weights = [&](const std::vector<StageValue>& values, auto& places) {
-        for (const StageValue& value : values) {
-            auto& place = places.emplace_back();
-            const bool merged = value.stages.size() > 1;
-            if (merged && value.weight.has_parameters()) { place = other(value.weight); }
-        }
-    };
-    weights(step.positions, from.positions);
-    weights(step.momenta, from.momenta);
-    for (std::size_t i = 0; i < step.positions.size(); ++i) {
-        auto& row = from.m.emplace_back(step.momenta.size());
-        for (std::size_t j = 0; j < step.momenta.size(); ++j) {
-            if (!step.m[i][j].has_parameters()) { continue; }
-            const std::size_t column = step.momenta[j].stages.front();
-            const Number& a = tableau.A[step.positions[i].stages.front()][column];
-            row[j] = FromParameter::Ratio{other(a), column};
-        }
-    }
-    for (const Number& c : step.c) {
-        auto& place = from.c.emplace_back();
-        if (c.has_parameters()) { place = other(c); }
-    }
-    try {
-        from.numbers = parametric(tableau.b, others);
-    } catch (const InputError& error) {
-        if (error.place()) { throw; }
-        throw InputError(error.what(), method, error.help());
-    }
-    step.from_parameter = std::move(from);
-    note_zeros(step);
 }
 
 void round_coefficients(const Step&, ExplicitStep&) {}

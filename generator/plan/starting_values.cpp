@@ -134,12 +134,12 @@ namespace {
 
 /// P(t) is the polynomial through the P_i. Of the velocities U_i = sum_j phi_ij V_j that at the
 /// nodes of the next step too, and from there to W_j = sum_i b_i phi_ij U_i / G_j.
-CurveExtrapolation extrapolation(const GalerkinForm& form) {
+CurveExtrapolation extrapolation(const GalerkinForm& form, Side side) {
     const std::size_t r = form.nodes(), s = form.functions();
     const Quadrature nodes{form.c, NumberVector(r, Number(1))};
-    CurveExtrapolation result{NumberMatrix(s, NumberVector(s)),
-                              extrapolation(nodes, nodes_behind(form.c, 1), 0)};
-    const NumberMatrix U = result.P * form.phi;
+    const NumberMatrix next = extrapolation(nodes, nodes_behind(form.c, 1), 0);
+    const NumberMatrix U = next * form.phi;
+    CurveExtrapolation result{NumberMatrix(s, NumberVector(s)), {}};
     for (std::size_t j = 0; j < s; ++j) {
         for (std::size_t k = 0; k < s; ++k) {
             Number sum;
@@ -149,6 +149,7 @@ CurveExtrapolation extrapolation(const GalerkinForm& form) {
             result.W[j][k] = sum / form.gram[j];
         }
     }
+    if (side == Side::hamiltonian) { result.P = next; }
     return result;
 }
 
@@ -169,7 +170,7 @@ void set_extrapolation(Step& step, GalerkinStep& galerkin) {
         begins_at_the_start("extrapolating the last step's momenta would magnify their rounding "
                             "too much");
     } else {
-        galerkin.extrapolation = extrapolation(form);
+        galerkin.extrapolation = extrapolation(form, galerkin.side);
         step.decisions.push_back(
             {galerkin.side == Side::hamiltonian
                  ? "the last step's curve and momenta, extrapolated, are the starting values of "

@@ -30,8 +30,8 @@ public:
         : system_(std::move(system)), inputs_(system_.q), values_(system_.graph, what) {
         if (system_.time) { inputs_.push_back(*system_.time); }
         edges_ = inputs_.size();
-        inputs_.insert(inputs_.end(), system_.p.begin(), system_.p.end());
-        nodes_.emplace(Index(), system_.hamiltonian);
+        inputs_.insert(inputs_.end(), system_.conjugates.begin(), system_.conjugates.end());
+        nodes_.emplace(Index(), system_.function);
     }
     ElementaryHamiltonians(const ElementaryHamiltonians&) = delete;
     ElementaryHamiltonians& operator=(const ElementaryHamiltonians&) = delete;

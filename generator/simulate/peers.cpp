@@ -72,8 +72,7 @@ std::optional<std::string> installed_version(Builds& builds, const PeerLibrary& 
 }
 
 bool applies(const Peer& peer, const System& system) {
-    const bool has_parts = system.side == Side::hamiltonian && system.structure.is_separable;
-    return !peer.needs_separable || (has_parts && !system.time);
+    return !peer.needs_separable || (system.structure.is_separable && !system.time);
 }
 
 SceneStepper stepper_for_peers(const Scene& scene) {

@@ -55,6 +55,16 @@ protected:
         return x;
     }
 
+    /// Calls f with x, and after it the time where the scene depends on it.
+    template <class Function, class... Vectors>
+    static void at_time([[maybe_unused]] double t, Function f, const Vectors&... x) {
+        if constexpr (Problem::depends_on_time) {
+            f(x..., t);
+        } else {
+            f(x...);
+        }
+    }
+
     System system_{typename Problem::Stepper::Parameters{}};
 };
 
@@ -119,16 +129,11 @@ private:
 
     /// Calls f with the arguments that the derivatives by q have.
     template <class Function>
-    static void of_q(Function f, const Vector& q, [[maybe_unused]] const Vector& p,
-                     [[maybe_unused]] double t) {
-        if constexpr (Problem::is_separable && Problem::depends_on_time) {
-            f(q, t);
-        } else if constexpr (Problem::is_separable) {
-            f(q);
-        } else if constexpr (Problem::depends_on_time) {
-            f(q, p, t);
+    static void of_q(Function f, const Vector& q, [[maybe_unused]] const Vector& p, double t) {
+        if constexpr (Problem::is_separable) {
+            Base::at_time(t, f, q);
         } else {
-            f(q, p);
+            Base::at_time(t, f, q, p);
         }
     }
 
@@ -208,18 +213,9 @@ public:
     }
 
 private:
+    using Base::at_time;
     using Base::system_;
     using typename Base::Matrix;
-
-    /// Calls f with the time where L has one.
-    template <class Function>
-    static void at_time([[maybe_unused]] double t, Function f) {
-        if constexpr (Problem::depends_on_time) {
-            f(t);
-        } else {
-            f();
-        }
-    }
 };
 
 template <class Problem>

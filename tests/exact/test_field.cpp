@@ -109,6 +109,10 @@ TEST_CASE("exponentials and logarithms") {
     CHECK(same("exp(1)", "e"));
     CHECK(same("exp(1/2)^2", "e"));
     CHECK(same("exp(1/3)*exp(1/6)", "exp(1/2)"));
+    // Large denominators, of small multiples.
+    CHECK(same("exp(1/2000)^2", "exp(1/1000)"));
+    CHECK(same("2*cos(sqrt(2)/280)^2-1", "cos(sqrt(2)/140)"));
+    CHECK(same("2*sin(sqrt(2)/210)*cos(sqrt(2)/210)", "sin(sqrt(2)/105)"));
     CHECK(same("exp(sqrt(2))*exp(1-sqrt(2))", "e"));
     CHECK(same("exp(w)*exp(-w/2)", "exp(w/2)"));
     CHECK(same("cosh(w)^2-sinh(w)^2", "1"));

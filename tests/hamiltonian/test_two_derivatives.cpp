@@ -113,13 +113,13 @@ void check_values(const Hamiltonian& H, const Graph& graph, const std::vector<Sc
 
 void check_first(const Hamiltonian& H) {
     const System system = system_of(H, parameter_names(H));
-    check_values(H, system.graph, both(system.dHdq, system.dHdp), both(gradient(H)));
+    check_values(H, system.graph, both(system.by_q, system.by_conjugates), both(gradient(H)));
 }
 
 /// Second derivatives: GiNaC's of its first ones.
 void check_second(const Hamiltonian& H) {
     const System system = system_of(H, parameter_names(H));
-    const Structure& found = system.structure;
+    const Hessian& found = system.hessian;
     const Gradient first = gradient(H);
     const auto again = [&](const Expression& derivative) {
         Hamiltonian slope = H;
@@ -127,9 +127,9 @@ void check_second(const Hamiltonian& H) {
         return gradient(slope);
     };
     for (std::size_t i = 0; i < H.degrees_of_freedom(); ++i) {
-        check_values(H, system.graph, both(found.qq[i], found.qp[i]),
+        check_values(H, system.graph, both(found.qq[i], found.mixed[i]),
                      both(again(first.by_coordinates[i])));
-        check_values(H, system.graph, found.pp[i], again(first.by_momenta[i]).by_momenta);
+        check_values(H, system.graph, found.conjugates[i], again(first.by_momenta[i]).by_momenta);
     }
 }
 
@@ -137,7 +137,7 @@ void check_second(const Hamiltonian& H) {
 /// free. What is proved to differ fails.
 bool are_proved_same(const Hamiltonian& H) {
     const System system = system_of(H, parameter_names(H));
-    const std::vector<Scaled> found = both(system.dHdq, system.dHdp);
+    const std::vector<Scaled> found = both(system.by_q, system.by_conjugates);
     const std::vector<Expression> expected = both(gradient(H));
     bool all = true;
     for (std::size_t i = 0; i < found.size(); ++i) {

@@ -67,13 +67,27 @@ TEST_CASE("a step of the general Galerkin form that contradicts itself is found"
     CHECK(is_found<Step>(curve, [&](Step& step) { form(step).rounded.B[0][0].reset(); }));
     CHECK(is_found<Step>(curve, [&](Step& step) { form(step).rounded.D.pop_back(); }));
     CHECK(is_found<Step>(curve, [&](Step& step) { form(step).form.phi.pop_back(); }));
-    CHECK(is_found<Step>(curve, [&](Step& step) { form(step).extrapolation->P.pop_back(); }));
+    CHECK(is_found<Step>(curve, [&](Step& step) { form(step).extrapolation->P->pop_back(); }));
     CHECK(is_found<Step>(curve, [](Step& step) { step.slopes = Slopes::one_by_one; }));
     CHECK(is_found<Step>(curve, [](Step& step) { step.layout = Layout::stages; }));
     CHECK(is_found<Step>(curve, [](Step& step) { step.blocks.clear(); }));
     Step other = curve;
     form(other).steps = {Number(1)};
     CHECK_FALSE(other == curve);
+}
+
+TEST_CASE("of the curve of an L momenta are not extrapolated: they are not solved for") {
+    const Step curve =
+        plan({derive_any(method("1, tau", "gauss:3"))},
+             {.side = Side::lagrangian, .degrees_of_freedom = 1}, {.solver = Solver::automatic});
+    const auto extrapolation = [](auto& step) -> auto& {
+        return *std::get<GalerkinStep>(step.form).extrapolation;
+    };
+    CHECK(extrapolation(curve).W.size() == 2);
+    CHECK_FALSE(extrapolation(curve).P);
+    CHECK(is_found<Step>(curve, [&](Step& step) {
+        extrapolation(step).P = NumberMatrix(3, NumberVector(3, Number(1)));
+    }));
 }
 
 TEST_CASE("steps are equal where nothing is decided differently") {

@@ -47,9 +47,9 @@ TEST_CASE("the text of a system says what each node computes") {
 
 TEST_CASE("a system that contradicts itself is found") {
     const System right = scene(swing);
-    CHECK(is_found<System>(right, [](System& system) { system.dHdq.clear(); }));
+    CHECK(is_found<System>(right, [](System& system) { system.by_q.clear(); }));
     CHECK(is_found<System>(right, [](System& system) { system.q.clear(); }));
-    CHECK(is_found<System>(right, [](System& system) { system.structure.pp.clear(); }));
+    CHECK(is_found<System>(right, [](System& system) { system.hessian.conjugates.clear(); }));
     CHECK(is_found<System>(right, [](System& system) { system.initial.pop_back(); }));
     CHECK(is_found<System>(right, [](System& system) { system.structure.is_separable = false; }));
     CHECK(is_found<System>(right, [](System& system) { system.structure.has_linear_map = true; }));

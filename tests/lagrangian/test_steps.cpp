@@ -59,6 +59,30 @@ double order(int count) {
                      distance(end<Stepper>(2 * count), exact));
 }
 
+/// L = v^T M v/2 with 1/(i + j + 1), times 27720 so that nothing is rounded, as M.
+struct Hilbert {
+    using Vector = std::array<double, 6>;
+
+    static double entry(std::size_t i, std::size_t j) {
+        return 27720.0 / static_cast<double>(i + j + 1);
+    }
+    void dLdv(const Vector&, const Vector& v, Vector& out) const {
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            long double sum = 0;
+            for (std::size_t j = 0; j < v.size(); ++j) {
+                sum += static_cast<long double>(entry(i, j)) * static_cast<long double>(v[j]);
+            }
+            out[i] = static_cast<double>(sum);
+        }
+    }
+    template <class Matrix>
+    void d2Ldv2(const Vector&, const Vector& v, Matrix& out) const {
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            for (std::size_t j = 0; j < v.size(); ++j) { out(i, j) = entry(i, j); }
+        }
+    }
+};
+
 }  // namespace
 
 TEST_CASE("the state begins with p = dL/dv, and the velocity comes back") {
@@ -73,6 +97,17 @@ TEST_CASE("the state begins with p = dL/dv, and the velocity comes back") {
     const auto y = LagrangianDriven::initial();
     CHECK(y.p[0] == Approx(17.0 / 8 - std::sin(1.0 / 3) / 2).epsilon(1e-15));
     CHECK(y.p[1] == Approx(1.25).epsilon(1e-15));
+}
+
+TEST_CASE("the momenta of a velocity are right to rounding, however nearly singular d2L/dv2 is") {
+    // v of M v = p for Hilbert's matrix, whose condition number is 1.5e7, and p = M (1, ..., 1).
+    const Hilbert system;
+    Hilbert::Vector p{}, again{};
+    system.dLdv({}, {1, 1, 1, 1, 1, 1}, p);
+    system.dLdv({}, hvi::detail::velocity_of(system, Hilbert::Vector{}, p), again);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        CHECK(std::abs(again[i] - p[i]) <= 4 * std::numeric_limits<double>::epsilon() * p[i]);
+    }
 }
 
 TEST_CASE("the energy v dL/dv - L is H") {

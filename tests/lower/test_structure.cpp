@@ -54,8 +54,8 @@ TEST_CASE("quadratic and degenerate Hamiltonians") {
 TEST_CASE("quadratic in a disguise that exact arithmetic sees through") {
     const System quotient = analysed("p^2/2+(q^4-1)/(q^2-1)");
     CHECK(quotient.structure.is_quadratic);
-    CHECK_FALSE(varies(quotient.graph.at(quotient.structure.qq[0][0].node).roles));
-    CHECK(value(quotient.graph, quotient.structure.qq[0][0], {}) == 2);
+    CHECK_FALSE(varies(quotient.graph.at(quotient.hessian.qq[0][0].node).roles));
+    CHECK(value(quotient.graph, quotient.hessian.qq[0][0], {}) == 2);
     CHECK(analysed("exp(q)*exp(-q)*p^2").structure.is_quadratic);
     CHECK(analysed("sin(2*q)-2*sin(q)*cos(q)+p^2").structure.is_quadratic);
     CHECK(analysed("(p^2+q^2)*sqrt(k)^2").structure.is_quadratic);
@@ -95,9 +95,29 @@ TEST_CASE("both gradients at once, where that is likely to cost less") {
 }
 
 TEST_CASE("what H does not depend on") {
-    CHECK(analysed("p^2/2").structure.cyclic == std::vector<std::size_t>{0});
-    CHECK(analysed("p^2/2+q-q").structure.cyclic == std::vector<std::size_t>{0});
-    CHECK(analysed("p^2/2+q").structure.cyclic.empty());
+    CHECK(analysed("p^2/2").cyclic_coordinates() == std::vector<std::size_t>{0});
+    CHECK(analysed("p^2/2+q-q").cyclic_coordinates() == std::vector<std::size_t>{0});
+    CHECK(analysed("p^2/2+q").cyclic_coordinates().empty());
+}
+
+TEST_CASE("of an L there are second derivatives, and no parts are looked for") {
+    // L = v^2/2 + w^2/2 - x^2/2: d2L/dv2 = 1, d2L/dx2 = -1, and p_w is constant.
+    const System system = system_of(scene_from_toml(Source{"l.toml", R"toml(
+lagrangian = "v^2/2+w^2/2-x^2/2"
+coordinates = ["x", "y"]
+velocities = ["v", "w"]
+[initial]
+x = 1
+y = 0
+v = 0
+w = 1
+)toml"}));
+    CHECK_FALSE(system.structure.is_separable);
+    CHECK_FALSE(system.structure.has_linear_map);
+    CHECK(system.structure.direction.empty());
+    CHECK(value(system.graph, system.hessian.conjugates[0][0], {}) == 1);
+    CHECK(value(system.graph, system.hessian.qq[0][0], {}) == -1);
+    CHECK(system.cyclic_coordinates() == std::vector<std::size_t>{1});
 }
 
 TEST_CASE("the inverse mass times the momenta, without what is linear in T") {
@@ -106,7 +126,7 @@ TEST_CASE("the inverse mass times the momenta, without what is linear in T") {
     const Values at{{"m", 4}, {"pa", 5}, {"pb", 7}, {"a", 0}, {"b", 0}};
     CHECK(value(coupled.graph, coupled.structure.inverse_mass[0], at) == 2.0L * 5 / 4 + 7);
     CHECK(value(coupled.graph, coupled.structure.inverse_mass[1], at) == 5);
-    CHECK(value(coupled.graph, coupled.dHdp[1], at) == 5 + 3);
+    CHECK(value(coupled.graph, coupled.by_conjugates[1], at) == 5 + 3);
 }
 
 TEST_CASE("what sin^2 + cos^2 and cosh^2 - sinh^2 hide") {

@@ -34,6 +34,7 @@
 #include <scene/dense_wave_pendulum.hpp>
 #include <scene/verlet_pendulum.hpp>
 
+#include "elimination.hpp"
 #include "scenes.hpp"
 
 using namespace hvi::generated;
@@ -167,22 +168,6 @@ const Rule wave{
     {0.5L - std::sqrt(0.15L), 0.5L, 0.5L + std::sqrt(0.15L)},
     {5 / 18.0L, 4 / 9.0L, 5 / 18.0L}};
 
-/// x with A x = y, for a positive definite A: by elimination.
-std::vector<long double> solution(std::vector<std::vector<long double>> A,
-                                  std::vector<long double> y) {
-    const std::size_t s = y.size();
-    for (std::size_t k = 0; k < s; ++k) {
-        for (std::size_t i = 0; i < s; ++i) {
-            if (i == k) { continue; }
-            const long double factor = A[i][k] / A[k][k];
-            for (std::size_t j = k; j < s; ++j) { A[i][j] -= factor * A[k][j]; }
-            y[i] -= factor * y[k];
-        }
-    }
-    for (std::size_t k = 0; k < s; ++k) { y[k] /= A[k][k]; }
-    return y;
-}
-
 /// The curve (4.2) of a step of the pendulum: V by (4.6d), into which (4.6e), P_i = sum_j
 /// psi_j(c_i) V_j, is put, iterated until it stands still.
 std::function<long double(long double)> curve_of_pendulum(const Rule& rule, long double q,
@@ -210,7 +195,7 @@ std::function<long double(long double)> curve_of_pendulum(const Rule& rule, long
                 }
             }
         }
-        V = solution(G, moments);
+        V = solved(G, moments);
     }
     return [=](long double tau) { return position(V, tau); };
 }

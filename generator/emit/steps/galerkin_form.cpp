@@ -152,7 +152,7 @@ std::string constants_of_curves(const Step& step, const GalerkinStep& galerkin,
         writer.blank().comment("W and P of the next step are about N_W and N_P times those of this "
                                "one.");
         rough_table(writer, "N_W", galerkin.extrapolation->W);
-        rough_table(writer, "N_P", galerkin.extrapolation->P);
+        rough_table(writer, "N_P", *galerkin.extrapolation->P);
     }
     return with_rounding(writer.insert(gamma_table(galerkin)).str());
 }

@@ -25,7 +25,7 @@ public:
             }
         };
         variables(system.q, "q");
-        variables(system.p, std::string(1, system.conjugate_letter()));
+        variables(system.conjugates, std::string(1, system.conjugate_letter()));
         if (system.time) { names_[*system.time] = "t"; }
     }
 
@@ -141,8 +141,12 @@ void add_second_derivatives(std::vector<Function>& functions, const SecondDeriva
         return text;
     };
     if (second.qq) { functions.push_back(of_positions(hessian(name("dq2"), *second.qq), step)); }
-    if (second.qp) { functions.push_back(of_momenta(hessian(name("dqdp"), *second.qp), step)); }
-    if (second.pp) { functions.push_back(of_momenta(hessian(name("dp2"), *second.pp), step)); }
+    if (second.mixed) {
+        functions.push_back(of_momenta(hessian(name("dqdp"), *second.mixed), step));
+    }
+    if (second.conjugates) {
+        functions.push_back(of_momenta(hessian(name("dp2"), *second.conjugates), step));
+    }
 }
 
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
@@ -214,11 +218,12 @@ std::vector<Function> slopes(const System& system, const Step& step,
         result.push_back(both_gradients(system, step, evaluations.gradients.joint));
     } else {
         const GradientKernels& gradients = evaluations.gradients;
-        result.push_back(of_positions(slope(system, step, "dHdq", gradients.dHdq), step));
-        result.push_back(of_momenta(slope(system, step, "dHdp", gradients.dHdp), step));
+        result.push_back(of_positions(slope(system, step, "dHdq", gradients.by_q), step));
+        result.push_back(of_momenta(slope(system, step, "dHdp", gradients.by_conjugates), step));
     }
     if (system.side == Side::lagrangian) {
-        result.push_back(of_momenta(slope(system, step, "dLdv", evaluations.gradients.dHdp), step));
+        result.push_back(
+            of_momenta(slope(system, step, "dLdv", evaluations.gradients.by_conjugates), step));
     }
     if (evaluations.inverse_mass) {
         result.push_back(slope(system, step, "inverse_mass", *evaluations.inverse_mass));
@@ -243,9 +248,9 @@ Function quadratic(const System& system) {
     };
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < n; ++j) {
-            add(fmt::format("H.qq[{}][{}]", i, j), found.qq[i][j]);
-            add(fmt::format("H.qp[{}][{}]", i, j), found.qp[i][j]);
-            add(fmt::format("H.pp[{}][{}]", i, j), found.pp[i][j]);
+            add(fmt::format("H.qq[{}][{}]", i, j), system.hessian.qq[i][j]);
+            add(fmt::format("H.qp[{}][{}]", i, j), system.hessian.mixed[i][j]);
+            add(fmt::format("H.pp[{}][{}]", i, j), system.hessian.conjugates[i][j]);
         }
         add(fmt::format("H.by_q[{}]", i), found.by_q[i]);
         add(fmt::format("H.by_p[{}]", i), found.by_p[i]);
@@ -275,9 +280,7 @@ std::vector<Function> functions(const System& system, const SceneWishes& wishes,
     if (wishes.energy || (wishes.action && !has_L)) {
         result.push_back(value_in_time("energy", system.energy));
     }
-    if (wishes.action && has_L) {
-        result.push_back(value_in_time("lagrangian", system.hamiltonian));
-    }
+    if (wishes.action && has_L) { result.push_back(value_in_time("lagrangian", system.function)); }
     if (wishes.invariants) {
         for (std::size_t i = 0; i < system.invariants.size(); ++i) {
             result.push_back(value(system.invariants[i].name, system.invariants[i].value));
@@ -302,7 +305,7 @@ void write(Writer& writer, const System& system, NodeNames names, const Function
     }
     if (function.has_p) {
         arguments.push_back(
-            argument(uses_any(function.kernel, system.p),
+            argument(uses_any(function.kernel, system.conjugates),
                      fmt::format("const {}& {}", vector, system.conjugate_letter())));
     }
     if (function.has_time) {
@@ -386,7 +389,7 @@ std::string data_text(const System& system, const GivenNodes& given) {
 std::string about(const System& system) {
     return fmt::format("{} = {}, where q is ({}) and {} is ({}).", system.function_letter(),
                        to_text(system.expression), fmt::join(system.coordinates, ", "),
-                       system.conjugate_letter(), fmt::join(system.conjugates(), ", "));
+                       system.conjugate_letter(), fmt::join(system.conjugate_names(), ", "));
 }
 
 /// Coordinates, then momenta or velocities, where the scene begins.

@@ -140,15 +140,19 @@ std::optional<std::vector<Field::Part>> Field::split(const Element& argument) {
     return result;
 }
 
-std::optional<Field::Multiple> Field::multiple(const std::string& key, const numeric& factor) {
-    numeric& denominator = denominators_.try_emplace(key, factor.denom()).first->second;
-    const numeric needed = GiNaC::lcm(denominator, factor.denom());
-    if (GiNaC::abs(factor) * needed > most_times || needed > most_times) return std::nullopt;
-    if (needed != denominator) {
-        denominator = needed;
-        throw TooCoarse{denominators_};
-    }
-    return Multiple{(factor * denominator).to_long(), denominator};
+/// NOTE: a denominator may be large, as that of sqrt(525 + 70 sqrt(30))/140 is, where no multiple
+/// of the unit is a high power of the generator.
+std::optional<Field::Multiple> Field::multiple(const std::string& key, const numeric& factor,
+                                               const numeric& largest) {
+    const auto known = denominators_.find(key);
+    const bool is_new = known == denominators_.end();
+    const Multiples before = is_new ? Multiples{factor.denom(), 0} : known->second;
+    const Multiples now{GiNaC::lcm(before.denominator, factor.denom()),
+                        std::max(before.largest, largest)};
+    if (now.largest * now.denominator > most_times) return std::nullopt;
+    denominators_[key] = now;
+    if (now.denominator != before.denominator) throw TooCoarse{denominators_};
+    return Multiple{(factor * now.denominator).to_long(), now.denominator};
 }
 
 /// p, when the unit is log(p).
@@ -184,7 +188,7 @@ std::optional<Element> Field::exp(const Element& given) {
             result = result * *raised;
             continue;
         }
-        const auto exponent = multiple("exp " + part.key, part.factor);
+        const auto exponent = multiple("exp " + part.key, part.factor, GiNaC::abs(part.factor));
         if (!exponent) return std::nullopt;
         const Element unit = part.unit * Element(1 / exponent->denominator);
         Transcendental generator;
@@ -237,7 +241,7 @@ std::optional<Field::CosSin> Field::cos_sin(const Element& given) {
 }
 
 std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
-    const auto angle = multiple("cos " + part.key, part.factor);
+    const auto angle = multiple("cos " + part.key, part.factor, GiNaC::abs(part.factor));
     if (!angle) return std::nullopt;
     const auto known = angles_.find(part.key);
     if (known != angles_.end()) return times(known->second, angle->times);
@@ -272,7 +276,7 @@ std::optional<Field::CosSin> Field::cos_sin_of_pi(const numeric& half_turns) {
     // angle that it reaches is written with it.
     const auto common = denominators_.find("cos pi");
     if (common != denominators_.end() &&
-        GiNaC::irem(common->second, even_denominator(half_turns)).is_zero()) {
+        GiNaC::irem(common->second.denominator, even_denominator(half_turns)).is_zero()) {
         if (const auto known = cyclotomic(half_turns)) return known;
     }
     const long n = denominator.to_long();
@@ -313,7 +317,7 @@ std::optional<Field::CosSin> Field::constructible(long n) {
 /// cos(pi (n - 2p)/(2n)). All such angles of one table share N.
 std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
     const bool is_first = denominators_.find("cos pi") == denominators_.end();
-    const auto common = multiple("cos pi", 1 / even_denominator(half_turns));
+    const auto common = multiple("cos pi", 1 / even_denominator(half_turns), 1);
     if (!common) return std::nullopt;
     if (is_first && !algebraics_.empty()) throw TooCoarse{denominators_};
     const long n = common->denominator.to_long();

@@ -107,10 +107,17 @@ struct Algebraic {
     std::function<Ball(Precision)> value;  ///< empty with is_parameter
 };
 
-/// Least common denominators of the arguments met so far, by function and unit: exp(1/2) and
-/// exp(1/3) are powers of one generator exp(1/6). A Field is made for one table; an argument that
-/// does not fit throws TooCoarse, and the work starts again with the finer table.
-using Denominators = std::map<std::string, GiNaC::numeric>;
+/// Of the multiples of a unit that were met, the least common denominator and the size of the
+/// largest.
+struct Multiples {
+    GiNaC::numeric denominator = 1;
+    GiNaC::numeric largest = 0;
+};
+
+/// The arguments met so far, by function and unit: exp(1/2) and exp(1/3) are powers of one
+/// generator exp(1/6). A Field is made for one table; an argument that does not fit throws
+/// TooCoarse, and the work starts again with the finer table.
+using Denominators = std::map<std::string, Multiples>;
 struct TooCoarse {
     Denominators finer;
 };
@@ -173,8 +180,9 @@ private:
         long times;
         GiNaC::numeric denominator;  ///< factor = times / denominator
     };
-    [[nodiscard]] std::optional<Multiple> multiple(const std::string& key,
-                                                   const GiNaC::numeric& factor);
+    /// Empty where `largest`, or what was met before, would be too high a power.
+    [[nodiscard]] std::optional<Multiple>
+    multiple(const std::string& key, const GiNaC::numeric& factor, const GiNaC::numeric& largest);
     [[nodiscard]] std::optional<CosSin> cos_sin_of_pi(const GiNaC::numeric& half_turns);
     [[nodiscard]] std::optional<CosSin> constructible(long denominator);
     [[nodiscard]] std::optional<CosSin> cyclotomic(const GiNaC::numeric& half_turns);

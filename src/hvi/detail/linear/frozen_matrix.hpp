@@ -11,8 +11,10 @@
 
 namespace hvi::detail {
 
-/// A square matrix and its inverse. NOTE: good enough for what only says how an iteration gets to
-/// its end, not where that is. Precondition: vectors are of fixed size.
+/// A square matrix, its inverse and its factors. NOTE: a product with the inverse is good enough
+/// for what only says how an iteration gets to its end, not where that is; what is a result itself
+/// is solved for with the factors, whose residual is that of rounding however singular the matrix
+/// nearly is. Precondition: vectors are of fixed size.
 template <class Vector>
 class FrozenMatrix {
 public:
@@ -40,6 +42,16 @@ public:
 
     [[nodiscard]] Vector times(const Vector& v) const { return product(matrix_, v); }
     [[nodiscard]] Vector inverse_times(const Vector& v) const { return product(inverse_, v); }
+
+    /// The same by its factors.
+    [[nodiscard]] Vector solve(const Vector& v) const {
+        Scalar values[n];
+        for (std::size_t i = 0; i < n; ++i) { values[i] = at(v, i); }
+        factors_.solve(values);
+        Vector result = v;
+        for (std::size_t i = 0; i < n; ++i) { at(result, i) = values[i]; }
+        return result;
+    }
 
 private:
     using Scalar = ScalarOf<Vector>;

@@ -117,10 +117,10 @@ struct Curve : StepMemory<Vector> {
     /// Moves `at` to the end of the step.
     void advance(const Scalar (&B)[functions]) {
         for (Index k = 0; k < this->at.q.size(); ++k) {
-            Scalar way = 0, kick = 0;
-            for (std::size_t j = 0; j < functions; ++j) { way += B[j] * W[j][k]; }
+            Scalar drift = 0, kick = 0;
+            for (std::size_t j = 0; j < functions; ++j) { drift += B[j] * W[j][k]; }
             for (const Vector& Lp_i : Lp) { kick += Lp_i[k]; }
-            this->add(this->at.q[k], this->remainder.q[k], way);
+            this->add(this->at.q[k], this->remainder.q[k], drift);
             this->add(this->at.p[k], this->remainder.p[k], kick);
         }
     }

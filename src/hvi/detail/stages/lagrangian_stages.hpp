@@ -93,7 +93,7 @@ template <class System, class Vector, class... Time>
     Vector momentum{};
     system.dLdv(q, rest, time..., momentum);
     for (IndexOf<Vector> k = 0; k < q.size(); ++k) { momentum[k] = p[k] - momentum[k]; }
-    return matrix.inverse_times(momentum);
+    return matrix.solve(momentum);
 }
 
 /// The same; no numbers where M is singular.
