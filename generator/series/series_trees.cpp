@@ -13,7 +13,7 @@ namespace hvi::gen {
 namespace {
 
 /// Beyond these nobody waits for the sum.
-constexpr std::size_t most_trees = 200'000;
+constexpr std::size_t most_trees = 500'000;
 
 /// Vertices with these ends, as many at most.
 struct VertexKind {
