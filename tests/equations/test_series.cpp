@@ -252,6 +252,8 @@ TEST_CASE("those for a quadratic kinetic energy are some of them") {
 // h/(1 - h) (1/(1 - h) + log(1 - h)).
 TEST_CASE("trees with links, each once and by its symmetry") {
     const auto all = unrooted_trees(SeriesFamily::linked, 6);
+    // Otter: with a vertex marked, less those with an edge marked, and those that a link mirrors.
+    const std::vector<std::size_t> counts = {1, 1, 4, 16, 96, 633, 4989};
     double harmonic = 0;
     for (std::size_t n = 0; n < all.size(); ++n) {
         if (n != 0) harmonic += 1 / static_cast<double>(n);
@@ -264,8 +266,9 @@ TEST_CASE("trees with links, each once and by its symmetry") {
             sum += (links % 2 == 0 ? 1 : -1) / static_cast<double>(tree->symmetry);
             texts.insert(tree->text);
         }
-        CAPTURE(n, all[n].size());
-        CHECK(texts.size() == all[n].size());
+        CAPTURE(n);
+        CHECK(all[n].size() == counts[n]);
+        CHECK(texts.size() == counts[n]);
         CHECK(sum == Approx(static_cast<double>(n) + 1 - harmonic));
     }
 }
