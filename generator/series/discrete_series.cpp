@@ -135,7 +135,7 @@ private:
     [[nodiscard]] Expression written(const Number& number) const;
     void compare(DiscreteSeries& result, const std::optional<SeriesTrees>& trees,
                  const std::optional<Forms>& found);
-    [[nodiscard]] std::optional<bool> are_equal(const SeriesTrees& trees);
+    [[nodiscard]] std::optional<bool> are_equal(const std::optional<SeriesTrees>& trees);
 
     Expression hamiltonian_;
     TreeWeightPointer exact_, method_;
@@ -201,7 +201,7 @@ void Series::compare(DiscreteSeries& result, const std::optional<SeriesTrees>& t
                      const std::optional<Forms>& found) {
     const bool is_zero = found && found->difference.is_zero();
     const bool decides = found && (is_zero || elementary_.values().hidden().empty());
-    const auto equal = decides ? std::optional(is_zero) : trees ? are_equal(*trees) : std::nullopt;
+    const auto equal = decides ? std::optional(is_zero) : are_equal(trees);
     const int power = static_cast<int>(result.exact.size());
     if (!equal) { result.undecided = power; }
     if (!equal.value_or(true)) {
@@ -211,9 +211,10 @@ void Series::compare(DiscreteSeries& result, const std::optional<SeriesTrees>& t
 }
 
 /// Whether the coefficients are, where that is proved.
-std::optional<bool> Series::are_equal(const SeriesTrees& trees) {
+std::optional<bool> Series::are_equal(const std::optional<SeriesTrees>& trees) {
+    if (!trees) { return std::nullopt; }
     std::vector<std::pair<SeriesTreePointer, Expression>> excesses;
-    for (const SeriesTreePointer& tree : trees) {
+    for (const SeriesTreePointer& tree : *trees) {
         const Number excess = (*method_)(*tree) - (*exact_)(*tree);
         const auto form = excess.closed_form();
         if (!form) { return std::nullopt; }

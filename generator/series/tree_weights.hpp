@@ -22,16 +22,15 @@ namespace hvi::gen {
 /// vertex on stage i, and a_ij/b_j for an arrow from p on stage j to q on stage i. The exact H_d^+
 /// (4.1) is the same with the times in [0,1] for stages, where an arrow says that its q is later.
 ///
-/// (4.6) is the same over all V and P of
+/// (4.6) is the same over all V and the Y_i = P^i - p_1 of
 ///
-///     p_1 q_0 + h sum_i b_i H(q_0 + h sum_j A_ij V_j, p_1 + Y_i) - h sum_ij b_i Y_i psi_j(c_i)
-///     V_j,
+///     p_1 q_0 + h sum_i b_i (H(Q^i, p_1 + Y_i) - Y_i v_i),
+///     Q^i = q_0 + h sum_j A_ij V_j,    v_i = sum_j psi_j(c_i) V_j,
 ///
-/// where P^i = p_1 + Y_i, as the rule is exact on the span. The part of Y in the span of the psi
-/// and V make the arrows, with a_ij/b_j = A_i G^-1 psi(c_j). What is left, Y'' with sum_i b_i
-/// psi(c_i) Y''_i = 0, has h b_i Y''_i d2H/dp2 Y''_i/2 for its only quadratic form. This makes
-/// links between two derivatives by p, with the inverse of d2H/dp2 and the weight psi(c_i)^T G^-1
-/// psi(c_j) - delta_ij/b_j; each takes a power of h.
+/// since the rule is exact on the span. The part of Y in the span and V make the arrows, with
+/// a_ij/b_j = A_i G^-1 psi(c_j). What is left of Y is orthogonal to all v, and d2H/dp2 alone is its
+/// quadratic form. This makes links between two derivatives by p, with the inverse of d2H/dp2, the
+/// weight psi(c_i)^T G^-1 psi(c_j) - delta_ij/b_j and the factor 1/h.
 class TreeWeight {
 public:
     virtual ~TreeWeight() = default;
