@@ -85,7 +85,7 @@ public:
 
     /// sum of excess/symmetry times the elementary Hamiltonian.
     [[nodiscard]] bool
-    is_proved_nonzero(const std::vector<std::pair<TreePointer, Expression>>& excesses) {
+    is_proved_nonzero(const std::vector<std::pair<SeriesTreePointer, Expression>>& excesses) {
         Ball sum = NodeBalls::integer(0);
         for (const auto& [tree, excess] : excesses) {
             Ball share = NodeBalls::product(value_at(excess, point_, nullptr), elementary_(*tree));
@@ -100,6 +100,13 @@ private:
     ElementaryHamiltonians<NodeBalls> elementary_;
 };
 
+/// The systems for which a method has weights.
+SeriesFamily family_of(const DerivedMethod& method, const System& system) {
+    if (std::holds_alternative<Tableau>(method)) { return SeriesFamily::general; }
+    const bool is_nystrom = system.structure.kinetic_is_quadratic;
+    return is_nystrom ? SeriesFamily::nystrom : SeriesFamily::linked;
+}
+
 class Series {
 public:
     Series(const DerivedMethod& method, const Hamiltonian& hamiltonian, const System& system,
@@ -107,52 +114,74 @@ public:
         : hamiltonian_(with_values(hamiltonian)),
           exact_(exact_weight(ground)),
           method_(method_weight(method, ground)),
+          trees_(family_of(method, system),
+                 [this](const SeriesTree& branch) {
+                     return exact_->is_nothing(branch) && method_->is_nothing(branch);
+                 }),
           elementary_(system, ground),
           points_{
               {{system, some_point(system, method, 0)}, {system, some_point(system, method, 1)}}} {}
+    Series(const Series&) = delete;
+    Series& operator=(const Series&) = delete;
 
     /// That of h, which is H: by constants in the span of the basis the sum of all weights is 1
     /// (Leok & Zhang, Section 4.4.3). NOTE: as it is written, and so however long it is.
-    void begin(DiscreteSeries& result) const;
-    void append(DiscreteSeries& result, const std::vector<TreePointer>& trees);
+    void begin(DiscreteSeries& result);
+    void append(DiscreteSeries& result);
 
 private:
-    [[nodiscard]] std::optional<Forms> forms(const std::vector<TreePointer>& trees);
+    [[nodiscard]] std::optional<SeriesTrees> next_trees();
+    [[nodiscard]] std::optional<Forms> forms(const SeriesTrees& trees);
     [[nodiscard]] Expression written(const Number& number) const;
-    void compare(DiscreteSeries& result, const std::vector<TreePointer>& trees,
+    void compare(DiscreteSeries& result, const std::optional<SeriesTrees>& trees,
                  const std::optional<Forms>& found);
-    [[nodiscard]] std::optional<bool> are_equal(const std::vector<TreePointer>& trees);
+    [[nodiscard]] std::optional<bool> are_equal(const std::optional<SeriesTrees>& trees);
 
     Expression hamiltonian_;
-    TreeWeight exact_, method_;
+    TreeWeightPointer exact_, method_;
+    UnrootedTrees trees_;
+    bool are_too_many_ = false;
     ElementaryHamiltonians<NodeValues> elementary_;
     std::array<AtPoint, 2> points_;
 };
 
-void Series::begin(DiscreteSeries& result) const {
-    HVI_CHECK(method_(*graft(Colour::f, {})).is_one());
+void Series::begin(DiscreteSeries& result) {
+    HVI_CHECK((*method_)(*trees_.next().front()).is_one());
     result.exact.emplace_back(hamiltonian_);
     result.method.emplace_back(hamiltonian_);
 }
 
 /// NOTE: beyond a coefficient that is too long all are.
-void Series::append(DiscreteSeries& result, const std::vector<TreePointer>& trees) {
-    const auto found = result.exact.back() ? forms(trees) : std::nullopt;
+void Series::append(DiscreteSeries& result) {
+    const auto trees = next_trees();
+    const auto found = trees && result.exact.back() ? forms(*trees) : std::nullopt;
     result.exact.push_back(found ? std::optional(found->exact) : std::nullopt);
     result.method.push_back(found ? std::optional(found->method) : std::nullopt);
     if (!result.first_difference && !result.undecided) { compare(result, trees, found); }
 }
 
+/// Empty where there are too many, and then from there on.
+std::optional<SeriesTrees> Series::next_trees() {
+    if (are_too_many_) { return std::nullopt; }
+    try {
+        return trees_.next();
+    } catch (const TooLarge&) {
+        are_too_many_ = true;
+        return std::nullopt;
+    }
+}
+
 /// NOTE: a tree whose weights agree adds nothing to the difference, whatever H is.
-std::optional<Forms> Series::forms(const std::vector<TreePointer>& trees) {
+std::optional<Forms> Series::forms(const SeriesTrees& trees) {
     Number exact, difference;
     try {
-        for (const TreePointer& tree : trees) {
+        for (const SeriesTreePointer& tree : trees) {
+            const Number weight = (*exact_)(*tree);
+            const Number excess = (*method_)(*tree) - weight;
+            if (weight.is_zero() && excess.is_zero()) { continue; }
             const Number value = elementary_(*tree);
             if (value.is_zero()) { continue; }
             const Number share = value / Number(static_cast<long>(tree->symmetry));
-            const Number weight = exact_(*tree);
-            const Number excess = method_(*tree) - weight;
             exact = exact + weight * share;
             if (!excess.is_zero()) { difference = difference + excess * share; }
         }
@@ -168,7 +197,7 @@ Expression Series::written(const Number& number) const {
 
 /// By the normal form, where the functions in it cannot depend on each other in ways that it does
 /// not see; else by the weights of trees and by values.
-void Series::compare(DiscreteSeries& result, const std::vector<TreePointer>& trees,
+void Series::compare(DiscreteSeries& result, const std::optional<SeriesTrees>& trees,
                      const std::optional<Forms>& found) {
     const bool is_zero = found && found->difference.is_zero();
     const bool decides = found && (is_zero || elementary_.values().hidden().empty());
@@ -182,10 +211,11 @@ void Series::compare(DiscreteSeries& result, const std::vector<TreePointer>& tre
 }
 
 /// Whether the coefficients are, where that is proved.
-std::optional<bool> Series::are_equal(const std::vector<TreePointer>& trees) {
-    std::vector<std::pair<TreePointer, Expression>> excesses;
-    for (const TreePointer& tree : trees) {
-        const Number excess = method_(*tree) - exact_(*tree);
+std::optional<bool> Series::are_equal(const std::optional<SeriesTrees>& trees) {
+    if (!trees) { return std::nullopt; }
+    std::vector<std::pair<SeriesTreePointer, Expression>> excesses;
+    for (const SeriesTreePointer& tree : *trees) {
+        const Number excess = (*method_)(*tree) - (*exact_)(*tree);
         const auto form = excess.closed_form();
         if (!form) { return std::nullopt; }
         if (!excess.is_zero()) { excesses.emplace_back(tree, *form); }
@@ -199,34 +229,19 @@ std::optional<bool> Series::are_equal(const std::vector<TreePointer>& trees) {
     return std::nullopt;
 }
 
-/// The systems for which a method has weights.
-TreeFamily family_of(const DerivedMethod& method) {
-    return std::holds_alternative<GalerkinRule>(method) ? TreeFamily::nystrom : TreeFamily::general;
-}
-
-void check_quadratic_kinetic(const Hamiltonian& hamiltonian, const System& system) {
-    const Place place{hamiltonian.source, hamiltonian.expression.range};
-    if (!system.structure.kinetic_is_quadratic) {
-        throw InputError("series of the general Galerkin form are built for H = p^T K p/2 + U(q) "
-                         "alone; others are to come",
-                         place, "take as many nodes as functions");
-    }
-    check_kinetic_rank(system, place);
-}
-
 }  // namespace
 
 DiscreteSeries discrete_series(const DerivedMethod& method, const Hamiltonian& hamiltonian,
                                int terms, const Ground& ground) {
     const Progress::Stage stage("computing the series of the discrete Hamiltonians");
     const System system = system_of(hamiltonian, parameter_names(hamiltonian));
-    const TreeFamily family = family_of(method);
-    if (family == TreeFamily::nystrom) { check_quadratic_kinetic(hamiltonian, system); }
+    if (std::holds_alternative<GalerkinRule>(method)) {
+        check_kinetic_rank(system, Place{hamiltonian.source, hamiltonian.expression.range});
+    }
     Series series(method, hamiltonian, system, ground);
     DiscreteSeries result;
     series.begin(result);
-    const auto trees = unrooted_trees(family, terms);
-    for (std::size_t k = 1; k < trees.size(); ++k) { series.append(result, trees[k]); }
+    for (int k = 1; k < terms; ++k) { series.append(result); }
     return result;
 }
 

@@ -19,7 +19,7 @@ struct DiscreteSeries {
     using Coefficient = std::optional<Expression>;
 
     std::vector<Coefficient> exact;   ///< of (4.1): of h, h^2, ...
-    std::vector<Coefficient> method;  ///< of (4.19)
+    std::vector<Coefficient> method;  ///< of (4.19), or (4.6)
     /// The first power where they differ, which is proved, as it is that they agree below; empty
     /// where all agree. For a method of order r it is r + 1 or, for some H, more.
     std::optional<int> first_difference;
@@ -29,9 +29,8 @@ struct DiscreteSeries {
 };
 
 /// Up to h^terms. Throws MathError where coefficients of the method have no closed form or take too
-/// long; InputError as lower() does. Of the general Galerkin form for H = p^T K p/2 + U(q): throws
-/// InputError for other H, and MathError for a singular K. Preconditions: the method is on the
-/// field of `ground`, and 1 <= terms <= most_vertices.
+/// long, and for the general Galerkin form where d2H/dp2 is known to be singular; InputError as
+/// lower() does. Preconditions: the method is on the field of `ground`, and 1 <= terms.
 [[nodiscard]] DiscreteSeries discrete_series(const DerivedMethod& method,
                                              const Hamiltonian& hamiltonian, int terms,
                                              const Ground& ground);

@@ -18,29 +18,62 @@ constexpr std::size_t most_nodes = 300'000;
 }  // namespace
 
 template <class Values>
-auto ElementaryHamiltonians<Values>::operator()(const Tree& tree) -> Value {
+auto ElementaryHamiltonians<Values>::operator()(const SeriesTree& tree) -> Value {
     return at_vertex(tree, {}, 0);
 }
 
 template <class Values>
-auto ElementaryHamiltonians<Values>::on_edge(const Tree& tree) -> const std::vector<Value>& {
-    const auto known = on_edges_.find(tree.text);
+auto ElementaryHamiltonians<Values>::on_edge(const SeriesTree& branch)
+    -> const std::vector<Value>& {
+    const auto known = on_edges_.find(branch.text);
     if (known != on_edges_.end()) { return known->second; }
-    std::vector<Value> result;
-    for (std::size_t d = 0; d < edges_; ++d) {
-        const std::size_t by = variable(d, tree.root);
-        const bool is_energy = by == inputs_.size();
-        result.push_back(is_energy ? Values::integer(tree.vertices == 1 ? 1 : 0)
-                                   : at_vertex(tree, {by}, 0));
-    }
-    return on_edges_.emplace(tree.text, std::move(result)).first->second;
+    auto result = branch.above == End::link ? on_link(branch) : on_arrow(branch);
+    return on_edges_.emplace(branch.text, std::move(result)).first->second;
 }
 
-/// The variable by which the end of an edge is a derivative: of a vertex f its p. That of the
-/// time's momentum is beyond all others.
 template <class Values>
-std::size_t ElementaryHamiltonians<Values>::variable(std::size_t d, Colour end) const {
-    if (end == Colour::g) { return d; }
+auto ElementaryHamiltonians<Values>::on_arrow(const SeriesTree& branch) -> std::vector<Value> {
+    std::vector<Value> result;
+    for (std::size_t d = 0; d < edges_; ++d) {
+        const std::size_t by = variable(d, *branch.above);
+        const bool is_energy = by == inputs_.size();
+        result.push_back(is_energy ? Values::integer(branch.children.empty() ? 1 : 0)
+                                   : at_vertex(branch, {by}, 0));
+    }
+    return result;
+}
+
+/// NOTE: the time's momentum has no second derivative, and the times of the stages no freedom.
+template <class Values>
+auto ElementaryHamiltonians<Values>::on_link(const SeriesTree& branch) -> std::vector<Value> {
+    std::vector<Value> result(edges_, Values::integer(0));
+    for (std::size_t e = 0; e < system_.p.size(); ++e) {
+        const Value below = at_vertex(branch, {variable(e, End::link)}, 0);
+        if (Values::is_zero(below)) { continue; }
+        for (std::size_t d = 0; d < system_.p.size(); ++d) {
+            count_product();
+            result[d] = Values::sum(result[d], Values::product(inverse_pp()[d][e], below));
+        }
+    }
+    return result;
+}
+
+template <class Values>
+auto ElementaryHamiltonians<Values>::inverse_pp() -> const std::vector<std::vector<Value>>& {
+    if (inverse_pp_) { return *inverse_pp_; }
+    std::vector<std::vector<Value>> pp;
+    for (const std::vector<Scaled>& row : system_.structure.pp) {
+        pp.emplace_back();
+        for (const Scaled& entry : row) { pp.back().push_back(values_(entry)); }
+    }
+    return inverse_pp_.emplace(Values::inverse(pp));
+}
+
+/// The variable by which the end of an edge is a derivative. That of the time's momentum is beyond
+/// all others.
+template <class Values>
+std::size_t ElementaryHamiltonians<Values>::variable(std::size_t d, End end) const {
+    if (end == End::q) { return d; }
     return system_.time && d + 1 == edges_ ? inputs_.size() : edges_ + d;
 }
 
@@ -48,15 +81,15 @@ std::size_t ElementaryHamiltonians<Values>::variable(std::size_t d, Colour end) 
 /// no vertex with other edges has a derivative by the time's momentum that is not zero, and one
 /// with that edge alone is never in the middle.
 template <class Values>
-auto ElementaryHamiltonians<Values>::at_vertex(const Tree& tree, const Index& index,
+auto ElementaryHamiltonians<Values>::at_vertex(const SeriesTree& tree, const Index& index,
                                                std::size_t child) -> Value {
     if (vanishes(index)) { return Values::integer(0); }
     if (child == tree.children.size()) { return derivative(index); }
-    const Tree& next = *tree.children[child];
+    const SeriesTree& next = *tree.children[child];
     const std::vector<Value>& below = on_edge(next);
     Value sum = Values::integer(0);
     for (std::size_t d = 0; d < edges_; ++d) {
-        const std::size_t by = variable(d, next.root == Colour::f ? Colour::g : Colour::f);
+        const std::size_t by = variable(d, other(*next.above));
         if (by == inputs_.size() || Values::is_zero(below[d])) { continue; }
         Index further = index;
         further.insert(std::upper_bound(further.begin(), further.end(), by), by);

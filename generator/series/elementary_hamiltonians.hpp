@@ -3,21 +3,23 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "generator/exact/methods/trees.hpp"
 #include "generator/ir/system.hpp"
 #include "generator/series/node_balls.hpp"
 #include "generator/series/node_values.hpp"
+#include "generator/series/series_trees.hpp"
 
 namespace hvi::gen {
 
-/// Each vertex of a tree is a derivative of H, by q_d for an edge on its q and by p_d for one on
-/// its p, and each edge is a sum over d: the tree of two vertices is the sum of dH/dq_d dH/dp_d
+/// Each vertex of a tree is a derivative of H, by q_d for an arrow on its q and by p_d for one on
+/// its p, and each arrow is a sum over d: the tree of two vertices is the sum of dH/dq_d dH/dp_d
 /// (see tree_weights.hpp). The time is one more coordinate, by whose momentum H + e has the
-/// derivative 1, as in the extended phase space.
+/// derivative 1, as in the extended phase space. A link is a sum over d and e, with the entry of
+/// the inverse of d2H/dp2 between the derivatives by p_d and by p_e.
 /// `Values` are those of a graph's nodes: NodeValues or NodeBalls.
 template <class Values>
 class ElementaryHamiltonians {
@@ -36,21 +38,25 @@ public:
     ElementaryHamiltonians(const ElementaryHamiltonians&) = delete;
     ElementaryHamiltonians& operator=(const ElementaryHamiltonians&) = delete;
 
-    /// Throws TooLarge. Precondition: the tree has two vertices or more.
-    [[nodiscard]] Value operator()(const Tree& tree);
+    /// Throws TooLarge, and MathError where the tree has a link and d2H/dp2 is singular.
+    /// Precondition: the tree has two vertices or more.
+    [[nodiscard]] Value operator()(const SeriesTree& tree);
 
     [[nodiscard]] const Values& values() const { return values_; }
 
 private:
     using Index = std::vector<std::size_t>;  ///< the variables of a derivative, ascending
 
-    /// What hangs on an edge, for each of its d.
-    [[nodiscard]] const std::vector<Value>& on_edge(const Tree& tree);
-    [[nodiscard]] Value at_vertex(const Tree& tree, const Index& index, std::size_t child);
+    /// What hangs on an edge, for each d of the vertex above it.
+    [[nodiscard]] const std::vector<Value>& on_edge(const SeriesTree& branch);
+    [[nodiscard]] std::vector<Value> on_arrow(const SeriesTree& branch);
+    [[nodiscard]] std::vector<Value> on_link(const SeriesTree& branch);
+    [[nodiscard]] const std::vector<std::vector<Value>>& inverse_pp();
+    [[nodiscard]] Value at_vertex(const SeriesTree& tree, const Index& index, std::size_t child);
     [[nodiscard]] bool vanishes(const Index& index);
     [[nodiscard]] Value derivative(const Index& index);
     [[nodiscard]] const Scaled& node(const Index& index);
-    [[nodiscard]] std::size_t variable(std::size_t d, Colour end) const;
+    [[nodiscard]] std::size_t variable(std::size_t d, End end) const;
     void count_product();
 
     System system_;
@@ -59,6 +65,7 @@ private:
     Values values_;
     std::map<Index, Scaled> nodes_;
     std::map<std::string, std::vector<Value>> on_edges_;
+    std::optional<std::vector<std::vector<Value>>> inverse_pp_;
     std::size_t products_ = 0;
 };
 

@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/series/node_balls.hpp"
 
+#include <arb_mat.h>
+
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "generator/graph/written.hpp"
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
 constexpr Precision bits = 256;
+
+/// Square, freed when it goes.
+struct MatrixOfBalls {
+    explicit MatrixOfBalls(std::size_t size) { arb_mat_init(entries, slong(size), slong(size)); }
+    MatrixOfBalls(const MatrixOfBalls&) = delete;
+    MatrixOfBalls& operator=(const MatrixOfBalls&) = delete;
+    ~MatrixOfBalls() { arb_mat_clear(entries); }
+
+    [[nodiscard]] arb_ptr at(std::size_t i, std::size_t j) {
+        return arb_mat_entry(entries, slong(i), slong(j));
+    }
+
+    arb_mat_t entries;
+};
 
 }  // namespace
 
@@ -34,6 +50,22 @@ Ball NodeBalls::product(const Ball& a, const Ball& b) {
 }
 
 bool NodeBalls::is_zero(const Ball& a) { return arb_is_zero(a.get()) != 0; }
+
+std::vector<std::vector<Ball>> NodeBalls::inverse(const std::vector<std::vector<Ball>>& matrix) {
+    const std::size_t size = matrix.size();
+    MatrixOfBalls a(size), b(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t j = 0; j < size; ++j) { arb_set(a.at(i, j), matrix[i][j].get()); }
+    }
+    if (arb_mat_inv(b.entries, a.entries, bits) == 0) {
+        throw MathError("d2H/dp2 is not proved to be regular");
+    }
+    std::vector<std::vector<Ball>> result(size, std::vector<Ball>(size));
+    for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t j = 0; j < size; ++j) { arb_set(result[i][j].get(), b.at(i, j)); }
+    }
+    return result;
+}
 
 Ball NodeBalls::operator()(const Scaled& a) {
     Ball result = product(integer(a.factor.above), at(a.node));

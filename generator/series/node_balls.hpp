@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "generator/graph/graph.hpp"
 #include "generator/scene/value_at.hpp"
@@ -19,6 +20,9 @@ public:
     [[nodiscard]] static Ball sum(const Ball& a, const Ball& b);
     [[nodiscard]] static Ball product(const Ball& a, const Ball& b);
     [[nodiscard]] static bool is_zero(const Ball& a);  ///< known to be
+    /// Throws MathError where it is not proved to be regular.
+    [[nodiscard]] static std::vector<std::vector<Ball>>
+    inverse(const std::vector<std::vector<Ball>>& matrix);
 
     /// The graph may grow, but for its inputs.
     NodeBalls(const Graph& graph, SymbolValues inputs)

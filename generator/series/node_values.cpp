@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/exact/algebra/number_vector.hpp"
+#include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
@@ -42,6 +42,12 @@ std::optional<Number> applied(const Computation& computation, const NumberVector
 }
 
 }  // namespace
+
+NumberMatrix NodeValues::inverse(const NumberMatrix& matrix) {
+    const auto found = gen::inverse(matrix);
+    if (!found) { throw MathError("d2H/dp2 is singular"); }
+    return found->adjugate * (Number(1) / found->determinant);
+}
 
 Number NodeValues::operator()(const Scaled& a) { return number(a.factor) * at(a.node); }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "generator/exact/algebra/number_vector.hpp"
 #include "generator/exact/numbers/ground.hpp"
 #include "generator/graph/graph.hpp"
 
@@ -22,6 +23,8 @@ public:
     [[nodiscard]] static Number sum(const Number& a, const Number& b) { return a + b; }
     [[nodiscard]] static Number product(const Number& a, const Number& b) { return a * b; }
     [[nodiscard]] static bool is_zero(const Number& a) { return a.is_zero(); }
+    /// Throws MathError where it is singular.
+    [[nodiscard]] static NumberMatrix inverse(const NumberMatrix& matrix);
 
     /// The graph may grow.
     NodeValues(const Graph& graph, Ground ground) : graph_(graph), ground_(std::move(ground)) {}

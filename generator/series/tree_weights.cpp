@@ -33,7 +33,10 @@ struct Times {
     [[nodiscard]] static Function from_start(const Function& g) { return antiderivative(g); }
     /// The integral up to 1.
     [[nodiscard]] static Function to_end(const Function& g) { return all(g) - from_start(g); }
+    /// NOTE: the velocity may be any function.
+    [[nodiscard]] static Function over_link(const Function&) { return {}; }
     [[nodiscard]] Number total(const Function& g) const { return number(all(g), ground); }
+    [[nodiscard]] static bool is_zero(const Function& g) { return g == Function(); }
 
 private:
     [[nodiscard]] static Function all(const Function& g) {
@@ -48,7 +51,8 @@ class Stages {
 public:
     using Function = NumberVector;
 
-    explicit Stages(const PartitionedMethod& method) : b_{method.b}, A_(method.A) {
+    Stages(const PartitionedMethod& method, NumberMatrix over_link)
+        : b_{method.b}, A_(method.A), over_link_(std::move(over_link)) {
         for (const NumberVector& row : method.A_tilde) {
             NumberVector& rest = to_end_.emplace_back();
             for (std::size_t j = 0; j < row.size(); ++j) { rest.push_back(method.b[j] - row[j]); }
@@ -62,10 +66,14 @@ public:
     }
     [[nodiscard]] Function from_start(const Function& g) const { return A_ * g; }
     [[nodiscard]] Function to_end(const Function& g) const { return to_end_ * g; }
+    [[nodiscard]] Function over_link(const Function& g) const { return over_link_ * g; }
     [[nodiscard]] Number total(const Function& g) const { return (b_ * g).front(); }
+    [[nodiscard]] static bool is_zero(const Function& g) {
+        return std::all_of(g.begin(), g.end(), [](const Number& x) { return x.is_zero(); });
+    }
 
 private:
-    NumberMatrix b_, A_, to_end_;
+    NumberMatrix b_, A_, to_end_, over_link_;
 };
 
 /// The same at the roots of a polynomial over Q, where all weights are rational: of
@@ -88,7 +96,9 @@ public:
     [[nodiscard]] Function to_end(const Function& g) const {
         return all(g) - stages_.apply(Colour::g, g, 1);
     }
+    [[nodiscard]] Function over_link(const Function& g) const { return stages_.projection(g) - g; }
     [[nodiscard]] Number total(const Function& g) const { return number(all(g), ground_); }
+    [[nodiscard]] static bool is_zero(const Function& g) { return g == Function(); }
 
 private:
     [[nodiscard]] Function all(const Function& g) const {
@@ -101,30 +111,41 @@ private:
 
 /// From the leaves to the middle. What hangs on an edge is remembered, as many trees have it.
 template <class Domain>
-class Weight {
+class WeightOn : public TreeWeight {
 public:
-    explicit Weight(Domain domain) : domain_(std::move(domain)) {}
+    explicit WeightOn(Domain domain) : domain_(std::move(domain)) {}
 
-    [[nodiscard]] Number operator()(const Tree& tree) { return domain_.total(at_vertex(tree)); }
+    [[nodiscard]] Number operator()(const SeriesTree& tree) override {
+        return domain_.total(at_vertex(tree));
+    }
+    [[nodiscard]] bool is_nothing(const SeriesTree& branch) override {
+        return Domain::is_zero(on_edge(branch));
+    }
 
 private:
     using Function = typename Domain::Function;
 
-    Function at_vertex(const Tree& tree) {
+    Function at_vertex(const SeriesTree& tree) {
         Function result = domain_.one();
-        for (const TreePointer& child : tree.children) {
+        for (const SeriesTreePointer& child : tree.children) {
             result = domain_.product(result, on_edge(*child));
         }
         return result;
     }
 
-    Function on_edge(const Tree& tree) {
-        const auto known = on_edges_.find(tree.text);
+    const Function& on_edge(const SeriesTree& branch) {
+        const auto known = on_edges_.find(branch.text);
         if (known != on_edges_.end()) { return known->second; }
-        const Function below = at_vertex(tree);
-        Function result =
-            tree.root == Colour::f ? domain_.from_start(below) : domain_.to_end(below);
-        return on_edges_.emplace(tree.text, std::move(result)).first->second;
+        return on_edges_.emplace(branch.text, over(*branch.above, at_vertex(branch))).first->second;
+    }
+
+    Function over(End end, const Function& below) const {
+        switch (end) {
+        case End::p: return domain_.from_start(below);
+        case End::q: return domain_.to_end(below);
+        case End::link: break;
+        }
+        return domain_.over_link(below);
     }
 
     Domain domain_;
@@ -132,80 +153,38 @@ private:
 };
 
 template <class Domain>
-TreeWeight weight_on(Domain domain) {
-    const auto weight = std::make_shared<Weight<Domain>>(std::move(domain));
-    return [weight](const Tree& tree) { return (*weight)(tree); };
+TreeWeightPointer weight_on(Domain domain) {
+    return std::make_unique<WeightOn<Domain>>(std::move(domain));
 }
 
-TreeWeight weight_of(const PartitionedMethod& method) {
-    if (!method.is_exact()) {
-        throw MathError("the coefficients of the method have no closed form");
-    }
-    return weight_on(Stages(method));
+void check_exact(const PartitionedMethod& method) {
+    if (method.is_exact()) { return; }
+    throw MathError("the coefficients of the method have no closed form");
 }
 
-TreeWeight weight_of(const Tableau& tableau, const Ground& ground) {
+TreeWeightPointer weight_of(const Tableau& tableau, const Ground& ground) {
     if (const RationalPolynomial* const P = tableau.node_polynomial()) {
         return weight_on(StagesAtRoots(PolynomialStages(*P), ground));
     }
-    return weight_of(partitioned_method(tableau));
+    const PartitionedMethod method = partitioned_method(tableau);
+    check_exact(method);
+    return weight_on(Stages(method, zeros(method.stages(), method.stages())));
 }
 
-/// NOTE: for T = p^T K p/2 the momenta in the stages enter by their projections alone, which
-/// partitioned_method() takes.
-TreeWeight weight_of(const GalerkinRule& rule, const Ground& ground) {
+TreeWeightPointer weight_of(const GalerkinRule& rule, const Ground& ground) {
     if (rule.over_rationals) {
         return weight_on(StagesAtRoots(ProjectedStages(*rule.over_rationals), ground));
     }
-    return weight_of(partitioned_method(rule));
-}
-
-/// Of n vertices what can hang on the middle one, ascending.
-std::vector<TreePointer> below_middle(const std::vector<std::vector<TreePointer>>& branches,
-                                      int n) {
-    std::vector<TreePointer> result;
-    for (int size = 1; 2 * size <= n; ++size) {
-        for (const TreePointer& branch : branches[static_cast<std::size_t>(size) - 1]) {
-            if (2 * size < n || branch->root == Colour::f) { result.push_back(branch); }
-        }
-    }
-    return result;
+    const PartitionedMethod method = partitioned_method(rule);
+    check_exact(method);
+    return weight_on(Stages(method, projection(rule) + identity(rule.nodes()) * Number(-1)));
 }
 
 }  // namespace
 
-/// A tree has one vertex in its middle, from which no branch has half of all vertices or more, or
-/// an edge with half of them at either end: then it is written from the end on the edge's q.
-/// NOTE: the middle has no edge above it, and so may have one child more than elsewhere.
-std::vector<std::vector<TreePointer>> unrooted_trees(TreeFamily family, int vertices) {
-    const auto branches = trees(family, vertices / 2);
-    const std::vector<Kind> all_kinds = kinds(family);
-    std::vector<std::vector<TreePointer>> result{{graft(Colour::f, {})}};
-    for (int n = 2; n <= vertices; ++n) {
-        std::vector<TreePointer>& level = result.emplace_back();
-        for (const Kind& kind : all_kinds) {
-            const auto& roots = all_kinds[kind.children].roots;
-            std::vector<TreePointer> candidates;
-            std::vector<int> sizes;
-            for (const TreePointer& branch : below_middle(branches, n)) {
-                if (std::find(roots.begin(), roots.end(), branch->root) == roots.end()) continue;
-                candidates.push_back(branch);
-                sizes.push_back(branch->vertices);
-            }
-            const auto add = [&](const std::vector<std::size_t>& chosen) {
-                std::vector<TreePointer> children;
-                for (const std::size_t i : chosen) { children.push_back(candidates[i]); }
-                level.push_back(graft(Colour::f, std::move(children)));
-            };
-            for_each_multiset(sizes, n - 1, kind.most_children + 1, add);
-        }
-    }
-    return result;
-}
+TreeWeightPointer exact_weight(const Ground& ground) { return weight_on(Times{ground}); }
 
-TreeWeight exact_weight(const Ground& ground) { return weight_on(Times{ground}); }
-
-TreeWeight method_weight(const DerivedMethod& method, const Ground& ground) {
+TreeWeightPointer method_weight(const DerivedMethod& method, const Ground& ground) {
     return std::visit([&](const auto& derived) { return weight_of(derived, ground); }, method);
 }
 

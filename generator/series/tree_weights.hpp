@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <functional>
-#include <vector>
+#include <memory>
 
 #include "generator/exact/methods/galerkin_rule.hpp"
-#include "generator/exact/methods/trees.hpp"
 #include "generator/exact/numbers/ground.hpp"
+#include "generator/series/series_trees.hpp"
 
 namespace hvi::gen {
 
@@ -18,26 +17,36 @@ namespace hvi::gen {
 ///
 /// where V and W are dH/dp and dH/dq on the stages, since b_i (b_j - a~_ij) = b_j a_ji. So it is a
 /// sum over trees, each once, of h^vertices weight/symmetry times an elementary Hamiltonian. An
-/// edge joins a derivative by q at one of its vertices to one by p at the other, a vertex is a
+/// arrow joins a derivative by p at one of its vertices to one by q at the other, a vertex is a
 /// derivative of H at (q_0, p_1), and the weight is that of the vertices on all stages: b_i for a
-/// vertex on stage i, and a_ij/b_j for an edge from q on stage i to p on stage j. The exact H_d^+
-/// (4.1) is the same with the times in [0,1] for stages, where an edge says that its q is later.
+/// vertex on stage i, and a_ij/b_j for an arrow from p on stage j to q on stage i. The exact H_d^+
+/// (4.1) is the same with the times in [0,1] for stages, where an arrow says that its q is later.
 ///
-/// A tree is written from a vertex in its middle. Below it the vertices on the p of their edge to
-/// the middle are f and those on its q are g; the colour of the middle itself says nothing.
-using TreeWeight = std::function<Number(const Tree&)>;
+/// (4.6) is the same over all V and the Y_i = P^i - p_1 of
+///
+///     p_1 q_0 + h sum_i b_i (H(Q^i, p_1 + Y_i) - Y_i v_i),
+///     Q^i = q_0 + h sum_j A_ij V_j,    v_i = sum_j psi_j(c_i) V_j,
+///
+/// since the rule is exact on the span. The part of Y in the span and V make the arrows, with
+/// a_ij/b_j = A_i G^-1 psi(c_j). What is left of Y is orthogonal to all v, and d2H/dp2 alone is its
+/// quadratic form. This makes links between two derivatives by p, with the inverse of d2H/dp2, the
+/// weight psi(c_i)^T G^-1 psi(c_j) - delta_ij/b_j and the factor 1/h.
+class TreeWeight {
+public:
+    virtual ~TreeWeight() = default;
 
-/// All trees of a family with 1, 2, ..., `vertices` vertices, each once; `symmetry` is how many
-/// automorphisms it has. Other trees have no elementary Hamiltonian for its systems. Precondition:
-/// vertices <= most_vertices.
-[[nodiscard]] std::vector<std::vector<TreePointer>> unrooted_trees(TreeFamily family, int vertices);
+    [[nodiscard]] virtual Number operator()(const SeriesTree& tree) = 0;
+    /// Whether all trees with this branch have weight 0, because of it.
+    [[nodiscard]] virtual bool is_nothing(const SeriesTree& branch) = 0;
+};
+using TreeWeightPointer = std::unique_ptr<TreeWeight>;
 
-/// Those of (4.1), rational numbers. They remember what trees share, as those of a method do.
-[[nodiscard]] TreeWeight exact_weight(const Ground& ground);
+/// Those of (4.1), rational numbers, and 0 for links. They remember what trees share, as those of a
+/// method do.
+[[nodiscard]] TreeWeightPointer exact_weight(const Ground& ground);
 
-/// Those of (4.19); of the general Galerkin form for T = p^T K p/2. Throws MathError where
-/// coefficients of the method have no closed form. Precondition: the method is on the field of
-/// `ground`.
-[[nodiscard]] TreeWeight method_weight(const DerivedMethod& method, const Ground& ground);
+/// Those of (4.19) or (4.6). Throws MathError where coefficients of the method have no closed form.
+/// Precondition: the method is on the field of `ground`.
+[[nodiscard]] TreeWeightPointer method_weight(const DerivedMethod& method, const Ground& ground);
 
 }  // namespace hvi::gen

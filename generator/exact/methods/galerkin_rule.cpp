@@ -211,6 +211,17 @@ PartitionedMethod partitioned_method(const GalerkinRule& rule) {
     return method;
 }
 
+NumberMatrix projection(const GalerkinRule& rule) {
+    const auto known = inverse(rule.gram);
+    HVI_CHECK(known);
+    NumberMatrix result =
+        transpose(rule.Psi) * (known->adjugate * rule.Psi * (Number(1) / known->determinant));
+    for (NumberVector& row : result) {
+        for (std::size_t j = 0; j < rule.nodes(); ++j) { row[j] = row[j] * rule.b[j]; }
+    }
+    return result;
+}
+
 GalerkinRule galerkin_rule(const Method& method, const Ingredients& given) {
     const auto& [ground, psi, nodes] = given;
     HVI_CHECK(nodes.c.size() > psi.size());

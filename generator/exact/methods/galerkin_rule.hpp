@@ -60,6 +60,9 @@ struct NystromTableau {
 /// K^-1 times the velocities at the nodes.
 [[nodiscard]] PartitionedMethod partitioned_method(const GalerkinRule& rule);
 
+/// Psi^T G^-1 Psi diag(b): functions on the nodes projected onto the span.
+[[nodiscard]] NumberMatrix projection(const GalerkinRule& rule);
+
 /// Stable text of all numbers, for people and tests.
 [[nodiscard]] std::string dump(const GalerkinRule& rule);
 

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] Scalar defect(Colour colour, const Function& g, long times) const;
     /// A g for f, A~ g for g, times a number.
     [[nodiscard]] Function apply(Colour colour, const Function& g, long times) const;
+    /// Onto the span of the basis, which has all functions on the stages.
+    [[nodiscard]] static Function projection(const Function& g) { return g; }
     [[nodiscard]] Function power(long exponent) const;        ///< x^exponent
     [[nodiscard]] const Scalar& moment(long exponent) const;  ///< b.x^exponent
 

@@ -35,13 +35,15 @@ struct ProjectedStages::Factors {
           H(moments(rule.P, size)),
           psi(rows(rule, false)),
           A_psi(rows(rule, true)),
-          W(inverse(psi * H * transpose(psi)) * A_psi) {}
+          G_inverse(inverse(psi * H * transpose(psi))),
+          W(G_inverse * A_psi) {}
 
     std::size_t size;
     RationalMatrix H;      ///< of <., .>
     RationalMatrix psi;    ///< the basis
     RationalMatrix A_psi;  ///< its integrals from 0 on
-    RationalMatrix W;      ///< G^-1 A_psi
+    RationalMatrix G_inverse;
+    RationalMatrix W;  ///< G^-1 A_psi
 
 private:
     [[nodiscard]] RationalMatrix rows(const RationalRule& rule, bool integrated) const {
@@ -56,12 +58,13 @@ private:
 ProjectedStages::ProjectedStages(const RationalRule& rule)
     : ProjectedStages(rule.P, Factors(rule)) {}
 
-/// A = A_psi G^-1 Psi diag(b), A~ = (1 1^T - Psi^T G^-1 A_psi^T) diag(b) and n = x - A_psi G^-1
-/// A_psi^T, as they act on polynomials.
+/// A = A_psi G^-1 Psi diag(b), A~ = (1 1^T - Psi^T G^-1 A_psi^T) diag(b), the projection
+/// Psi^T G^-1 Psi diag(b) and n = x - A_psi G^-1 A_psi^T, as they act on polynomials.
 ProjectedStages::ProjectedStages(const RationalPolynomial& P, const Factors& factors)
     : P_(P),
       A_(factors.H * transpose(factors.psi) * factors.W),
       A_tilde_(factors.H * (unit(factors.size, 0, 0) - transpose(factors.W) * factors.psi)),
+      projection_(factors.H * transpose(factors.psi) * factors.G_inverse * factors.psi),
       n_(unit(factors.size, 1, 0) - transpose(factors.A_psi) * factors.W) {}
 
 RationalPolynomial ProjectedStages::product(const Function& g, const Function& h) const {
@@ -77,6 +80,10 @@ RationalPolynomial ProjectedStages::defect(Colour, const Function& g, long facto
 RationalPolynomial ProjectedStages::apply(Colour colour, const Function& g, long factor) const {
     const RationalMatrix row = coefficient_rows({g}, static_cast<std::size_t>(count()));
     return times(polynomial(row * (colour == Colour::f ? A_ : A_tilde_)), factor);
+}
+
+RationalPolynomial ProjectedStages::projection(const Function& g) const {
+    return polynomial(coefficient_rows({g}, static_cast<std::size_t>(count())) * projection_);
 }
 
 }  // namespace hvi::gen

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] Scalar defect(Colour colour, const Function& g, long times) const;
     /// A g for f, A~ g for g, times a number.
     [[nodiscard]] Function apply(Colour colour, const Function& g, long times) const;
+    /// v, modulo P.
+    [[nodiscard]] Function projection(const Function& g) const;
 
     /// The coefficients of x^k y^m in n(x, y) modulo P(x) and P(y): n_ij of GalerkinRule is
     /// n(c_i, c_j), and all n_ij are 0 where all coefficients are.
@@ -41,7 +43,7 @@ private:
     ProjectedStages(const RationalPolynomial& P, const Factors& factors);
 
     RationalPolynomial P_;
-    RationalMatrix A_, A_tilde_;  ///< of rows of coefficients, which stand to the left
+    RationalMatrix A_, A_tilde_, projection_;  ///< of rows of coefficients, which stand to the left
     RationalMatrix n_;
 };
 
