@@ -173,7 +173,8 @@ Hamiltonian hamiltonian_from_text(std::shared_ptr<const Source> expression,
     if (coordinates != nullptr) {
         const NameTexts of_q = name_texts(coordinates), of_p = name_texts(momenta);
         WholeNumbers known = sizes(written, {of_q, of_p}, values);
-        H = hamiltonian_of(unrolled(written, known), written.source, unrolled(of_q, known),
+        const NameList coordinates_of_H = unrolled(of_q, known);
+        H = hamiltonian_of(unrolled(written, known), written.source, coordinates_of_H,
                            unrolled(of_p, known));
         H.sizes = std::move(known);
         origin += fmt::format(" --coordinates \"{}\" --momenta \"{}\"",

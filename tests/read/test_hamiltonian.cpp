@@ -153,14 +153,15 @@ TEST_CASE("what cannot stand in a Hamiltonian") {
 }
 
 TEST_CASE("variables and parameters with an index") {
-    const Hamiltonian H =
-        read_hamiltonian("sum(i=1..2, p[i]^2/(2*m[i])) + k*x[1]*x[2]", "x[1..2]", "p[1..2]");
+    const std::string text = "sum(i=1..2,p[i]^2/(2*m[i]))+k*x[1]*x[2]";
+    const Hamiltonian H = read_hamiltonian(text, "x[1..2]", "p[1..2]");
     CHECK(to_text(H.expression) == "p[1]^2/(2*m[1])+p[2]^2/(2*m[2])+k*x[1]*x[2]");
     CHECK(variables(H) == Names{"x[1]", "x[2]", "p[1]", "p[2]"});
     CHECK(parameter_names(H) == Names{"k", "m[1]", "m[2]"});
-    CHECK(H.origin == "--hamiltonian \"" + to_text(H.expression) +
+    CHECK(H.origin == "--hamiltonian \"" + text +
                           "\" --coordinates \"x[1], x[2]\" --momenta \"p[1], p[2]\"");
-    const Hamiltonian again = read_hamiltonian(to_text(H.expression), "x[1], x[2]", "p[1], p[2]");
+    const Hamiltonian again = read_hamiltonian(text, "x[1], x[2]", "p[1], p[2]");
+    CHECK(read_hamiltonian(to_text(H.expression), "x[1..2]", "p[1..2]").expression == H.expression);
     CHECK(again.expression == H.expression);
     CHECK(again.origin == H.origin);
     CHECK(refused_hamiltonian("x[3]", "x[1..2]", "p[1..2]").marked == "[x[3]]");
