@@ -31,6 +31,7 @@ public:
     [[nodiscard]] Scalar defect(Colour colour, const Function& g, long times) const;
     /// A g for f, A~ g for g, times a number.
     [[nodiscard]] Function apply(Colour colour, const Function& g, long times) const;
+    [[nodiscard]] Function projected(const Function& g) const;  ///< v
 
     /// The coefficients of x^k y^m in n(x, y) modulo P(x) and P(y): n_ij of GalerkinRule is
     /// n(c_i, c_j), and all n_ij are 0 where all coefficients are.
@@ -40,8 +41,10 @@ private:
     struct Factors;
     ProjectedStages(const RationalPolynomial& P, const Factors& factors);
 
+    [[nodiscard]] Function applied(const RationalMatrix& matrix, const Function& g) const;
+
     RationalPolynomial P_;
-    RationalMatrix A_, A_tilde_;  ///< of rows of coefficients, which stand to the left
+    RationalMatrix A_, A_tilde_, projection_;  ///< of rows of coefficients, which stand to the left
     RationalMatrix n_;
 };
 
