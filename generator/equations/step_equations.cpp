@@ -11,7 +11,6 @@
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "generator/linear/one_step_map.hpp"
-#include "generator/linear/rule_map.hpp"
 #include "generator/lower/kinetic_rank.hpp"
 #include "generator/lower/system.hpp"
 
@@ -80,7 +79,8 @@ bool has_closed_form(const Tableau& tableau) {
 }
 
 bool has_closed_form(const GalerkinRule& rule) {
-    return is_closed(rule.b) && is_closed(rule.B) && are_closed(rule.Psi) && are_closed(rule.A_psi);
+    return rule.over_rationals != nullptr ||
+           (is_closed(rule.b) && are_closed(rule.Psi) && are_closed(rule.A_psi));
 }
 
 std::string obstacle_to_map(const QuadraticProof& proof, bool method_has_closed_form) {
@@ -120,31 +120,31 @@ struct StepWishes {
                     obstacle.empty() ? help : obstacle + "; " + help);
 }
 
-/// With the map, and H_d^+ where it is wished; or with the equations of the stages.
+/// The map, and H_d^+ where it is wished.
+template <class Method>
+void add_map(StepEquations& step, const Method& method, const QuadraticForm& H,
+             const Ground& ground, const StepWishes& wishes) {
+    step.map = equations(one_step_map(method, H, ground));
+    if (wishes.generating)
+        step.generating = equations(generating_function(method, H, ground), variables(step));
+}
+
+/// With the map, or with the equations of the stages.
 void add_equations(StepEquations& step, const Tableau& tableau, const Ground& ground,
                    const Hamiltonian& hamiltonian, const StepWishes& wishes) {
     // NOTE: first, since it refuses with their places what has no value or is too long.
     const Gradient slopes = gradient(hamiltonian);
     const QuadraticProof proof = quadratic_form(hamiltonian, ground);
     step.obstacle = obstacle_to_map(proof, has_closed_form(tableau));
-    if (!proof.form || !step.obstacle.empty()) {
-        if (wishes.generating) refuse_generating(hamiltonian, step.obstacle);
-        step.stages = stage_equations(tableau, hamiltonian, slopes);
-        return;
-    }
-    step.map = equations(one_step_map(tableau, *proof.form, ground));
-    if (wishes.generating)
-        step.generating =
-            equations(generating_function(tableau, *proof.form, ground), variables(hamiltonian));
+    if (proof.form && step.obstacle.empty())
+        return add_map(step, tableau, *proof.form, ground, wishes);
+    if (wishes.generating) refuse_generating(hamiltonian, step.obstacle);
+    step.stages = stage_equations(tableau, hamiltonian, slopes);
 }
 
 /// The same of the general form: with its map, or with (4.6).
 void add_equations(StepEquations& step, const GalerkinRule& rule, const Ground& ground,
                    const Hamiltonian& hamiltonian, const StepWishes& wishes) {
-    if (wishes.generating)
-        throw InputError("closed generating functions of the general Galerkin form are to come",
-                         Place{hamiltonian.source, hamiltonian.expression.range},
-                         "take as many nodes as functions; --series N gives their series");
     const Gradient slopes = gradient(hamiltonian);
     check_determined(hamiltonian);
     const QuadraticProof proof = quadratic_form(hamiltonian, ground);
@@ -152,9 +152,10 @@ void add_equations(StepEquations& step, const GalerkinRule& rule, const Ground& 
     step.obstacle = obstacle_to_map(proof, has_closed_form(rule));
     try {
         if (proof.form && step.obstacle.empty())
-            step.map = equations(one_step_map(rule, *proof.form, ground));
-    } catch (const TooLarge&) { step.obstacle = "it is too long to be computed"; }
-    if (!step.map) step.at_nodes = galerkin_equations(rule, hamiltonian, slopes);
+            return add_map(step, rule, *proof.form, ground, wishes);
+    } catch (const TooLarge&) { step.obstacle = "the map is too long to be computed"; }
+    if (wishes.generating) refuse_generating(hamiltonian, step.obstacle);
+    step.at_nodes = galerkin_equations(rule, hamiltonian, slopes);
 }
 
 }  // namespace

@@ -52,8 +52,7 @@ struct StepEquations : StepTitle {
 /// stages (4.18), and (4.6) of the general form. With `series` also so many terms of the discrete
 /// Hamiltonians of any H. Throws what `derive_any`, `gradient` and `discrete_series` throw, and
 /// MathError for the generating function of another H; for the general form MathError where d2H/dp2
-/// is singular, and InputError for closed generating functions, which are to come. Precondition:
-/// their names go together (see check_together).
+/// is singular. Precondition: their names go together (see check_together).
 [[nodiscard]] StepEquations step_equations(const Method& method, const Hamiltonian& hamiltonian,
                                            bool generating, std::optional<int> series = {});
 

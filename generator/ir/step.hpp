@@ -90,6 +90,18 @@ struct RoundedCoefficients {
     RoundedMatrix mt;
 };
 
+/// X, A, D and B of a step with
+///
+///     Q_i = q + sum_j A_ij W_j,          sum_j X_ij W_j = h b_i dH/dp(Q_i, P_i),
+///     sum_i X_ij P_i = B_j p + sum_i D_ij Lp_i,
+///
+/// rounded so that A_ij + D_ij == B_j and the sum of X_ij over i is B_j, in each format.
+struct RoundedGalerkinForm {
+    RoundedMatrix X;  ///< nodes x functions, b_i phi_ij
+    RoundedMatrix A, D;
+    std::vector<Rounded> B;
+};
+
 /// How an explicit step sums its increments.
 enum class Sums {
     plain,
@@ -101,10 +113,19 @@ struct ExplicitStep {
     Sums sums = Sums::plain;
 };
 
+/// The general Galerkin form, of one step or of several in a row.
+struct TabulatedCurve {
+    GalerkinForm form;
+    RoundedGalerkinForm rounded;
+    NumberVector steps;  ///< of a composition: gamma_1, ..., gamma_k; else empty
+};
+
 /// One linear map, computed when h changes.
 struct TabulatedStep {
     enum class As { shears, matrix } as = As::shears;  ///< a product of shears where these exist
-    RoundedCoefficients coefficients = {};             ///< that the map is computed from
+    /// What the map is computed from. Of a curve the blocks of the step are one, and there are no
+    /// `momenta`.
+    std::variant<RoundedCoefficients, TabulatedCurve> tables = {};
 };
 
 /// Who solves the stage equations.
@@ -169,18 +190,6 @@ struct VelocityStep {
     std::optional<RealModes> modes;
 };
 
-/// X, A, D and B of a step with
-///
-///     Q_i = q + sum_j A_ij W_j,          sum_j X_ij W_j = h b_i dH/dp(Q_i, P_i),
-///     sum_i X_ij P_i = B_j p + sum_i D_ij Lp_i,
-///
-/// rounded so that A_ij + D_ij == B_j and the sum of X_ij over i is B_j, in each format.
-struct RoundedGalerkinForm {
-    RoundedMatrix X;  ///< nodes x functions, b_i phi_ij
-    RoundedMatrix A, D;
-    std::vector<Rounded> B;
-};
-
 /// W and P of the next step from those of this one, for unchanged h: W_j = sum_k W_jk W_k, and
 /// P_i = sum_k P_ik P_k.
 struct CurveExtrapolation {
@@ -198,6 +207,9 @@ struct GalerkinStep {
     Iteration iteration;  ///< without extrapolation of slopes
     std::optional<CurveExtrapolation> extrapolation;
     NumberVector steps;  ///< of a composition: gamma_1, ..., gamma_k; else empty
+    /// Every second one of them is a step of the adjoint, which is another one: A and D change
+    /// places, and c_i is 1 - c_i.
+    bool has_adjoint = false;
 };
 
 /// What the lanes of the processor hold.

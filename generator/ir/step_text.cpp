@@ -153,10 +153,27 @@ std::string lines(const ExplicitStep& form) {
                        form.sums == Sums::plain ? "plain" : "compensated");
 }
 
+std::string lines(const GalerkinForm& form) {
+    return line("b", form.b) + lines("phi", form.phi) + lines("A", form.A) + line("B", form.B) +
+           line("G", form.gram);
+}
+
+std::string lines(const RoundedGalerkinForm& form) {
+    return lines("X", form.X) + lines("A", form.A) + lines("D", form.D) + lines("B", {form.B});
+}
+
+std::string line_of_steps(const NumberVector& steps) {
+    return steps.empty() ? "" : line("steps", steps);
+}
+
+std::string lines(const TabulatedCurve& curve) {
+    return lines(curve.form) + lines(curve.rounded) + line_of_steps(curve.steps);
+}
+
 std::string lines(const TabulatedStep& form) {
     return fmt::format("form: tabulated as {}\n",
                        form.as == TabulatedStep::As::shears ? "shears" : "a matrix") +
-           lines(form.coefficients);
+           std::visit([](const auto& tables) { return lines(tables); }, form.tables);
 }
 
 std::string lines(const PairStep& form) {
@@ -176,13 +193,10 @@ std::string lines(const CurveExtrapolation& from) {
 
 std::string lines(const GalerkinStep& form) {
     const bool is_lagrangian = form.side == Side::lagrangian;
-    std::string result =
-        std::string("form: curves") + (is_lagrangian ? " of L\n" : "\n") + line("b", form.form.b) +
-        lines("phi", form.form.phi) + lines("A", form.form.A) + line("B", form.form.B) +
-        line("G", form.form.gram) + lines("X", form.rounded.X) + lines("A", form.rounded.A) +
-        lines("D", form.rounded.D) + lines("B", {form.rounded.B}) + lines(form.iteration);
+    std::string result = std::string("form: curves") + (is_lagrangian ? " of L\n" : "\n") +
+                         lines(form.form) + lines(form.rounded) + lines(form.iteration);
     if (form.extrapolation) { result += lines(*form.extrapolation); }
-    return form.steps.empty() ? result : result + line("steps", form.steps);
+    return result + line_of_steps(form.steps) + (form.has_adjoint ? "of the adjoint too\n" : "");
 }
 
 }  // namespace

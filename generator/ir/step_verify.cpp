@@ -11,11 +11,17 @@ namespace {
 
 using Kind = StageNode::Kind;
 
+/// NOTE: positions of the general Galerkin form have no momenta beside them.
+bool is_general_form(const Step& step) {
+    const auto* map = std::get_if<TabulatedStep>(&step.form);
+    const bool is_curve = map != nullptr && std::holds_alternative<TabulatedCurve>(map->tables);
+    return is_curve || std::holds_alternative<VelocityStep>(step.form) ||
+           std::holds_alternative<GalerkinStep>(step.form);
+}
+
 void verify_stages(const Step& step) {
     const std::size_t r = step.positions.size(), s = step.momenta.size();
-    // NOTE: positions of the general Galerkin form have no momenta beside them.
-    HVI_CHECK(r > 0 && (s > 0 || std::holds_alternative<VelocityStep>(step.form) ||
-                        std::holds_alternative<GalerkinStep>(step.form)));
+    HVI_CHECK(r > 0 && (s > 0 || is_general_form(step)));
     HVI_CHECK(is_table(step.m, r, s));
     HVI_CHECK(step.c.empty() || step.c.size() == r);
     for (const auto* values : {&step.positions, &step.momenta}) {
@@ -146,11 +152,30 @@ void verify_form(const Step& step, const ExplicitStep&) {
     verify_order(step);
 }
 
+/// One block of all there is, of r nodes and s functions.
+void verify_curve(const Step& step, const GalerkinForm& form, const RoundedGalerkinForm& rounded) {
+    const std::size_t r = form.nodes(), s = form.functions();
+    HVI_CHECK(step.positions.size() == r && step.momenta.empty() && step.layout == Layout::one);
+    HVI_CHECK(step.blocks.size() == 1 && step.coupled_blocks() == 1);
+    HVI_CHECK(!step.kept.any() && !step.from_parameter);
+    HVI_CHECK(r >= s && form.b.size() == r && form.gram.size() == s);
+    HVI_CHECK(is_table(form.phi, r, s) && is_table(form.A, r, s));
+    verify_rounded(rounded, r, s);
+}
+
+void verify_tables(const Step& step, const RoundedCoefficients& coefficients) {
+    verify_rounded(step, coefficients);
+    verify_order(step);
+}
+
+void verify_tables(const Step& step, const TabulatedCurve& curve) {
+    verify_curve(step, curve.form, curve.rounded);
+}
+
 void verify_form(const Step& step, const TabulatedStep& form) {
-    verify_rounded(step, form.coefficients);
     HVI_CHECK(!step.is_explicit() && step.layout == Layout::one);
     HVI_CHECK(!step.depends_on_time() && !step.from_parameter);
-    verify_order(step);
+    std::visit([&](const auto& tables) { verify_tables(step, tables); }, form.tables);
 }
 
 void verify_form(const Step& step, const PairStep& form) {
@@ -174,14 +199,10 @@ void verify_form(const Step& step, const VelocityStep& form) {
 
 void verify_form(const Step& step, const GalerkinStep& form) {
     const std::size_t r = form.form.nodes(), s = form.form.functions();
-    HVI_CHECK(step.positions.size() == r && step.momenta.empty() && step.layout == Layout::one);
-    HVI_CHECK(step.blocks.size() == 1 && step.coupled_blocks() == 1);
-    HVI_CHECK(!step.kept.any() && !step.from_parameter && step.slopes != Slopes::one_by_one);
-    HVI_CHECK(r >= s && form.form.b.size() == r && form.form.gram.size() == s);
-    HVI_CHECK(is_table(form.form.phi, r, s) && is_table(form.form.A, r, s));
-    verify_rounded(form.rounded, r, s);
+    verify_curve(step, form.form, form.rounded);
+    HVI_CHECK(step.slopes != Slopes::one_by_one);
     HVI_CHECK(form.side == Side::hamiltonian || step.slopes == Slopes::joint);
-    HVI_CHECK(!form.iteration.extrapolation);
+    HVI_CHECK(!form.iteration.extrapolation && (!form.has_adjoint || !form.steps.empty()));
     if (!form.extrapolation) { return; }
     const std::optional<NumberMatrix>& P = form.extrapolation->P;
     HVI_CHECK(is_table(form.extrapolation->W, s, s));

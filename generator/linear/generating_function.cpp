@@ -29,10 +29,11 @@ struct StageValues {
 
 /// H_d^+ of (4.19), whose third line is
 ///
-///     H_d^+ = q_0 p_1 + h sum_i b_i ((p_1 - P^i) V^i + H(Q^i, P^i)).
+///     H_d^+ = q_0 p_1 + h sum_i b_i ((p_1 - P^i) V^i + H(Q^i, P^i)),
 ///
-/// As V = dH/dp is the second half of K and H(x) = x^T (K + g)/2, the sum is y^T left^T right y for
-/// left = (p_1 - P; x) and right = gram (V; (K + g)/2).
+/// and of (4.2) with the velocities V^i at the nodes of a rule, which integrates their span
+/// exactly. As V = dH/dp is the second half of K and H(x) = x^T (K + g)/2, the sum is y^T left^T
+/// right y for left = (p_1 - P; x) and right = gram (V; (K + g)/2).
 class DiscreteHamiltonian {
 public:
     /// Precondition: H has no constant.
@@ -158,12 +159,9 @@ void add(GeneratingFunction& sum, const QuadraticForm& H, const UncoupledPart& p
     if (sum.exact) { add(*sum.exact, *exact, part); }
 }
 
-}  // namespace
-
-GeneratingFunction generating_function(const Tableau& tableau, const QuadraticForm& H,
-                                       const Ground& ground) {
+GeneratingFunction function_of(const StageFunctions& stages, const QuadraticForm& H,
+                               const Ground& ground) {
     const Progress::Stage stage("computing the generating function");
-    const StageFunctions stages = exact_stage_functions(tableau, H);
     // NOTE: twice what the highest possible order, 2s, asks for: some H are kinder than others.
     const int powers = 4 * static_cast<int>(stages.count()) + 6;
     GeneratingFunction result = zero(H.g.size(), powers + 1);
@@ -174,6 +172,18 @@ GeneratingFunction generating_function(const Tableau& tableau, const QuadraticFo
     result.discrete.constant = result.discrete.constant + constant;
     if (result.exact) { result.exact->constant = result.exact->constant + constant; }
     return result;
+}
+
+}  // namespace
+
+GeneratingFunction generating_function(const Tableau& tableau, const QuadraticForm& H,
+                                       const Ground& ground) {
+    return function_of(exact_stage_functions(tableau, H), H, ground);
+}
+
+GeneratingFunction generating_function(const GalerkinRule& rule, const QuadraticForm& H,
+                                       const Ground& ground) {
+    return function_of(exact_stage_functions(rule, H), H, ground);
 }
 
 }  // namespace hvi::gen

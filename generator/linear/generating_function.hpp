@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 /// H_d^+ as functions of x = (q_0, p_1).
 struct GeneratingFunction {
-    QuadraticForm discrete;  ///< H_d^+ of (4.19), by its definition: from the stages
+    QuadraticForm discrete;  ///< H_d^+ of (4.2), (4.19), by its definition: from the stages
     /// The exact discrete Hamiltonian (4.1), where its closed form is known (see
     /// exact_discrete_hamiltonian).
     std::optional<QuadraticForm> exact;
@@ -29,5 +29,7 @@ struct GeneratingFunction {
 /// Preconditions and errors as for one_step_map.
 [[nodiscard]] GeneratingFunction generating_function(const Tableau& tableau, const QuadraticForm& H,
                                                      const Ground& ground);
+[[nodiscard]] GeneratingFunction generating_function(const GalerkinRule& rule,
+                                                     const QuadraticForm& H, const Ground& ground);
 
 }  // namespace hvi::gen

@@ -20,15 +20,14 @@ LinearMap map_of_part(const StageFunctions& stages, const QuadraticForm& H, cons
     return {(identity(2 * n) * D + slope * H.S) * reciprocal, slope * H.g * reciprocal};
 }
 
-}  // namespace
-
-LinearMap by_uncoupled_parts(const QuadraticForm& H,
-                             const std::function<LinearMap(const QuadraticForm&)>& map_of) {
+/// Of degrees of freedom that are not coupled each has a map of its own, and they are put together.
+LinearMap map_of(const StageFunctions& stages, const QuadraticForm& H, const Ground& ground) {
     const Progress::Stage stage("computing the map of one step");
+    const Number h = ground.parameter("h");
     const std::size_t size = H.g.size();
     LinearMap result{zeros(size, size), NumberVector(size)};
     for (const UncoupledPart& part : uncoupled_parts(H)) {
-        const LinearMap map = map_of(restricted(H, part));
+        const LinearMap map = map_of_part(stages, restricted(H, part), h);
         for (std::size_t i = 0; i < part.size(); ++i) {
             for (std::size_t j = 0; j < part.size(); ++j) {
                 result.matrix[part[i]][part[j]] = map.matrix[i][j];
@@ -39,11 +38,14 @@ LinearMap by_uncoupled_parts(const QuadraticForm& H,
     return result;
 }
 
+}  // namespace
+
 LinearMap one_step_map(const Tableau& tableau, const QuadraticForm& H, const Ground& ground) {
-    const StageFunctions stages = exact_stage_functions(tableau, H);
-    return by_uncoupled_parts(H, [&](const QuadraticForm& part) {
-        return map_of_part(stages, part, ground.parameter("h"));
-    });
+    return map_of(exact_stage_functions(tableau, H), H, ground);
+}
+
+LinearMap one_step_map(const GalerkinRule& rule, const QuadraticForm& H, const Ground& ground) {
+    return map_of(exact_stage_functions(rule, H), H, ground);
 }
 
 }  // namespace hvi::gen

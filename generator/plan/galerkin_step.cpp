@@ -53,22 +53,35 @@ Decision what_is_solved_for(const SystemProperties& system, const StepWishes& wi
 
 }  // namespace
 
+NumberVector steps_in_a_row(const OneStepMethod& method) {
+    return method.composition ? method.composition->steps : NumberVector{};
+}
+
+void note_composition(Step& step, const OneStepMethod& method) {
+    if (!method.composition) { return; }
+    step.decisions.push_back({fmt::format("{} steps in a row", method.composition->steps.size()),
+                              fmt::format("they make a method of order {}: {}",
+                                          method.composition->order, method.composition->name)});
+}
+
+void set_nodes(Step& step, const OneStepMethod& method, const GalerkinForm& form) {
+    note_unused_nodes(step, method);
+    set_stages(step, form);
+}
+
 void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system,
                   const StepWishes& wishes) {
     GalerkinStep galerkin;
     galerkin.side = system.side;
     galerkin.form = galerkin_form(method.base);
-    note_unused_nodes(step, method);
-    set_stages(step, galerkin.form);
+    galerkin.steps = steps_in_a_row(method);
+    galerkin.has_adjoint = method.composition && method.composition->with_adjoint &&
+                           !is_symmetric(galerkin.form).holds;
+    set_nodes(step, method, galerkin.form);
     step.slopes = system.is_separable ? Slopes::of_parts : Slopes::joint;
     step.partner = Partner::different;
     step.decisions.push_back(what_is_solved_for(system, wishes));
-    if (const auto& composition = method.composition) {
-        galerkin.steps = composition->steps;
-        step.decisions.push_back({fmt::format("{} steps in a row", composition->steps.size()),
-                                  fmt::format("they make a method of order {}: {}",
-                                              composition->order, composition->name)});
-    }
+    note_composition(step, method);
     step.decisions.push_back(
         {"the basis is orthogonal for the rule",
          fmt::format("any basis of the span makes the same step, and with this one an iteration "

@@ -103,6 +103,8 @@ void check_general_form(const std::optional<Place>& place, const SystemPropertie
 }
 
 Quadrature set_rule(Step& step, const GalerkinRule& rule) {
+    step.slopes = Slopes::of_parts;
+    step.partner = Partner::different;
     step.decisions.push_back(
         {"positions alone are computed",
          "the kinetic energy is quadratic, and (4.6) a Nystrom method of its nodes"});

@@ -220,22 +220,22 @@ void set_times(Step& step, NumberVector c) {
     step.decisions.push_back({"the state has a time", "H depends on it"});
 }
 
-/// The map of one step is linear. Whether it is tabulated; where it is not, the decisions say why.
+/// Whether a system of so many unknowns for each degree of freedom is solved for the map of one
+/// step, which is linear; where it is not, the decisions say why.
 ///
-/// NOTE: kicks and drifts are shears as well, and need the standard library alone. To compute the
-/// matrix costs the cube of the number of unknowns, in numbers of twice the digits: 64 take some
-/// milliseconds.
-bool tabulate(Step& step, const SystemProperties& system) {
+/// NOTE: to compute the matrix costs the cube of the number of unknowns, in numbers of twice the
+/// digits: 64 take some milliseconds.
+bool is_tabulated(Step& step, const SystemProperties& system, std::size_t unknowns_of_each) {
     constexpr std::size_t most_unknowns = 64;
-    if (step.is_explicit() || step.from_parameter) { return false; }
-    const std::size_t unknowns =
-        system.degrees_of_freedom * (step.positions.size() + step.momenta.size());
-    if (unknowns > most_unknowns) {
-        step.decisions.push_back(
-            {"iterated, though H is quadratic",
-             fmt::format("its matrix has {} unknowns, above {}", unknowns, most_unknowns)});
-        return false;
-    }
+    const std::size_t unknowns = system.degrees_of_freedom * unknowns_of_each;
+    if (unknowns <= most_unknowns) { return true; }
+    step.decisions.push_back(
+        {"iterated, though H is quadratic",
+         fmt::format("its matrix has {} unknowns, above {}", unknowns, most_unknowns)});
+    return false;
+}
+
+void set_map(Step& step, const SystemProperties& system) {
     const bool are_symmetric = system.degrees_of_freedom == 1 || step.is_separable();
     if (are_symmetric && !system.is_degenerate) {
         step.form = TabulatedStep{.as = TabulatedStep::As::shears};
@@ -256,6 +256,13 @@ bool tabulate(Step& step, const SystemProperties& system) {
                          are_symmetric ? "a singular matrix d2H/dp2 leaves no shears"
                                        : "products of q and p leave no symmetric shears")}};
     }
+}
+
+/// NOTE: kicks and drifts are shears as well, and need the standard library alone.
+bool tabulate(Step& step, const SystemProperties& system) {
+    if (step.is_explicit() || step.from_parameter) { return false; }
+    if (!is_tabulated(step, system, step.positions.size() + step.momenta.size())) { return false; }
+    set_map(step, system);
     return true;
 }
 
@@ -283,8 +290,12 @@ void note_action(Step& step) {
 }
 
 void round_coefficients(const Step&, ExplicitStep&) {}
+void round_tables(const Step& step, RoundedCoefficients& coefficients) {
+    coefficients = rounded(step);
+}
+void round_tables(const Step&, TabulatedCurve& curve) { curve.rounded = rounded(curve.form); }
 void round_coefficients(const Step& step, TabulatedStep& form) {
-    form.coefficients = rounded(step);
+    std::visit([&](auto& tables) { round_tables(step, tables); }, form.tables);
 }
 void round_coefficients(const Step& step, PairStep& form) { form.coefficients = rounded(step); }
 void round_coefficients(const Step&, VelocityStep& form) { form.rounded = rounded(form.form); }
@@ -301,6 +312,11 @@ Step completed(Step step) {
 Solver solver_for(const StepWishes& wishes) {
     const bool is_ensemble = wishes.lanes == Lanes::ensemble;
     return is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
+}
+
+bool may_tabulate(const SystemProperties& system, const StepWishes& wishes) {
+    return system.has_linear_map && solver_for(wishes) == Solver::automatic &&
+           !wishes.needs_slopes();
 }
 
 /// NOTE: the sums of (4.19) take one stage after the other.
@@ -327,9 +343,7 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
     // The time is a coordinate with velocity 1: (4.18c) gives T_i = t + h sum_j a_ij.
     if (system.depends_on_time) { set_times(step, position_times(step)); }
     set_from_parameter(step, tableau, method.place);
-    const Solver solver = solver_for(wishes);
-    const bool may_tabulate = solver == Solver::automatic && !wishes.needs_slopes();
-    if (system.has_linear_map && may_tabulate && tabulate(step, system)) { return completed(step); }
+    if (may_tabulate(system, wishes) && tabulate(step, system)) { return completed(step); }
     if (!step.is_explicit()) { step.form = PairStep{Iteration{}}; }
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.
@@ -338,17 +352,16 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
     } else if (system.kinetic_is_quadratic && !composition) {
         eliminate_momenta(step);
     }
-    set_solver(step, solver, system.joint_gradient_pays);
+    set_solver(step, solver_for(wishes), system.joint_gradient_pays);
     set_lanes(step, lanes_for(wishes));
     if (!composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
     return completed(std::move(step));
 }
 
-/// By the general Galerkin form with its own unknowns.
-Step planned_as_curves(const OneStepMethod& method, const SystemProperties& system,
+/// By the general Galerkin form with its own unknowns. Decisions that are made are kept.
+Step planned_as_curves(Step step, const OneStepMethod& method, const SystemProperties& system,
                        const StepWishes& wishes) {
     check_no_parameter(method);
-    Step step;
     set_galerkin(step, method, system, wishes);
     const auto* tableau = std::get_if<Tableau>(&method.base);
     if (tableau != nullptr) { step.partner = partner(*tableau); }
@@ -357,17 +370,22 @@ Step planned_as_curves(const OneStepMethod& method, const SystemProperties& syst
     return completed(std::move(step));
 }
 
-Step planned(const GalerkinRule& rule, const OneStepMethod& method, const SystemProperties& system,
-             const StepWishes& wishes) {
-    check_no_parameter(method);
-    check_general_form(method.place, system);
-    if (!system.kinetic_is_quadratic || method.composition || wishes.action) {
-        return planned_as_curves(method, system, wishes);
-    }
+/// By the map of the curve, or of several in a row.
+Step planned_as_map(const OneStepMethod& method, TabulatedCurve curve,
+                    const SystemProperties& system) {
     Step step;
-    step.slopes = Slopes::of_parts;
+    step.slopes = system.is_separable ? Slopes::of_parts : Slopes::joint;
     step.partner = Partner::different;
-    const Quadrature quadrature = set_rule(step, rule);
+    set_map(step, system);
+    set_nodes(step, method, curve.form);
+    note_composition(step, method);
+    std::get<TabulatedStep>(step.form).tables = std::move(curve);
+    return completed(std::move(step));
+}
+
+/// By positions alone. Precondition: set_rule() has set them.
+Step planned_as_positions(Step step, const OneStepMethod& method, const Quadrature& quadrature,
+                          const SystemProperties& system, const StepWishes& wishes) {
     if (std::holds_alternative<ExplicitStep>(step.form)) {
         set_places(step);
         set_blocks(step);
@@ -381,11 +399,30 @@ Step planned(const GalerkinRule& rule, const OneStepMethod& method, const System
     return completed(std::move(step));
 }
 
+Step planned(const GalerkinRule& rule, const OneStepMethod& method, const SystemProperties& system,
+             const StepWishes& wishes) {
+    check_no_parameter(method);
+    check_general_form(method.place, system);
+    const bool is_nystrom = system.kinetic_is_quadratic && !method.composition && !wishes.action;
+    Step step;
+    Quadrature quadrature;
+    if (is_nystrom) { quadrature = set_rule(step, rule); }
+    const bool is_explicit = is_nystrom && std::holds_alternative<ExplicitStep>(step.form);
+    if (may_tabulate(system, wishes) && !is_explicit) {
+        TabulatedCurve curve{galerkin_form(rule), {}, steps_in_a_row(method)};
+        if (is_tabulated(step, system, curve.form.nodes() + curve.form.functions())) {
+            return planned_as_map(method, std::move(curve), system);
+        }
+    }
+    return is_nystrom ? planned_as_positions(std::move(step), method, quadrature, system, wishes)
+                      : planned_as_curves(std::move(step), method, system, wishes);
+}
+
 }  // namespace
 
 Step plan(const OneStepMethod& method, const SystemProperties& system, const StepWishes& wishes) {
     verify(method);
-    if (system.side == Side::lagrangian) { return planned_as_curves(method, system, wishes); }
+    if (system.side == Side::lagrangian) { return planned_as_curves({}, method, system, wishes); }
     return std::visit([&](const auto& base) { return planned(base, method, system, wishes); },
                       method.base);
 }

@@ -178,7 +178,8 @@ void write_stages(Page& page, const StepEquations& step) {
 void write_generating(Page& page, const StepEquations& step) {
     const GeneratingEquations& found = *step.generating;
     const auto at_the_end = names_at_the_end(step);
-    page.remark("\ngenerating function of type II, by (4.19):\n\n");
+    page.remark(fmt::format("\ngenerating function of type II, by {}:\n\n",
+                            step.basis.empty() ? "(4.19)" : "(4.2)"));
     page.equation("H_d^+", renamed(found.discrete, at_the_end));
     if (found.exact) {
         page.remark("\nexact discrete Hamiltonian, (4.1):\n\n");

@@ -96,7 +96,7 @@ public:
     [[nodiscard]] Function to_end(const Function& g) const {
         return all(g) - stages_.apply(Colour::g, g, 1);
     }
-    [[nodiscard]] Function over_link(const Function& g) const { return stages_.projection(g) - g; }
+    [[nodiscard]] Function over_link(const Function& g) const { return stages_.projected(g) - g; }
     [[nodiscard]] Number total(const Function& g) const { return number(all(g), ground_); }
     [[nodiscard]] static bool is_zero(const Function& g) { return g == Function(); }
 

@@ -132,16 +132,34 @@ TEST_CASE("the action takes the general form, with momenta at the nodes") {
     CHECK(header({"two-pendulums"}).find(reason) == std::string::npos);
 }
 
-TEST_CASE("compositions of rules that are not symmetric are refused") {
-    const auto refused = [](const std::string& composition, int status, const std::string& words) {
-        const Outcome outcome = hvi_gen({"stepper", "--basis", "1, tau", "--nodes", "0, 2/3, 1",
-                                         "nonseparable", "--compose", composition});
-        INFO(outcome.err);
-        CHECK(outcome.status == status);
-        CHECK(outcome.err.find(words) != std::string::npos);
+TEST_CASE("compositions of rules that are not symmetric take the adjoint, or are refused") {
+    const auto composed = [](const std::string& composition) {
+        return hvi_gen({"stepper", "--basis", "1, tau", "--nodes", "0, 2/3, 1", "nonseparable",
+                        "--compose", composition});
     };
-    refused("yoshida:4", 1, "not its own adjoint");
-    refused("blanes-moan:6", 2, "is one of the adjoint");
+    const Outcome refused = composed("yoshida:4");
+    CHECK(refused.status == 1);
+    CHECK(refused.err.find("not its own adjoint") != std::string::npos);
+    const Outcome adjoint = composed("blanes-moan:6");
+    CHECK(adjoint.status == 0);
+    CHECK(adjoint.out.find("is_adjoint ? D : A") != std::string::npos);
+    const Outcome symmetric =
+        with_simpson({"stepper", "nonseparable"}, {"--compose", "blanes-moan:6"});
+    CHECK(symmetric.out.find("is_adjoint") == std::string::npos);
+}
+
+TEST_CASE("a quadratic H is stepped by the map of the rule, and has a generating function") {
+    const Outcome stepper = with_simpson({"stepper", "harmonic-oscillator"});
+    CHECK(stepper.status == 0);
+    CHECK(stepper.out.find("LinearMap") != std::string::npos);
+    const Outcome dense = with_simpson({"stepper", "harmonic-oscillator", "--dense", "--action"});
+    CHECK(dense.status == 0);
+    CHECK(dense.out.find("LinearMap") == std::string::npos);
+    const Outcome scheme = with_simpson({"scheme", "--hamiltonian", "p^2/2+q^2/2", "--generating"});
+    CHECK(scheme.status == 0);
+    CHECK(scheme.out.find("by (4.2)") != std::string::npos);
+    CHECK(scheme.out.find("gives map     yes") != std::string::npos);
+    CHECK(with_simpson({"scheme", "--hamiltonian", "q*p", "--generating"}).status == 1);
 }
 
 TEST_CASE("the general form runs a scene that is not separable") {

@@ -458,10 +458,6 @@ TEST_CASE("series that there are not") {
         refusal([] { return series(rule("1 | 0, 1"), "(p1+p2)^2*(1+q1^2)/2 + q2*p1 + q2^2", 2); });
     CHECK(singular_everywhere.status == 1);
     CHECK(singular_everywhere.says("its rank is 1 of 2"));
-    const Refusal generating = refusal(
-        [] { return step_equations(rule("1 | 0, 1"), hamiltonian("p^2/2 + q^2/2"), true, 2); });
-    CHECK(generating.status == 2);
-    CHECK(generating.says("generating functions of the general Galerkin form are to come"));
 }
 
 TEST_CASE("what is too long to be written is decided all the same") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/clock.hpp"
 
+#include "generator/emit/steps/curve_tables.hpp"
 #include "generator/emit/steps/header.hpp"
 
 namespace hvi::gen {
@@ -42,10 +43,12 @@ std::string clock_reference(const Step& step) {
 }
 
 std::string clock_begins(const Step& step, std::string_view forget) {
-    return timed(step, fmt::format("if (!clock_.begin(x.t, h, {}c)) {{ {}; }}\n"
+    const std::string c = has_adjoint(step) ? "is_adjoint_ ? c_of_adjoint : c"
+                                            : fmt::format("{}c", owner(step, "s_"));
+    return timed(step, fmt::format("if (!clock_.begin(x.t, h, {})) {{ {}; }}\n"
                                    "if (!clock_.ends()) {{ return "
                                    "Status(Status::Code::not_finite); }}",
-                                   owner(step, "s_"), forget));
+                                   c, forget));
 }
 
 std::string clock_ends(const Step& step, std::string_view status) {
@@ -59,12 +62,15 @@ std::string_view clock_ends_well(const Step& step) {
 
 std::string times_text(const Step& step) {
     if (!step.depends_on_time()) { return {}; }
-    std::vector<Constant> c;
+    std::vector<Constant> c, c_of_adjoint;
     for (std::size_t i = 0; i < step.c.size(); ++i) {
+        const Number other = Number(1) - step.c[i];
         c.push_back({fmt::format("c_{}", i + 1), nearest(step.c[i]), exact_text(step.c[i])});
+        c_of_adjoint.push_back({fmt::format("1 - c_{}", i + 1), nearest(other), exact_text(other)});
     }
     Writer writer(1);
     table(writer, "c", c);
+    if (has_adjoint(step)) { table(writer, "c_of_adjoint", c_of_adjoint); }
     return writer.str();
 }
 

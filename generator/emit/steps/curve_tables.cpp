@@ -35,15 +35,12 @@ NumberMatrix remaining(const GalerkinForm& form) {
 
 }  // namespace
 
-std::string curve_tables(const Step& step, const GalerkinStep& galerkin,
-                         const SceneWishes& wishes) {
-    const GalerkinForm& form = galerkin.form;
-    const RoundedGalerkinForm& values = galerkin.rounded;
+std::string curve_tables(const Step& step, const GalerkinForm& form,
+                         const RoundedGalerkinForm& values, std::string_view equation) {
     Writer writer(1);
     table(writer, "b", weights(step.positions));
     refuse_float(writer, weights(step.positions));
     if (const std::string times = times_text(step); !times.empty()) { writer.insert(times); }
-    const std::string_view equation = galerkin.side == Side::hamiltonian ? "(4.6)" : "(4.14)";
     writer.blank().comment(
         fmt::format("{} in a basis phi that is orthogonal for the rule: X_ij = b_i phi_j(c_i), "
                     "A_ij and B_j are its integrals to c_i and to 1, and D_ij = B_j - A_ij, "
@@ -55,6 +52,13 @@ std::string curve_tables(const Step& step, const GalerkinStep& galerkin,
     table(writer, "B", column("B", form.B, values.B));
     writer.line("static_assert(hvi::detail::symplectic_curve(X, A, D, B), \"the method is "
                 "symplectic\");");
+    return writer.str();
+}
+
+std::string curve_tables(const Step& step, const GalerkinStep& form, const SceneWishes& wishes) {
+    Writer writer(1);
+    writer.insert(curve_tables(step, form.form, form.rounded,
+                               form.side == Side::hamiltonian ? "(4.6)" : "(4.14)"));
     if (wishes.curve) { writer.insert(curve_table(step, *wishes.curve, library(wishes))); }
     return writer.str();
 }
@@ -69,11 +73,48 @@ void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWis
     parts.curve = curve_text(*wishes.curve, form.form.functions(), chord, W);
 }
 
-std::string gamma_table(const GalerkinStep& form) {
-    if (form.steps.empty()) { return {}; }
+std::string gamma_table(const NumberVector& steps) {
+    if (steps.empty()) { return {}; }
     Writer writer(1);
     writer.blank().comment("A step is steps of these parts of h.");
-    rough_table(writer, "gamma", "gamma", form.steps);
+    rough_table(writer, "gamma", "gamma", steps);
+    return writer.str();
+}
+
+bool has_adjoint(const Step& step) {
+    const auto* form = std::get_if<GalerkinStep>(&step.form);
+    return form != nullptr && form->has_adjoint;
+}
+
+std::string choice_of_tables(const GalerkinStep& form) {
+    if (!form.has_adjoint) { return {}; }
+    Writer writer(2);
+    writer.line("bool is_adjoint;");
+    writer.line("[[nodiscard]] const auto& table_A() const {{ return is_adjoint ? D : A; }}");
+    writer.line("[[nodiscard]] const auto& table_D() const {{ return is_adjoint ? A : D; }}");
+    return writer.str();
+}
+
+std::string_view table_A(const GalerkinStep& form) { return form.has_adjoint ? "table_A()" : "A"; }
+std::string_view table_D(const GalerkinStep& form) { return form.has_adjoint ? "table_D()" : "D"; }
+
+std::string_view adjoint_argument(const GalerkinStep& form) {
+    return form.has_adjoint ? "is_adjoint_, " : "";
+}
+
+std::string adjoint_member(const GalerkinStep& form) {
+    if (!form.has_adjoint) { return {}; }
+    return Writer(1)
+        .line("bool is_adjoint_ = false;  // the step of a composition that is taken")
+        .str();
+}
+
+std::string tables_for_newton(const GalerkinStep& form) {
+    Writer writer(2);
+    for (const std::string_view table : {"X", "A", "D"}) {
+        if (form.has_adjoint && table != "X") { continue; }
+        writer.line("static constexpr const auto& table_{0}() {{ return {0}; }}", table);
+    }
     return writer.str();
 }
 

@@ -10,8 +10,12 @@
 
 namespace hvi::gen {
 
-/// b, X, A, D and B, and c where the system depends on time; the bends of the curve where it is
-/// wished for.
+/// b, X, A, D and B, and c where the system depends on time. `equation` is the one they are of.
+[[nodiscard]] std::string curve_tables(const Step& step, const GalerkinForm& form,
+                                       const RoundedGalerkinForm& values,
+                                       std::string_view equation);
+
+/// Also the bends of the curve where it is wished for.
 [[nodiscard]] std::string curve_tables(const Step& step, const GalerkinStep& form,
                                        const SceneWishes& wishes);
 
@@ -19,7 +23,22 @@ namespace hvi::gen {
 void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWishes& wishes);
 
 /// The parts of a composition; empty where there is none.
-[[nodiscard]] std::string gamma_table(const GalerkinStep& form);
+[[nodiscard]] std::string gamma_table(const NumberVector& steps);
+
+// ---- every second step one of the adjoint ----
+
+[[nodiscard]] bool has_adjoint(const Step& step);
+/// `bool is_adjoint;` and what it chooses, for the coupled equations; empty where there is none.
+[[nodiscard]] std::string choice_of_tables(const GalerkinStep& form);
+/// `A`, or what is chosen for it; and the same of D.
+[[nodiscard]] std::string_view table_A(const GalerkinStep& form);
+[[nodiscard]] std::string_view table_D(const GalerkinStep& form);
+/// The first argument of the coupled equations behind the clock.
+[[nodiscard]] std::string_view adjoint_argument(const GalerkinStep& form);
+/// The member of the stepper that says of which a step is.
+[[nodiscard]] std::string adjoint_member(const GalerkinStep& form);
+/// The tables by their names, for Newton's method; those that are chosen are there.
+[[nodiscard]] std::string tables_for_newton(const GalerkinStep& form);
 
 /// Each entry rounded on its own: for starting values, and for the way to a solution.
 void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact);

@@ -41,7 +41,7 @@ std::string momenta(const GalerkinStep& form) {
     if (!takes_fixed_points(form)) { return {}; }
     writer.comment("W_j and Y_i, corrected, and P_i = p + (e_p + Y_i).", "/// ");
     writer.open("void momenta() {{")
-        .line("s.correct(X, D, Z, inverse_G, kinetic);")
+        .line("s.correct(X, {}, Z, inverse_G, kinetic);", table_D(form))
         .line("s.momenta();");
     return writer.close().str();
 }
@@ -49,9 +49,7 @@ std::string momenta(const GalerkinStep& form) {
 std::string newton(const Step& step, const GalerkinStep& form) {
     if (!form.iteration.takes_newton()) { return {}; }
     Writer writer(2);
-    for (const std::string_view table : {"X", "A", "D"}) {
-        writer.line("static constexpr const auto& table_{0}() {{ return {0}; }}", table);
-    }
+    writer.insert(tables_for_newton(form));
     const SlopePoint at = node(step);
     writer.line("template <class Matrix>");
     writer.open("void second_derivatives(std::size_t i, Matrix& qq, {}Matrix& qp, Matrix& pp) "
@@ -66,6 +64,7 @@ std::string newton(const Step& step, const GalerkinStep& form) {
 std::string members_of_coupled(const Step& step, const GalerkinStep& form) {
     Writer writer(2);
     writer.insert(clock_reference(step));
+    writer.insert(choice_of_tables(form));
     if (takes_fixed_points(form)) {
         writer.line("const hvi::detail::FrozenMatrix<Vector>& kinetic;");
     }
@@ -79,11 +78,12 @@ std::string coupled_curve(const Step& step, const GalerkinStep& form) {
                                               {"functions", std::to_string(form.form.functions())},
                                               {"slopes", slopes(step, node(step), "system", 4)},
                                               {"momenta", momenta(form)},
+                                              {"A", std::string(table_A(form))},
                                               {"newton", newton(step, form)}});
 }
 
 std::string make_coupled(const Step& step, const GalerkinStep& form) {
-    return fmt::format("Coupled{{system_, {}{}s_}}", clock_argument(step),
+    return fmt::format("Coupled{{system_, {}{}{}s_}}", clock_argument(step), adjoint_argument(form),
                        takes_fixed_points(form) ? "kinetic_, " : "");
 }
 
@@ -154,12 +154,12 @@ std::string constants_of_curves(const Step& step, const GalerkinStep& galerkin,
         rough_table(writer, "N_W", galerkin.extrapolation->W);
         rough_table(writer, "N_P", *galerkin.extrapolation->P);
     }
-    return with_rounding(writer.insert(gamma_table(galerkin)).str());
+    return with_rounding(writer.insert(gamma_table(galerkin.steps)).str());
 }
 
 std::string members_of_curves(const Step& step, const GalerkinStep& form) {
     Writer writer(1);
-    writer.line("System system_;").insert(clock_member(step));
+    writer.line("System system_;").insert(clock_member(step)).insert(adjoint_member(form));
     writer.line("hvi::detail::CurveStages<Vector, {}, {}> s_;", form.form.nodes(),
                 form.form.functions());
     if (takes_fixed_points(form)) {

@@ -4,6 +4,7 @@
 
 #include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/clock.hpp"
+#include "generator/emit/steps/curve_tables.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/system_part.hpp"
 #include "src/hvi/version.hpp"
@@ -57,11 +58,13 @@ std::string one_step(const Step& step, const std::string& body, const std::strin
                       {"steps", body}});
 }
 
-std::string composed_step(bool has_action) {
+std::string composed_step(bool has_action, bool has_adjoint) {
     const auto where = [&](std::string_view text) { return std::string(has_action ? text : ""); };
     const std::string status = "Status(Status::Code::ok, iterations)";
     return fill_part("composed_step.hpp.in",
-                     {{"integral", where("Scalar integral = 0;")},
+                     {{"first", has_adjoint ? "is_adjoint_ = false;" : ""},
+                      {"next", has_adjoint ? "is_adjoint_ = !is_adjoint_;" : ""},
+                      {"integral", where("Scalar integral = 0;")},
                       {"add", where("integral += integral_over_step();")},
                       {"begins", where("action_.begin(x, integral);")},
                       {"status", has_action ? fmt::format("action_.end(x, {})", status) : status}});
@@ -79,21 +82,22 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
     const std::string step_text =
         one_step(step, parts.steps, parts.composes ? "part_of_step" : "step", has_action);
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(method, step, options)},
-                      {"format", std::to_string(hvi::runtime_format)},
-                      {"runtime", runtime_includes(std::move(parts.runtime))},
-                      {"parameter", parameter_text(step)},
-                      {"state", system.state},
-                      {"curve", parts.curve},
-                      {"step", parts.composes ? composed_step(has_action) : step_text},
-                      {"part", parts.composes ? step_text : ""},
-                      {"action", parts.action},
-                      {"integral", parts.integral},
-                      {"forget", has_action ? "s_.forget(); action_.forget();" : "s_.forget();"},
-                      {"constants", parts.constants},
-                      {"predict", parts.predict},
-                      {"coupled", parts.coupled},
-                      {"members", parts.members}});
+    holes.merge(
+        Holes{{"banner", banner(method, step, options)},
+              {"format", std::to_string(hvi::runtime_format)},
+              {"runtime", runtime_includes(std::move(parts.runtime))},
+              {"parameter", parameter_text(step)},
+              {"state", system.state},
+              {"curve", parts.curve},
+              {"step", parts.composes ? composed_step(has_action, has_adjoint(step)) : step_text},
+              {"part", parts.composes ? step_text : ""},
+              {"action", parts.action},
+              {"integral", parts.integral},
+              {"forget", has_action ? "s_.forget(); action_.forget();" : "s_.forget();"},
+              {"constants", parts.constants},
+              {"predict", parts.predict},
+              {"coupled", parts.coupled},
+              {"members", parts.members}});
     return fill("implicit.hpp.in", holes);
 }
 

@@ -17,6 +17,7 @@ std::string also(const std::string& time) { return time.empty() ? "" : ", " + ti
 std::string members_of_coupled_lagrangian(const Step& step, const GalerkinStep& form) {
     Writer writer(2);
     writer.insert(clock_reference(step));
+    writer.insert(choice_of_tables(form));
     if (takes_fixed_points(form)) { writer.line("const hvi::detail::FrozenMatrix<Vector>& mass;"); }
     return writer.str();
 }
@@ -25,16 +26,14 @@ std::string correction(const GalerkinStep& form) {
     if (!takes_fixed_points(form)) { return {}; }
     Writer writer(2);
     writer.comment("W_j, corrected.", "/// ");
-    writer.line("void momenta() {{ s.correct(X, D, inverse_G, mass); }}");
+    writer.line("void momenta() {{ s.correct(X, {}, inverse_G, mass); }}", table_D(form));
     return writer.str();
 }
 
 std::string newton_of_lagrangian(const Step& step, const GalerkinStep& form) {
     if (!form.iteration.takes_newton()) { return {}; }
     Writer writer(2);
-    for (const std::string_view table : {"X", "A", "D"}) {
-        writer.line("static constexpr const auto& table_{0}() {{ return {0}; }}", table);
-    }
+    writer.insert(tables_for_newton(form));
     writer.line("template <class Matrix>");
     writer.open(
         "void second_derivatives(std::size_t i, Matrix& qq, Matrix& qv, Matrix& vv) const {{");
@@ -53,6 +52,7 @@ std::string coupled_lagrangian(const Step& step, const GalerkinStep& form) {
                       {"functions", std::to_string(form.form.functions())},
                       {"time", also(time_of_stage(step, "i", "s"))},
                       {"correction", correction(form)},
+                      {"A", std::string(table_A(form))},
                       {"newton", newton_of_lagrangian(step, form)}});
 }
 
@@ -66,8 +66,8 @@ std::string steps_of_lagrangian(const Step& step, const GalerkinStep& form,
         writer.line("status = predict();");
         writer.line("if (!status.ok()) {{ return status; }}").blank();
     }
-    writer.line("status = solver_.solve(Coupled{{system_, {}{}s_}});", clock_argument(step),
-                takes_fixed_points(form) ? "mass_, " : "");
+    writer.line("status = solver_.solve(Coupled{{system_, {}{}{}s_}});", clock_argument(step),
+                adjoint_argument(form), takes_fixed_points(form) ? "mass_, " : "");
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance(B);");
     return writer.insert(end_of_curve(step, form, wishes)).str();
@@ -119,7 +119,8 @@ std::string prediction_of_lagrangian(const Step& step, const GalerkinStep& form)
                 time);
     writer.line("s_.go_straight(v, B, inverse_G);");
     if (form.extrapolation) { writer.close(); }
-    writer.line("Coupled equations{{system_, {}mass_, s_}};", clock_argument(step));
+    writer.line("Coupled equations{{system_, {}{}mass_, s_}};", clock_argument(step),
+                adjoint_argument(form));
     writer.line("equations.positions();");
     const std::string node = std::to_string(middle(form.form));
     writer.line("const Status status = freeze(s_.Q[{}]{});", node,
@@ -142,12 +143,12 @@ std::string constants_of_lagrangian(const Step& step, const GalerkinStep& galerk
         writer.blank().comment("W of the next step is about N_W times that of this one.");
         rough_table(writer, "N_W", galerkin.extrapolation->W);
     }
-    return with_rounding(writer.insert(gamma_table(galerkin)).str());
+    return with_rounding(writer.insert(gamma_table(galerkin.steps)).str());
 }
 
 std::string members_of_lagrangian(const Step& step, const GalerkinStep& form) {
     Writer writer(1);
-    writer.line("System system_;").insert(clock_member(step));
+    writer.line("System system_;").insert(clock_member(step)).insert(adjoint_member(form));
     writer.line("hvi::detail::LagrangianStages<Vector, {}, {}> s_;", form.form.nodes(),
                 form.form.functions());
     if (takes_fixed_points(form)) {

@@ -1,6 +1,7 @@
 // Headers for quadratic Hamiltonians: a step is one linear map.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/banner.hpp"
+#include "generator/emit/steps/curve_tables.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/system_part.hpp"
 #include "src/hvi/version.hpp"
@@ -20,20 +21,41 @@ Holes words_for_numbers(const SceneWishes& wishes) {
              quad ? "< hvi::detail::infinity<Scalar>" : "<= std::numeric_limits<Scalar>::max()"}};
 }
 
+/// The tables as constants, as arguments of what makes the map, and what they need.
+struct Tables {
+    std::string constants, arguments, include;
+};
+
+Tables tables_of(const Step& step, const RoundedCoefficients& coefficients) {
+    return {coefficients_text(step, coefficients),
+            fmt::format("m, {}, {}, {}", table_mt(step), weights_q(step), weights_p(step)), ""};
+}
+
+Tables tables_of(const Step& step, const TabulatedCurve& curve) {
+    Writer writer(1);
+    writer.insert(curve_tables(step, curve.form, curve.rounded, "(4.6)"));
+    writer.insert(gamma_table(curve.steps));
+    return {writer.str(), curve.steps.empty() ? "X, A, D, B, b" : "X, A, D, B, b, gamma",
+            "#include <hvi/detail/coefficients/curve_coefficients.hpp>"};
+}
+
 }  // namespace
 
 std::string emit_one(const OneStepMethod& method, const Step& step, const TabulatedStep& form,
                      const EmitOptions& options) {
     const SystemPart system = system_part(method, step, options);
     const System& H = *options.system;
+    const Tables tables =
+        std::visit([&](const auto& of) { return tables_of(step, of); }, form.tables);
     Holes holes = holes_of(system);
-    holes.merge(Holes{
-        {"banner", banner(method, step, options)},
-        {"format", std::to_string(hvi::runtime_format)},
-        {"math", options.wishes.float128 ? "#include <hvi/detail/numbers/math.hpp>" : ""},
-        {"constants", with_rounding(coefficients_text(step, form.coefficients))},
-        {"tables", fmt::format("m, {}, {}, {}", table_mt(step), weights_q(step), weights_p(step))},
-        {"n", std::to_string(H.degrees_of_freedom())}});
+    holes.merge(
+        Holes{{"banner", banner(method, step, options)},
+              {"format", std::to_string(hvi::runtime_format)},
+              {"coefficients", tables.include},
+              {"math", options.wishes.float128 ? "#include <hvi/detail/numbers/math.hpp>" : ""},
+              {"constants", with_rounding(tables.constants)},
+              {"tables", tables.arguments},
+              {"n", std::to_string(H.degrees_of_freedom())}});
     if (form.as == TabulatedStep::As::matrix) { return fill("increments.hpp.in", holes); }
     holes["shifted"] = has_linear_part(H.structure) ? "true" : "false";
     holes.merge(words_for_numbers(options.wishes));

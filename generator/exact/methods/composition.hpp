@@ -32,7 +32,7 @@ struct Composition {
                                         const std::optional<Composition>& composition);
 
 /// Throws MathError where the method would have to be its own adjoint, and InputError where it has
-/// a free parameter, too many stages to plan so many steps as one, or an adjoint of another form.
+/// a free parameter, or too many stages to plan so many steps as one.
 void check_composition(const Composition& composition, const DerivedMethod& method);
 
 /// Throws InputError, with what may have been meant.

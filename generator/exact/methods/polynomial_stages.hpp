@@ -33,7 +33,7 @@ public:
     /// A g for f, A~ g for g, times a number.
     [[nodiscard]] Function apply(Colour colour, const Function& g, long times) const;
     /// Onto the span of the basis, which has all functions on the stages.
-    [[nodiscard]] static Function projection(const Function& g) { return g; }
+    [[nodiscard]] static Function projected(const Function& g) { return g; }
     [[nodiscard]] Function power(long exponent) const;        ///< x^exponent
     [[nodiscard]] const Scalar& moment(long exponent) const;  ///< b.x^exponent
 

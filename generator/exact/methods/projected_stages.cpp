@@ -35,14 +35,14 @@ struct ProjectedStages::Factors {
           H(moments(rule.P, size)),
           psi(rows(rule, false)),
           A_psi(rows(rule, true)),
-          G_inverse(inverse(psi * H * transpose(psi))),
-          W(G_inverse * A_psi) {}
+          inverse_G(inverse(psi * H * transpose(psi))),
+          W(inverse_G * A_psi) {}
 
     std::size_t size;
     RationalMatrix H;      ///< of <., .>
     RationalMatrix psi;    ///< the basis
     RationalMatrix A_psi;  ///< its integrals from 0 on
-    RationalMatrix G_inverse;
+    RationalMatrix inverse_G;
     RationalMatrix W;  ///< G^-1 A_psi
 
 private:
@@ -64,7 +64,7 @@ ProjectedStages::ProjectedStages(const RationalPolynomial& P, const Factors& fac
     : P_(P),
       A_(factors.H * transpose(factors.psi) * factors.W),
       A_tilde_(factors.H * (unit(factors.size, 0, 0) - transpose(factors.W) * factors.psi)),
-      projection_(factors.H * transpose(factors.psi) * factors.G_inverse * factors.psi),
+      projection_(factors.H * transpose(factors.psi) * factors.inverse_G * factors.psi),
       n_(unit(factors.size, 1, 0) - transpose(factors.A_psi) * factors.W) {}
 
 RationalPolynomial ProjectedStages::product(const Function& g, const Function& h) const {
@@ -78,12 +78,15 @@ RationalPolynomial ProjectedStages::defect(Colour, const Function& g, long facto
 }
 
 RationalPolynomial ProjectedStages::apply(Colour colour, const Function& g, long factor) const {
-    const RationalMatrix row = coefficient_rows({g}, static_cast<std::size_t>(count()));
-    return times(polynomial(row * (colour == Colour::f ? A_ : A_tilde_)), factor);
+    return times(applied(colour == Colour::f ? A_ : A_tilde_, g), factor);
 }
 
-RationalPolynomial ProjectedStages::projection(const Function& g) const {
-    return polynomial(coefficient_rows({g}, static_cast<std::size_t>(count())) * projection_);
+RationalPolynomial ProjectedStages::projected(const Function& g) const {
+    return applied(projection_, g);
+}
+
+RationalPolynomial ProjectedStages::applied(const RationalMatrix& matrix, const Function& g) const {
+    return polynomial(coefficient_rows({g}, static_cast<std::size_t>(count())) * matrix);
 }
 
 }  // namespace hvi::gen

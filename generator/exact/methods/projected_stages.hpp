@@ -32,7 +32,7 @@ public:
     /// A g for f, A~ g for g, times a number.
     [[nodiscard]] Function apply(Colour colour, const Function& g, long times) const;
     /// v, modulo P.
-    [[nodiscard]] Function projection(const Function& g) const;
+    [[nodiscard]] Function projected(const Function& g) const;
 
     /// The coefficients of x^k y^m in n(x, y) modulo P(x) and P(y): n_ij of GalerkinRule is
     /// n(c_i, c_j), and all n_ij are 0 where all coefficients are.
@@ -41,6 +41,8 @@ public:
 private:
     struct Factors;
     ProjectedStages(const RationalPolynomial& P, const Factors& factors);
+
+    [[nodiscard]] Function applied(const RationalMatrix& matrix, const Function& g) const;
 
     RationalPolynomial P_;
     RationalMatrix A_, A_tilde_, projection_;  ///< of rows of coefficients, which stand to the left

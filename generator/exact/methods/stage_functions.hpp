@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/exact/methods/tableau.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 
 namespace hvi::gen {
 
@@ -14,6 +14,9 @@ struct StageFunctions {
     NumberVector one;   ///< the function that is 1 on every stage
     NumberVector b;     ///< b.g = sum_i b_i g(c_i)
     NumberMatrix gram;  ///< g^T gram h = sum_i b_i g(c_i) h(c_i)
+    /// Of a rule: what A g has outside of the span of its basis, A g - E A g for the projection E
+    /// that is orthogonal for the rule. Empty where the span is all functions.
+    NumberMatrix outside;
 
     [[nodiscard]] std::size_t count() const { return b.size(); }
 };
@@ -21,6 +24,9 @@ struct StageFunctions {
 /// The basis is 1, x, ..., x^(s-1) where there is a `node_polynomial`: all is rational then,
 /// whatever the nodes are. Else the values on the stages are the coordinates.
 [[nodiscard]] StageFunctions stage_functions(const Tableau& tableau);
+
+/// Those of partitioned_method(rule); powers are the basis where it is `over_rationals`.
+[[nodiscard]] StageFunctions stage_functions(const GalerkinRule& rule);
 
 /// How many terms the normal forms of A and A~ have, as what arithmetic with them costs.
 [[nodiscard]] std::size_t term_count(const StageFunctions& stages);

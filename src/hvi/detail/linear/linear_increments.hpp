@@ -10,6 +10,7 @@
 #include <optional>
 
 #include <hvi/detail/coefficients/weights.hpp>
+#include <hvi/detail/linear/linear_curve.hpp>
 #include <hvi/detail/linear/linear_stages.hpp>
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/numbers/compensated.hpp>
@@ -39,18 +40,40 @@ public:
     LinearIncrements(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&m)[r][s],
                      const Scalar (&mt)[s][r], const Scalar (&b_q)[s], const Scalar (&b_p)[r])
         : status(Status::Code::not_finite) {
+        set(h, [&] {
+            LinearStages<Scalar, n, r, s> stages(H, m, mt);
+            return stages.increments(weights_of_step(h, b_q), weights_of_step(h, b_p));
+        });
+    }
+
+    /// The tables are those of LinearCurve, b its weights.
+    template <std::size_t r, std::size_t s>
+    LinearIncrements(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&X)[r][s],
+                     const Scalar (&A)[r][s], const Scalar (&D)[r][s], const Scalar (&B)[s],
+                     const Scalar (&b)[r])
+        : status(Status::Code::not_finite) {
+        set(h, [&] {
+            LinearCurve<Scalar, n, r, s> curve(H, X, A, D);
+            return curve.increments(weights_of_step(h, b), B);
+        });
+    }
+
+    /// Of steps of the parts gamma of h in a row. Every second one is of the adjoint, in which A
+    /// and D change places: where the method is its own, these are the same step.
+    template <std::size_t r, std::size_t s, std::size_t k>
+    LinearIncrements(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&X)[r][s],
+                     const Scalar (&A)[r][s], const Scalar (&D)[r][s], const Scalar (&B)[s],
+                     const Scalar (&b)[r], const Scalar (&gamma)[k])
+        : status(Status::Code::not_finite) {
         if (!is_finite(h)) { return; }
-        if (!sums_are_exact<Scalar>()) {
-            status = Status(Status::Code::unsafe_arithmetic);
-            return;
-        }
-        LinearStages<Scalar, n, r, s> stages(H, m, mt);
-        const auto found = stages.increments(weights_of_step(h, b_q), weights_of_step(h, b_p));
-        if (!found) {
-            status = Status(Status::Code::singular);
-        } else if (are_finite(*found)) {
-            rows = *found;
-            status = Status();
+        const auto parts = weights_of_step(h, gamma);
+        for (std::size_t i = 0; i < k; ++i) {
+            const bool is_adjoint = i % 2 == 1;
+            const LinearIncrements part(parts[i], H, X, is_adjoint ? D : A, is_adjoint ? A : D, B,
+                                        b);
+            status = part.status;
+            if (!status.ok()) { return; }
+            append(part.rows);
         }
     }
 
@@ -68,6 +91,37 @@ public:
 
 private:
     using Number = Pair<Scalar>;
+
+    /// `solve` returns the rows, or nothing.
+    template <class Solve>
+    void set(Scalar h, Solve solve) {
+        if (!is_finite(h)) { return; }
+        if (!sums_are_exact<Scalar>()) {
+            status = Status(Status::Code::unsafe_arithmetic);
+            return;
+        }
+        const auto found = solve();
+        if (!found) {
+            status = Status(Status::Code::singular);
+        } else if (are_finite(*found)) {
+            rows = *found;
+            status = Status();
+        }
+    }
+
+    /// (1 + E) (1 + D) - 1 = D + E + E D, and the same of the offsets.
+    void append(const Increments<Scalar, n>& E) {
+        Increments<Scalar, n> both = rows;
+        for (std::size_t i = 0; i < 2 * n; ++i) {
+            for (std::size_t j = 0; j <= 2 * n; ++j) {
+                both[i][j] = both[i][j] + E[i][j];
+                for (std::size_t l = 0; l < 2 * n; ++l) {
+                    both[i][j] = both[i][j] + E[i][l] * rows[l][j];
+                }
+            }
+        }
+        rows = both;
+    }
 
     template <class Vector>
 #if defined(__GNUC__)

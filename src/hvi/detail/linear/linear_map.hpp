@@ -39,11 +39,11 @@ public:
 
     LinearMap() = default;
 
-    /// As of LinearIncrements. Precondition: H.qp is zero, or n is 1 and r is s.
-    template <std::size_t r, std::size_t s>
-    LinearMap(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&m)[r][s],
-              const Scalar (&mt)[s][r], const Scalar (&b_q)[s], const Scalar (&b_p)[r])
-        : increments_(h, H, m, mt, b_q, b_p) {
+    /// The tables are those of LinearIncrements. Precondition: H.qp is zero, or n is 1 and, of
+    /// stages, r is s.
+    template <class... Tables>
+    LinearMap(Scalar h, const Quadratic<Scalar, n>& H, const Tables&... tables)
+        : increments_(h, H, tables...) {
         is_sheared_ = status().ok() && set_shears(increments_.rows);
     }
 

@@ -73,7 +73,7 @@ public:
 
     template <class Coupled>
     [[nodiscard]] static Vector right_side(const Coupled& coupled, std::size_t i) {
-        return coupled.s.defect_of_velocity(i, Coupled::table_X());
+        return coupled.s.defect_of_velocity(i, coupled.table_X());
     }
 
 private:
@@ -165,7 +165,7 @@ public:
         for (std::size_t i = 0; i < Coupled::nodes; ++i) {
             if (!derivatives_.linearise(coupled, i, nodes_[i])) { return false; }
             for (std::size_t j = 0; j < Coupled::functions; ++j) {
-                for (std::size_t k = 0; k < Coupled::functions; ++k) { add<Coupled>(i, j, k); }
+                for (std::size_t k = 0; k < Coupled::functions; ++k) { add(coupled, i, j, k); }
             }
         }
         return factors_.compute(J_);
@@ -197,9 +197,9 @@ private:
 
     /// What node i adds to dF_j/dW_k.
     template <class Coupled>
-    void add(std::size_t i, std::size_t j, std::size_t k) {
-        const Scalar X_j = Coupled::table_X()[i][j], D_j = Coupled::table_D()[i][j];
-        const Scalar X_k = Coupled::table_X()[i][k], A_k = Coupled::table_A()[i][k];
+    void add(const Coupled& coupled, std::size_t i, std::size_t j, std::size_t k) {
+        const Scalar X_j = coupled.table_X()[i][j], D_j = coupled.table_D()[i][j];
+        const Scalar X_k = coupled.table_X()[i][k], A_k = coupled.table_A()[i][k];
         const auto& [M, N, R, E] = nodes_[i];
         for (std::size_t row = 0; row < n_; ++row) {
             for (std::size_t column = 0; column < n_; ++column) {
@@ -214,14 +214,14 @@ private:
     template <class Coupled>
     void set_right_side(const Coupled& coupled) {
         for (std::size_t j = 0; j < Coupled::functions; ++j) {
-            const Vector F = coupled.s.defect(j, Coupled::table_X(), Coupled::table_D());
+            const Vector F = coupled.s.defect(j, coupled.table_X(), coupled.table_D());
             for (std::size_t k = 0; k < n_; ++k) {
                 Scalar sum = -at(F, k);
                 for (std::size_t i = 0; i < Coupled::nodes; ++i) {
                     const auto& [M, N, R, E] = nodes_[i];
                     for (std::size_t l = 0; l < n_; ++l) {
-                        sum -= (Coupled::table_X()[i][j] * M(k, l) +
-                                Coupled::table_D()[i][j] * N(l, k)) *
+                        sum -= (coupled.table_X()[i][j] * M(k, l) +
+                                coupled.table_D()[i][j] * N(l, k)) *
                                at(E, l);
                     }
                 }
@@ -238,8 +238,8 @@ private:
         for (std::size_t k = 0; k < n_; ++k) {
             at(dQ, k) = 0;
             for (std::size_t j = 0; j < Coupled::functions; ++j) {
-                at(dQ, k) += Coupled::table_A()[i][j] * correction_[j * n_ + k];
-                at(Z, k) += Coupled::table_X()[i][j] * correction_[j * n_ + k];
+                at(dQ, k) += coupled.table_A()[i][j] * correction_[j * n_ + k];
+                at(Z, k) += coupled.table_X()[i][j] * correction_[j * n_ + k];
             }
         }
         for (std::size_t k = 0; k < n_; ++k) {
