@@ -85,6 +85,8 @@ std::string_view text(RealDomain domain) {
     case RealDomain::positive: return "x > 0";
     case RealDomain::not_negative: return "x >= 0";
     case RealDomain::up_to_one: return "-1 <= x <= 1";
+    case RealDomain::within_one: return "-1 < x < 1";
+    case RealDomain::from_one: return "x >= 1";
     }
     HVI_CHECK(false);
     return {};

@@ -9,10 +9,10 @@
 namespace hvi::gen {
 
 /// Where a function of one argument has a real value.
-enum class RealDomain { everywhere, positive, not_negative, up_to_one };
+enum class RealDomain { everywhere, positive, not_negative, up_to_one, within_one, from_one };
 
 /// Where in the complex plane it is not analytic, poles apart.
-enum class Cuts { nowhere, not_positive, real_beyond_one, imaginary_beyond_one };
+enum class Cuts { nowhere, not_positive, real_up_to_one, real_beyond_one, imaginary_beyond_one };
 
 enum class Parity { neither, even, odd };
 

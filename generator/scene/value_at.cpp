@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "generator/exact/numbers/arb_functions.hpp"
 #include "generator/expr/functions.hpp"
 #include "generator/support/error.hpp"
 
@@ -32,10 +33,16 @@ RealFunction real_function(std::string_view name) {
     return table.at(name);
 }
 
-bool is_beyond_one(const Ball& x) {
-    Ball size;
-    arb_abs(size.get(), x.get());
-    return arb_gt(size.get(), integer(1).get()) != 0;
+Ball less_one(const Ball& x) {
+    Ball result;
+    arb_sub_ui(result.get(), x.get(), 1, bits);
+    return result;
+}
+
+Ball size(const Ball& x) {
+    Ball result;
+    arb_abs(result.get(), x.get());
+    return result;
 }
 
 /// What is wrong with an argument, as far as is proved; or nothing.
@@ -49,7 +56,15 @@ std::string_view fault(RealDomain domain, const Ball& x) {
         if (x.sign() < 0 || is_zero(x)) { return "the logarithm of a number that is not positive"; }
         break;
     case RealDomain::up_to_one:
-        if (is_beyond_one(x)) { return "an arcsine or arccosine of a number beyond 1"; }
+        if (less_one(size(x)).sign() > 0) { return "an arcsine or arccosine of a number beyond 1"; }
+        break;
+    case RealDomain::within_one: {
+        const Ball excess = less_one(size(x));
+        if (excess.sign() > 0 || is_zero(excess)) { return "an artanh of a number beyond -1 or 1"; }
+        break;
+    }
+    case RealDomain::from_one:
+        if (less_one(x).sign() < 0) { return "an arcosh of a number below 1"; }
         break;
     }
     return {};

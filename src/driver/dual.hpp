@@ -104,6 +104,11 @@ template <std::size_t n>
     return x;
 }
 
+/// 2/sqrt(pi) exp(-x^2)
+[[nodiscard]] inline double slope_of_erf(double x) {
+    return 2 / std::sqrt(std::acos(-1.0)) * std::exp(-x * x);
+}
+
 }  // namespace hvi::driver
 
 namespace hvi::math {
@@ -118,14 +123,37 @@ template <std::size_t n>
 }
 
 template <std::size_t n>
+[[nodiscard]] driver::Dual<n> acosh(const driver::Dual<n>& x) {
+    const double v = x.value;
+    return chain(x, std::acosh(v), 1 / std::sqrt((v - 1) * (v + 1)));
+}
+
+template <std::size_t n>
 [[nodiscard]] driver::Dual<n> asin(const driver::Dual<n>& x) {
     const double v = x.value;
     return chain(x, std::asin(v), 1 / std::sqrt((1 - v) * (1 + v)));
 }
 
 template <std::size_t n>
+[[nodiscard]] driver::Dual<n> asinh(const driver::Dual<n>& x) {
+    return chain(x, std::asinh(x.value), 1 / std::sqrt(1 + x.value * x.value));
+}
+
+template <std::size_t n>
 [[nodiscard]] driver::Dual<n> atan(const driver::Dual<n>& x) {
     return chain(x, std::atan(x.value), 1 / (1 + x.value * x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> atanh(const driver::Dual<n>& x) {
+    const double v = x.value;
+    return chain(x, std::atanh(v), 1 / ((1 - v) * (1 + v)));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> cbrt(const driver::Dual<n>& x) {
+    const double root = std::cbrt(x.value);
+    return chain(x, root, 1 / (3 * root * root));
 }
 
 template <std::size_t n>
@@ -136,6 +164,16 @@ template <std::size_t n>
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> cosh(const driver::Dual<n>& x) {
     return chain(x, std::cosh(x.value), std::sinh(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> erf(const driver::Dual<n>& x) {
+    return chain(x, std::erf(x.value), driver::slope_of_erf(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> erfc(const driver::Dual<n>& x) {
+    return chain(x, std::erfc(x.value), -driver::slope_of_erf(x.value));
 }
 
 template <std::size_t n>
@@ -151,6 +189,11 @@ template <std::size_t n>
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> log(const driver::Dual<n>& x) {
     return chain(x, std::log(x.value), 1 / x.value);
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> log10(const driver::Dual<n>& x) {
+    return chain(x, std::log10(x.value), 1 / (x.value * std::log(10.0)));
 }
 
 /// NOTE: where x is below 0, which has no logarithm, y is a constant, and no derivative is by y.

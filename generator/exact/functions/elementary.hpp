@@ -8,8 +8,8 @@
 
 namespace hvi::gen {
 
-/// sqrt, exp, log, cos, sin, tan, cosh, sinh, tanh, asin, acos or atan of a number. Throws
-/// MathError where the value is not real, and InputError for a tangent that is infinite.
+/// A function of expr/functions.def of a number. Throws MathError where the value is not real, and
+/// InputError for a tangent that is infinite.
 [[nodiscard]] Number elementary(const std::string& name, const Number& argument,
                                 const Ground& ground);
 
@@ -18,5 +18,10 @@ namespace hvi::gen {
 [[nodiscard]] Number arcsine(const Number& sine, const Ground& ground);
 [[nodiscard]] Number arccosine(const Number& cosine, const Ground& ground);
 [[nodiscard]] Number arctangent(const Number& tangent, const Ground& ground);
+
+/// asinh, acosh and atanh: exact where they are logarithms of rational numbers; enclosed elsewhere.
+[[nodiscard]] Number area_sine(const Number& sine, const Ground& ground);
+[[nodiscard]] Number area_cosine(const Number& cosine, const Ground& ground);
+[[nodiscard]] Number area_tangent(const Number& tangent, const Ground& ground);
 
 }  // namespace hvi::gen
