@@ -94,18 +94,22 @@ Structure structure(System& system) {
     found.is_separable = !depends_on(graph, system.dHdq, Role::conjugate) &&
                          !depends_on(graph, system.dHdp, Role::coordinate) &&
                          !depends_on(graph, system.dHdp, Role::time);
-    const bool pp_constant = settle(system.graph, found.pp);
+    // NOTE: the derivatives of a function with a kink are constant on both sides of it, and not
+    // one.
+    const bool is_smooth_in_p = !has_kinks(graph, system.dHdp);
+    const bool is_smooth_in_q = !has_kinks(graph, system.dHdq);
+    const bool pp_constant = is_smooth_in_p && settle(system.graph, found.pp);
     found.kinetic_is_quadratic = found.is_separable && pp_constant;
     if (found.kinetic_is_quadratic) {
         found.inverse_mass = product(system, found.pp);
         set_direction(found, system);
     }
-    found.is_quadratic =
-        pp_constant && settle(system.graph, found.qp) && settle(system.graph, found.qq);
+    found.is_quadratic = pp_constant && is_smooth_in_q && settle(system.graph, found.qp) &&
+                         settle(system.graph, found.qq);
     found.has_linear_map = found.is_quadratic && !system.time;
     if (found.has_linear_map) { set_linear_part(found, system); }
-    found.is_linear_in_p = is_zero(found.pp);
-    found.is_linear_in_q = is_zero(found.qq);
+    found.is_linear_in_p = is_smooth_in_p && is_zero(found.pp);
+    found.is_linear_in_q = is_smooth_in_q && is_zero(found.qq);
     return found;
 }
 

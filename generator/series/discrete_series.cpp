@@ -214,12 +214,23 @@ void check_quadratic_kinetic(const Hamiltonian& hamiltonian, const System& syste
     check_kinetic_rank(system, place);
 }
 
+void check_smooth(const Hamiltonian& hamiltonian, const System& system) {
+    std::vector<Scaled> slopes = system.dHdq;
+    slopes.insert(slopes.end(), system.dHdp.begin(), system.dHdp.end());
+    slopes.push_back(system.hamiltonian);
+    if (!has_kinks(system.graph, slopes)) { return; }
+    throw MathError("the series have derivatives of H of all orders, and H is not smooth",
+                    Place{hamiltonian.source, hamiltonian.expression.range},
+                    "abs, sign, min, max and if have kinks; leave out --series");
+}
+
 }  // namespace
 
 DiscreteSeries discrete_series(const DerivedMethod& method, const Hamiltonian& hamiltonian,
                                int terms, const Ground& ground) {
     const Progress::Stage stage("computing the series of the discrete Hamiltonians");
     const System system = system_of(hamiltonian, parameter_names(hamiltonian));
+    check_smooth(hamiltonian, system);
     const TreeFamily family = family_of(method);
     if (family == TreeFamily::nystrom) { check_quadratic_kinetic(hamiltonian, system); }
     Series series(method, hamiltonian, system, ground);

@@ -14,6 +14,7 @@
 #include <hvi/detail/linear/dense.hpp>
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/numbers/math.hpp>
+#include <hvi/detail/numbers/more_math.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
 
 namespace hvi::driver {
@@ -145,6 +146,13 @@ template <std::size_t n>
 }
 
 template <std::size_t n>
+[[nodiscard]] driver::Dual<n> atan2(const driver::Dual<n>& y, const driver::Dual<n>& x) {
+    const double square = x.value * x.value + y.value * y.value;
+    return chain(y, std::atan2(y.value, x.value), x.value / square) +
+           chain(x, 0, -y.value / square);
+}
+
+template <std::size_t n>
 [[nodiscard]] driver::Dual<n> atanh(const driver::Dual<n>& x) {
     const double v = x.value;
     return chain(x, std::atanh(v), 1 / ((1 - v) * (1 + v)));
@@ -257,7 +265,7 @@ inline constexpr bool is_number<driver::Dual<n>> = true;
 ///
 /// NOTE: steppers ask it of the changes of their iterations, and end these where it no longer
 /// falls, and of what the changes are compared with. Values converge first and derivatives, at the
-/// same rate, some iterations later: this waits for both. No H calls it: it has no absolute values.
+/// same rate, some iterations later: this waits for both. An H calls hvi::math::abs.
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> abs(const driver::Dual<n>& x) {
     double largest = std::abs(x.value);

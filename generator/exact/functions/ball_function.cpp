@@ -152,10 +152,9 @@ struct Elementary {
 
 const std::map<std::string_view, Elementary>& elementary_functions() {
     static const std::map<std::string_view, Elementary> table{
-#define HVI_FUNCTION(name, latex, domain, cuts, parity, derivative)                                \
+#define HVI_FUNCTION(name, latex, domain, cuts, parity, runtime, derivative)                       \
     {#name, {acb_##name, Cuts::cuts, parse_expression(given("functions.def", derivative))}},
 #include "generator/expr/functions.def"
-#undef HVI_FUNCTION
     };
     return table;
 }

@@ -100,7 +100,34 @@ Number error_function(bool complement, const Number& x) {
     return enclosed(x, complement ? arb_erfc : arb_erf);
 }
 
+/// The angle of the point (x, y) in (-pi, pi].
+Number angle_of_point(const Number& y, const Number& x, const Ground& ground) {
+    const int up = y.sign(), right = x.sign();
+    if (up == 0 && right == 0) { throw MathError("the origin has no angle"); }
+    if (right == 0) { return Number(up) * ground.pi() / Number(2); }
+    const Number main = arctangent(y / x, ground);
+    return right > 0 ? main : main + Number(up < 0 ? -1 : 1) * ground.pi();
+}
+
 }  // namespace
+
+bool compares(bool is_strict, const Number& a, const Number& b) {
+    const Number difference = b - a;
+    refuse_parameters(difference, "a comparison");
+    return is_strict ? difference.sign() > 0 : difference.sign() >= 0;
+}
+
+Number elementary(const std::string& name, const NumberVector& arguments, const Ground& ground) {
+    for (const Number& argument : arguments) { refuse_parameters(argument, name.c_str()); }
+    const Number& a = arguments.front();
+    const Number& b = arguments.back();
+    if (name == "abs") { return a.sign() < 0 ? -a : a; }
+    if (name == "sign") { return a.sign(); }
+    if (name == "min") { return compares(true, b, a) ? b : a; }
+    if (name == "max") { return compares(true, a, b) ? b : a; }
+    HVI_CHECK(name == "atan2");
+    return angle_of_point(a, b, ground);
+}
 
 Number arcsine(const Number& sine, const Ground& ground) {
     if (exceeds_one(sine)) {

@@ -4,14 +4,23 @@
 
 #include <string>
 
+#include "generator/exact/algebra/number_vector.hpp"
 #include "generator/exact/numbers/ground.hpp"
 
 namespace hvi::gen {
 
-/// A function of expr/functions.def of a number. Throws MathError where the value is not real, and
-/// InputError for a tangent that is infinite.
+/// An analytic function of expr/functions.def of a number. Throws MathError where the value is not
+/// real, and InputError for a tangent that is infinite.
 [[nodiscard]] Number elementary(const std::string& name, const Number& argument,
                                 const Ground& ground);
+
+/// atan2, min, max, abs or sign of numbers: of what is compared with what the field or enclosures
+/// prove. Throws MathError for the angle of the origin, and where a comparison is not decided.
+[[nodiscard]] Number elementary(const std::string& name, const NumberVector& arguments,
+                                const Ground& ground);
+
+/// Whether a < b or, unless it is strict, a = b. Throws as the above does.
+[[nodiscard]] bool compares(bool is_strict, const Number& a, const Number& b);
 
 /// asin, acos and atan: exact where the angle is a multiple of pi by a fraction with a small
 /// denominator, since closed forms have no other angles (CONTRACT.md); enclosed elsewhere.

@@ -11,12 +11,13 @@
 #include <hvi/detail/lanes/register_trigonometry.hpp>
 #include <hvi/detail/lanes/registers.hpp>
 #include <hvi/detail/numbers/math.hpp>
+#include <hvi/detail/numbers/more_math.hpp>
 
 namespace hvi {
 
 namespace detail {
 
-/// f(x) of each number alone. NOTE: in xsimd 8 erf is off by up to 70 units in the last place, erfc
+/// f of each number alone. NOTE: in xsimd 8 erf is off by up to 70 units in the last place, erfc
 /// by 10^7, and acosh is infinite far below 1.
 template <class Number, std::size_t count, class F>
 [[nodiscard]] Lanes<Number, count> one_by_one(const Lanes<Number, count>& x, F f) {
@@ -24,6 +25,15 @@ template <class Number, std::size_t count, class F>
     x.store(row);
     for (std::size_t i = 0; i < count; ++i) { row.set(i, f(row[i])); }
     return row;
+}
+template <class Number, std::size_t count, class F>
+[[nodiscard]] Lanes<Number, count> one_by_one(const Lanes<Number, count>& x,
+                                              const Lanes<Number, count>& y, F f) {
+    typename Lanes<Number, count>::Row first, second;
+    x.store(first);
+    y.store(second);
+    for (std::size_t i = 0; i < count; ++i) { first.set(i, f(first[i], second[i])); }
+    return first;
 }
 
 }  // namespace detail
@@ -51,6 +61,19 @@ template <class Number, std::size_t count>
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> atan(const Lanes<Number, count>& x) {
     return x.map([](const auto& a) { return atan(a); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> atan2(const Lanes<Number, count>& y,
+                                         const Lanes<Number, count>& x) {
+    return detail::one_by_one(y, x, [](const Number& a, const Number& b) { return atan2(a, b); });
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> atan2(const Lanes<Number, count>& y, const Number& x) {
+    return atan2(y, Lanes<Number, count>(x));
+}
+template <class Number, std::size_t count>
+[[nodiscard]] Lanes<Number, count> atan2(const Number& y, const Lanes<Number, count>& x) {
+    return atan2(Lanes<Number, count>(y), x);
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> atanh(const Lanes<Number, count>& x) {
@@ -102,11 +125,7 @@ template <class Number, std::size_t count>
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> pow(const Lanes<Number, count>& x,
                                        const Lanes<Number, count>& y) {
-    typename Lanes<Number, count>::Row base, exponent;
-    x.store(base);
-    y.store(exponent);
-    for (std::size_t i = 0; i < count; ++i) { base.set(i, pow(base[i], exponent[i])); }
-    return base;
+    return detail::one_by_one(x, y, [](const Number& a, const Number& b) { return pow(a, b); });
 }
 template <class Number, std::size_t count>
 [[nodiscard]] Lanes<Number, count> pow(const Lanes<Number, count>& x, const Number& y) {

@@ -39,20 +39,13 @@ inline constexpr bool computes_in = detail::is_standard<Number> || std::is_same_
 
 // What the H of a scene, its derivatives and the curve of a step may call.
 using std::acos;
-using std::acosh;
 using std::asin;
-using std::asinh;
 using std::atan;
-using std::atanh;
-using std::cbrt;
 using std::cos;
 using std::cosh;
-using std::erf;
-using std::erfc;
 using std::exp;
 using std::expm1;
 using std::log;
-using std::log10;
 using std::pow;
 using std::sin;
 using std::sinh;
@@ -66,20 +59,13 @@ using std::isnormal;
 
 #if HVI_HAS_FLOAT128
 inline Widest acos(Widest x) { return ::acosf128(x); }
-inline Widest acosh(Widest x) { return ::acoshf128(x); }
 inline Widest asin(Widest x) { return ::asinf128(x); }
-inline Widest asinh(Widest x) { return ::asinhf128(x); }
 inline Widest atan(Widest x) { return ::atanf128(x); }
-inline Widest atanh(Widest x) { return ::atanhf128(x); }
-inline Widest cbrt(Widest x) { return ::cbrtf128(x); }
 inline Widest cos(Widest x) { return ::cosf128(x); }
 inline Widest cosh(Widest x) { return ::coshf128(x); }
-inline Widest erf(Widest x) { return ::erff128(x); }
-inline Widest erfc(Widest x) { return ::erfcf128(x); }
 inline Widest exp(Widest x) { return ::expf128(x); }
 inline Widest expm1(Widest x) { return ::expm1f128(x); }
 inline Widest log(Widest x) { return ::logf128(x); }
-inline Widest log10(Widest x) { return ::log10f128(x); }
 inline Widest pow(Widest x, Widest y) { return ::powf128(x, y); }
 inline Widest sin(Widest x) { return ::sinf128(x); }
 inline Widest sinh(Widest x) { return ::sinhf128(x); }
