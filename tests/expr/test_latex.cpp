@@ -41,8 +41,7 @@ TEST_CASE("functions") {
     CHECK(latex("abs(x-1)") == R"(\left|x - 1\right|)");
     CHECK(latex("abs(x)^2") == R"(\left(\left|x\right|\right)^{2})");
     CHECK(latex("min(x,2)") == R"(\min\left(x, 2\right))");
-    CHECK(latex("if(x<0,-x,x)") ==
-          R"(\begin{cases}-x & x < 0 \\ x & \text{otherwise}\end{cases})");
+    CHECK(latex("if(x<0,-x,x)") == R"(\begin{cases}-x & x < 0 \\ x & \text{otherwise}\end{cases})");
     CHECK(latex("if(x<=0,-x,x)").find(R"(x \le 0)") != std::string::npos);
     CHECK(latex("bspline(3,1)") == R"(\operatorname{bspline}\left(3, 1\right))");
 }

@@ -245,7 +245,8 @@ TEST_CASE("what depends on parameters alone is computed once") {
     CHECK(text(before.counts) == "0+ 1* 1/ 1sqrt 0f");
 }
 
-TEST_CASE("a choice is the chosen one where both are the same, and its derivative is chosen alike") {
+TEST_CASE(
+    "a choice is the chosen one where both are the same, and its derivative is chosen alike") {
     Lowered f({"q", "s"}, {"p"});
     CHECK(f("if(q<s,p,p)") == f("p"));
     CHECK(f("min(q,q)") == f("q"));
