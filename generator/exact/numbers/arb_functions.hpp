@@ -7,6 +7,8 @@
 #include <arb.h>
 #include <arb_hypgeom.h>
 
+#include <initializer_list>
+
 namespace hvi::gen {
 
 inline void arb_log10(arb_t y, const arb_t x, slong bits) { arb_log_base_ui(y, x, 10, bits); }
