@@ -13,16 +13,26 @@ namespace hvi::gen {
 
 namespace {
 
+/// The expressions of functions.def, by their texts.
+std::map<std::string_view, Expression> expressions_of_functions() {
+    std::map<std::string_view, Expression> expressions;
+    for (const Function& function : functions()) {
+        for (const std::string_view text : {function.derivative, function.by_second}) {
+            if (text.empty()) { continue; }
+            expressions.emplace(text, parse_expression(given("functions.def", std::string(text))));
+        }
+    }
+    return expressions;
+}
+
 /// What functions.def has of a function, with its arguments and its value for names.
 Scaled lowered(Graph& graph, std::string_view text, const std::vector<Scaled>& arguments,
                const Scaled& value) {
-    static std::map<std::string_view, Expression> read;
-    const auto [entry, is_new] = read.try_emplace(text);
-    if (is_new) { entry->second = parse_expression(given("functions.def", std::string(text))); }
+    static const auto expressions = expressions_of_functions();
     const Symbols symbols = arguments.size() == 1
                                 ? Symbols{{"x", arguments[0]}, {"y", value}}
                                 : Symbols{{"a", arguments[0]}, {"b", arguments[1]}};
-    return lower(graph, entry->second, symbols, nullptr);
+    return lower(graph, expressions.at(text), symbols, nullptr);
 }
 
 /// The derivative of a function by its argument number k; `value` is what it is there.
