@@ -85,20 +85,38 @@ std::string_view text(RealDomain domain) {
     case RealDomain::positive: return "x > 0";
     case RealDomain::not_negative: return "x >= 0";
     case RealDomain::up_to_one: return "-1 <= x <= 1";
+    case RealDomain::within_one: return "-1 < x < 1";
+    case RealDomain::from_one: return "x >= 1";
     }
     HVI_CHECK(false);
     return {};
 }
 
-std::string function_table() {
-    Rows rows;
-    for (const Function& function : functions()) {
-        if (is_of_lists(function.name)) continue;
-        rows.push_back({fmt::format("y = {}(x)", function.name),
-                        fmt::format("y' = {}", function.derivative),
-                        std::string(text(function.domain))});
+std::vector<std::string> row(const Function& function) {
+    if (function.nature == Nature::choice) {
+        return {fmt::format("y = {}(a,b)", function.name),
+                fmt::format("y = {}", function.derivative)};
     }
-    return table("Functions: in H, in basis functions and in numbers", rows);
+    if (function.arguments == 2) {
+        return {fmt::format("y = {}(a,b)", function.name),
+                fmt::format("dy/da = {}, dy/db = {}", function.derivative, function.by_second)};
+    }
+    return {fmt::format("y = {}(x)", function.name), fmt::format("y' = {}", function.derivative)};
+}
+
+std::string function_table() {
+    Rows rows, others;
+    for (const Function& function : functions()) {
+        if (is_of_lists(function.name) || is_if(function.name)) continue;
+        const bool is_analytic_of_one =
+            function.nature == Nature::analytic && function.arguments == 1;
+        std::vector<std::string> columns = row(function);
+        if (is_analytic_of_one) columns.emplace_back(text(function.domain));
+        (is_analytic_of_one ? rows : others).push_back(std::move(columns));
+    }
+    others.push_back({"y = if(a<b,x,y)", "x where a < b, else y; also <=, > and >="});
+    return table("Functions: in H, in basis functions and in numbers", rows) + "\n" +
+           table("Functions: in H and in numbers; all but atan2 have kinks", others);
 }
 
 }  // namespace

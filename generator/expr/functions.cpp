@@ -9,20 +9,57 @@ namespace hvi::gen {
 
 namespace {
 
+constexpr Function of_two(std::string_view name, std::string_view latex, Nature nature,
+                          std::string_view derivative, std::string_view by_second = "") {
+    Function result{name, 2, latex, nature};
+    result.derivative = derivative;
+    result.by_second = by_second;
+    return result;
+}
+
 constexpr std::array table{
-#define HVI_FUNCTION(name, latex, domain, cuts, parity, derivative)                                \
-    Function{#name, 1, latex, RealDomain::domain, Cuts::cuts, Parity::parity, derivative},
+#define HVI_FUNCTION(name, latex, domain, cuts, parity, runtime, derivative)                       \
+    Function{#name,                                                                                \
+             1,                                                                                    \
+             latex,                                                                                \
+             Nature::analytic,                                                                     \
+             RealDomain::domain,                                                                   \
+             Cuts::cuts,                                                                           \
+             Parity::parity,                                                                       \
+             Runtime::runtime,                                                                     \
+             derivative},
+#define HVI_FUNCTION_OF_TWO(name, latex, by_a, by_b)                                               \
+    of_two(#name, latex, Nature::analytic, by_a, by_b),
+#define HVI_KINK(name, latex, derivative)                                                          \
+    Function{#name,                                                                                \
+             1,                                                                                    \
+             latex,                                                                                \
+             Nature::kink,                                                                         \
+             RealDomain::everywhere,                                                               \
+             Cuts::nowhere,                                                                        \
+             Parity::neither,                                                                      \
+             Runtime::more_math,                                                                   \
+             derivative},
+#define HVI_CHOICE(name, latex, written) of_two(#name, latex, Nature::choice, written),
 #include "generator/expr/functions.def"
-#undef HVI_FUNCTION
-    Function{"roots", 1, "\\operatorname{roots}"},
-    Function{"bspline", 2, "\\operatorname{bspline}"},
+    Function{"if<", 4, "", Nature::choice},
+    Function{"if<=", 4, "", Nature::choice},
+    Function{"roots", 1, "\\operatorname{roots}", Nature::list},
+    Function{"bspline", 2, "\\operatorname{bspline}", Nature::list},
 };
 
 }  // namespace
 
 std::span<const Function> functions() { return table; }
 
-bool is_of_lists(std::string_view name) { return name == "roots" || name == "bspline"; }
+bool is_if(std::string_view name) { return name == "if<" || name == "if<="; }
+
+bool is_of_lists(std::string_view name) {
+    const Function* const function = find_function(name);
+    return function != nullptr && function->nature == Nature::list;
+}
+
+bool is_function(std::string_view word) { return word == "if" || find_function(word) != nullptr; }
 
 const Function* find_function(std::string_view name) {
     const auto* found = std::find_if(table.begin(), table.end(),

@@ -92,15 +92,32 @@ std::string call_latex(const Expression& call, const std::string& exponent = {})
     return text + in_sized_parentheses(arguments);
 }
 
+/// x where a < b, y elsewhere.
+std::string if_latex(const Expression& call) {
+    const auto argument = [&](std::size_t k) { return latex(call.arguments[k], Bar::slash); };
+    const std::string sign = call.name == "if<" ? " < " : " \\le ";
+    return "\\begin{cases}" + argument(2) + " & " + argument(0) + sign + argument(1) + " \\\\ " +
+           argument(3) + " & \\text{otherwise}\\end{cases}";
+}
+
+std::string absolute_latex(const Expression& argument) {
+    return "\\left|" + latex(argument, Bar::slash) + "\\right|";
+}
+
 std::string exponential_latex(const Expression& argument) {
     return "e^{" + latex(argument, Bar::slash) + "}";
+}
+
+/// Whether a call is written with its name.
+bool has_name(const Expression& call) {
+    return call.name != "exp" && call.name != "abs" && !is_if(call.name);
 }
 
 /// Only a sine squared is written with the exponent inside: \sin^{-1} would be taken for the arc.
 std::string power_latex(const Expression& base, const Expression& exponent) {
     const std::string raised = latex(exponent, Bar::slash);
     const bool root = base.kind == Expression::Kind::call && base.name == "sqrt";
-    const bool function = base.kind == Expression::Kind::call && !root && base.name != "exp";
+    const bool function = base.kind == Expression::Kind::call && !root && has_name(base);
     const bool count = exponent.kind == Expression::Kind::number && exponent.denominator == "1";
     if (function && count) return call_latex(base, raised);
     const bool word = root || base.kind == Expression::Kind::symbol ||
@@ -120,6 +137,8 @@ std::string factor_latex(const WrittenFactor& factor) {
         if (expression.name == "sqrt")
             return "\\sqrt{" + latex(expression.arguments[0], Bar::stacked) + "}";
         if (expression.name == "exp") return exponential_latex(expression.arguments[0]);
+        if (expression.name == "abs") return absolute_latex(expression.arguments[0]);
+        if (is_if(expression.name)) return if_latex(expression);
         return call_latex(expression);
     default: return symbol_latex(expression.name);
     }

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "generator/expr/fraction.hpp"
+#include "generator/expr/functions.hpp"
 
 namespace hvi::gen {
 
@@ -41,7 +42,15 @@ std::string exponent_text(const Expression& exponent) {
     return simple ? to_text(exponent) : parenthesised(to_text(exponent));
 }
 
+/// `if(a<b,x,y)`
+std::string if_text(const Expression& call) {
+    const auto argument = [&](std::size_t k) { return to_text(call.arguments[k]); };
+    return "if(" + argument(0) + call.name.substr(2) + argument(1) + "," + argument(2) + "," +
+           argument(3) + ")";
+}
+
 std::string call_text(const Expression& call) {
+    if (is_if(call.name)) return if_text(call);
     std::string text = call.name + "(";
     for (std::size_t k = 0; k < call.arguments.size(); ++k)
         text += (k == 0 ? "" : ",") + to_text(call.arguments[k]);

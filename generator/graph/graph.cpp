@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/expr/functions.hpp"
 #include "generator/graph/pythagoras.hpp"
 #include "generator/graph/written.hpp"
 
@@ -223,13 +224,30 @@ Scaled Graph::power(const Scaled& base, const Scaled& exponent) {
     return {{1, 1}, insert(std::move(computation))};
 }
 
-Scaled Graph::call(const std::string& function, const Scaled& argument) {
-    if (function == "sqrt") { return half_power(argument, 1); }
+Scaled Graph::call(const std::string& function, const std::vector<Scaled>& arguments) {
+    if (function == "sqrt") { return half_power(arguments.front(), 1); }
+    // NOTE: a choice is between its last two arguments.
+    const bool is_choice = find_function(function)->nature == Nature::choice;
+    if (is_choice && arguments.back() == *(arguments.end() - 2)) { return arguments.back(); }
     Computation computation;
     computation.operation = Operation::call;
     computation.name = function;
-    computation.arguments = {whole(argument)};
+    for (const Scaled& argument : arguments) { computation.arguments.push_back(whole(argument)); }
     return {{1, 1}, insert(std::move(computation))};
+}
+
+bool has_kinks(const Graph& graph, const std::vector<Scaled>& values) {
+    std::vector<bool> is_needed(graph.size());
+    for (const Scaled& value : values) { is_needed[value.node] = true; }
+    for (auto node = static_cast<Node>(graph.size()); node-- > 0;) {
+        const Computation& computation = graph.at(node);
+        if (!is_needed[node] || !varies(computation.roles)) { continue; }
+        const bool is_call = computation.operation == Operation::call;
+        if (is_call && !find_function(computation.name)->is_smooth()) { return true; }
+        for (const Scaled& term : computation.terms) { is_needed[term.node] = true; }
+        for (const Node argument : computation.arguments) { is_needed[argument] = true; }
+    }
+    return false;
 }
 
 }  // namespace hvi::gen

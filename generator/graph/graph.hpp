@@ -99,8 +99,9 @@ public:
     /// a^(twice_exponent/2), by products of a, 1/a and sqrt(a).
     [[nodiscard]] Scaled half_power(const Scaled& a, long twice_exponent);
     [[nodiscard]] Scaled power(const Scaled& base, const Scaled& exponent);
-    /// Precondition: a function of one argument of expr/functions.hpp other than roots.
-    [[nodiscard]] Scaled call(const std::string& function, const Scaled& argument);
+    /// Precondition: a function of expr/functions.hpp other than those of lists, and as many
+    /// arguments as it takes.
+    [[nodiscard]] Scaled call(const std::string& function, const std::vector<Scaled>& arguments);
 
     /// What half_power() made this node of, for odd exponents.
     [[nodiscard]] std::optional<HalfPower> half_power_at(Node node) const;
@@ -125,5 +126,9 @@ private:
     std::map<Key, Node> numbers_;
     std::map<Node, HalfPower> half_powers_;
 };
+
+/// Whether a value is not smooth in what varies, as far as the graph shows: a function with a kink
+/// or a choice is called of it.
+[[nodiscard]] bool has_kinks(const Graph& graph, const std::vector<Scaled>& values);
 
 }  // namespace hvi::gen

@@ -69,7 +69,7 @@ Expression of_operation(const Computation& computation, std::vector<Expression> 
     case Operation::inverse_square_root: return Expression::reciprocal(root());
     case Operation::power:
         return Expression::power(std::move(values.front()), std::move(values.back()));
-    case Operation::call: return Expression::call(computation.name, {first()});
+    case Operation::call: return Expression::call(computation.name, std::move(values));
     case Operation::constant:
     case Operation::input: break;
     }

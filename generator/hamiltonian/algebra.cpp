@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generator/exact/expressions/evaluate.hpp"
+#include "generator/hamiltonian/ginac_functions.hpp"
 #include "generator/read/names.hpp"
 #include "generator/scene/start.hpp"
 
@@ -57,11 +58,6 @@ double digits_in(const ex& expression) {
     if (!GiNaC::is_a<GiNaC::add>(expression) && !GiNaC::is_a<GiNaC::mul>(expression)) return most;
     for (const ex& part : expression) most = std::max(most, digits_in(part));
     return most;
-}
-
-/// NOTE: GiNaC calls the functions of expr/functions.def as we do.
-ex applied(const std::string& function, const ex& argument) {
-    return GiNaC::function(GiNaC::function::find_function(function, 1), argument);
 }
 
 /// Whether no symbol but pi and e occurs.
@@ -158,9 +154,9 @@ private:
     }
 
     [[nodiscard]] ex call(const Expression& expression) const {
-        const ex argument = read(expression.arguments[0]);
-        if (expression.name == "sqrt") return raised_to(argument, ex(1) / 2, expression);
-        return real(applied(expression.name, argument), expression);
+        const GiNaC::exvector arguments = all(expression.arguments);
+        if (expression.name == "sqrt") return raised_to(arguments[0], ex(1) / 2, expression);
+        return real(applied(expression.name, arguments), expression);
     }
 
     [[nodiscard]] ex raised_to(const ex& base, const ex& exponent,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "generator/hamiltonian/elimination.hpp"
+#include "generator/hamiltonian/ginac_functions.hpp"
 #include "generator/hamiltonian/vanishing.hpp"
 #include "generator/read/names.hpp"
 #include "generator/support/progress.hpp"
@@ -33,18 +34,21 @@ std::vector<GiNaC::symbol> fibre(const Algebra& algebra) {
     return {all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end()};
 }
 
-/// Where the third derivatives vanish. NOTE: only then there surely is a value at w = 0.
+/// Where the third derivatives vanish. NOTE: only then there surely is a value at w = 0; and what
+/// has kinks in M may be regular here and singular there.
 std::optional<QuadraticInFibre> quadratic_in_fibre(const Algebra& algebra) {
     const std::vector<GiNaC::symbol> w = fibre(algebra);
     const auto n = static_cast<unsigned>(w.size());
     GiNaC::exmap origin;
     for (const GiNaC::symbol& symbol : w) origin[symbol] = 0;
+    if (has_kink_in(algebra.function(), w)) return {};
     QuadraticInFibre result{GiNaC::matrix(n, n), {}, {}};
     try {
         for (unsigned i = 0; i < n; ++i) {
             const ex slope = algebra.derivative(algebra.function(), w[i]);
             for (unsigned j = 0; j <= i; ++j) {
                 const ex entry = algebra.derivative(slope, w[j]);
+                if (has_kink_in(entry, algebra.variables())) return {};
                 for (const GiNaC::symbol& symbol : w)
                     if (vanishing(algebra, entry.diff(symbol)) != Vanishing::proved) return {};
                 result.M(i, j) = result.M(j, i) = entry.subs(origin);

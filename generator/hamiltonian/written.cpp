@@ -314,10 +314,18 @@ Base Writer::call(const ex& function) const {
     if (function.is_equal(GiNaC::exp(ex(1)))) { return {"0e", Expression::symbol("e"), 0}; }
     const std::string name = GiNaC::ex_to<GiNaC::function>(function).get_name();
     HVI_CHECK(find_function(name) != nullptr);
-    const Terms argument = terms(function.op(0));
-    const bool varies = degree(argument) != 0;
-    return {(varies ? "4" : "1~") + name + "(" + key(argument) + ")",
-            Expression::call(name, {sum(argument)}), varies ? std::nullopt : std::optional(0L)};
+    bool varies = false;
+    std::string keys;
+    std::vector<Expression> arguments;
+    for (const ex& argument : function) {
+        const Terms summands = terms(argument);
+        varies = varies || degree(summands) != 0;
+        keys += (keys.empty() ? "" : ",") + key(summands);
+        arguments.push_back(sum(summands));
+    }
+    return {(varies ? "4" : "1~") + name + "(" + keys + ")",
+            Expression::call(name, std::move(arguments)),
+            varies ? std::nullopt : std::optional(0L)};
 }
 
 Exponent Writer::exponent(const ex& value) const {

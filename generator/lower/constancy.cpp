@@ -51,7 +51,7 @@ private:
         case Operation::product: return graph_.product(arguments[0], arguments[1]);
         case Operation::square_root: return graph_.half_power(arguments[0], 1);
         case Operation::power: return graph_.power(arguments[0], arguments[1]);
-        case Operation::call: return graph_.call(computation.name, arguments[0]);
+        case Operation::call: return graph_.call(computation.name, arguments);
         default: break;
         }
         if (arguments[0].is_zero()) { return std::nullopt; }

@@ -13,28 +13,47 @@ namespace hvi::gen {
 
 namespace {
 
-std::map<std::string, Expression, std::less<>> derivatives_of_functions() {
-    std::map<std::string, Expression, std::less<>> derivatives;
+/// The expressions of functions.def, by their texts.
+std::map<std::string_view, Expression> expressions_of_functions() {
+    std::map<std::string_view, Expression> expressions;
     for (const Function& function : functions()) {
-        if (function.derivative.empty()) { continue; }
-        derivatives.emplace(function.name, parse_expression(given(
-                                               "functions.def", std::string(function.derivative))));
+        for (const std::string_view text : {function.derivative, function.by_second}) {
+            if (text.empty()) { continue; }
+            expressions.emplace(text, parse_expression(given("functions.def", std::string(text))));
+        }
     }
-    return derivatives;
+    return expressions;
 }
 
-/// The derivative of a function of one argument; `value` is what it is there.
-Scaled derivative(Graph& graph, const std::string& function, const Scaled& argument,
-                  const Scaled& value) {
-    static const auto derivatives = derivatives_of_functions();
-    return lower(graph, derivatives.at(function), {{"x", argument}, {"y", value}}, nullptr);
+/// What functions.def has of a function, with its arguments and its value for names.
+Scaled lowered(Graph& graph, std::string_view text, const std::vector<Scaled>& arguments,
+               const Scaled& value) {
+    static const auto expressions = expressions_of_functions();
+    const Symbols symbols = arguments.size() == 1
+                                ? Symbols{{"x", arguments[0]}, {"y", value}}
+                                : Symbols{{"a", arguments[0]}, {"b", arguments[1]}};
+    return lower(graph, expressions.at(text), symbols, nullptr);
 }
+
+/// The derivative of a function by its argument number k; `value` is what it is there.
+Scaled derivative(Graph& graph, const std::string& name, const std::vector<Scaled>& arguments,
+                  const Scaled& value, std::size_t k) {
+    const Function& function = *find_function(name);
+    return lowered(graph, k == 0 ? function.derivative : function.by_second, arguments, value);
+}
+
+/// The gradients of what functions choose from, each once.
+using Gradients = std::map<Node, std::vector<Scaled>>;
 
 /// Goes down from f, and gives each node's share to its arguments.
 class Reverse {
 public:
-    Reverse(Graph& graph, const Scaled& f, const std::vector<Node>& inputs)
-        : graph_(graph), shares_(f.node + 1), is_active_(f.node + 1) {
+    Reverse(Graph& graph, const Scaled& f, const std::vector<Node>& inputs, Gradients& known)
+        : graph_(graph),
+          inputs_(inputs),
+          known_(known),
+          shares_(f.node + 1),
+          is_active_(f.node + 1) {
         for (Node node = 0; node <= f.node; ++node) { is_active_[node] = depends(node, inputs); }
         give(f.node, {f.factor, graph.number(1).node});
         for (Node node = f.node + 1; node-- > 0;) {
@@ -42,11 +61,18 @@ public:
         }
     }
 
+    /// The derivatives by the inputs.
+    [[nodiscard]] std::vector<Scaled> totals() const {
+        std::vector<Scaled> result;
+        for (const Node input : inputs_) { result.push_back(total(input)); }
+        return result;
+    }
+
+private:
     [[nodiscard]] Scaled total(Node node) const {
         return node < shares_.size() ? graph_.sum(shares_[node]) : graph_.number(0);
     }
 
-private:
     [[nodiscard]] bool depends(Node node, const std::vector<Node>& inputs) const {
         const Computation& computation = graph_.at(node);
         if (std::find(inputs.begin(), inputs.end(), node) != inputs.end()) { return true; }
@@ -68,6 +94,10 @@ private:
             give(power->base.node, graph_.product(share, of_half_power(*power)));
             return;
         }
+        if (is_choice(computation)) {
+            hand_to_inputs(computation, share);
+            return;
+        }
         for (const Scaled& term : computation.terms) {
             give(term.node, graph_.times(term.factor, share));
         }
@@ -79,6 +109,44 @@ private:
                 give(arguments[k], graph_.product(part, derivative));
             }
         }
+    }
+
+    [[nodiscard]] static bool is_choice(const Computation& computation) {
+        return computation.operation == Operation::call &&
+               find_function(computation.name)->nature == Nature::choice;
+    }
+
+    /// Of a choice, the inputs get their shares at once, chosen as the value is. NOTE: 0 times the
+    /// derivative of what is not chosen would be no number where it has none.
+    void hand_to_inputs(const Computation& computation, const Scaled& share) {
+        const Computation choice = as_if(computation);
+        const Scaled a{{1, 1}, choice.arguments[0]}, b{{1, 1}, choice.arguments[1]};
+        const std::vector<Scaled> yes = gradient_of(choice.arguments[2]);
+        const std::vector<Scaled> no = gradient_of(choice.arguments[3]);
+        for (std::size_t i = 0; i < inputs_.size(); ++i) {
+            if (inputs_[i] >= shares_.size()) { continue; }
+            const Scaled slope = graph_.call(choice.name, {a, b, yes[i], no[i]});
+            give(inputs_[i], graph_.product(share, slope));
+        }
+    }
+
+    /// min and max as `if`.
+    [[nodiscard]] Computation as_if(const Computation& computation) {
+        if (is_if(computation.name)) { return computation; }
+        std::vector<Scaled> arguments;
+        for (const Node argument : computation.arguments) {
+            arguments.push_back({{1, 1}, argument});
+        }
+        const Scaled choice = lowered(graph_, find_function(computation.name)->derivative,
+                                      arguments, Graph::number(0));
+        return graph_.at(choice.node);
+    }
+
+    [[nodiscard]] std::vector<Scaled> gradient_of(Node node) {
+        const auto known = known_.find(node);
+        if (known != known_.end()) { return known->second; }
+        const Reverse reverse(graph_, {{1, 1}, node}, inputs_, known_);
+        return known_[node] = reverse.totals();
     }
 
     /// A share, or the terms of one that is a short polynomial: multiplied out, like terms of y^2/2
@@ -129,8 +197,13 @@ private:
         case Operation::square_root: return graph_.times({1, 2}, graph_.half_power(a, -1));
         case Operation::inverse_square_root: return graph_.times({-1, 2}, graph_.half_power(a, -3));
         case Operation::power: return k == 0 ? of_base(a, b) : of_exponent(a, value);
-        default: return derivative(graph_, computation.name, a, value);
+        default: break;
         }
+        std::vector<Scaled> arguments;
+        for (const Node argument : computation.arguments) {
+            arguments.push_back({{1, 1}, argument});
+        }
+        return derivative(graph_, computation.name, arguments, value, k);
     }
 
     /// By the node of the base. NOTE: the rule of products would give two terms, of which the graph
@@ -147,10 +220,12 @@ private:
     }
 
     [[nodiscard]] Scaled of_exponent(const Scaled& base, const Scaled& value) {
-        return graph_.product(value, graph_.call("log", base));
+        return graph_.product(value, graph_.call("log", {base}));
     }
 
     Graph& graph_;
+    const std::vector<Node>& inputs_;
+    Gradients& known_;
     std::vector<std::vector<Scaled>> shares_;  ///< whose sum is the derivative of f by a node
     std::vector<bool> is_active_;              ///< whether a node depends on the inputs
 };
@@ -158,10 +233,8 @@ private:
 }  // namespace
 
 std::vector<Scaled> gradient(Graph& graph, const Scaled& f, const std::vector<Node>& inputs) {
-    const Reverse reverse(graph, f, inputs);
-    std::vector<Scaled> result;
-    for (const Node input : inputs) { result.push_back(reverse.total(input)); }
-    return result;
+    Gradients known;
+    return Reverse(graph, f, inputs, known).totals();
 }
 
 }  // namespace hvi::gen

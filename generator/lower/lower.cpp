@@ -52,7 +52,7 @@ public:
         case Kind::reciprocal: return product(expression);
         case Kind::negation: return graph_.times({-1, 1}, (*this)(expression.arguments.front()));
         case Kind::power: return power(expression);
-        case Kind::call: return graph_.call(expression.name, (*this)(expression.arguments.front()));
+        case Kind::call: return call(expression);
         case Kind::element:
         case Kind::sum_over: break;
         }
@@ -61,6 +61,14 @@ public:
     }
 
 private:
+    Scaled call(const Expression& expression) {
+        std::vector<Scaled> arguments;
+        for (const Expression& argument : expression.arguments) {
+            arguments.push_back((*this)(argument));
+        }
+        return graph_.call(expression.name, arguments);
+    }
+
     Scaled number(const Expression& expression) {
         const auto above = small_integer(expression.numerator);
         const auto below = small_integer(expression.denominator);
@@ -140,7 +148,7 @@ private:
         const Expression& written_base = expression.arguments.front();
         const Scaled exponent = (*this)(expression.arguments.back());
         if (written_base.kind == Kind::symbol && written_base.name == "e") {
-            return graph_.call("exp", exponent);
+            return graph_.call("exp", {exponent});
         }
         const Scaled base = (*this)(written_base);
         const SmallFraction value = exponent.factor;

@@ -95,8 +95,10 @@ Hessian hessian(System& system) {
         second.mixed.push_back(gradient(graph, system.by_q[i], system.conjugates));
         second.conjugates.push_back(gradient(graph, system.by_conjugates[i], system.conjugates));
     }
-    // NOTE: where one block is not constant, what the others are is of no use.
-    static_cast<void>(settle(graph, second.conjugates) && settle(graph, second.mixed) &&
+    // NOTE: the derivatives of a function with a kink are constant on both sides of it, and not
+    // one. And where one block is not constant, what the others are is of no use.
+    static_cast<void>(!has_kinks(graph, system.by_conjugates) && settle(graph, second.conjugates) &&
+                      !has_kinks(graph, system.by_q) && settle(graph, second.mixed) &&
                       settle(graph, second.qq));
     return second;
 }
@@ -108,17 +110,19 @@ Structure structure(System& system) {
     found.is_separable = !depends_on(graph, system.by_q, Role::conjugate) &&
                          !depends_on(graph, system.by_conjugates, Role::coordinate) &&
                          !depends_on(graph, system.by_conjugates, Role::time);
-    found.kinetic_is_quadratic = found.is_separable && is_constant(graph, pp);
+    const bool is_smooth_in_p = !has_kinks(graph, system.by_conjugates);
+    const bool is_smooth_in_q = !has_kinks(graph, system.by_q);
+    found.kinetic_is_quadratic = found.is_separable && is_smooth_in_p && is_constant(graph, pp);
     if (found.kinetic_is_quadratic) {
         found.inverse_mass = product(system, pp);
         set_direction(found, system);
     }
-    found.is_quadratic =
-        is_constant(graph, pp) && is_constant(graph, mixed) && is_constant(graph, qq);
+    found.is_quadratic = is_smooth_in_p && is_smooth_in_q && is_constant(graph, pp) &&
+                         is_constant(graph, mixed) && is_constant(graph, qq);
     found.has_linear_map = found.is_quadratic && !system.time;
     if (found.has_linear_map) { set_linear_part(found, system); }
-    found.is_linear_in_p = is_zero(pp);
-    found.is_linear_in_q = is_zero(qq);
+    found.is_linear_in_p = is_smooth_in_p && is_zero(pp);
+    found.is_linear_in_q = is_smooth_in_q && is_zero(qq);
     return found;
 }
 

@@ -29,6 +29,14 @@ Expression ExpressionParser::lone_expression() {
 }
 
 Expression ExpressionParser::sum() {
+    Expression result = side();
+    if (next().compares())
+        fail(next().range, fmt::format("`{}` cannot stand here", text(next().range)),
+             "a comparison stands in a choice: `if(a < b, x, y)`");
+    return result;
+}
+
+Expression ExpressionParser::side() {
     const std::size_t begin = next().range.begin;
     std::vector<Expression> terms;
     terms.push_back(product());
@@ -101,7 +109,7 @@ Expression ExpressionParser::number() {
 Expression ExpressionParser::name(const Token& name) {
     if (next_is(Kind::open)) return call(name);
     std::string symbol = text(name.range);
-    if (find_function(symbol) != nullptr)
+    if (is_function(symbol))
         fail(name.range, fmt::format("`{}` is a function and wants an argument", symbol),
              fmt::format("write `{}(...)`", symbol));
     return located(Expression::symbol(std::move(symbol)), name.range.begin);
@@ -109,6 +117,7 @@ Expression ExpressionParser::name(const Token& name) {
 
 Expression ExpressionParser::call(const Token& name) {
     const std::string called = text(name.range);
+    if (called == "if") return choice(name);
     const Function* function = find_function(called);
     if (function == nullptr) fail_unknown_function(name);
     const Token open = take();
@@ -124,6 +133,36 @@ Expression ExpressionParser::call(const Token& name) {
     Expression call = located(Expression::call(called, std::move(arguments)), name.range.begin);
     check_argument_count(call, *function);
     return call;
+}
+
+/// NOTE: a > b is b < a.
+Expression ExpressionParser::choice(const Token& name) {
+    const Token open = take();
+    std::vector<Expression> arguments;
+    arguments.push_back(side());
+    const Token sign = comparison();
+    arguments.push_back(sum());
+    const bool is_turned = sign.is(Kind::greater) || sign.is(Kind::greater_or_equal);
+    if (is_turned) std::swap(arguments[0], arguments[1]);
+    while (next_is(Kind::comma)) {
+        take();
+        arguments.push_back(sum());
+    }
+    take_close(open);
+    const bool is_strict = sign.is(Kind::less) || sign.is(Kind::greater);
+    const std::size_t count = arguments.size() - 1;
+    Expression result = located(Expression::call(is_strict ? "if<" : "if<=", std::move(arguments)),
+                                name.range.begin);
+    if (count != 3)
+        fail(result.range, fmt::format("`if` takes a comparison and 2 values, not {}", count - 1),
+             "write `if(a < b, x, y)` for x where a < b, and y elsewhere");
+    return result;
+}
+
+Token ExpressionParser::comparison() {
+    if (next().compares()) return take();
+    fail(next_is(Kind::end) ? previous().range : next().range, "`if` wants a comparison first",
+         "write `if(a < b, x, y)`, with `<`, `<=`, `>` or `>=`");
 }
 
 Expression ExpressionParser::parenthesised() {
@@ -160,7 +199,9 @@ void ExpressionParser::fail_unknown_function(const Token& name) const {
     const std::string product = fmt::format("a product is written `{}*(...)`", called);
     std::vector<std::string_view> names;
     for (const Function& function : functions())
-        if (is_list() || !is_of_lists(function.name)) names.push_back(function.name);
+        if (!is_if(function.name) && (is_list() || !is_of_lists(function.name)))
+            names.push_back(function.name);
+    names.push_back("if");
     fail(name.range, fmt::format("there is no function `{}`", called),
          is_reserved(called) ? product
                              : did_you_mean(called, names,

@@ -26,12 +26,16 @@ protected:
     [[nodiscard]] virtual bool is_list() const { return false; }
 
 private:
+    /// A sum, or one side of a comparison.
+    [[nodiscard]] Expression side();
     [[nodiscard]] Expression product();
     [[nodiscard]] Expression signed_operand();
     [[nodiscard]] Expression power();
     [[nodiscard]] Expression operand();
     [[nodiscard]] Expression number();
     [[nodiscard]] Expression call(const Token& name);
+    [[nodiscard]] Expression choice(const Token& name);
+    [[nodiscard]] Token comparison();
     [[nodiscard]] Expression parenthesised();
 
     [[noreturn]] void fail_missing_operand() const;

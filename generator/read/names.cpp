@@ -72,7 +72,7 @@ std::string_view without_index(std::string_view name) { return name.substr(0, na
 
 bool is_reserved(std::string_view indexed) {
     const std::string_view name = without_index(indexed);
-    return find_reserved(name) != nullptr || find_function(name) != nullptr;
+    return find_reserved(name) != nullptr || is_function(name);
 }
 
 void check_parameter_name(const std::string& name, const Place& place, std::string_view subject) {
@@ -82,7 +82,7 @@ void check_parameter_name(const std::string& name, const Place& place, std::stri
     if (const Reserved* reserved = find_reserved(name))
         throw InputError(fmt::format("`{}` is reserved: it is {}", name, reserved->meaning), place,
                          fmt::format("take another name, such as `{}`", reserved->instead));
-    if (find_function(name) != nullptr)
+    if (is_function(name))
         throw InputError(fmt::format("`{}` is reserved: it is a function", name), place,
                          fmt::format("take another name, such as `{}_value`", name));
 }

@@ -126,6 +126,8 @@ Token Lexer::sign() {
     case '(': return {Token::Kind::open, range};
     case ')': return {Token::Kind::close, range};
     case ',': return {Token::Kind::comma, range};
+    case '<': return comparison(Token::Kind::less, Token::Kind::less_or_equal);
+    case '>': return comparison(Token::Kind::greater, Token::Kind::greater_or_equal);
     case '*':
         if (text_.substr(range.end, 1) == "*")
             throw InputError("`**` is no operator", Place{source_, {range.begin, range.end + 1}},
@@ -133,6 +135,11 @@ Token Lexer::sign() {
         return {Token::Kind::times, range};
     default: return sign_of_index();
     }
+}
+
+Token Lexer::comparison(Token::Kind alone, Token::Kind with_equality) const {
+    const bool is_long = text_.substr(position_ + 1, 1) == "=";
+    return {is_long ? with_equality : alone, {position_, position_ + (is_long ? 2 : 1)}};
 }
 
 Token Lexer::sign_of_index() {

@@ -23,6 +23,10 @@ struct Token {
         open,
         close,
         comma,
+        less,
+        less_or_equal,
+        greater,
+        greater_or_equal,
         open_index,   ///< `[`, and what stands below, in texts with indices only
         close_index,  ///< `]`
         equals,       ///< `=`
@@ -38,6 +42,11 @@ struct Token {
     /// Whether an operand can start here that is not signed.
     [[nodiscard]] bool starts_operand() const {
         return is(Kind::number) || is(Kind::name) || is(Kind::open);
+    }
+
+    /// Whether it is `<`, `<=`, `>` or `>=`.
+    [[nodiscard]] bool compares() const {
+        return Kind::less <= kind && kind <= Kind::greater_or_equal;
     }
 };
 
@@ -69,6 +78,7 @@ private:
     [[nodiscard]] Token number();
     [[nodiscard]] Token name();
     [[nodiscard]] Token sign();
+    [[nodiscard]] Token comparison(Token::Kind alone, Token::Kind with_equality) const;
     [[nodiscard]] Token sign_of_index();
     [[noreturn]] void refuse_character() const;
 

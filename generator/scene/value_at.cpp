@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "generator/exact/numbers/arb_functions.hpp"
 #include "generator/expr/functions.hpp"
 #include "generator/support/error.hpp"
 
@@ -27,15 +28,22 @@ RealFunction real_function(std::string_view name) {
     static const std::map<std::string_view, RealFunction> table{
 #define HVI_FUNCTION(name, ...) {#name, arb_##name},
 #include "generator/expr/functions.def"
-#undef HVI_FUNCTION
+        {"abs", [](arb_t y, const arb_t x, slong) { arb_abs(y, x); }},
+        {"sign", [](arb_t y, const arb_t x, slong) { arb_sgn(y, x); }},
     };
     return table.at(name);
 }
 
-bool is_beyond_one(const Ball& x) {
-    Ball size;
-    arb_abs(size.get(), x.get());
-    return arb_gt(size.get(), integer(1).get()) != 0;
+Ball less_one(const Ball& x) {
+    Ball result;
+    arb_sub_ui(result.get(), x.get(), 1, bits);
+    return result;
+}
+
+Ball size(const Ball& x) {
+    Ball result;
+    arb_abs(result.get(), x.get());
+    return result;
 }
 
 /// What is wrong with an argument, as far as is proved; or nothing.
@@ -49,7 +57,15 @@ std::string_view fault(RealDomain domain, const Ball& x) {
         if (x.sign() < 0 || is_zero(x)) { return "the logarithm of a number that is not positive"; }
         break;
     case RealDomain::up_to_one:
-        if (is_beyond_one(x)) { return "an arcsine or arccosine of a number beyond 1"; }
+        if (less_one(size(x)).sign() > 0) { return "an arcsine or arccosine of a number beyond 1"; }
+        break;
+    case RealDomain::within_one: {
+        const Ball excess = less_one(size(x));
+        if (excess.sign() > 0 || is_zero(excess)) { return "an artanh of a number beyond -1 or 1"; }
+        break;
+    }
+    case RealDomain::from_one:
+        if (less_one(x).sign() < 0) { return "an arcosh of a number below 1"; }
         break;
     }
     return {};
@@ -132,13 +148,42 @@ private:
     }
 
     [[nodiscard]] Ball call(const Expression& expression) const {
+        if (is_if(expression.name)) { return choice(expression); }
         const Function* const function = find_function(expression.name);
         HVI_CHECK(function != nullptr);
         const Ball argument = (*this)(expression.arguments.front());
+        if (function->arguments == 2) {
+            return of_two(expression, argument, (*this)(expression.arguments.back()));
+        }
         const std::string_view wrong = fault(function->domain, argument);
         if (!wrong.empty()) { refuse(expression, wrong); }
         Ball result;
         real_function(function->name)(result.get(), argument.get(), bits);
+        return result;
+    }
+
+    [[nodiscard]] Ball of_two(const Expression& expression, const Ball& a, const Ball& b) const {
+        static const std::map<std::string_view, void (*)(arb_t, const arb_t, const arb_t, slong)>
+            table{{"atan2", arb_atan2}, {"min", arb_min}, {"max", arb_max}};
+        if (expression.name == "atan2" && is_zero(a) && is_zero(b)) {
+            refuse(expression, "the angle of the origin");
+        }
+        Ball result;
+        table.at(expression.name)(result.get(), a.get(), b.get(), bits);
+        return result;
+    }
+
+    /// Of both values where the comparison is not proved, and of the chosen one alone where it is.
+    [[nodiscard]] Ball choice(const Expression& expression) const {
+        const auto argument = [&](std::size_t k) { return (*this)(expression.arguments.at(k)); };
+        const Ball a = argument(0), b = argument(1);
+        const bool is_strict = expression.name == "if<";
+        const bool holds = (is_strict ? arb_lt : arb_le)(a.get(), b.get()) != 0;
+        const bool fails = (is_strict ? arb_ge : arb_gt)(a.get(), b.get()) != 0;
+        if (holds) { return argument(2); }
+        if (fails) { return argument(3); }
+        Ball result;
+        arb_union(result.get(), argument(2).get(), argument(3).get(), bits);
         return result;
     }
 

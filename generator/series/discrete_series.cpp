@@ -229,12 +229,23 @@ std::optional<bool> Series::are_equal(const std::optional<SeriesTrees>& trees) {
     return std::nullopt;
 }
 
+void check_smooth(const Hamiltonian& hamiltonian, const System& system) {
+    std::vector<Scaled> slopes = system.by_q;
+    slopes.insert(slopes.end(), system.by_conjugates.begin(), system.by_conjugates.end());
+    slopes.push_back(system.function);
+    if (!has_kinks(system.graph, slopes)) { return; }
+    throw MathError("the series have derivatives of H of all orders, and H is not smooth",
+                    Place{hamiltonian.source, hamiltonian.expression.range},
+                    "abs, sign, min, max and if have kinks; leave out --series");
+}
+
 }  // namespace
 
 DiscreteSeries discrete_series(const DerivedMethod& method, const Hamiltonian& hamiltonian,
                                int terms, const Ground& ground) {
     const Progress::Stage stage("computing the series of the discrete Hamiltonians");
     const System system = system_of(hamiltonian, parameter_names(hamiltonian));
+    check_smooth(hamiltonian, system);
     if (std::holds_alternative<GalerkinRule>(method)) {
         check_kinetic_rank(system, Place{hamiltonian.source, hamiltonian.expression.range});
     }

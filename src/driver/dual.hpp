@@ -14,6 +14,7 @@
 #include <hvi/detail/linear/dense.hpp>
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/numbers/math.hpp>
+#include <hvi/detail/numbers/more_math.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
 
 namespace hvi::driver {
@@ -104,6 +105,11 @@ template <std::size_t n>
     return x;
 }
 
+/// 2/sqrt(pi) exp(-x^2)
+[[nodiscard]] inline double slope_of_erf(double x) {
+    return 2 / std::sqrt(std::acos(-1.0)) * std::exp(-x * x);
+}
+
 }  // namespace hvi::driver
 
 namespace hvi::math {
@@ -118,14 +124,44 @@ template <std::size_t n>
 }
 
 template <std::size_t n>
+[[nodiscard]] driver::Dual<n> acosh(const driver::Dual<n>& x) {
+    const double v = x.value;
+    return chain(x, std::acosh(v), 1 / std::sqrt((v - 1) * (v + 1)));
+}
+
+template <std::size_t n>
 [[nodiscard]] driver::Dual<n> asin(const driver::Dual<n>& x) {
     const double v = x.value;
     return chain(x, std::asin(v), 1 / std::sqrt((1 - v) * (1 + v)));
 }
 
 template <std::size_t n>
+[[nodiscard]] driver::Dual<n> asinh(const driver::Dual<n>& x) {
+    return chain(x, std::asinh(x.value), 1 / std::sqrt(1 + x.value * x.value));
+}
+
+template <std::size_t n>
 [[nodiscard]] driver::Dual<n> atan(const driver::Dual<n>& x) {
     return chain(x, std::atan(x.value), 1 / (1 + x.value * x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> atan2(const driver::Dual<n>& y, const driver::Dual<n>& x) {
+    const double square = x.value * x.value + y.value * y.value;
+    return chain(y, std::atan2(y.value, x.value), x.value / square) +
+           chain(x, 0, -y.value / square);
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> atanh(const driver::Dual<n>& x) {
+    const double v = x.value;
+    return chain(x, std::atanh(v), 1 / ((1 - v) * (1 + v)));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> cbrt(const driver::Dual<n>& x) {
+    const double root = std::cbrt(x.value);
+    return chain(x, root, 1 / (3 * root * root));
 }
 
 template <std::size_t n>
@@ -136,6 +172,16 @@ template <std::size_t n>
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> cosh(const driver::Dual<n>& x) {
     return chain(x, std::cosh(x.value), std::sinh(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> erf(const driver::Dual<n>& x) {
+    return chain(x, std::erf(x.value), driver::slope_of_erf(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> erfc(const driver::Dual<n>& x) {
+    return chain(x, std::erfc(x.value), -driver::slope_of_erf(x.value));
 }
 
 template <std::size_t n>
@@ -151,6 +197,11 @@ template <std::size_t n>
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> log(const driver::Dual<n>& x) {
     return chain(x, std::log(x.value), 1 / x.value);
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> log10(const driver::Dual<n>& x) {
+    return chain(x, std::log10(x.value), 1 / (x.value * std::log(10.0)));
 }
 
 /// NOTE: where x is below 0, which has no logarithm, y is a constant, and no derivative is by y.
@@ -214,7 +265,7 @@ inline constexpr bool is_number<driver::Dual<n>> = true;
 ///
 /// NOTE: steppers ask it of the changes of their iterations, and end these where it no longer
 /// falls, and of what the changes are compared with. Values converge first and derivatives, at the
-/// same rate, some iterations later: this waits for both. No H calls it: it has no absolute values.
+/// same rate, some iterations later: this waits for both. An H calls hvi::math::abs.
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> abs(const driver::Dual<n>& x) {
     double largest = std::abs(x.value);

@@ -231,3 +231,19 @@ TEST_CASE("the end of the terminal is none for what nohup starts") {
     CHECK(outcome.status == 0);
     CHECK(!outcome.out.empty());
 }
+
+TEST_CASE("the functions in H are listed with their derivatives") {
+    const std::string text = hvi_gen({"list", "functions"}).out;
+    for (const std::string line :
+         {"y = sqrt(x)   y' = 1/(2*y)                x >= 0\n",
+          "y = acosh(x)  y' = 1/sqrt(x^2-1)          x >= 1\n",
+          "y = atanh(x)  y' = 1/(1-x^2)              -1 < x < 1\n",
+          "y = erf(x)    y' = 2/sqrt(pi)*exp(-x^2)\n",
+          "y = atan2(a,b)   dy/da = b/(a^2+b^2), dy/db = -a/(a^2+b^2)\n",
+          "y = abs(x)       y' = sign(x)\n", "y = min(a,b)     y = if(b<a,b,a)\n",
+          "y = if(a<b,x,y)  x where a < b, else y; also <=, > and >=\n"}) {
+        CAPTURE(line);
+        CHECK(text.find("  " + line) != std::string::npos);
+    }
+    CHECK(text.find("roots") == std::string::npos);
+}

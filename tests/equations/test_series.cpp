@@ -471,3 +471,13 @@ TEST_CASE("what is too long to be written is decided all the same") {
     CHECK(first_difference("stormer-verlet", vortices, 3) == 3);
     CHECK(first_difference("gauss:3", vortices, 5) == 0);
 }
+
+TEST_CASE("series are of smooth H") {
+    for (const char* H : {"p^2/2 + abs(q)", "p^2/2 + q^2*sign(q)", "p^2/2 + if(q<0, q^2, q^4)"}) {
+        const Refusal refused = refusal([&] { return series("midpoint", H, 2); });
+        CHECK(refused.says("H is not smooth"));
+        CHECK(refused.marked == "[" + std::string(H) + "]");
+    }
+    CHECK(series("midpoint", "p^2/2 + abs(w)*q^2", 2).exact.size() == 2);
+    CHECK(first_difference("midpoint", "p^2/2 + erf(q)", 3) == 3);
+}

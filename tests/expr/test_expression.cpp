@@ -75,6 +75,12 @@ TEST_CASE("symbols get other names, all at once") {
 TEST_CASE("functions are found by name") {
     REQUIRE(find_function("bspline") != nullptr);
     CHECK(find_function("bspline")->arguments == 2);
+    CHECK(find_function("atan2")->arguments == 2);
+    CHECK(find_function("erf")->is_smooth());
+    CHECK_FALSE(find_function("abs")->is_smooth());
+    CHECK_FALSE(find_function("if<=")->is_smooth());
+    CHECK(is_function("if"));
+    CHECK(find_function("if") == nullptr);
     CHECK(find_function("Sin") == nullptr);
     CHECK(find_function("") == nullptr);
 }

@@ -36,6 +36,13 @@ TEST_CASE("functions") {
     CHECK(latex("sin(w/3)") == R"(\sin\left(w/3\right))");
     CHECK(latex("cos(w/(2*pi))") == R"(\cos\left(w/\left(2\pi\right)\right))");
     CHECK(latex("log(2)") == R"(\log\left(2\right))");
+    CHECK(latex("log10(x)") == R"(\log_{10}\left(x\right))");
+    CHECK(latex("asinh(x)^2") == R"(\operatorname{arsinh}^{2}\left(x\right))");
+    CHECK(latex("abs(x-1)") == R"(\left|x - 1\right|)");
+    CHECK(latex("abs(x)^2") == R"(\left(\left|x\right|\right)^{2})");
+    CHECK(latex("min(x,2)") == R"(\min\left(x, 2\right))");
+    CHECK(latex("if(x<0,-x,x)") == R"(\begin{cases}-x & x < 0 \\ x & \text{otherwise}\end{cases})");
+    CHECK(latex("if(x<=0,-x,x)").find(R"(x \le 0)") != std::string::npos);
     CHECK(latex("bspline(3,1)") == R"(\operatorname{bspline}\left(3, 1\right))");
 }
 

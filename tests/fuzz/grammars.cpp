@@ -15,7 +15,8 @@ constant: pi | e | sqrt(2) | sqrt(<digit>) | pi/<digit> | <function>(<number>)
 long: 1.0015851063790825241 | 0.33333333333333333333333333333333333333 | 1e-30 | 1e300
     | 12345678901234567890123 | 1/10000000000000000000000001
 exponent: 2 | 3 | 1/2 | 1/3 | -1 | <digit> | -<digit>/<digit>
-function: sin | cos | exp | log | sqrt | tan | sinh | cosh | tanh | asin | acos | atan
+function: sin | cos | exp | log | sqrt | tan | sinh | cosh | tanh | asin | acos | atan | log10 | cbrt
+    | asinh | acosh | atanh | erf | erfc | abs | sign
 digit: 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9
 $name: <name>
 name: w | mu | a_1 | alpha | <awkward>

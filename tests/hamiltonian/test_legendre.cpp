@@ -186,3 +186,17 @@ TEST_CASE("a chain of eight pendulums is regular, and nobody writes out its dete
               return 0;
           }).what.empty());
 }
+
+TEST_CASE("kinks in the coordinates stay, and in the fibre are refused") {
+    const auto text = [](const Lagrangian& L) { return to_text(legendre_transform(L).expression); };
+    CHECK(text(lagrangian("v^2/2 - abs(q)")) == "p_q^2/2+abs(q)");
+    CHECK(text(lagrangian("v^2/2 + v*max(q,1)")).find("max(q,1)") != std::string::npos);
+    const auto refused = [](const std::string& L) {
+        return refusal([&] { return legendre_transform(lagrangian(L)); });
+    };
+    // Its third derivatives by v are 0 on both sides.
+    CHECK(refused("if(v<0,v^2,v^2/2) - q^2").says("not seen to be quadratic"));
+    CHECK(refused("v^2/2 + abs(v) - q^2").says("not seen to be quadratic"));
+    // Regular where q > 0, and nowhere else.
+    CHECK(refused("max(q,0)*v^2/2 - q^2").says("not seen to be quadratic"));
+}

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "generator/graph/graph.hpp"
 
@@ -39,10 +41,37 @@ inline Real value(const Expression& expression, const Values& inputs) {
     }
     case Kind::call: break;
     }
+    if (expression.name == "if<") { return argument(0) < argument(1) ? argument(2) : argument(3); }
+    if (expression.name == "if<=") {
+        return argument(0) <= argument(1) ? argument(2) : argument(3);
+    }
+    if (expression.name == "min") { return std::min(argument(0), argument(1)); }
+    if (expression.name == "max") { return std::max(argument(0), argument(1)); }
+    if (expression.name == "atan2") { return std::atan2(argument(0), argument(1)); }
     static const std::map<std::string, Real (*)(Real)> functions{
-        {"sqrt", std::sqrt}, {"exp", std::exp},   {"log", std::log},   {"sin", std::sin},
-        {"cos", std::cos},   {"tan", std::tan},   {"asin", std::asin}, {"acos", std::acos},
-        {"atan", std::atan}, {"sinh", std::sinh}, {"cosh", std::cosh}, {"tanh", std::tanh}};
+        {"sqrt", std::sqrt},
+        {"exp", std::exp},
+        {"log", std::log},
+        {"sin", std::sin},
+        {"cos", std::cos},
+        {"tan", std::tan},
+        {"asin", std::asin},
+        {"acos", std::acos},
+        {"atan", std::atan},
+        {"sinh", std::sinh},
+        {"cosh", std::cosh},
+        {"tanh", std::tanh},
+        {"log10", std::log10},
+        {"cbrt", std::cbrt},
+        {"asinh", std::asinh},
+        {"acosh", std::acosh},
+        {"atanh", std::atanh},
+        {"erf", std::erf},
+        {"erfc", std::erfc},
+        {"abs", std::abs},
+        {"sign", [](Real x) { return x < 0   ? Real(-1)
+                                     : x > 0 ? Real(1)
+                                             : Real(0); }}};
     return functions.at(expression.name)(argument(0));
 }
 
@@ -69,8 +98,13 @@ inline Real value(const Graph& graph, Node node, const Values& inputs) {
     case Operation::power: return std::pow(argument(0), argument(1));
     case Operation::call: break;
     }
-    return value(Expression::call(computation.name, {Expression::symbol("x")}),
-                 {{"x", argument(0)}});
+    Values arguments;
+    std::vector<Expression> symbols;
+    for (std::size_t k = 0; k < computation.arguments.size(); ++k) {
+        symbols.push_back(Expression::symbol("x" + std::to_string(k)));
+        arguments[symbols.back().name] = argument(k);
+    }
+    return value(Expression::call(computation.name, symbols), arguments);
 }
 
 inline Real value(const Graph& graph, const Scaled& a, const Values& inputs) {

@@ -118,6 +118,12 @@ TEST_CASE("derivatives agree with differences") {
         "q^3*s^(-2)+q^(3/2)+s^(-5/2)+q^w+w^s+q^(1/3)",
         "exp(q*p)+tan(q/2)*tanh(s)+sinh(p)*cosh(r)+asin(q/2)+acos(s/2)+atan(r)",
         "sqrt(1+q^2)*sqrt(1+q^2+s^4)/(1+sqrt(1+q^2))",
+        "log10(q*p)+cbrt(s-3)+asinh(q*r)+acosh(1+p)+atanh(s/2)*erf(q+p)+erfc(s*r)",
+        "atan2(q,p)*atan2(-s,r-2)+atan2(1,q)",
+        "abs(q-2)*sign(s-3)*p+abs(r*q)",
+        "min(q,2*s+1)*max(p,r-3)+min(q*p,-1)^2",
+        "if(q<3,q^2*p,r)+if(3<q,q^2*p,r*s)+if(q<=s+2,if(p<0,r,p^3),r)*s",
+        "if(q<0,sqrt(q-1),q^2)+min(q,sqrt(p))+if(p>=0,p^2,log(-p))",
         "12345678901234567890*q^2/(98765432109876543210+p)",
     };
     const Names names{"q", "s", "p", "r"};
@@ -237,4 +243,31 @@ TEST_CASE("what depends on parameters alone is computed once") {
     const Kernel before =
         kernel_of_inputs(f.graph, {{{1, 1}, slopes.given[2]}, {{1, 1}, slopes.given[3]}});
     CHECK(text(before.counts) == "0+ 1* 1/ 1sqrt 0f");
+}
+
+TEST_CASE(
+    "a choice is the chosen one where both are the same, and its derivative is chosen alike") {
+    Lowered f({"q", "s"}, {"p"});
+    CHECK(f("if(q<s,p,p)") == f("p"));
+    CHECK(f("min(q,q)") == f("q"));
+    CHECK(f("if(q<s,p,2*p)") != f("if(q<=s,p,2*p)"));
+    CHECK(f("if(q>s,p,2*p)") == f("if(s<q,p,2*p)"));
+    CHECK(f("atan2(q,s)") != f("atan2(s,q)"));
+    const std::vector<Scaled> slopes = gradient(f.graph, f("if(q<s,p^2,p)"), f.variables);
+    CHECK(slopes[0].is_zero());
+    CHECK(slopes[1].is_zero());
+    CHECK(slopes[2] == f("if(q<s,2*p,1)"));
+    CHECK(gradient(f.graph, f("abs(q)*s"), f.variables)[0] == f("s*sign(q)"));
+    CHECK(gradient(f.graph, f("sign(q)"), f.variables)[0].is_zero());
+    CHECK(gradient(f.graph, f("max(q,s^2)"), f.variables)[1] == f("if(q<s^2,2*s,0)"));
+}
+
+TEST_CASE("the derivatives of choices among choices are no more than these are") {
+    Lowered f({"q"}, {"p"});
+    std::string text = "q";
+    for (int i = 0; i < 5; ++i) { text = "if(" + text + "<p," + text + "+1," + text + "*2)"; }
+    const Scaled H = f(text);
+    const std::size_t size = f.graph.size();
+    static_cast<void>(gradient(f.graph, H, f.variables));
+    CHECK(f.graph.size() < 12 * size);
 }

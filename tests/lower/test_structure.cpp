@@ -145,3 +145,25 @@ TEST_CASE("what sin^2 + cos^2 and cosh^2 - sinh^2 hide") {
     // 1 - 2 sin^2 + ... of products of three: only one pair goes.
     CHECK_FALSE(two("pa^2*(cos(b)^2+sin(b)^2+sin(b)^2)+pb^2").is_separable);
 }
+
+TEST_CASE("what has kinks is neither linear nor quadratic, whatever its second derivatives are") {
+    const Structure size = analysed("abs(p)+q^2/2").structure;
+    CHECK(size.is_separable);
+    CHECK_FALSE(size.kinetic_is_quadratic);
+    CHECK_FALSE(size.is_linear_in_p);
+    CHECK_FALSE(size.is_quadratic);
+    CHECK_FALSE(size.has_linear_map);
+
+    const Structure halves = analysed("if(p<0,p^2/2,p^2)+q^2/2").structure;
+    CHECK(halves.is_separable);
+    CHECK_FALSE(halves.kinetic_is_quadratic);
+
+    const Structure lines = analysed("p^2/2+max(q,2*q)").structure;
+    CHECK(lines.kinetic_is_quadratic);
+    CHECK_FALSE(lines.is_quadratic);
+    CHECK_FALSE(lines.is_linear_in_q);
+
+    CHECK_FALSE(analysed("min(p*q,1)").structure.is_separable);
+    CHECK(analysed("p^2/2+abs(w)*q^2/2").structure.is_quadratic);
+    CHECK(analysed("p^2/2+min(w,2)*q").structure.has_linear_map);
+}

@@ -143,7 +143,7 @@ TEST_CASE("what cannot stand in a Hamiltonian") {
     CHECK(refused_hamiltonian("q*tau").marked == "q*[tau]");
     CHECK(refused_hamiltonian("q + roots(q)").marked == "q + [roots(q)]");
     CHECK(refused_hamiltonian("bspline(1,0)*q").marked == "[bspline(1,0)]*q");
-    CHECK(refused_hamiltonian("abs(q)").says("there is no function `abs`"));
+    CHECK(refused_hamiltonian("floor(q)").says("there is no function `floor`"));
     CHECK(refused_hamiltonian("q^2, p").marked == "q^2[,] p");
     CHECK(refused_hamiltonian("gauss:2").status == 2);
     CHECK(refused_hamiltonian("").status == 2);
@@ -223,4 +223,36 @@ TEST_CASE("a variable is no parameter of the method") {
         return 0;
     });
     CHECK(node.marked == "[p]/2");
+}
+
+TEST_CASE("a choice compares two values, and chooses one of two") {
+    const auto read = [](const std::string& text) {
+        return to_text(read_hamiltonian(text + "+p").expression);
+    };
+    CHECK(read("if(q < 1, q^2, 2*q-1)") == "if(q<1,q^2,2*q-1)+p");
+    CHECK(read("if(q <= 1, q, 1)") == "if(q<=1,q,1)+p");
+    CHECK(read("if(q > 1, q, 1)") == "if(1<q,q,1)+p");
+    CHECK(read("if(q >= 1, q, 1)") == "if(1<=q,q,1)+p");
+    CHECK(read("if(q<1,if(q<0,0,q),1)^2") == "if(q<1,if(q<0,0,q),1)^2+p");
+    CHECK(read("min(q,2)*atan2(q,1)") == "min(q,2)*atan2(q,1)+p");
+}
+
+TEST_CASE("a choice that is none") {
+    CHECK(refused_hamiltonian("p + if(q, 1, 2)").marked == "p + if(q[,] 1, 2)");
+    CHECK(refused_hamiltonian("p + if(q, 1, 2)").says("wants a comparison first"));
+    CHECK(refused_hamiltonian("p + if(q < 1, 2)").marked == "p + [if(q < 1, 2)]");
+    CHECK(refused_hamiltonian("p + if(q < 1, 2)").says("a comparison and 2 values, not 1"));
+    CHECK(refused_hamiltonian("p + if(q < 1, 2, 3, 4)").says("not 3"));
+    CHECK(refused_hamiltonian("p + if(q < 1").marked == "p + if[(]q < 1");
+    CHECK(refused_hamiltonian("p + if()").status == 2);
+    CHECK(refused_hamiltonian("p + if(q < 1 < 2, 3, 4)").marked == "p + if(q < 1 [<] 2, 3, 4)");
+    CHECK(refused_hamiltonian("p + if(q == 1, 3, 4)").marked == "p + if(q [=]= 1, 3, 4)");
+    CHECK(refused_hamiltonian("p + (q < 1)").marked == "p + (q [<] 1)");
+    CHECK(refused_hamiltonian("p >= q").marked == "p [>=] q");
+    CHECK(refused_hamiltonian("p >= q").helps("if(a < b, x, y)"));
+    CHECK(refused_hamiltonian("p + if*q").says("`if` is a function and wants an argument"));
+    CHECK(refused_hamiltonian("min(q)+p").says("`min` takes 2 arguments, not 1"));
+    CHECK(refused_hamiltonian("abs(q,p)").says("`abs` takes 1 argument, not 2"));
+    CHECK(refused_hamiltonian("asinn(q)+p").helps("asin"));
+    CHECK(refused_hamiltonian("q*p", "q, if", "p, r").says("`if` is reserved: it is a function"));
 }

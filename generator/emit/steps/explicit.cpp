@@ -177,14 +177,17 @@ std::string copy_of(std::string_view name) {
 }
 
 /// The headers of the runtime that the stepper is made of, as one text.
-std::string support(const Step& step, const ExplicitParts& parts, const SceneWishes& wishes,
+std::string support(const Step& step, const ExplicitParts& parts, const EmitOptions& options,
                     bool with_rounded) {
+    const SceneWishes& wishes = options.wishes;
+    const bool calls_more = options.system && calls_more_math(*options.system, wishes);
     std::vector<std::string> names{"state", "detail/numbers/scalar"};
     const auto add = [&](const std::vector<std::string>& more) {
         names.insert(names.end(), more.begin(), more.end());
     };
     const std::vector<std::string> clock = clock_runtime(step);
-    if (wishes.float128) { names.emplace_back("detail/numbers/math"); }
+    if (wishes.float128 || calls_more) { names.emplace_back("detail/numbers/math"); }
+    if (calls_more) { names.emplace_back("detail/numbers/more_math"); }
     if (with_rounded) { names.emplace_back("detail/coefficients/rounded"); }
     names.emplace_back("detail/stages/system");
     if (step.from_parameter || !clock.empty() || !parts.runtime.empty()) {
@@ -241,7 +244,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const Explic
     const bool rounds = are_rounded(weights) || are_rounded(system.types);
     Holes holes = holes_of(system);
     holes.merge(Holes{{"banner", banner(method, step, options)},
-                      {"support", support(step, parts, options.wishes, rounds)},
+                      {"support", support(step, parts, options, rounds)},
                       {"parameter", parameter_text(step)},
                       {"begins", begins(step)},
                       {"weights", weights},

@@ -163,6 +163,10 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
     SystemPart part;
     part.include = "#include <array>\n#include <cmath>";
     if (options.wishes.evaluations) { part.include += "\n#include <cstdint>"; }
+    // NOTE: explicit steppers have it as a part of their own.
+    if (!step.is_explicit() && calls_more_math(*options.system, options.wishes)) {
+        part.include += "\n#include <hvi/detail/numbers/more_math.hpp>";
+    }
     part.purpose = purpose_for_scene(provenance, options);
     part.class_name = "Basic" + options.class_name;
     const std::size_t n = options.system->degrees_of_freedom();

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "generator/expr/functions.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -40,6 +41,7 @@ public:
     KernelWriter(Writer& writer, const Graph& graph, const Kernel& kernel, NodeNames names,
                  std::string_view library, std::string_view value)
         : writer_(writer), graph_(graph), kernel_(kernel), library_(library), value_(value) {
+        codes_[Graph::number(1).node] = literal_of({1, 1});
         for (auto& [node, name] : names) { codes_[node] = {std::move(name)}; }
         for (const Node node : kernel.nodes) { define(node); }
     }
@@ -83,7 +85,7 @@ private:
             return {"Scalar(1.0) / " + below(computation), Binding::product};
         case Operation::square_root: return call("sqrt", computation);
         case Operation::power: return call("pow", computation);
-        case Operation::call: return call(computation.name, computation);
+        case Operation::call: return called(computation);
         case Operation::constant:
         case Operation::input: break;
         }
@@ -138,12 +140,25 @@ private:
         return operand(at(computation.arguments.front()), Binding::sign);
     }
 
-    [[nodiscard]] Code call(const std::string& function, const Computation& computation) const {
-        std::string arguments;
+    [[nodiscard]] std::string arguments(const Computation& computation) const {
+        std::string result;
         for (const Node argument : computation.arguments) {
-            arguments += (arguments.empty() ? "" : ", ") + at(argument).text;
+            result += (result.empty() ? "" : ", ") + at(argument).text;
         }
-        return {fmt::format("{}::{}({})", library_, function, arguments)};
+        return result;
+    }
+
+    [[nodiscard]] Code call(const std::string& function, const Computation& computation) const {
+        return {fmt::format("{}::{}({})", library_, function, arguments(computation))};
+    }
+
+    /// NOTE: what has kinks is of the runtime, and told its type: numbers are chosen from as well
+    /// as numbers side by side, and the library of C++ loses a NaN.
+    [[nodiscard]] Code called(const Computation& computation) const {
+        const std::string& name = computation.name;
+        if (find_function(name)->is_smooth()) { return call(name, computation); }
+        const std::string function = !is_if(name) ? name : name == "if<" ? "if_less" : "if_at_most";
+        return {fmt::format("hvi::math::{}<{}>({})", function, value_, arguments(computation))};
     }
 
     Writer& writer_;

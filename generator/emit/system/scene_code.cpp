@@ -8,6 +8,7 @@
 #include "generator/emit/text/constants.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/expressions/evaluate.hpp"
+#include "generator/expr/functions.hpp"
 
 namespace hvi::gen {
 
@@ -90,6 +91,17 @@ void write_velocity(Writer& writer, const System& system, std::string_view state
 
 std::string_view library(const SceneWishes& wishes) {
     return wishes.float128 ? "hvi::math" : "std";
+}
+
+bool calls_more_math(const System& system, const SceneWishes& wishes) {
+    for (Node node = 0; node < system.graph.size(); ++node) {
+        const Computation& computation = system.graph.at(node);
+        if (computation.operation != Operation::call) { continue; }
+        const Function& function = *find_function(computation.name);
+        const bool is_of_runtime = wishes.float128 || !function.is_smooth();
+        if (is_of_runtime && function.runtime == Runtime::more_math) { return true; }
+    }
+    return false;
 }
 
 std::string initializer(const Expression& expression) {

@@ -29,6 +29,9 @@ struct SceneWishes {
 /// The namespace of the functions that it calls: `std`, or that of src/hvi/detail/numbers/math.hpp.
 [[nodiscard]] std::string_view library(const SceneWishes& wishes);
 
+/// Whether H calls what src/hvi/detail/numbers/more_math.hpp has.
+[[nodiscard]] bool calls_more_math(const System& system, const SceneWishes& wishes);
+
 /// Throws InputError where an invariant that is asked for is called as something else that each
 /// stepper has, or is a word of C++.
 void check_members(const Scene& scene, const SceneWishes& wishes);

@@ -77,7 +77,7 @@ private:
 };
 
 /// A function of (q, p), or of one of them; on the Lagrangian side of (q, v).
-struct Function {
+struct SystemFunction {
     std::string name;
     std::vector<std::string> targets;  ///< of the results; empty where the only one is returned
     Kernel kernel;
@@ -107,8 +107,8 @@ std::vector<std::string> components(std::string_view letter, std::size_t count) 
     return names;
 }
 
-Function hessian(std::string name, const BlockKernel& block) {
-    Function function;
+SystemFunction hessian(std::string name, const BlockKernel& block) {
+    SystemFunction function;
     function.name = std::move(name);
     function.out = "Matrix& out";
     for (const auto& [row, column] : block.places) {
@@ -120,20 +120,20 @@ Function hessian(std::string name, const BlockKernel& block) {
 }
 
 /// Without what a separable H does not look at.
-Function of_positions(Function function, const Step& step) {
+SystemFunction of_positions(SystemFunction function, const Step& step) {
     function.has_p = !step.is_separable();
     function.has_time = step.depends_on_time();
     return function;
 }
 
-Function of_momenta(Function function, const Step& step) {
+SystemFunction of_momenta(SystemFunction function, const Step& step) {
     function.has_q = !step.is_separable();
     function.has_time = step.depends_on_time() && !step.is_separable();
     return function;
 }
 
 /// Adds what iterations evaluate beside slopes.
-void add_second_derivatives(std::vector<Function>& functions, const SecondDerivatives& second,
+void add_second_derivatives(std::vector<SystemFunction>& functions, const SecondDerivatives& second,
                             const System& system, const Step& step) {
     const auto name = [&](std::string_view variables) {
         std::string text = fmt::format("d2{}{}", system.function_letter(), variables);
@@ -150,13 +150,13 @@ void add_second_derivatives(std::vector<Function>& functions, const SecondDeriva
 }
 
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
-void add_tangents(std::vector<Function>& functions, const Tangents& tangents,
+void add_tangents(std::vector<SystemFunction>& functions, const Tangents& tangents,
                   const System& system) {
     const std::vector<Node>& direction = system.structure.direction;
     const std::vector<std::string> out = components("out", direction.size());
     const std::vector<std::string> kept = components("at", tangents.kept.size());
-    Function along{"d2Hdq2", out, tangents.along, true, false, ""};
-    Function slope{"dHdq", out, tangents.slope, true, false, ""};
+    SystemFunction along{"d2Hdq2", out, tangents.along, true, false, ""};
+    SystemFunction slope{"dHdq", out, tangents.slope, true, false, ""};
     slope.has_time = system.time.has_value();
     slope.targets.insert(slope.targets.end(), kept.begin(), kept.end());
     for (std::size_t k = 0; k < direction.size(); ++k) {
@@ -172,7 +172,7 @@ void add_tangents(std::vector<Function>& functions, const Tangents& tangents,
 
 /// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
 /// there is sin, or much, the call does not matter.
-Function of_lanes(Function function, const Step& step) {
+SystemFunction of_lanes(SystemFunction function, const Step& step) {
     constexpr std::size_t small = 32;
     function.takes_lanes = step.has_lanes();
     function.is_inlined = step.layout == Layout::trajectories &&
@@ -182,8 +182,9 @@ Function of_lanes(Function function, const Step& step) {
 }
 
 /// A function of one result for each degree of freedom, of lanes where a step has some.
-Function slope(const System& system, const Step& step, std::string name, const Kernel& kernel) {
-    Function function;
+SystemFunction slope(const System& system, const Step& step, std::string name,
+                     const Kernel& kernel) {
+    SystemFunction function;
     function.name = std::move(name);
     function.targets = components("out", system.degrees_of_freedom());
     function.kernel = kernel;
@@ -197,11 +198,11 @@ std::string first_derivative(const System& system, char variable) {
 }
 
 /// dH/dq and dH/dp.
-Function both_gradients(const System& system, const Step& step, const Kernel& kernel) {
+SystemFunction both_gradients(const System& system, const Step& step, const Kernel& kernel) {
     const std::size_t n = system.degrees_of_freedom();
     const std::string by_q = first_derivative(system, 'q');
     const std::string by_p = first_derivative(system, system.conjugate_letter());
-    Function function = slope(system, step, "gradient", kernel);
+    SystemFunction function = slope(system, step, "gradient", kernel);
     function.targets = components(by_q, n);
     for (std::string& target : components(by_p, n)) {
         function.targets.push_back(std::move(target));
@@ -211,9 +212,9 @@ Function both_gradients(const System& system, const Step& step, const Kernel& ke
 }
 
 /// What steps evaluate.
-std::vector<Function> slopes(const System& system, const Step& step,
-                             const Evaluations& evaluations) {
-    std::vector<Function> result;
+std::vector<SystemFunction> slopes(const System& system, const Step& step,
+                                   const Evaluations& evaluations) {
+    std::vector<SystemFunction> result;
     if (step.slopes == Slopes::joint) {
         result.push_back(both_gradients(system, step, evaluations.gradients.joint));
     } else {
@@ -235,10 +236,10 @@ std::vector<Function> slopes(const System& system, const Step& step,
 }
 
 /// The constants of a quadratic H that are not zero.
-Function quadratic(const System& system) {
+SystemFunction quadratic(const System& system) {
     const Structure& found = system.structure;
     const std::size_t n = system.degrees_of_freedom();
-    Function function{"quadratic", {}, {}, false, false, ""};
+    SystemFunction function{"quadratic", {}, {}, false, false, ""};
     function.out = fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n);
     Results results;
     const auto add = [&](std::string target, const Scaled& value) {
@@ -259,21 +260,21 @@ Function quadratic(const System& system) {
     return function;
 }
 
-std::vector<Function> functions(const System& system, const SceneWishes& wishes, const Step& step,
-                                const Evaluations& evaluations) {
+std::vector<SystemFunction> functions(const System& system, const SceneWishes& wishes,
+                                      const Step& step, const Evaluations& evaluations) {
     const auto value = [&](const std::string& name, const Scaled& result) {
-        return Function{name, {}, kernel(system.graph, {result}), true, true, ""};
+        return SystemFunction{name, {}, kernel(system.graph, {result}), true, true, ""};
     };
     const auto value_in_time = [&](const std::string& name, const Scaled& result) {
-        Function function = value(name, result);
+        SystemFunction function = value(name, result);
         function.has_time = step.depends_on_time();
         return function;
     };
     const bool has_L = system.side == Side::lagrangian;
     const bool is_map = std::holds_alternative<TabulatedStep>(step.form);
-    std::vector<Function> result =
-        is_map ? std::vector<Function>{quadratic(system)} : slopes(system, step, evaluations);
-    for (Function& function : result) {
+    std::vector<SystemFunction> result =
+        is_map ? std::vector<SystemFunction>{quadratic(system)} : slopes(system, step, evaluations);
+    for (SystemFunction& function : result) {
         const bool has_forces = function.name == "dHdq" || function.name == "gradient";
         function.is_counted = wishes.evaluations && has_forces;
     }
@@ -294,7 +295,7 @@ void mirror(Writer& writer, std::size_t n) {
     writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
 }
 
-void write(Writer& writer, const System& system, NodeNames names, const Function& function,
+void write(Writer& writer, const System& system, NodeNames names, const SystemFunction& function,
            std::string_view library) {
     for (const auto& [node, name] : function.names) { names[node] = name; }
     std::vector<std::string> arguments;
@@ -403,10 +404,10 @@ Kernel initial_values(const System& system) {
 
 std::string system_text(const System& system, const SceneWishes& wishes, const Step& step,
                         const Evaluations& evaluations) {
-    const std::vector<Function> all = functions(system, wishes, step, evaluations);
+    const std::vector<SystemFunction> all = functions(system, wishes, step, evaluations);
     const Kernel initial = initial_values(system);
     GivenNodes given(system);
-    for (const Function& function : all) { given.name(function.kernel, function.names); }
+    for (const SystemFunction& function : all) { given.name(function.kernel, function.names); }
     // NOTE: what computes members and initial data is given parameters, which have names, and
     // constants, which get theirs here.
     given.name_constants(given.setup());
@@ -423,7 +424,7 @@ std::string system_text(const System& system, const SceneWishes& wishes, const S
     }
     writer.blank();
     write_constructor(writer, system, given, library(wishes));
-    for (const Function& function : all) {
+    for (const SystemFunction& function : all) {
         writer.blank();
         write(writer, system, given.names(), function, library(wishes));
     }

@@ -2,6 +2,7 @@
 #include "generator/exact/expressions/compose.hpp"
 
 #include "generator/exact/functions/elementary.hpp"
+#include "generator/expr/functions.hpp"
 
 namespace hvi::gen {
 
@@ -329,13 +330,48 @@ ExactFunction FunctionComposition::tangent(const ExactFunction& argument) const 
     return call_of("tan", argument);
 }
 
-ExactFunction FunctionComposition::arc(const std::string& name,
-                                       const ExactFunction& argument) const {
+/// (log(1+x) - log(1-x))/2
+ExactFunction FunctionComposition::area_tangent(const ExactFunction& argument) const {
     check_ready(argument);
-    if (name != "atan") {
-        const ExactFunction rest =
-            ExactFunction(Number(1)) + times(Number(-1), argument * argument);
-        static_cast<void>(positive(rest, "1-x^2 for the argument x of this " + name, false));
+    const ExactFunction one{Number(1)};
+    const ExactFunction above = one + argument;
+    const ExactFunction below = one + times(Number(-1), argument);
+    static_cast<void>(positive(above, "1+x for the argument x of this atanh", true));
+    static_cast<void>(positive(below, "1-x for the argument x of this atanh", true));
+    const Number half = Number(1) / Number(2);
+    return times(half, logarithm(above)) + times(-half, logarithm(below));
+}
+
+/// The root of x, or less that of -x, as its sign is.
+ExactFunction FunctionComposition::cube_root(const ExactFunction& argument) const {
+    check_ready(argument);
+    const Signs found = signs(argument, *domain_, ground_);
+    if (found.undecided) cannot_decide("the argument of this cbrt", *found.undecided);
+    if (found.inner_zero) {
+        throw InputError("the argument of this cbrt is 0 " + *found.inner_zero +
+                         ", and a function with such a place between the ends of " +
+                         domain_->text() + " is not built yet");
+    }
+    const Number sign(argument.at(domain_->middle(), ground_).sign());
+    return times(sign, root(times(sign, argument), {1, 3}));
+}
+
+/// Functions that are called as they are: those that are real everywhere, asin, acos and acosh.
+ExactFunction FunctionComposition::called(const std::string& name,
+                                          const ExactFunction& argument) const {
+    check_ready(argument);
+    const ExactFunction one{Number(1)};
+    switch (find_function(name)->domain) {
+    case RealDomain::everywhere: break;
+    case RealDomain::up_to_one:
+        static_cast<void>(positive(one + times(Number(-1), argument * argument),
+                                   "1-x^2 for the argument x of this " + name, false));
+        break;
+    case RealDomain::from_one:
+        static_cast<void>(positive(argument + times(Number(-1), one),
+                                   "x-1 for the argument x of this " + name, false));
+        break;
+    default: HVI_CHECK(false);
     }
     return call_of(name, argument);
 }
@@ -354,11 +390,10 @@ ExactFunction FunctionComposition::call(const std::string& name,
         return times(half, exponential(argument)) +
                times(name == "cosh" ? half : -half, exponential(times(Number(-1), argument)));
     }
-    if (name == "tanh") {
-        check_ready(argument);
-        return call_of(name, argument);
-    }
-    return arc(name, argument);
+    if (name == "log10") { return times(Number(1) / ground_.log(Number(10)), logarithm(argument)); }
+    if (name == "atanh") return area_tangent(argument);
+    if (name == "cbrt") return cube_root(argument);
+    return called(name, argument);
 }
 
 /// Where a factor is infinite, and whether its integral is infinite too.

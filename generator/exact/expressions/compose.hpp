@@ -42,7 +42,10 @@ private:
     [[nodiscard]] ExactFunction wave(bool cosine, const ExactFunction& argument) const;
     [[nodiscard]] ExactFunction logarithm(const ExactFunction& argument) const;
     [[nodiscard]] ExactFunction tangent(const ExactFunction& argument) const;
-    [[nodiscard]] ExactFunction arc(const std::string& name, const ExactFunction& argument) const;
+    [[nodiscard]] ExactFunction cube_root(const ExactFunction& argument) const;
+    [[nodiscard]] ExactFunction area_tangent(const ExactFunction& argument) const;
+    [[nodiscard]] ExactFunction called(const std::string& name,
+                                       const ExactFunction& argument) const;
 
     [[nodiscard]] std::optional<ExactFunction> simple_reciprocal(const ExactFunction& f) const;
     [[nodiscard]] std::optional<ExactFunction> rational_reciprocal(const ExactFunction& f) const;

@@ -6,8 +6,10 @@
 #include "generator/exact/expressions/compose.hpp"
 #include "generator/exact/expressions/spline.hpp"
 #include "generator/exact/functions/division_by_zero.hpp"
+#include "generator/exact/functions/elementary.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
+#include "generator/expr/functions.hpp"
 
 namespace hvi::gen {
 
@@ -208,12 +210,40 @@ private:
 
     ExactFunction call(const Expression& expression) const {
         if (expression.name == "bspline") return spline(expression);
-        if (expression.arguments.size() != 1 || expression.name == "roots") {
+        if (expression.name == "roots") {
             throw InputError("`" + expression.name + "` cannot stand here", place(expression));
         }
+        if (is_if(expression.name)) return choice(expression);
+        const Function& function = *find_function(expression.name);
+        if (function.arguments == 2 || !function.is_smooth()) return of_numbers(expression);
         const ExactFunction argument = evaluate(expression.arguments.front());
         if (expression.name == "sqrt") return composition_.root(argument, {1, 2});
         return composition_.call(expression.name, argument);
+    }
+
+    /// NOTE: what is not chosen need not have a value.
+    ExactFunction choice(const Expression& expression) const {
+        const Number a = number(expression.arguments[0], "if");
+        const Number b = number(expression.arguments[1], "if");
+        const bool holds = compares(expression.name == "if<", a, b);
+        return evaluate(expression.arguments[holds ? 2 : 3]);
+    }
+
+    ExactFunction of_numbers(const Expression& expression) const {
+        NumberVector arguments;
+        for (const Expression& argument : expression.arguments) {
+            arguments.push_back(number(argument, expression.name));
+        }
+        return ExactFunction(elementary(expression.name, arguments, ground_));
+    }
+
+    [[nodiscard]] Number number(const Expression& argument, const std::string& function) const {
+        const auto result = evaluate(argument).constant();
+        if (!result) {
+            throw InputError("the integrals of `" + function + "` of a function are not built yet",
+                             place(argument), "here it can be called of numbers");
+        }
+        return *result;
     }
 
     ExactFunction spline(const Expression& expression) const {

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "generator/exact/numbers/arb_functions.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/expr/functions.hpp"
 #include "generator/read/parse.hpp"
@@ -104,6 +105,12 @@ Jet power(const Jet& base, const Ratio& exponent, bool analytic, Precision bits)
                                  : fractional_power(base, exponent, analytic, bits);
 }
 
+bool touches_reals_up_to_one(const acb_t z) {
+    ComplexBall left;
+    acb_sub_ui(left.get(), z, 1, MAG_BITS);
+    return touches_cut(left.get());
+}
+
 bool on_real_cuts(const acb_t z) {
     if (!arb_contains_zero(acb_imagref(z))) return false;
     arb_t one;
@@ -128,6 +135,7 @@ bool touches(Cuts cuts, const acb_t z) {
     switch (cuts) {
     case Cuts::nowhere: return false;
     case Cuts::not_positive: return touches_cut(z);
+    case Cuts::real_up_to_one: return touches_reals_up_to_one(z);
     case Cuts::real_beyond_one: return on_real_cuts(z);
     case Cuts::imaginary_beyond_one: return on_imaginary_cuts(z);
     }
@@ -144,10 +152,9 @@ struct Elementary {
 
 const std::map<std::string_view, Elementary>& elementary_functions() {
     static const std::map<std::string_view, Elementary> table{
-#define HVI_FUNCTION(name, latex, domain, cuts, parity, derivative)                                \
+#define HVI_FUNCTION(name, latex, domain, cuts, parity, runtime, derivative)                       \
     {#name, {acb_##name, Cuts::cuts, parse_expression(given("functions.def", derivative))}},
 #include "generator/expr/functions.def"
-#undef HVI_FUNCTION
     };
     return table;
 }
@@ -168,7 +175,7 @@ public:
                 acb_realref(result.get()),
                 ball_of_rational(expression.numerator + "/" + expression.denominator, bits_).get());
             break;
-        case Kind::symbol: return expression.name == "x" ? x_ : y_;
+        case Kind::symbol: return symbol(expression.name);
         case Kind::sum:
             for (const Expression& term : arguments) {
                 acb_add(result.get(), result.get(), (*this)(term).get(), bits_);
@@ -197,6 +204,13 @@ public:
     }
 
 private:
+    [[nodiscard]] ComplexBall symbol(const std::string& name) const {
+        if (name != "pi") { return name == "x" ? x_ : y_; }
+        ComplexBall pi;
+        acb_const_pi(pi.get(), bits_);
+        return pi;
+    }
+
     const ComplexBall& x_;
     const ComplexBall& y_;
     Precision bits_;

@@ -101,6 +101,8 @@ std::optional<Number> antiderivative(const std::string& name, const Number& x,
     if (name == "atan") { return x * arctangent(x, ground) - ground.log(one + x * x) / Number(2); }
     if (name == "asin") return x * arcsine(x, ground) + ground.sqrt(one - x * x);
     if (name == "acos") return x * arccosine(x, ground) - ground.sqrt(one - x * x);
+    if (name == "asinh") return x * area_sine(x, ground) - ground.sqrt(x * x + one);
+    if (name == "acosh") return x * area_cosine(x, ground) - ground.sqrt(x * x - one);
     return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "generator/exact/functions/division_by_zero.hpp"
+#include "generator/exact/numbers/arb_functions.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
 
@@ -37,16 +38,18 @@ std::optional<long> possible_part(const Ball& angle, long q) {
     return arb_contains_si(turns.get(), p) != 0 ? std::optional(p) : std::nullopt;
 }
 
+void refuse_parameters(const Number& argument, const char* name) {
+    if (!argument.has_parameters()) { return; }
+    throw InputError(std::string(name) + " of an expression with a free parameter is not built yet",
+                     {}, "give the parameter a value with --param");
+}
+
 /// The inverse of a circular function at an exact number: the pi p/q for which `difference`, of
 /// cosine and sine of the angle, is 0.
 template <class Difference>
 Number inverse_circular(const Number& argument, const Ground& ground, const char* name,
                         ArbFunction function, Difference difference) {
-    if (argument.has_parameters()) {
-        throw InputError(std::string(name) +
-                             " of an expression with a free parameter is not built yet",
-                         {}, "give the parameter a value with --param");
-    }
+    refuse_parameters(argument, name);
     const Number result = enclosed(argument, function);
     if (!is_exact(argument)) return result;
     const Ball angle = enclosure(result, first_precision);
@@ -79,7 +82,52 @@ Number hyperbolic(bool even, const Number& x, const Ground& ground) {
     return (even ? grows + decays : grows - decays) / Number(2);
 }
 
+/// log(x + sqrt(x^2 + square)), where the root is rational.
+std::optional<Number> area(const Number& x, long square, const Ground& ground) {
+    const auto root = rational_root(x * x + Number(square), 2, ground);
+    return root ? std::optional(ground.log(x + *root)) : std::nullopt;
+}
+
+Number cube_root(const Number& x, const Ground& ground) {
+    refuse_parameters(x, "cbrt");
+    if (!is_exact(x)) { return enclosed(x, arb_cbrt); }
+    return x.sign() < 0 ? -power(-x, {1, 3}, ground) : power(x, {1, 3}, ground);
+}
+
+Number error_function(bool complement, const Number& x) {
+    refuse_parameters(x, complement ? "erfc" : "erf");
+    if (is_exact(x) && x.is_zero()) { return Number(complement ? 1 : 0); }
+    return enclosed(x, complement ? arb_erfc : arb_erf);
+}
+
+/// The angle of the point (x, y) in (-pi, pi].
+Number angle_of_point(const Number& y, const Number& x, const Ground& ground) {
+    const int up = y.sign(), right = x.sign();
+    if (up == 0 && right == 0) { throw MathError("the origin has no angle"); }
+    if (right == 0) { return Number(up) * ground.pi() / Number(2); }
+    const Number main = arctangent(y / x, ground);
+    return right > 0 ? main : main + Number(up < 0 ? -1 : 1) * ground.pi();
+}
+
 }  // namespace
+
+bool compares(bool is_strict, const Number& a, const Number& b) {
+    const Number difference = b - a;
+    refuse_parameters(difference, "a comparison");
+    return is_strict ? difference.sign() > 0 : difference.sign() >= 0;
+}
+
+Number elementary(const std::string& name, const NumberVector& arguments, const Ground& ground) {
+    for (const Number& argument : arguments) { refuse_parameters(argument, name.c_str()); }
+    const Number& a = arguments.front();
+    const Number& b = arguments.back();
+    if (name == "abs") { return a.sign() < 0 ? -a : a; }
+    if (name == "sign") { return a.sign(); }
+    if (name == "min") { return compares(true, b, a) ? b : a; }
+    if (name == "max") { return compares(true, a, b) ? b : a; }
+    HVI_CHECK(name == "atan2");
+    return angle_of_point(a, b, ground);
+}
 
 Number arcsine(const Number& sine, const Ground& ground) {
     if (exceeds_one(sine)) {
@@ -103,6 +151,30 @@ Number arctangent(const Number& tangent, const Ground& ground) {
         [&](const Number& cos, const Number& sin) { return sin - tangent * cos; });
 }
 
+Number area_sine(const Number& sine, const Ground& ground) {
+    refuse_parameters(sine, "asinh");
+    const auto exact = area(sine, 1, ground);
+    return exact ? *exact : enclosed(sine, arb_asinh);
+}
+
+Number area_cosine(const Number& cosine, const Ground& ground) {
+    refuse_parameters(cosine, "acosh");
+    const auto exact = area(cosine, -1, ground);
+    if (!exact && (cosine - Number(1)).sign() < 0) {
+        throw MathError("the arcosh of a number below 1 is not real");
+    }
+    return exact ? *exact : enclosed(cosine, arb_acosh);
+}
+
+Number area_tangent(const Number& tangent, const Ground& ground) {
+    refuse_parameters(tangent, "atanh");
+    const Number above = Number(1) + tangent, below = Number(1) - tangent;
+    if (above.sign() <= 0 || below.sign() <= 0) {
+        throw MathError("the artanh of a number that is not between -1 and 1 is not real");
+    }
+    return ground.log(above / below) / Number(2);
+}
+
 Number elementary(const std::string& name, const Number& argument, const Ground& ground) {
     if (name == "sqrt") return ground.sqrt(argument);
     if (name == "exp") return ground.exp(argument);
@@ -113,6 +185,12 @@ Number elementary(const std::string& name, const Number& argument, const Ground&
     if (name == "acos") return arccosine(argument, ground);
     if (name == "atan") return arctangent(argument, ground);
     if (name == "cosh" || name == "sinh") return hyperbolic(name == "cosh", argument, ground);
+    if (name == "log10") return ground.log(argument) / ground.log(Number(10));
+    if (name == "cbrt") return cube_root(argument, ground);
+    if (name == "asinh") return area_sine(argument, ground);
+    if (name == "acosh") return area_cosine(argument, ground);
+    if (name == "atanh") return area_tangent(argument, ground);
+    if (name == "erf" || name == "erfc") return error_function(name == "erfc", argument);
     HVI_CHECK(name == "tan" || name == "tanh");
     return tangent(name == "tan", argument, ground);
 }

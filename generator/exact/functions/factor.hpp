@@ -43,7 +43,8 @@ struct Power {
     Ratio exponent;
 };
 
-/// exp, log, cos, sin, tan, tanh, asin, acos or atan of a function.
+/// A function of expr/functions.def of a function, other than those that are written by others:
+/// sqrt, cbrt, cosh, sinh, log10 and atanh.
 struct Call {
     std::string name;
     ExactFunction argument;

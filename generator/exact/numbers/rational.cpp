@@ -34,9 +34,7 @@ std::optional<Number> perfect_root(const std::string& fraction, long n, const Gr
 /// The n-th root of a number > 0.
 Number root(const Number& base, long n, const Ground& ground) {
     if (n == 2) return ground.sqrt(base);
-    if (const auto fraction = rational_text(base)) {
-        if (auto exact = perfect_root(*fraction, n, ground)) return *exact;
-    }
+    if (const auto exact = rational_root(base, n, ground)) return *exact;
     return number(Real([base, n](Precision bits) {
         Ball result = enclosure(base, bits);
         arb_root_ui(result.get(), result.get(), static_cast<ulong>(n), bits);
@@ -107,6 +105,12 @@ std::optional<Ratio> small_ratio(const Number& number) {
     const std::size_t sign = above.front() == '-' ? 1 : 0;
     if (above.size() > most_digits + sign || below.size() > most_digits) return std::nullopt;
     return Ratio{std::stol(above), std::stol(below)};
+}
+
+std::optional<Number> rational_root(const Number& number, long n, const Ground& ground) {
+    const auto fraction = rational_text(number);
+    const bool has_root = fraction && fraction->front() != '-';
+    return has_root ? perfect_root(*fraction, n, ground) : std::nullopt;
 }
 
 Number power(const Number& base, const Ratio& exponent, const Ground& ground) {

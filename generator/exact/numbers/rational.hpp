@@ -35,6 +35,10 @@ struct Ratio {
 /// The number as a ratio of integers of at most nine digits.
 [[nodiscard]] std::optional<Ratio> small_ratio(const Number& number);
 
+/// The n-th root of a rational number that is not negative, where it is rational.
+[[nodiscard]] std::optional<Number> rational_root(const Number& number, long n,
+                                                  const Ground& ground);
+
 /// base^exponent for base >= 0; exact where square roots and perfect powers do. Throws MathError
 /// for 0 to a negative power. Precondition: no free parameter unless the exponent is an integer.
 [[nodiscard]] Number power(const Number& base, const Ratio& exponent, const Ground& ground);
