@@ -53,6 +53,8 @@ Ball value(const Expression& expression, const Ball& tau) {
         arb_pow(result.get(), part(0).get(), part(1).get(), working_bits);
         return result;
     case Kind::call: break;
+    case Kind::element:
+    case Kind::sum_over: FAIL("indices are unrolled");
     }
     const std::string& name = expression.name;
     if (name == "sqrt") return apply(arb_sqrt, part(0));

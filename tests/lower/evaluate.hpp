@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ inline Real value(const Expression& expression, const Values& inputs) {
         return product;
     }
     case Kind::call: break;
+    case Kind::element:
+    case Kind::sum_over: throw std::logic_error("indices are unrolled");
     }
     if (expression.name == "if<") { return argument(0) < argument(1) ? argument(2) : argument(3); }
     if (expression.name == "if<=") {
