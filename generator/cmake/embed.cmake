@@ -20,15 +20,19 @@ foreach(file IN LISTS FILES)
         string(APPEND entries "            R\"embedded(${piece})embedded\"\n")
         math(EXPR begin "${begin} + 8000")
     endwhile()
-    string(APPEND entries "        },\n")
+    # NOTE: the suffix tells the length, which compilers would else count within limits of their own.
+    string(APPEND entries "            \"\"sv,\n        },\n")
 endforeach()
 
 file(WRITE "${OUTPUT}" "// Written by embed.cmake. Do not edit.
 #include \"${HEADER}\"
 
+#include <string_view>
+
 namespace hvi::gen {
 
 std::span<const EmbeddedFile> ${FUNCTION}() {
+    using namespace std::string_view_literals;
     static constexpr EmbeddedFile files[] = {
 ${entries}    };
     return files;

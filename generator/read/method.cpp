@@ -18,13 +18,6 @@ namespace hvi::gen {
 
 namespace {
 
-/// The part of a text without the blanks around it; empty when it is all blank.
-Range trimmed(std::string_view text, Range range) {
-    while (range.begin < range.end && is_blank(text[range.begin])) ++range.begin;
-    while (range.end > range.begin && is_blank(text[range.end - 1])) --range.end;
-    return range;
-}
-
 std::string part(const Source& source, Range range) {
     return source.text.substr(range.begin, range.end - range.begin);
 }

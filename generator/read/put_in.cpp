@@ -11,10 +11,6 @@ namespace hvi::gen {
 
 namespace {
 
-using Kind = Expression::Kind;
-
-constexpr std::size_t most_words = 100'000;
-
 /// What stands for a symbol or an element; nothing where it stays.
 using Substitute = std::function<std::optional<Expression>(const Expression&)>;
 
@@ -28,10 +24,18 @@ public:
     [[nodiscard]] Expression operator()(const Expression& expression) {
         count(expression);
         Expression result = expression;
+        const bool hides =
+            result.kind == Expression::Kind::sum_over && indices_.insert(result.name).second;
         for (Expression& argument : result.arguments) { argument = (*this)(argument); }
+        if (hides) { indices_.erase(result.name); }
+        if (result.kind == Expression::Kind::symbol && indices_.count(result.name) != 0) {
+            return result;
+        }
         if (auto other = substitute_(result)) { return placed(std::move(*other), result.range); }
-        if (result.kind == Kind::sum) { result = Expression::sum(std::move(result.arguments)); }
-        if (result.kind == Kind::product) {
+        if (result.kind == Expression::Kind::sum) {
+            result = Expression::sum(std::move(result.arguments));
+        }
+        if (result.kind == Expression::Kind::product) {
             result = Expression::product(std::move(result.arguments));
         }
         result.range = expression.range;
@@ -49,14 +53,15 @@ private:
     }
 
     void count(const Expression& expression) {
-        if (++words_ <= most_words) { return; }
-        throw InputError(
-            fmt::format("with what its names stand for this has more than {} words", most_words),
-            Place{source_, expression.range});
+        if (++words_ <= most_words_unrolled) { return; }
+        throw InputError(fmt::format("with what its names stand for this has more than {} words",
+                                     most_words_unrolled),
+                         Place{source_, expression.range});
     }
 
     const std::shared_ptr<const Source>& source_;
     Substitute substitute_;
+    std::set<std::string> indices_;  ///< of sums around a place, which hide what has their names
     std::size_t words_ = 0;
 };
 
@@ -65,8 +70,9 @@ private:
 Expression with_own_indices(const Expression& expression, const std::string& mark,
                             std::set<std::string>& of_sums) {
     Expression result = expression;
-    const bool is_sum = result.kind == Kind::sum_over;
-    const bool is_own = is_sum || (result.kind == Kind::symbol && of_sums.count(result.name) != 0);
+    const bool is_sum = result.kind == Expression::Kind::sum_over;
+    const bool is_own =
+        is_sum || (result.kind == Expression::Kind::symbol && of_sums.count(result.name) != 0);
     const bool is_new = is_sum && of_sums.insert(result.name).second;
     for (Expression& argument : result.arguments) {
         argument = with_own_indices(argument, mark, of_sums);
@@ -79,7 +85,7 @@ Expression with_own_indices(const Expression& expression, const std::string& mar
 /// The value of a definition for these indices.
 Expression value_at(const Definition& definition, const std::vector<Expression>& indices) {
     const auto index = [&](const Expression& part) -> std::optional<Expression> {
-        if (part.kind != Kind::symbol) { return {}; }
+        if (part.kind != Expression::Kind::symbol) { return {}; }
         for (std::size_t d = 0; d < indices.size(); ++d) {
             if (definition.indices[d] == part.name) { return indices[d]; }
         }
@@ -102,7 +108,9 @@ void Definitions::add(const Definition& definition) {
 
 IndexedExpression Definitions::put_in(const IndexedExpression& expression) const {
     const auto defined = [&](const Expression& part) -> std::optional<Expression> {
-        if (part.kind != Kind::symbol && part.kind != Kind::element) { return {}; }
+        if (part.kind != Expression::Kind::symbol && part.kind != Expression::Kind::element) {
+            return {};
+        }
         const auto found = definitions_.find(part.name);
         if (found == definitions_.end()) { return {}; }
         const Definition& definition = found->second;
@@ -139,7 +147,7 @@ public:
         states_[k] = State::begun;
         const auto value = [&](const Expression& part) -> std::optional<Expression> {
             const auto found = numbers_.find(part.name);
-            if (part.kind != Kind::symbol || found == numbers_.end()) { return {}; }
+            if (part.kind != Expression::Kind::symbol || found == numbers_.end()) { return {}; }
             resolve(found->second);
             return parameters_[found->second].value;
         };

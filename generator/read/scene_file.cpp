@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "generator/read/column_file.hpp"
 #include "generator/read/file.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
@@ -60,6 +62,7 @@ private:
     void read_mechanics(IndexedScene& scene) const;
     [[nodiscard]] IndexedValue value(const Entry& entry) const;
     [[nodiscard]] RuleName rule_name(const toml::key& key) const;
+    [[nodiscard]] ColumnFile column_file(const toml::table& table) const;
     [[nodiscard]] ValueList list(const toml::array& array) const;
     void append(ValueList& list, const toml::array& array, std::size_t depth) const;
     [[nodiscard]] std::vector<IndexedValue> parameters() const;
@@ -185,13 +188,32 @@ IndexedValue SceneReader::value(const Entry& entry) const {
     RuleName name = rule_name(*key);
     IndexedValue result{std::move(name.stem), {}, file_.place(key->source()), file_.place(*node)};
     const auto* array = node->as_array();
-    if (!name.indices.empty())
+    if (const auto* table = node->as_table())
+        result.value = values_in(column_file(*table));
+    else if (!name.indices.empty())
         result.value = ValueRule{std::move(name.indices), expression(*node)};
     else if (array != nullptr)
         result.value = list(*array);
     else
         result.value = expression(*node);
     return result;
+}
+
+/// `{file = "start.csv", column = "x"}`, with a path that is relative to that of the scene.
+ColumnFile SceneReader::column_file(const toml::table& table) const {
+    file_.check_keys(table, "table of values", {"file", "column"});
+    const auto text = [&](std::string_view key) -> std::optional<std::string> {
+        const toml::node* node = table.get(key);
+        if (node == nullptr) return {};
+        if (node->is_string()) return file_.text(*node);
+        throw InputError("a text is wanted here", file_.place(*node));
+    };
+    const auto path = text("file");
+    if (!path)
+        throw InputError("there is no file", file_.place(table),
+                         "write {file = \"start.csv\", column = \"x\"}");
+    return {std::filesystem::path(source_.name).parent_path() / *path, text("column"),
+            file_.place(table)};
 }
 
 ValueList SceneReader::list(const toml::array& array) const {

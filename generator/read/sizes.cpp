@@ -16,20 +16,22 @@ using NameSet = std::set<std::string>;
 
 void insert_symbols(const Expression& index, const NameSet& bound, NameSet& names) {
     walk(index, [&](const Expression& part) {
-        if (part.kind == Kind::symbol && bound.count(part.name) == 0) { names.insert(part.name); }
+        if (part.kind == Expression::Kind::symbol && bound.count(part.name) == 0) {
+            names.insert(part.name);
+        }
         return true;
     });
 }
 
 /// Adds the names that stand in indices and in bounds of sums and are no indices themselves.
 void insert_structural(const Expression& expression, NameSet bound, NameSet& names) {
-    if (expression.kind == Kind::element) {
+    if (expression.kind == Expression::Kind::element) {
         for (const Expression& index : expression.arguments) {
             insert_symbols(index, bound, names);
         }
         return;
     }
-    if (expression.kind == Kind::sum_over) {
+    if (expression.kind == Expression::Kind::sum_over) {
         insert_symbols(expression.arguments[0], bound, names);
         insert_symbols(expression.arguments[1], bound, names);
         bound.insert(expression.name);

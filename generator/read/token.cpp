@@ -69,6 +69,12 @@ bool is_name_start(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 
 
 bool is_name_char(char c) { return is_name_start(c) || is_digit(c); }
 
+Range trimmed(std::string_view text, Range range) {
+    while (range.begin < range.end && is_blank(text[range.begin])) ++range.begin;
+    while (range.end > range.begin && is_blank(text[range.end - 1])) --range.end;
+    return range;
+}
+
 Lexer::Lexer(std::shared_ptr<const Source> source, Range part, Indices indices)
     : source_(std::move(source)),
       text_(std::string_view(source_->text).substr(0, part.end)),

@@ -93,4 +93,7 @@ private:
 [[nodiscard]] bool is_name_start(char c);  ///< a letter or `_`
 [[nodiscard]] bool is_name_char(char c);   ///< a letter, a digit or `_`
 
+/// The part of a text without the blanks around it; empty when it is all blank.
+[[nodiscard]] Range trimmed(std::string_view text, Range range);
+
 }  // namespace hvi::gen

@@ -12,10 +12,7 @@ namespace hvi::gen {
 
 namespace {
 
-using Kind = Expression::Kind;
-
 constexpr long largest_index = 1'000'000;
-constexpr std::size_t most_words = 100'000;
 constexpr std::size_t most_names = 1000;
 
 std::optional<long> in_range(long value) {
@@ -34,7 +31,7 @@ std::optional<long> whole_mod(const Expression& call, const WholeNumbers& known)
 }
 
 std::optional<long> whole_fold(const Expression& parts, const WholeNumbers& known) {
-    const bool is_sum = parts.kind == Kind::sum;
+    const bool is_sum = parts.kind == Expression::Kind::sum;
     std::optional<long> value = is_sum ? 0 : 1;
     for (const Expression& part : parts.arguments) {
         const auto next = whole_value(part, known);
@@ -47,20 +44,20 @@ std::optional<long> whole_fold(const Expression& parts, const WholeNumbers& know
 
 std::optional<long> whole_value(const Expression& expression, const WholeNumbers& known) {
     switch (expression.kind) {
-    case Kind::number:
+    case Expression::Kind::number:
         if (expression.denominator != "1" || expression.numerator.size() > 7) { return {}; }
         return in_range(std::stol(expression.numerator));
-    case Kind::symbol: {
+    case Expression::Kind::symbol: {
         const auto found = known.find(expression.name);
         return found == known.end() ? std::nullopt : in_range(found->second);
     }
-    case Kind::negation: {
+    case Expression::Kind::negation: {
         const auto argument = whole_value(expression.arguments.front(), known);
         return argument ? std::optional(-*argument) : std::nullopt;
     }
-    case Kind::sum:
-    case Kind::product: return whole_fold(expression, known);
-    case Kind::call: return whole_mod(expression, known);
+    case Expression::Kind::sum:
+    case Expression::Kind::product: return whole_fold(expression, known);
+    case Expression::Kind::call: return whole_mod(expression, known);
     default: return {};
     }
 }
@@ -68,7 +65,7 @@ std::optional<long> whole_value(const Expression& expression, const WholeNumbers
 bool has_names(const Expression& expression) {
     bool found = false;
     walk(expression, [&](const Expression& part) {
-        found = found || part.kind == Kind::symbol;
+        found = found || part.kind == Expression::Kind::symbol;
         return !found;
     });
     return found;
@@ -90,15 +87,15 @@ public:
 private:
     [[nodiscard]] Expression value(const Expression& written) {
         switch (written.kind) {
-        case Kind::number: return written;
-        case Kind::symbol: {
+        case Expression::Kind::number: return written;
+        case Expression::Kind::symbol: {
             const auto found = known_.find(written.name);
             return found == known_.end() ? written : Expression::integer(found->second);
         }
-        case Kind::sum: return Expression::sum(summands(written.arguments));
-        case Kind::product: return Expression::product(all(written.arguments));
-        case Kind::element: return element(written);
-        case Kind::sum_over: return Expression::sum(terms(written));
+        case Expression::Kind::sum: return Expression::sum(summands(written.arguments));
+        case Expression::Kind::product: return Expression::product(all(written.arguments));
+        case Expression::Kind::element: return element(written);
+        case Expression::Kind::sum_over: return Expression::sum(terms(written));
         default: break;
         }
         Expression result = written;
@@ -122,7 +119,8 @@ private:
 
     void append(std::vector<Expression>& terms, const Expression& written) {
         Expression term = (*this)(written);
-        const bool is_empty = written.kind == Kind::sum_over && term == Expression::integer(0);
+        const bool is_empty =
+            written.kind == Expression::Kind::sum_over && term == Expression::integer(0);
         if (!is_empty) { terms.push_back(std::move(term)); }
     }
 
@@ -156,8 +154,8 @@ private:
     }
 
     void count(const Expression& written) {
-        if (++words_ <= most_words) { return; }
-        throw InputError(fmt::format("the sums expand to more than {} words", most_words),
+        if (++words_ <= most_words_unrolled) { return; }
+        throw InputError(fmt::format("the sums expand to more than {} words", most_words_unrolled),
                          Place{source_, written.range});
     }
 

@@ -16,6 +16,9 @@ namespace hvi::gen {
 /// Whole numbers by name: structural parameters, and indices.
 using WholeNumbers = std::map<std::string, long, std::less<>>;
 
+/// The most words that an expression may have whose sums are written out or whose names are put in.
+constexpr std::size_t most_words_unrolled = 100'000;
+
 /// The expression with its sums written out: `sum(i=1..2, x[i]^2)` is x[1]^2 + x[2]^2, of symbols
 /// with the names `x[1]` and `x[2]`; with several indices they are called `u[1,2]`. Names that are
 /// `known` are numbers. A sum whose bounds depend on a name may have no term, and is 0 then. Throws

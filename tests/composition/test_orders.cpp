@@ -17,6 +17,8 @@
 #include <composition/oscillator_gauss_yoshida_6.hpp>
 #include <composition/oscillator_yoshida_8.hpp>
 
+#include "tests/composition/order.hpp"
+
 using namespace hvi::generated;
 using Wide = long double;
 
@@ -30,23 +32,9 @@ typename Stepper::State end_of(Wide until, int steps) {
     return x;
 }
 
-template <class State>
-Wide distance(const State& x, const State& y) {
-    Wide sum = 0;
-    for (std::size_t k = 0; k < x.q.size(); ++k) {
-        sum += (x.q[k] - y.q[k]) * (x.q[k] - y.q[k]) + (x.p[k] - y.p[k]) * (x.p[k] - y.p[k]);
-    }
-    return std::sqrt(sum);
-}
-
-/// By how much halving the steps brings the end nearer to its limit, twice, as a power of two.
 template <class Stepper>
 double order(Wide until, int steps) {
-    const auto a = end_of<Stepper>(until, steps), b = end_of<Stepper>(until, 2 * steps),
-               c = end_of<Stepper>(until, 4 * steps);
-    INFO(static_cast<double>(distance(b, c)));
-    REQUIRE(distance(b, c) > 1e-16L);  // far above the rounding of long double
-    return static_cast<double>(std::log2(distance(a, b) / distance(b, c)));
+    return hvi::tests::order([&](int count) { return end_of<Stepper>(until, count); }, steps);
 }
 
 /// Of dH/dq in a step, but for the first.
@@ -122,7 +110,7 @@ TEST_CASE("a step of size -h leads back") {
         auto x = start;
         for (int i = 0; i < 10; ++i) { REQUIRE(stepper.step(x, 0.01L).ok()); }
         for (int i = 0; i < 10; ++i) { REQUIRE(stepper.step(x, -0.01L).ok()); }
-        return distance(x, start);
+        return hvi::tests::distance(x, start);
     };
     CHECK(off(BasicKeplerYoshida8<Wide>{}) < 1e-17L);
     CHECK(off(BasicKeplerBlanesMoan6<Wide>{}) < 1e-17L);

@@ -158,8 +158,8 @@ TEST_CASE("variables and parameters with an index") {
     CHECK(to_text(H.expression) == "p[1]^2/(2*m[1])+p[2]^2/(2*m[2])+k*x[1]*x[2]");
     CHECK(variables(H) == Names{"x[1]", "x[2]", "p[1]", "p[2]"});
     CHECK(parameter_names(H) == Names{"k", "m[1]", "m[2]"});
-    CHECK(H.origin == "--hamiltonian \"" + text +
-                          "\" --coordinates \"x[1], x[2]\" --momenta \"p[1], p[2]\"");
+    CHECK(H.origin ==
+          "--hamiltonian \"" + text + "\" --coordinates \"x[1], x[2]\" --momenta \"p[1], p[2]\"");
     const Hamiltonian again = read_hamiltonian(text, "x[1], x[2]", "p[1], p[2]");
     CHECK(read_hamiltonian(to_text(H.expression), "x[1..2]", "p[1..2]").expression == H.expression);
     CHECK(again.expression == H.expression);

@@ -8,12 +8,12 @@ using namespace hvi::gen;
 
 namespace {
 
-Expression read(const std::string& text, const WholeNumbers& known = {}) {
+Expression read_unrolled(const std::string& text, const WholeNumbers& known = {}) {
     return unrolled(parse_indexed_expression(source(text)), known);
 }
 
 std::string expanded(const std::string& text, const WholeNumbers& known = {}) {
-    return to_text(read(text, known));
+    return to_text(read_unrolled(text, known));
 }
 
 NameList read_names(const std::string& text, const WholeNumbers& known = {}) {
@@ -77,7 +77,7 @@ TEST_CASE("names with a range of indices are all of them") {
 
 TEST_CASE("what is wrong with indices is said where it is") {
     const auto refused = [](const std::string& text) {
-        const Refusal error = refusal([&] { return read(text); });
+        const Refusal error = refusal([&] { return read_unrolled(text); });
         return error.marked + ": " + error.what;
     };
     CHECK(refused("x[1/2]") == "x[[1/2]]: a whole number is wanted here");
@@ -101,7 +101,7 @@ TEST_CASE("what is wrong with indices is said where it is") {
 
 TEST_CASE("indices stand in one pair of brackets, and what helps is said where there are two") {
     const auto refused = [](const std::string& text) {
-        return refusal([&] { return read(text); });
+        return refusal([&] { return read_unrolled(text); });
     };
     const auto names_refused = [](const std::string& text) {
         return refusal([&] { return read_names(text); });
@@ -118,7 +118,7 @@ TEST_CASE("indices stand in one pair of brackets, and what helps is said where t
 
 TEST_CASE("what is wrong with ranges is said where it is") {
     const auto refused = [](const std::string& text, const WholeNumbers& known = {}) {
-        const Refusal error = refusal([&] { return read(text, known); });
+        const Refusal error = refusal([&] { return read_unrolled(text, known); });
         return error.marked + ": " + error.what;
     };
     CHECK(refused("mod(3,2)") == "[mod](3,2): `mod` stands in indices alone");

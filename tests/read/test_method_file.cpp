@@ -7,6 +7,7 @@
 #include "generator/read/file.hpp"
 #include "generator/read/method.hpp"
 #include "tests/read/refusal.hpp"
+#include "tests/read/scratch.hpp"
 
 using namespace hvi::gen;
 
@@ -27,18 +28,6 @@ std::string texts(const List& list) {
     }
     return result;
 }
-
-/// A directory that is gone at the end of the test.
-struct Scratch {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() /
-        ("hvi-read-" +
-         std::to_string(std::filesystem::file_time_type::clock::now().time_since_epoch().count()));
-    Scratch() { std::filesystem::create_directories(path); }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    ~Scratch() { std::filesystem::remove_all(path); }
-};
 
 }  // namespace
 

@@ -38,7 +38,7 @@ v = [0, 0, 0, "K[2,1]"]
 )toml";
 
 /// A planet whose distance has a name.
-const std::string named = R"toml(coordinates = ["x[1..2]", "y[1..2]"]
+const std::string with_distances = R"toml(coordinates = ["x[1..2]", "y[1..2]"]
 momenta = ["px[1..2]", "py[1..2]"]
 hamiltonian = "sum(i=1..2, px[i]^2+py[i]^2)/2 - mu/r[1] - mu/r[2] - U"
 [parameters]
@@ -160,7 +160,7 @@ TEST_CASE("what is wrong with a matrix is said where it is") {
 
 TEST_CASE("parts of H have names") {
     const auto with = [](const std::string& definitions) {
-        return edited(named, "s[k] = 0", definitions);
+        return edited(with_distances, "s[k] = 0", definitions);
     };
     const std::string r = "\"r[k]\" = \"sqrt(x[k]^2 + y[k]^2)\"\n";
     const std::string expected =
@@ -171,6 +171,9 @@ TEST_CASE("parts of H have names") {
     CHECK(text_of_H(with("\"r[k]\" = \"sum(i=1..2, x[i])*y[k]\"\nU = \"sum(i=1..2, r[i])\"")) ==
           "(px[1]^2+py[1]^2+px[2]^2+py[2]^2)/2-mu/((x[1]+x[2])*y[1])-mu/((x[1]+x[2])*y[2])-"
           "((x[1]+x[2])*y[1]+(x[1]+x[2])*y[2])");
+    // An index hides what has its name.
+    CHECK(text_of_H(with(r + "i = \"mu\"\nU = \"i*sum(i=1..2, i*x[i])\"")) ==
+          expected + "mu*(x[1]+2*x[2])");
     const auto says = [&](const std::string& definitions) {
         return refused(with(definitions)).what;
     };

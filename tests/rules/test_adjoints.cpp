@@ -11,6 +11,8 @@
 #include <rules/adjoint_pendulum.hpp>
 #include <rules/adjoint_tableau_hoop.hpp>
 
+#include "tests/composition/order.hpp"
+
 using namespace hvi::generated;
 using Wide = long double;
 
@@ -34,23 +36,9 @@ typename Stepper::State end_of(Wide until, int steps) {
     return x;
 }
 
-template <class State>
-Wide distance(const State& x, const State& y) {
-    Wide sum = 0;
-    for (std::size_t k = 0; k < x.q.size(); ++k) {
-        sum += (x.q[k] - y.q[k]) * (x.q[k] - y.q[k]) + (x.p[k] - y.p[k]) * (x.p[k] - y.p[k]);
-    }
-    return std::sqrt(sum);
-}
-
-/// By how much halving the steps brings the end nearer to its limit, as a power of two.
 template <class Stepper>
 double order(Wide until, int steps) {
-    const auto a = end_of<Stepper>(until, steps), b = end_of<Stepper>(until, 2 * steps),
-               c = end_of<Stepper>(until, 4 * steps);
-    INFO(static_cast<double>(distance(b, c)));
-    REQUIRE(distance(b, c) > 1e-16L);
-    return static_cast<double>(std::log2(distance(a, b) / distance(b, c)));
+    return hvi::tests::order([&](int count) { return end_of<Stepper>(until, count); }, steps);
 }
 
 /// How far steps forth and back lead from the start.
@@ -62,7 +50,7 @@ Wide way_back() {
     for (const Wide h : {Wide(1) / 4, Wide(-1) / 4}) {
         for (int i = 0; i < 10; ++i) { REQUIRE(stepper.step(x, h).ok()); }
     }
-    return distance(x, begin);
+    return hvi::tests::distance(x, begin);
 }
 
 template <template <class...> class Stepper, class... Rest>

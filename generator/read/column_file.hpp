@@ -1,0 +1,28 @@
+// Numbers that stand in a file of their own.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "generator/read/indexed_scene.hpp"
+
+namespace hvi::gen {
+
+/// Where values are: `{file = "start.csv", column = "x"}`.
+struct ColumnFile {
+    std::filesystem::path path;
+    std::optional<std::string> column;
+    Place place;  ///< of all that, for errors
+};
+
+/// The values in a file of at most 1 MiB: of a CSV file, whose first line has the names of columns,
+/// those of a column, as they are written there; of an NPY file (numpy.save) of little-endian
+/// doubles, floats or integers all, each as the shortest decimal that is that number. Blank lines
+/// and lines that begin with # do not count. Throws InputError, with the line, for a file that is
+/// not there, is no regular one or is neither of both, has no such column, or a row that is too
+/// short.
+[[nodiscard]] ValueList values_in(const ColumnFile& file);
+
+}  // namespace hvi::gen
