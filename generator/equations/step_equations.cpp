@@ -62,6 +62,7 @@ GeneratingEquations equations(const GeneratingFunction& function,
     if (function.exact) result.exact = polynomial(*function.exact, names);
     result.gives_map = function.gives_map;
     result.is_symmetric = function.is_symmetric;
+    result.has_type_one = function.has_type_one;
     result.order_of_difference = function.order_of_difference;
     result.is_at_least = function.is_at_least;
     return result;

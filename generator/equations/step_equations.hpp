@@ -30,6 +30,7 @@ struct GeneratingEquations {
     bool is_symmetric = false;        ///< its mixed second derivatives agree
     int order_of_difference = 0;      ///< H_d^+ - H_d,exact^+ = O(h^k) for this k
     bool is_at_least = false;         ///< and it may be larger
+    bool has_type_one = false;        ///< dq_1/dp_0 is regular, so that there is one of type I too
 };
 
 struct StepEquations : StepTitle {

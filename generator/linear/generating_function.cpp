@@ -124,7 +124,7 @@ std::optional<int> DiscreteHamiltonian::first_difference(ExactSeries exact, int 
 
 GeneratingFunction zero(std::size_t variables, int order) {
     const QuadraticForm form{zeros(variables, variables), NumberVector(variables), Number(0)};
-    return {form, form, true, true, order, true};
+    return {form, form, true, true, order, true, true};
 }
 
 void add(QuadraticForm& sum, const QuadraticForm& term, const UncoupledPart& part) {
@@ -141,6 +141,17 @@ void add_difference(GeneratingFunction& sum, const std::optional<int>& order) {
     sum.is_at_least = false;
 }
 
+/// Whether d2H_d^+/dp_1^2 is regular: that times dp_1/dp_0, which is, is dq_1/dp_0.
+bool has_type_one(const QuadraticForm& discrete) {
+    const std::size_t n = discrete.degrees_of_freedom();
+    NumberMatrix by_p;
+    for (std::size_t i = n; i < 2 * n; ++i) {
+        by_p.emplace_back(discrete.S[i].begin() + static_cast<std::ptrdiff_t>(n),
+                          discrete.S[i].end());
+    }
+    return inverse(by_p).has_value();
+}
+
 /// Adds what `part` has of H.
 void add(GeneratingFunction& sum, const QuadraticForm& H, const UncoupledPart& part,
          const StageFunctions& stages, const Ground& ground) {
@@ -148,6 +159,7 @@ void add(GeneratingFunction& sum, const QuadraticForm& H, const UncoupledPart& p
     const DiscreteHamiltonian method(stages, H);
     const QuadraticForm discrete = method.closed_form(h);
     add(sum.discrete, discrete, part);
+    sum.has_type_one = sum.has_type_one && has_type_one(discrete);
     const NumberMatrix ends = method.other_ends(h);
     NumberMatrix Jacobian = ends;
     for (NumberVector& row : Jacobian) { row.pop_back(); }

@@ -24,6 +24,9 @@ struct GeneratingFunction {
     /// larger.
     int order_of_difference = 0;
     bool is_at_least = false;
+    /// That dq_1/dp_0 at fixed q_0 is regular but for single h, so that there is a generating
+    /// function of type I, of (q_0, q_1), too: not for H = q p.
+    bool has_type_one = false;
 };
 
 /// Preconditions and errors as for one_step_map.

@@ -52,6 +52,7 @@ Json generating_json(const GeneratingEquations& found) {
             {"exact", found.exact ? Json(to_text(*found.exact)) : Json(nullptr)},
             {"gives_map", found.gives_map},
             {"symmetric", found.is_symmetric},
+            {"type_one", found.has_type_one},
             {"order_of_difference", found.order_of_difference},
             {"is_at_least", found.is_at_least}};
 }

@@ -190,6 +190,9 @@ void write_generating(Page& page, const StepEquations& step) {
                                        found.gives_map ? "yes" : "no"));
     page.fact("symmetric", found.is_symmetric ? "yes, the mixed second derivatives agree"
                                               : "no, the mixed second derivatives differ");
+    page.fact("type I", found.has_type_one
+                            ? "yes, dq'/dp is regular but for single h"
+                            : "no, dq'/dp is singular for every h: (q, q') are not independent");
     page.fact("difference",
               fmt::format("H_d^+ - H_d,exact^+ = O(h^{}){}", found.order_of_difference,
                           found.is_at_least ? " at least" : ""));

@@ -141,6 +141,8 @@ TEST_CASE("the generating function") {
     CHECK(to_text(found.generating->exact.value()) == "exp(h)*q*p");
     CHECK(found.generating->gives_map);
     CHECK(found.generating->is_symmetric);
+    CHECK_FALSE(found.generating->has_type_one);
+    CHECK(step("gauss:2", "p^2/2+q^2/2", true).generating->has_type_one);
     CHECK(found.generating->order_of_difference == 5);
     CHECK_FALSE(found.generating->is_at_least);
     // q' = q + h p' for the free particle, whatever the method

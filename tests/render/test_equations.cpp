@@ -129,6 +129,7 @@ exact discrete Hamiltonian, (4.1):
 
 gives map     yes, by p = D_1 H_d^+ and q' = D_2 H_d^+ (3.10)
 symmetric     no, the mixed second derivatives differ
+type I        no, dq'/dp is singular for every h: (q, q') are not independent
 difference    H_d^+ - H_d,exact^+ = O(h^5) at least
 )"));
     StepEquations other = generating();
@@ -138,6 +139,8 @@ difference    H_d^+ - H_d,exact^+ = O(h^5) at least
     CHECK_FALSE(contains(render_text(other), "(4.1):"));
     CHECK(contains(render_text(other), "gives map     no, "));
     CHECK(contains(render_text(other), "symmetric     yes, "));
+    other.generating->has_type_one = true;
+    CHECK(contains(render_text(other), "type I        yes, "));
 }
 
 TEST_CASE("long equations are broken between the slopes, and no line passes the eightieth column") {
@@ -185,6 +188,7 @@ TEST_CASE("stages and generating functions for programs") {
                 {"exact", "q*p/cos(h)"},
                 {"gives_map", true},
                 {"symmetric", false},
+                {"type_one", false},
                 {"order_of_difference", 5},
                 {"is_at_least", true}}));
 }
