@@ -84,6 +84,15 @@ void find_variables(Hamiltonian& H) {
     }
 }
 
+/// Those that are called as variables: one name would have two meanings.
+void refuse_sizes(const NameList& variables, const WholeNumbers& sizes) {
+    for (const DeclaredName& variable : variables.names)
+        if (sizes.count(variable.name) != 0)
+            throw InputError(
+                fmt::format("`{}` is a variable, and stands in an index too", variable.name),
+                variable.place, "take another name for one of them");
+}
+
 /// Where a symbol stands in a list.
 std::optional<Place> find_symbol(const List& list, const std::vector<std::string>& names) {
     std::optional<Place> place;
@@ -174,8 +183,11 @@ Hamiltonian hamiltonian_from_text(std::shared_ptr<const Source> expression,
         const NameTexts of_q = name_texts(coordinates), of_p = name_texts(momenta);
         WholeNumbers known = sizes(written, {of_q, of_p}, values);
         const NameList coordinates_of_H = unrolled(of_q, known);
+        refuse_sizes(coordinates_of_H, known);
+        const NameList momenta_of_H = unrolled(of_p, known);
+        refuse_sizes(momenta_of_H, known);
         H = hamiltonian_of(unrolled(written, known), written.source, coordinates_of_H,
-                           unrolled(of_p, known));
+                           momenta_of_H);
         H.sizes = std::move(known);
         origin += fmt::format(" --coordinates \"{}\" --momenta \"{}\"",
                               fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));

@@ -17,8 +17,10 @@ using Substitute = std::function<std::optional<Expression>(const Expression&)>;
 /// Puts expressions of other texts in places of one.
 class PuttingIn {
 public:
-    PuttingIn(const std::shared_ptr<const Source>& source, Substitute substitute)
-        : source_(source), substitute_(std::move(substitute)) {}
+    /// `words` counts what is made, by all that share it.
+    PuttingIn(const std::shared_ptr<const Source>& source, Substitute substitute,
+              std::size_t& words)
+        : source_(source), substitute_(std::move(substitute)), words_(words) {}
 
     /// NOTE: made by the functions that the reader uses, so that it is flat as what is read is.
     [[nodiscard]] Expression operator()(const Expression& expression) {
@@ -62,7 +64,7 @@ private:
     const std::shared_ptr<const Source>& source_;
     Substitute substitute_;
     std::set<std::string> indices_;  ///< of sums around a place, which hide what has their names
-    std::size_t words_ = 0;
+    std::size_t& words_;
 };
 
 /// With other names for the indices of sums, that no text has: those of a definition are none of
@@ -91,14 +93,15 @@ Expression value_at(const Definition& definition, const std::vector<Expression>&
         }
         return {};
     };
-    return PuttingIn(definition.value.source, index)(definition.value.written);
+    std::size_t words = 0;
+    return PuttingIn(definition.value.source, index, words)(definition.value.written);
 }
 
 }  // namespace
 
 void Definitions::add(const Definition& definition) {
     Definition own = definition;
-    own.value = put_in(definition.value);
+    own.value = put_in(definition.value, words_);
     std::set<std::string> of_sums;
     own.value.written = with_own_indices(own.value.written, "'" + definition.name, of_sums);
     if (!definitions_.emplace(definition.name, std::move(own)).second) {
@@ -107,6 +110,12 @@ void Definitions::add(const Definition& definition) {
 }
 
 IndexedExpression Definitions::put_in(const IndexedExpression& expression) const {
+    std::size_t words = 0;
+    return put_in(expression, words);
+}
+
+IndexedExpression Definitions::put_in(const IndexedExpression& expression,
+                                      std::size_t& words) const {
     const auto defined = [&](const Expression& part) -> std::optional<Expression> {
         if (part.kind != Expression::Kind::symbol && part.kind != Expression::Kind::element) {
             return {};
@@ -123,7 +132,7 @@ IndexedExpression Definitions::put_in(const IndexedExpression& expression) const
         }
         return value_at(definition, part.arguments);
     };
-    return {PuttingIn(expression.source, defined)(expression.written), expression.source};
+    return {PuttingIn(expression.source, defined, words)(expression.written), expression.source};
 }
 
 namespace {
@@ -151,7 +160,7 @@ public:
             resolve(found->second);
             return parameters_[found->second].value;
         };
-        parameter.value = PuttingIn(parameter.source, value)(parameter.value);
+        parameter.value = PuttingIn(parameter.source, value, words_)(parameter.value);
         states_[k] = State::resolved;
     }
 
@@ -161,6 +170,7 @@ private:
     std::vector<Parameter>& parameters_;
     std::map<std::string, std::size_t> numbers_;
     std::vector<State> states_;
+    std::size_t words_ = 0;  ///< of all
 };
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace hvi::gen {
 /// The definitions of a scene: `r`, or `d[i]` for any index.
 class Definitions {
 public:
-    /// Adds one, with those before it put in. Throws InputError where there is one of that name.
+    /// Adds one, with those before it put in. Throws InputError where there is one of that name,
+    /// and where all have more than 100 000 words.
     void add(const Definition& definition);
 
     /// The expression with what its names are defined to be in their places; an error in that is
@@ -22,11 +23,16 @@ public:
     [[nodiscard]] IndexedExpression put_in(const IndexedExpression& expression) const;
 
 private:
+    [[nodiscard]] IndexedExpression put_in(const IndexedExpression& expression,
+                                           std::size_t& words) const;
+
     std::map<std::string, Definition, std::less<>> definitions_;
+    std::size_t words_ = 0;  ///< of all
 };
 
 /// The parameters with the values of others put in. Throws InputError where a value depends on
-/// itself, and for more than 100 000 words. Precondition: what stands in a value is one of them.
+/// itself, and where all have more than 100 000 words. Precondition: what stands in a value is one
+/// of them.
 void resolve(std::vector<Parameter>& parameters);
 
 }  // namespace hvi::gen

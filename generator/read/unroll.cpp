@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -202,7 +203,7 @@ long whole_number(const Expression& index, const std::shared_ptr<const Source>& 
 
 namespace {
 
-/// Of one name; throws where there are more than `most`.
+/// Of one name; throws where there are too many.
 void append(std::vector<DeclaredName>& list, const Name& name,
             const std::shared_ptr<const Source>& source, const WholeNumbers& known) {
     const Place place{source, name.range};

@@ -185,7 +185,10 @@ void SceneUnrolling::add_parameter(std::vector<Parameter>& list, const IndexedVa
 std::vector<Parameter> SceneUnrolling::parameters() {
     std::vector<Parameter> list;
     for (const IndexedValue& value : written_.parameters) {
-        if (sizes_.count(value.name) != 0) { continue; }
+        if (sizes_.count(value.name) != 0) {
+            words_.declare({value.name, value.place}, "a parameter");
+            continue;
+        }
         if (const auto* one = std::get_if<IndexedExpression>(&value.value)) {
             add_parameter(list, value, value.name, *one);
         } else {

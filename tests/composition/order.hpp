@@ -19,11 +19,21 @@ long double distance(const State& x, const State& y) {
     return std::sqrt(sum);
 }
 
+/// Where steps from x end, which all succeed.
+template <class Stepper>
+typename Stepper::State end_of(typename Stepper::State x, long double until, int steps) {
+    Stepper stepper;
+    for (int i = 0; i < steps; ++i) { REQUIRE(stepper.step(x, until / steps).ok()); }
+    return x;
+}
+
 /// By how much halving the steps brings the end nearer to its limit, twice, as a power of two.
-/// `end(n)` is the state after n steps, in long double.
-template <class End>
-double order(End end, int steps) {
-    const auto a = end(steps), b = end(2 * steps), c = end(4 * steps);
+/// Scalars are long double.
+template <class Stepper>
+double order(const typename Stepper::State& start, long double until, int steps) {
+    const auto a = end_of<Stepper>(start, until, steps),
+               b = end_of<Stepper>(start, until, 2 * steps),
+               c = end_of<Stepper>(start, until, 4 * steps);
     INFO(static_cast<double>(distance(b, c)));
     REQUIRE(distance(b, c) > 1e-16L);  // far above the rounding of long double
     return static_cast<double>(std::log2(distance(a, b) / distance(b, c)));

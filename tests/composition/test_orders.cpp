@@ -25,16 +25,8 @@ using Wide = long double;
 namespace {
 
 template <class Stepper>
-typename Stepper::State end_of(Wide until, int steps) {
-    Stepper stepper;
-    auto x = Stepper::initial();
-    for (int i = 0; i < steps; ++i) { REQUIRE(stepper.step(x, until / steps).ok()); }
-    return x;
-}
-
-template <class Stepper>
 double order(Wide until, int steps) {
-    return hvi::tests::order([&](int count) { return end_of<Stepper>(until, count); }, steps);
+    return hvi::tests::order<Stepper>(Stepper::initial(), until, steps);
 }
 
 /// Of dH/dq in a step, but for the first.

@@ -1,5 +1,7 @@
 // Scenes whose names have indices, of sizes that parameters give, and whose parts have names.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "generator/read/indexed_scene.hpp"
@@ -86,6 +88,37 @@ TEST_CASE("a parameter may be made of others, which may stand below it") {
         doubled += "a" + std::to_string(k) + " = \"" + before + "*" + before + "\"\n";
     }
     CHECK(refused(ring, "k = ", doubled + "k = ").says("more than 100000 words"));
+}
+
+TEST_CASE("what is short in a file stays short") {
+    std::string copies = "a0 = 2\n", definitions = "U0 = \"q[1]\"\n";
+    for (int k = 1; k < 60; ++k) {
+        const auto line = [&](const std::string& name) {
+            const std::string before = name + std::to_string(std::min(k - 1, 14));
+            return name + std::to_string(k) + " = \"" + before + "*" + before + "\"\n";
+        };
+        copies += line("a");
+        definitions += line("U");
+    }
+    CHECK(refused(ring, "k = ", copies + "k = ").says("more than 100000 words"));
+    CHECK(refused(ring, "[invariants]", "[definitions]\n" + definitions + "[invariants]")
+              .says("more than 100000 words"));
+}
+
+TEST_CASE("a size is no variable") {
+    const Refusal twice = refused(ring, "\"p[1..N]\"", "\"p[1..2], N\"");
+    CHECK(twice.what == "`N` is a momentum already");
+    CHECK(twice.marked == "[N] = 3");
+    CHECK(refused(ring, "[invariants]", "[definitions]\nN = 2\n[invariants]").what ==
+          "`N` is a variable or a parameter already");
+    const auto of_text = [](const std::string& q, const std::string& p) {
+        return refusal([&] {
+            return hamiltonian_from_text(source("q[1]"), source(q), source(p),
+                                         {parse_parameter(source("N=1"))});
+        });
+    };
+    CHECK(of_text("q[1..N], N", "p[1..2]").marked == "q[1..N], [N]");
+    CHECK(of_text("q[1..2]", "p[1..N], N").what == "`N` is a variable, and stands in an index too");
 }
 
 TEST_CASE("a size that is given takes the place of that in the file") {

@@ -29,16 +29,8 @@ State start() {
 }
 
 template <class Stepper>
-typename Stepper::State end_of(Wide until, int steps) {
-    Stepper stepper;
-    auto x = start<typename Stepper::State>();
-    for (int i = 0; i < steps; ++i) { REQUIRE(stepper.step(x, until / steps).ok()); }
-    return x;
-}
-
-template <class Stepper>
 double order(Wide until, int steps) {
-    return hvi::tests::order([&](int count) { return end_of<Stepper>(until, count); }, steps);
+    return hvi::tests::order<Stepper>(start<typename Stepper::State>(), until, steps);
 }
 
 /// How far steps forth and back lead from the start.
