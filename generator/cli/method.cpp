@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/method.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -82,13 +84,15 @@ Scene scene_of(Hamiltonian hamiltonian) {
     return scene;
 }
 
-Method method_for(const MethodOptions& options, const Scene& scene) {
+/// `of_scene`: the name that a scene has for one, or null.
+Method method_for(const MethodOptions& options, const std::shared_ptr<const Source>& of_scene,
+                  const std::optional<Place>& place) {
     const bool is_given = options.name || options.basis || options.file;
     if (is_given) return read_method(options);
-    if (scene.run.method == nullptr)
-        throw InputError("no method is given, and the scene names none", scene.place,
+    if (of_scene == nullptr)
+        throw InputError("no method is given, and the scene names none", place,
                          "for example --method gauss:4");
-    return named_method(scene.run.method);
+    return named_method(of_scene);
 }
 
 /// Where a symbol stands first.
@@ -113,7 +117,7 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
     std::vector<Parameter> parameters = parameters_in(options.parameters);
     Scene scene = system.scene ? find_scene(system.scene, parameters)
                                : scene_of(read_hamiltonian(system, parameters));
-    Method method = method_for(options, scene);
+    Method method = method_for(options, scene.run.method, scene.place);
     check_together(method, scene);
     std::string defaults;
     for (Parameter& parameter : parameters) {
@@ -134,6 +138,24 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
     };
     const auto is_default = [&](const Parameter& parameter) { return !is_fixed(parameter); };
     std::erase_if(function_of(scene).parameters, is_default);
+    return {std::move(method), std::move(scene)};
+}
+
+bool is_large(const SystemOptions& system, const MethodOptions& options) {
+    if (!system.scene) return false;
+    const IndexedScene scene = find_indexed_scene(system.scene, parameters_in(options.parameters));
+    return degrees_of_freedom(scene) > most_unrolled;
+}
+
+MethodAndLargeScene read_large_scene(const MethodOptions& options, const SystemOptions& system) {
+    IndexedScene scene = find_indexed_scene(system.scene);
+    for (Parameter& parameter : parameters_in(options.parameters)) {
+        if (!assign(scene, parameter))
+            throw InputError(fmt::format("the scene has no parameter `{}`", parameter.name),
+                             parameter.place);
+        scene.origin += parameter_option(parameter);
+    }
+    Method method = method_for(options, scene.run.method, whole(system.scene));
     return {std::move(method), std::move(scene)};
 }
 

@@ -4,6 +4,7 @@
 
 #include "generator/cli/options.hpp"
 #include "generator/read/coefficients.hpp"
+#include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
@@ -32,5 +33,17 @@ struct MethodAndScene {
     Scene scene;
 };
 [[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
+
+/// Whether a scene is named that has more degrees of freedom than are written out.
+[[nodiscard]] bool is_large(const SystemOptions& system, const MethodOptions& options);
+
+/// A method, and such a scene as it is written. Each parameter that has a value is one of the
+/// scene.
+struct MethodAndLargeScene {
+    Method method;
+    IndexedScene scene;
+};
+[[nodiscard]] MethodAndLargeScene read_large_scene(const MethodOptions& options,
+                                                   const SystemOptions& system);
 
 }  // namespace hvi::gen

@@ -148,6 +148,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.accuracy = words.fraction("--accuracy");
     options.step = words.value("--step");
     options.until = words.value("--until");
+    options.columns = words.value("--columns");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
     options.output = output_option(words);

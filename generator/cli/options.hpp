@@ -64,6 +64,7 @@ struct RunOptions {
     StepperWishes wishes;            ///< solver, lanes and composition alone
     std::optional<double> accuracy;  ///< in place of a method and a step
     Given step, until;               ///< in place of those of the scene
+    Given columns;                   ///< of the table, in place of the usual ones
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };

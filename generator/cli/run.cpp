@@ -17,6 +17,7 @@
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/output_file.hpp"
+#include "generator/support/pace.hpp"
 #include "generator/support/process.hpp"
 
 namespace hvi::gen {
@@ -31,9 +32,9 @@ constexpr const char* picture_name = "picture.svg";
 constexpr const char* summary_name = "summary.txt";
 
 /// `kepler-gauss_4`.
-fs::path default_directory(const SceneStepper& stepper) {
-    const std::string header = file_name(stepper.method.name());
-    return stepper.scene.name + "-" + header.substr(0, header.rfind('.'));
+fs::path default_directory(const RunSubject& subject) {
+    const std::string header = file_name(subject.method);
+    return subject.scene + "-" + header.substr(0, header.rfind('.'));
 }
 
 /// A file that a program of ours fills. Removed at the end of its life unless renamed.
@@ -79,17 +80,15 @@ void note_left_out(const Steps& asked) {
                stderr);
 }
 
-std::string summary(const SceneStepper& stepper, const Steps& asked, const Simulation& run) {
-    const Scene& scene = stepper.scene;
+std::string summary(const RunSubject& subject, const Steps& asked, const Simulation& run) {
     std::size_t width = std::string_view("evaluations").size();
     for (const Conserved& kept : run.conserved) width = std::max(width, kept.name.size());
     std::string text;
     const auto line = [&](const std::string& name, const std::string& value) {
         text += fmt::format("{:<{}}  {}\n", name, width, value);
     };
-    line("scene", scene.name + (scene.description.empty() ? "" : ": " + scene.description));
-    line("method", stepper.method.name().empty() ? stepper.method.provenance().origin
-                                                 : stepper.method.name());
+    line("scene", subject.scene + (subject.description.empty() ? "" : ": " + subject.description));
+    line("method", subject.title);
     line("steps", fmt::format("{} of {}, until t = {:.10g}", run.steps, asked.size,
                               static_cast<double>(run.steps) * asked.size));
     if (asked.left != 0) line("left out", left_out(asked));
@@ -100,7 +99,7 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
                                  duration(run.seconds_of_step * static_cast<double>(run.steps))));
         line("evaluations",
              fmt::format("{:.2f} of d{}/dq a step, {} in all", per_step(run.evaluations, run.steps),
-                         stepper.system.function_letter(), run.evaluations));
+                         subject.function_letter, run.evaluations));
         if (run.iterations > 0)
             line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
     }
@@ -110,17 +109,34 @@ std::string summary(const SceneStepper& stepper, const Steps& asked, const Simul
     return text;
 }
 
-TrajectoryPicture picture(const SceneStepper& stepper, const Steps& asked, const Simulation& run,
-                          const fs::path& table) {
-    const System& system = stepper.system;
+/// Those of the names that are columns, at most 64. The first column of the table is the time.
+std::vector<TableColumn> shown(const std::vector<NameBox>& names,
+                               const std::vector<ColumnBox>& columns) {
+    constexpr std::size_t most = 64;
+    std::vector<TableColumn> result;
+    for (const std::string& name : names_in(names, columns)) {
+        if (result.size() == most) break;
+        if (const auto before = columns_before(columns, name))
+            result.push_back({*before + 2, name});
+    }
+    return result;
+}
+
+/// NOTE: it shows what the table has.
+TrajectoryPicture picture(const RunSubject& subject, const Steps& asked, const Simulation& run,
+                          const std::vector<ColumnBox>& columns, const fs::path& table) {
+    const auto coordinates = shown(subject.coordinates, columns);
+    const auto momenta = shown(subject.momenta, columns);
     TrajectoryPicture picture;
-    picture.title =
-        stepper.scene.name + ", " + stepper.method.name() + (run.ok() ? "" : " (incomplete)");
+    picture.title = subject.scene + ", " + subject.method + (run.ok() ? "" : " (incomplete)");
     picture.until = static_cast<double>(run.steps) * asked.size;
     picture.table = table;
-    for (const Conserved& kept : run.conserved) picture.kept.push_back({kept.name, kept.start});
-    picture.columns = system.coordinates;
-    picture.curves = curves_of(system.coordinates, system.momenta);
+    for (const Conserved& kept : run.conserved)
+        for (const TableColumn& column : shown({name_box(kept.name)}, columns))
+            picture.kept.push_back({column, kept.start});
+    picture.columns = coordinates.empty() ? momenta : coordinates;
+    picture.title_of_columns = coordinates.empty() ? "momenta" : "positions";
+    picture.curves = curves_of(coordinates, momenta);
     return picture;
 }
 
@@ -145,8 +161,9 @@ public:
     /// Where the table grows.
     [[nodiscard]] fs::path table() const { return table_ ? table_->path() : "/dev/null"; }
 
-    void keep(const SceneStepper& stepper, const Steps& asked, const Simulation& run,
-              const RunOptions& options, const std::string& summary) {
+    void keep(const RunSubject& subject, const Steps& asked, const Simulation& run,
+              const std::vector<ColumnBox>& columns, const RunOptions& options,
+              const std::string& summary) {
         if (!directory_) return;
         const auto leaves = [&](RunFile file) { return options.files.contains(file); };
         if (!run.ok()) mark_incomplete(table_->path(), run);
@@ -155,7 +172,8 @@ public:
         const fs::path table_file =
             leaves(RunFile::table) ? *directory_ / table_name : table_->path();
         if (leaves(RunFile::picture))
-            write_file(*directory_ / picture_name, draw(picture(stepper, asked, run, table_file)));
+            write_file(*directory_ / picture_name,
+                       draw(picture(subject, asked, run, columns, table_file)));
     }
 
 private:
@@ -163,35 +181,55 @@ private:
     std::optional<Unfinished> table_;
 };
 
-std::optional<fs::path> directory(const SceneStepper& stepper, const RunOptions& options) {
+std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& options) {
     if (options.output) return options.output;
     if (options.files.contains(RunFile::table) || options.files.contains(RunFile::picture))
-        return default_directory(stepper);
+        return default_directory(subject);
     return {};
 }
 
-Simulation simulate(const fs::path& program, const SceneStepper& stepper, const Steps& steps,
-                    const fs::path& table) {
+Simulation simulate(const fs::path& program, const RunSubject& subject, const Steps& steps,
+                    const std::vector<ColumnBox>& columns, const fs::path& table) {
     const std::int64_t every = std::max<std::int64_t>(1, (steps.count + most_rows - 1) / most_rows);
     Bar bar;
-    return run_simulation(program, stepper, steps, every, table,
-                          [&](double part) { bar.show(part); });
+    Pace pace(static_cast<double>(steps.count), "steps");
+    return run_simulation(program, subject, steps, {every, columns}, table,
+                          [&](double part) { bar.show(part, pace.at(part, Pace::Clock::now())); });
 }
 
-/// A stepper, and the steps that it is to take.
+std::vector<ColumnBox> columns_of(const RunSubject& subject, const Given& list) {
+    const std::vector<NameBox> names = column_names(subject);
+    return list ? named_columns(list, names, subject.sizes)
+                : usual_columns(names, subject.coordinates.size() + subject.momenta.size());
+}
+
+/// What is to be run, and the steps that it is to take.
 struct WishedRun {
-    SceneStepper stepper;
+    RunSubject subject;
     Steps steps;
 };
 
-WishedRun wished_run(const RunOptions& options) {
-    const auto [method, scene] = read_scene(options.method, options.system);
-    const NamedExpression step = wish(scene, options.step, scene.run.step, "step");
-    const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
-    const Steps steps = steps_until(scene, step, until);
+Steps wished_steps(const Scene& scene, const RunOptions& options) {
+    return steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
+                       wish(scene, options.until, scene.run.until, "until"));
+}
+
+StepperWishes wishes_of(const RunOptions& options) {
     StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
     wishes.lanes = options.wishes.lanes;
-    return {scene_stepper(method, scene, wishes), steps};
+    return wishes;
+}
+
+WishedRun wished_run(const RunOptions& options) {
+    const auto [method, scene] = read_scene(options.method, options.system);
+    const Steps steps = wished_steps(scene, options);
+    return {run_subject(scene_stepper(method, scene, wishes_of(options))), steps};
+}
+
+WishedRun large_run(const RunOptions& options) {
+    const auto [method, scene] = read_large_scene(options.method, options.system);
+    const Steps steps = wished_steps(without_motion(scene), options);
+    return {run_subject(loop_stepper(method, scene, wishes_of(options))), steps};
 }
 
 WishedRun advised_run(const RunOptions& options) {
@@ -200,25 +238,31 @@ WishedRun advised_run(const RunOptions& options) {
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
     const auto [method, scene] = read_scene(method_options, options.system);
-    return {scene_stepper(method, scene, simulation_wishes(advice.solver, advice.composition)),
+    return {run_subject(
+                scene_stepper(method, scene, simulation_wishes(advice.solver, advice.composition))),
             advice.steps};
+}
+
+WishedRun any_run(const RunOptions& options) {
+    if (options.accuracy) return advised_run(options);
+    return is_large(options.system, options.method) ? large_run(options) : wished_run(options);
 }
 
 }  // namespace
 
 void run(const RunOptions& options) {
     const InterruptionsHeld held;
-    const auto [stepper, steps] = options.accuracy ? advised_run(options) : wished_run(options);
-    check_simulation(stepper);
+    const auto [subject, steps] = any_run(options);
+    const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
     note_left_out(steps);
 
     Builds builds(find_compiler());
-    const fs::path program = built(builds.order(simulation_program(stepper)));
-    const std::optional<fs::path> directory = hvi::gen::directory(stepper, options);
+    const fs::path program = built(builds.order(subject.program));
+    const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     Results results(directory);
-    const Simulation simulation = simulate(program, stepper, steps, results.table());
-    const std::string summary = hvi::gen::summary(stepper, steps, simulation);
-    results.keep(stepper, steps, simulation, options, summary);
+    const Simulation simulation = simulate(program, subject, steps, columns, results.table());
+    const std::string summary = hvi::gen::summary(subject, steps, simulation);
+    results.keep(subject, steps, simulation, columns, options, summary);
     if (!simulation.ok())
         throw MathError(
             fmt::format("the run stopped after {} of {} steps: {}", simulation.steps, steps.count,

@@ -12,6 +12,7 @@
 #include "generator/cli/method.hpp"
 #include "generator/emit/steps/banner.hpp"
 #include "generator/emit/text/names.hpp"
+#include "generator/pipeline/loop_stepper.hpp"
 #include "generator/pipeline/stage.hpp"
 #include "generator/plan/facts.hpp"
 #include "generator/support/process.hpp"
@@ -40,7 +41,19 @@ std::string explanation(const SceneStepper& stepper) {
     return text;
 }
 
+/// What has loops where a scene of a few degrees of freedom has none.
+void write_loops(const StepperOptions& options) {
+    const auto [method, scene] = read_large_scene(options.method, *options.system);
+    if (options.dump)
+        throw InputError("--dump is not built for more than 64 degrees of freedom",
+                         options.dump->place);
+    const LoopStepper stepper = loop_stepper(method, scene, options.wishes);
+    if (options.explain) std::fputs(dump(stepper.step).c_str(), stderr);
+    write_result(options.output, stepper.header);
+}
+
 void write_scene(const StepperOptions& options) {
+    if (is_large(*options.system, options.method)) return write_loops(options);
     const auto [method, scene] = read_scene(options.method, *options.system);
     const SceneStepper stepper = scene_stepper(method, scene, options.wishes);
     if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);

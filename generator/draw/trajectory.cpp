@@ -30,10 +30,11 @@ set grid linecolor rgb '#d8d8d8'
 set border linecolor rgb '#505050'
 )";
 constexpr std::size_t style_count = 5;
+constexpr std::size_t time_column = 1;
 
 /// A column over another, less a constant.
 struct Line {
-    std::string x, y;
+    std::size_t x, y;
     double less = 0;
     std::string name;
 };
@@ -45,11 +46,11 @@ std::string plot(const TrajectoryPicture& picture, const std::vector<Line>& line
                            : "set key outside right center samplen 2 font ',11'\nplot";
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Line& line = lines[i];
-        text += fmt::format("{} {} using (column({})):(column({})-({:.17g})) with lines "
-                            "linestyle {} title {}",
-                            i == 0 ? "" : ",", gnuplot_quoted(picture.table.filename().string()),
-                            gnuplot_quoted(line.x), gnuplot_quoted(line.y), line.less,
-                            i % style_count + 1, gnuplot_label(line.name));
+        text +=
+            fmt::format("{} {} skip 1 using (column({})):(column({})-({:.17g})) with lines "
+                        "linestyle {} title {}",
+                        i == 0 ? "" : ",", gnuplot_quoted(picture.table.filename().string()),
+                        line.x, line.y, line.less, i % style_count + 1, gnuplot_label(line.name));
     }
     return text + "\n";
 }
@@ -69,7 +70,7 @@ std::vector<Line> departures(const TrajectoryPicture& picture, std::size_t begin
     std::vector<Line> lines;
     for (std::size_t i = begin; i < end; ++i) {
         const TrajectoryPicture::Kept& kept = picture.kept[i];
-        lines.push_back({"t", kept.column, kept.start, kept.column});
+        lines.push_back({time_column, kept.column.number, kept.start, kept.column.name});
     }
     return lines;
 }
@@ -92,8 +93,9 @@ std::string over_time(const TrajectoryPicture& picture, double width) {
                                      ticks_until(picture.until));
     if (picture.kept.empty()) {
         std::vector<Line> lines;
-        for (const std::string& column : picture.columns) lines.push_back({"t", column, 0, column});
-        return script + panel({0, 0, width, top}, "positions") + plot(picture, lines);
+        for (const TableColumn& column : picture.columns)
+            lines.push_back({time_column, column.number, 0, column.name});
+        return script + panel({0, 0, width, top}, picture.title_of_columns) + plot(picture, lines);
     }
     script += "set format y '%.1e'\nset ytics nomirror autofreq\n";
     const bool has_more = picture.kept.size() > 1;
@@ -107,13 +109,14 @@ std::string over_time(const TrajectoryPicture& picture, double width) {
 
 std::string in_space(const TrajectoryPicture& picture, double begin) {
     std::vector<Line> lines;
-    for (const auto& [x, y] : picture.curves) lines.push_back({x, y, 0, y + " over " + x});
+    for (const auto& [x, y] : picture.curves)
+        lines.push_back({x.number, y.number, 0, y.name + " over " + x.name});
     const auto& [x, y] = picture.curves.front();
     return fmt::format(
                "set autoscale x\nset format y '%g'\nset xtics autofreq\nset xlabel {} offset "
                "0,0.6\nset ylabel {}\n",
-               gnuplot_label(x), gnuplot_label(y)) +
-           panel({begin, 0, 1 - begin, top}, y + " over " + x) + plot(picture, lines);
+               gnuplot_label(x.name), gnuplot_label(y.name)) +
+           panel({begin, 0, 1 - begin, top}, y.name + " over " + x.name) + plot(picture, lines);
 }
 
 std::string stem(const std::string& name) { return name.substr(0, name.find('[')); }
@@ -121,28 +124,31 @@ std::string stem(const std::string& name) { return name.substr(0, name.find('[')
 }  // namespace
 
 std::string draw(const TrajectoryPicture& picture) {
-    constexpr double middle = 0.55;
+    const bool has_curves = !picture.curves.empty();
+    const double middle = has_curves ? 0.55 : 1;
     const std::string script =
         line_styles + fmt::format("set multiplot title {}\n", gnuplot_label(picture.title)) +
-        over_time(picture, middle) + in_space(picture, middle) + "unset multiplot\n";
+        over_time(picture, middle) + (has_curves ? in_space(picture, middle) : "") +
+        "unset multiplot\n";
     // NOTE: in its directory, whose name may have in it what no script can quote.
     return gnuplot_svg(script, picture_width, picture_height,
                        picture.table.has_parent_path() ? picture.table.parent_path() : ".");
 }
 
-std::vector<std::pair<std::string, std::string>>
-curves_of(const std::vector<std::string>& coordinates, const std::vector<std::string>& momenta) {
+std::vector<TableCurve> curves_of(const std::vector<TableColumn>& coordinates,
+                                  const std::vector<TableColumn>& momenta) {
+    if (coordinates.empty() || coordinates.size() + momenta.size() == 1) return {};
     if (coordinates.size() == 1) return {{coordinates.front(), momenta.front()}};
-    const std::string first = stem(coordinates.front());
-    std::vector<std::string> x, y;
-    for (const std::string& name : coordinates) {
-        if (stem(name) == first)
-            x.push_back(name);
-        else if (y.empty() || stem(name) == stem(y.front()))
-            y.push_back(name);
+    const std::string first = stem(coordinates.front().name);
+    std::vector<TableColumn> x, y;
+    for (const TableColumn& column : coordinates) {
+        if (stem(column.name) == first)
+            x.push_back(column);
+        else if (y.empty() || stem(column.name) == stem(y.front().name))
+            y.push_back(column);
     }
     if (x.size() != y.size()) return {{coordinates[0], coordinates[1]}};
-    std::vector<std::pair<std::string, std::string>> curves;
+    std::vector<TableCurve> curves;
     for (std::size_t i = 0; i < x.size(); ++i) curves.emplace_back(x[i], y[i]);
     return curves;
 }

@@ -44,7 +44,8 @@ enum class Role : unsigned {
     coordinate = 2,
     conjugate = 4,  ///< a momentum, of a Lagrangian a velocity
     time = 8,
-    direction = 16
+    direction = 16,
+    index = 32  ///< of a loop, as a number, and what has such an index and is no variable
 };
 
 /// A set of roles.

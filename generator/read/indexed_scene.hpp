@@ -87,6 +87,18 @@ struct IndexedScene {
 /// The same for the text of such a file; the source's name is that of the file.
 [[nodiscard]] IndexedScene indexed_scene_from_toml(const Source& file);
 
+/// The scene that the command line names, as find_scene() finds it, with other values for those of
+/// its parameters that `values` names.
+[[nodiscard]] IndexedScene find_indexed_scene(const Given& name_or_file,
+                                              const std::vector<Parameter>& values = {});
+
+/// How many coordinates it has, for the sizes that it names. Throws InputError where a bound of an
+/// index is no whole number, and where an index has no value.
+[[nodiscard]] std::size_t degrees_of_freedom(const IndexedScene& scene);
+
+/// So many make a scene of loops; below, sums may be written out.
+constexpr std::size_t most_unrolled = 64;
+
 /// Gives a parameter another value: `N`, or `m[2]` of a list. Whether there is such a parameter.
 [[nodiscard]] bool assign(IndexedScene& scene, const Parameter& parameter);
 
@@ -95,5 +107,9 @@ struct IndexedScene {
 /// no parameter of the result. Throws InputError where a word has no meaning or stands where it may
 /// not, and for more than 64 degrees of freedom, parameters or invariants.
 [[nodiscard]] Scene unrolled(const IndexedScene& scene);
+
+/// What a scene of any size says besides its motion: names, parameters without an index, sizes, and
+/// what [run] asks for. Throws InputError as unrolled() does for these.
+[[nodiscard]] Scene without_motion(IndexedScene scene);
 
 }  // namespace hvi::gen

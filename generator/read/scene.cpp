@@ -12,6 +12,7 @@
 #include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
+#include "generator/read/sizes.hpp"
 #include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
@@ -42,7 +43,7 @@ IndexedScene embedded_scene(const EmbeddedFile& file) {
     return indexed_scene_from_toml({std::string(file.name), std::string(file.text)});
 }
 
-IndexedScene find_indexed_scene(const Given& name_or_file) {
+IndexedScene found(const Given& name_or_file) {
     const std::string& name = name_or_file->text;
     for (const EmbeddedFile& file : embedded_scenes()) {
         if (name_of(file) != name) continue;
@@ -88,10 +89,14 @@ Scene scene_from_file(const std::filesystem::path& path) {
     return unrolled(indexed_scene_from_file(path));
 }
 
-Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
-    IndexedScene written = find_indexed_scene(name_or_file);
+IndexedScene find_indexed_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
+    IndexedScene written = found(name_or_file);
     for (const Parameter& value : values) static_cast<void>(assign(written, value));
-    Scene scene = unrolled(written);
+    return written;
+}
+
+Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
+    Scene scene = unrolled(find_indexed_scene(name_or_file, values));
     scene.place = whole(name_or_file);
     return scene;
 }
@@ -99,7 +104,8 @@ Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values
 std::vector<SceneEntry> scenes() {
     std::vector<SceneEntry> entries;
     for (const EmbeddedFile& file : embedded_scenes()) {
-        entries.push_back({name_of(file), embedded_scene(file).description});
+        const IndexedScene scene = embedded_scene(file);
+        entries.push_back({name_of(file), scene.description, degrees_of_freedom(scene)});
     }
     std::sort(entries.begin(), entries.end(), [](const SceneEntry& left, const SceneEntry& right) {
         return left.name < right.name;

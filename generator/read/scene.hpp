@@ -71,10 +71,12 @@ struct Scene {
 [[nodiscard]] Scene find_scene(const Given& name_or_file,
                                const std::vector<Parameter>& values = {});
 
-/// Names and descriptions of the scenes that come with the program, by name.
+/// The scenes that come with the program, by name. NOTE: what is said of them is known without
+/// their sums being written out.
 struct SceneEntry {
     std::string_view name;
     std::string description;
+    std::size_t degrees_of_freedom = 0;  ///< with the values that its parameters have in it
 };
 [[nodiscard]] std::vector<SceneEntry> scenes();
 

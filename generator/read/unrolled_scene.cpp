@@ -75,6 +75,7 @@ public:
         : written_(written), sizes_(sizes(written)) {}
 
     [[nodiscard]] Scene operator()();
+    [[nodiscard]] Scene without_motion();
 
 private:
     void declare_variables(const NameList& coordinates, const NameList& conjugates);
@@ -360,9 +361,47 @@ Scene SceneUnrolling::operator()() {
     return scene;
 }
 
+Scene SceneUnrolling::without_motion() {
+    Scene scene;
+    scene.name = written_.name;
+    scene.description = written_.description;
+    scene.parameters = parameters();
+    function_of(scene).sizes = sizes_;
+    function_of(scene).origin = written_.origin;
+    scene.run = run();
+    return scene;
+}
+
 }  // namespace
 
 Scene unrolled(const IndexedScene& scene) { return SceneUnrolling(scene)(); }
+
+Scene without_motion(IndexedScene scene) {
+    std::erase_if(scene.parameters, [](const IndexedValue& parameter) {
+        return std::holds_alternative<ValueList>(parameter.value);
+    });
+    return SceneUnrolling(scene).without_motion();
+}
+
+std::size_t degrees_of_freedom(const IndexedScene& scene) {
+    const WholeNumbers known = sizes(scene);
+    std::size_t total = 0;
+    for (const NameTexts::Text& text : scene.coordinates.texts) {
+        for (const Name& name : text.names) {
+            std::size_t count = 1;
+            for (const IndexBounds& bounds : name.bounds) {
+                const long first = whole_number(bounds.first, text.source, known);
+                const long last = whole_number(bounds.last, text.source, known);
+                if (first > last) {
+                    throw InputError("there is no such index", Place{text.source, bounds.range});
+                }
+                count *= static_cast<std::size_t>(last - first + 1);
+            }
+            total += count;
+        }
+    }
+    return total;
+}
 
 bool assign(IndexedScene& scene, const Parameter& parameter) {
     const std::string stem(without_index(parameter.name));

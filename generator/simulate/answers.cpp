@@ -13,7 +13,9 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int cannot_write = 3;  // a driver's exit status
+// Exit statuses of drivers.
+constexpr int cannot_write = 3;
+constexpr int out_of_memory = 4;
 
 }  // namespace
 
@@ -82,6 +84,8 @@ Answers ask(const std::filesystem::path& program, std::vector<std::string> words
     });
     if (ended.status == cannot_write && !file.empty())
         throw EnvironmentError("cannot write " + file.string());
+    if (ended.status == out_of_memory)
+        throw EnvironmentError("there is not enough memory for the run");
     if (ended.status > 128)
         throw EnvironmentError(
             fmt::format("a compiled program was ended by signal {}", ended.status - 128));

@@ -24,18 +24,10 @@ std::string quoted(const std::vector<std::string>& names) {
 
 /// The members of the stepper that compute what a run is to keep. Where H depends on the time the
 /// energy is among the columns too, but nothing is said of its departure.
-std::string values(const System& system) {
+std::string values(const std::vector<std::string>& conserved) {
     std::vector<std::string> items;
-    for (const std::string& name : conserved_names(system))
-        items.push_back(fmt::format("stepper.{}(x)", name));
+    for (const std::string& name : conserved) items.push_back(fmt::format("stepper.{}(x)", name));
     return lines(items);
-}
-
-/// Coordinates, then momenta.
-std::vector<std::string> state_names(const System& system) {
-    std::vector<std::string> names = system.coordinates;
-    names.insert(names.end(), system.momenta.begin(), system.momenta.end());
-    return names;
 }
 
 }  // namespace
@@ -45,6 +37,72 @@ std::vector<std::string> conserved_names(const System& system) {
     if (!system.time) names.emplace_back("energy");
     for (const SystemValue& invariant : system.invariants) names.push_back(invariant.name);
     return names;
+}
+
+std::vector<NameBox> column_names(const RunSubject& subject) {
+    std::vector<NameBox> names = subject.coordinates;
+    names.insert(names.end(), subject.momenta.begin(), subject.momenta.end());
+    for (const std::string& name : subject.conserved) names.push_back(name_box(name));
+    return names;
+}
+
+namespace {
+
+std::vector<NameBox> boxes(const std::vector<std::string>& names) {
+    std::vector<NameBox> result;
+    for (const std::string& name : names) result.push_back(name_box(name));
+    return result;
+}
+
+std::vector<NameBox> boxes(const std::vector<LoopFamily>& families,
+                           const std::map<std::string, long>& sizes) {
+    std::vector<NameBox> result;
+    for (const LoopFamily& family : families) {
+        result.push_back({family.name, {}});
+        for (const LoopRange& range : family.ranges)
+            result.back().ranges.push_back({range.first.at(sizes), range.last.at(sizes)});
+    }
+    return result;
+}
+
+}  // namespace
+
+RunSubject run_subject(const SceneStepper& stepper) {
+    check_simulation(stepper);
+    const System& system = stepper.system;
+    return {.scene = stepper.scene.name,
+            .description = stepper.scene.description,
+            .method = stepper.method.name(),
+            .title = stepper.method.title(),
+            .function_letter = system.function_letter(),
+            .coordinates = boxes(system.coordinates),
+            .momenta = boxes(system.momenta),
+            .conserved = conserved_names(system),
+            .sizes = function_of(stepper.scene).sizes,
+            .program = simulation_program(stepper)};
+}
+
+RunSubject run_subject(const LoopStepper& stepper) {
+    const LoopSystem& system = stepper.system;
+    std::map<std::string, long> sizes;
+    for (const LoopSize& size : system.sizes) sizes[size.name] = size.value;
+    std::vector<std::string> conserved{"energy"};
+    for (const LoopInvariant& invariant : system.invariants) conserved.push_back(invariant.name);
+    return {.scene = system.name,
+            .description = system.description,
+            .method = stepper.method.name(),
+            .title = stepper.method.title(),
+            .coordinates = boxes(system.coordinates, sizes),
+            .momenta = boxes(system.momenta, sizes),
+            .conserved = conserved,
+            .sizes = {sizes.begin(), sizes.end()},
+            .program = {fill("large_driver.cpp.in", {{"header", header_name},
+                                                     {"stepper", stepper.class_name},
+                                                     {"invariants", quoted(conserved)},
+                                                     {"count", std::to_string(conserved.size())},
+                                                     {"values", values(conserved)}}),
+                        {{header_name, stepper.header}},
+                        {}}};
 }
 
 void check_simulation(const SceneStepper& stepper) {
@@ -74,10 +132,9 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
                                    {"main", driver.main},
                                    {"header", header_name},
                                    {"stepper", stepper.class_name},
-                                   {"variables", quoted(state_names(system))},
                                    {"invariants", quoted(conserved)},
                                    {"count", std::to_string(conserved.size())},
-                                   {"values", values(system)},
+                                   {"values", values(conserved)},
                                    {"separable", fact(stepper.step.is_separable())},
                                    {"joint", fact(stepper.step.slopes == Slopes::joint)},
                                    {"quadratic", fact(system.structure.kinetic_is_quadratic)},
@@ -100,14 +157,15 @@ ReferenceSolution find_reference(const std::filesystem::path& program, double un
             answers.numbers("end")};
 }
 
-Simulation run_simulation(const std::filesystem::path& program, const SceneStepper& stepper,
-                          const Steps& steps, std::int64_t every,
+Simulation run_simulation(const std::filesystem::path& program, const RunSubject& subject,
+                          const Steps& steps, const TableWishes& wishes,
                           const std::filesystem::path& table,
                           const std::function<void(double)>& on_progress) {
-    const Answers answers = ask(program,
-                                {"trajectory", fmt::format("{}", steps.size),
-                                 std::to_string(steps.count), std::to_string(every)},
-                                table, on_progress);
+    const Answers answers =
+        ask(program,
+            {"trajectory", fmt::format("{}", steps.size), std::to_string(steps.count),
+             std::to_string(wishes.every), text(wishes.columns)},
+            table, on_progress);
     Simulation run{answers.text("status"),
                    answers.integer("steps"),
                    answers.integer("rows"),
@@ -115,7 +173,7 @@ Simulation run_simulation(const std::filesystem::path& program, const SceneStepp
                    answers.integer("evaluations"),
                    answers.number("seconds_of_step"),
                    {}};
-    const std::vector<std::string> names = conserved_names(stepper.system);
+    const std::vector<std::string>& names = subject.conserved;
     const auto start = answers.numbers("start", names.size()),
                largest = answers.numbers("largest", names.size()),
                last = answers.numbers("last", names.size());

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "generator/pipeline/loop_stepper.hpp"
 #include "generator/pipeline/stepper.hpp"
 #include "generator/program/cache.hpp"
+#include "generator/read/table_columns.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/simulate/answers.hpp"
 
@@ -36,8 +38,34 @@ struct Simulation {
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
 
+/// What a run is of, whatever its stepper looks like.
+struct RunSubject {
+    std::string scene, description;
+    std::string method;  ///< its name; may be empty
+    std::string title;   ///< the name, or METHOD
+    char function_letter = 'H';
+    std::vector<NameBox> coordinates, momenta;
+    std::vector<std::string> conserved;  ///< the energy, where H has no time, and invariants
+    WholeNumbers sizes;
+    ProgramText program;  ///< that run_simulation() starts
+};
+
+/// Precondition: the stepper is made as simulation_wishes() are. Throws InputError where a
+/// parameter of the method is left without a value.
+[[nodiscard]] RunSubject run_subject(const SceneStepper& stepper);
+[[nodiscard]] RunSubject run_subject(const LoopStepper& stepper);
+
 /// The names of what a run keeps: the energy, where H does not depend on the time, and invariants.
 [[nodiscard]] std::vector<std::string> conserved_names(const System& system);
+
+/// What can be a column of the table of a run: coordinates, momenta, and what it keeps.
+[[nodiscard]] std::vector<NameBox> column_names(const RunSubject& subject);
+
+/// The table of a run.
+struct TableWishes {
+    std::int64_t every = 1;          ///< one row in so many steps, and the last
+    std::vector<ColumnBox> columns;  ///< behind the time; of column_names()
+};
 
 /// What steppers of simulations are to have.
 [[nodiscard]] StepperWishes simulation_wishes(Solver solver,
@@ -75,12 +103,12 @@ struct ReferenceSolution {
 [[nodiscard]] ReferenceSolution find_reference(const std::filesystem::path& program, double until,
                                                std::int64_t count, double wanted, double seconds);
 
-/// Runs the compiled program; it writes the table of t, the variables, the energy and the
-/// invariants, one row in `every` steps and the last, into `table`. `on_progress` gets the part of
-/// it that is done. Throws as ask() does.
+/// Runs the compiled program, which writes the table into a file. `on_progress` gets the part of it
+/// that is done. Throws as ask() does.
 [[nodiscard]] Simulation run_simulation(const std::filesystem::path& program,
-                                        const SceneStepper& stepper, const Steps& steps,
-                                        std::int64_t every, const std::filesystem::path& table,
+                                        const RunSubject& subject, const Steps& steps,
+                                        const TableWishes& wishes,
+                                        const std::filesystem::path& table,
                                         const std::function<void(double)>& on_progress);
 
 /// Where a run ends and what it costs.

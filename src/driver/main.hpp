@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // `Problem` names its Stepper and has static members stepper() and initial(), which make one and
-// its first state, values(stepper, x), the invariants there, and the names `variables` and
-// `invariants`.
+// its first state, values(stepper, x), the invariants there, and their names `invariants`.
 #pragma once
 
 #include <cstdio>
@@ -26,7 +25,7 @@ int main(int argc, char** argv) {
     if (command == "measure") { status = measure<Problem>(words); }
     if (command == "departures") { status = departures<Problem>(words); }
     if (status == 2) {
-        std::fprintf(stderr, "usage: trajectory H STEPS EVERY FILE\n"
+        std::fprintf(stderr, "usage: trajectory H STEPS EVERY COLUMNS FILE\n"
                              "       measure H STEPS SECONDS\n"
                              "       departures H STEPS SAMPLES\n");
     }

@@ -22,9 +22,11 @@ public:
 
     [[nodiscard]] bool good() const { return good_; }
 
+    /// NOTE: in quotes where a comma is in it, as in u[1,2].
     Table& cell(std::string_view text) {
+        const std::string_view quote = text.find(',') == std::string_view::npos ? "" : "\"";
         if (!line_.empty()) { line_ += ','; }
-        line_ += text;
+        line_.append(quote).append(text).append(quote);
         return *this;
     }
 

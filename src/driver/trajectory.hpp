@@ -4,27 +4,66 @@
 // For `Problem` see main.hpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <driver/answer.hpp>
+#include <driver/columns.hpp>
 #include <driver/departure.hpp>
 #include <driver/table.hpp>
+#include <hvi/integrate.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
 
+/// When the invariants of a run are looked at.
+enum class Watch {
+    steps,  ///< after every step
+    rows,   ///< where a row is written: they cost as much as a step does
+};
+
+/// What a program ends with that has not enough memory.
+inline constexpr int out_of_memory = 4;
+
+/// Whether a stepper takes many steps faster than one after the other.
+template <class Stepper, class = void>
+struct Advances : std::false_type {};
+template <class Stepper>
+struct Advances<Stepper, std::void_t<decltype(std::declval<Stepper&>().advance(
+                             std::declval<typename Stepper::State&>(), 0.0, std::int64_t(1)))>>
+    : std::true_type {};
+
+/// Takes so many steps, or as many as go well.
+template <class Stepper>
+Run take(Stepper& stepper, typename Stepper::State& x, double h, std::int64_t steps) {
+    if constexpr (Advances<Stepper>::value) {
+        return stepper.advance(x, h, steps);
+    } else {
+        Run run;
+        while (run.steps < steps) {
+            run.status = stepper.step(x, h);
+            run.iterations += run.status.iterations;
+            if (!run.ok()) { break; }
+            ++run.steps;
+        }
+        return run;
+    }
+}
+
 /// Seconds that a step takes where nobody looks on, over at most half a second; the start is where
 /// the run begins. Zero where no step can be taken.
-template <class Problem>
+template <class Problem, Watch watch>
 double seconds_of_step(double h, std::int64_t steps) {
     using Clock = std::chrono::steady_clock;
-    constexpr std::int64_t batch = 256;
+    constexpr std::int64_t batch = watch == Watch::rows ? 8 : 256;
     constexpr std::chrono::milliseconds enough(500);
     auto stepper = Problem::stepper();
     auto x = Problem::initial();
@@ -32,9 +71,9 @@ double seconds_of_step(double h, std::int64_t steps) {
     const auto start = Clock::now();
     auto now = start;
     while (taken < steps && now - start < enough) {
-        for (std::int64_t i = 0; i < batch && taken < steps; ++i, ++taken) {
-            if (!stepper.step(x, h).ok()) { steps = taken; }
-        }
+        const Run run = take(stepper, x, h, std::min(batch, steps - taken));
+        taken += run.steps;
+        if (!run.ok()) { steps = taken; }
         now = Clock::now();
     }
     return taken == 0
@@ -43,15 +82,29 @@ double seconds_of_step(double h, std::int64_t steps) {
 }
 
 /// The run, a step of which is one row in `every`; the last row is where it ends.
-template <class Problem>
+template <class Problem, Watch watch>
 class Trajectory {
 public:
     Trajectory(double h, std::int64_t steps, std::int64_t every, const char* path)
         : h_(h), steps_(steps), every_(every), table_(path) {}
 
-    /// Says what became of it. False where the table could not be written.
+    /// Chooses the columns behind the time, as columns.hpp has them: coordinates, momenta and
+    /// invariants are numbered in this order. False where there are no such columns.
+    [[nodiscard]] bool choose(std::string_view columns) {
+        const std::size_t count = 2 * x_.q.size() + invariants_.count;
+        bool are_there = true;
+        table_.cell("t");
+        const bool is_right = for_each_column(columns, [&](std::string_view name, auto number) {
+            are_there = are_there && number >= 0 && static_cast<std::size_t>(number) < count;
+            numbers_.push_back(static_cast<std::size_t>(number));
+            table_.cell(name);
+        });
+        table_.end_row();
+        return is_right && are_there;
+    }
+
+    /// Says what became of it. False where the table could not be written. Precondition: choose().
     [[nodiscard]] bool run() {
-        write_names();
         row();
         while (taken_ < steps_ && status_.ok() && table_.good()) { advance(); }
         if (taken_ % every_ != 0) { row(); }
@@ -63,10 +116,12 @@ private:
     using Stepper = typename Problem::Stepper;
 
     void advance() {
-        status_ = stepper_.step(x_, h_);
-        iterations_ += status_.iterations;
-        if (!status_.ok()) { return; }
-        ++taken_;
+        const std::int64_t left = std::min(every_, steps_ - taken_);
+        const Run run = take(stepper_, x_, h_, watch == Watch::rows ? left : 1);
+        status_ = run.status;
+        iterations_ += run.iterations;
+        taken_ += run.steps;
+        if (run.steps == 0) { return; }
         invariants_.see(stepper_, x_);
         if (taken_ % every_ == 0) {
             row();
@@ -74,18 +129,16 @@ private:
         }
     }
 
-    void write_names() {
-        table_.cell("t");
-        for (const char* name : Problem::variables) { table_.cell(name); }
-        for (const char* name : Problem::invariants) { table_.cell(name); }
-        table_.end_row();
+    [[nodiscard]] double value(std::size_t number) const {
+        const std::size_t n = x_.q.size();
+        if (number < n) { return x_.q[number]; }
+        if (number < 2 * n) { return x_.p[number - n]; }
+        return invariants_.values()[number - 2 * n];
     }
 
     void row() {
         table_.cell(static_cast<double>(taken_) * h_);
-        for (const auto& q : x_.q) { table_.cell(q); }
-        for (const auto& p : x_.p) { table_.cell(p); }
-        for (const double value : invariants_.values()) { table_.cell(value); }
+        for (const std::size_t number : numbers_) { table_.cell(value(number)); }
         table_.end_row();
         ++rows_;
     }
@@ -114,6 +167,7 @@ private:
     double h_;
     std::int64_t steps_, every_;
     Table table_;
+    std::vector<std::size_t> numbers_;  // of the columns
     Stepper stepper_ = Problem::stepper();
     typename Stepper::State x_ = Problem::initial();
     Status status_;
@@ -122,17 +176,19 @@ private:
     std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now();
 };
 
-/// The command `trajectory H STEPS EVERY FILE`. The status of its end is 0 also where a step
-/// failed, 2 where this is not how it was called, 3 where the file cannot be written.
-template <class Problem>
+/// The command `trajectory H STEPS EVERY COLUMNS FILE`. The status of its end is 0 also where a
+/// step failed, 2 where this is not how it was called, 3 where the file cannot be written.
+template <class Problem, Watch watch = Watch::steps>
 int trajectory(const std::vector<std::string_view>& words) {
     double h = 0;
     std::int64_t steps = 0, every = 0;
-    const bool is_right = words.size() == 4 && read(words[0], h) && read(words[1], steps) &&
+    const bool is_right = words.size() == 5 && read(words[0], h) && read(words[1], steps) &&
                           read(words[2], every) && steps >= 0 && every >= 1;
     if (!is_right) { return 2; }
-    say("seconds_of_step", seconds_of_step<Problem>(h, steps));
-    return Trajectory<Problem>(h, steps, every, std::string(words[3]).c_str()).run() ? 0 : 3;
+    Trajectory<Problem, watch> trajectory(h, steps, every, std::string(words[4]).c_str());
+    if (!trajectory.choose(words[3])) { return 2; }
+    say("seconds_of_step", seconds_of_step<Problem, watch>(h, steps));
+    return trajectory.run() ? 0 : 3;
 }
 
 }  // namespace hvi::driver

@@ -13,6 +13,7 @@
 #include "generator/scene/value_at.hpp"
 #include "tests/hamiltonian/hamiltonians.hpp"
 #include "tests/read/refusal.hpp"
+#include "tests/read/small_scene.hpp"
 
 using namespace hvi::gen;
 
@@ -221,7 +222,7 @@ TEST_CASE("both derivatives of many Hamiltonians agree, most of them by proof") 
 
 TEST_CASE("both derivatives of the scenes that come with the program agree") {
     for (const SceneEntry& entry : scenes()) {
-        const Scene scene = find_scene(source(std::string(entry.name), "SCENE"));
+        const Scene scene = small_scene(entry);
         const auto* H = std::get_if<Hamiltonian>(&scene.mechanics);
         if (H == nullptr) { continue; }
         check_first(*H);

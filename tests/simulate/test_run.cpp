@@ -103,6 +103,56 @@ TEST_CASE("long runs are thinned out, and counted whole") {
     CHECK(result.out.find("steps        25001 of 0.1") != std::string::npos);
 }
 
+TEST_CASE("columns of a run are those of the whole table, in the order wished for") {
+    use_cache();
+    const Directory directory;
+    const auto run = [&](const std::string& out, const std::vector<std::string>& more) {
+        std::vector<std::string> words{"run", "outer-solar-system", "--until", "3000", "-o", out};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = hvi_gen(words, directory.path());
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        return lines_of(contents(directory / (out + "/trajectory.csv")));
+    };
+    const auto all = run("all", {"--only", "table"});
+    const auto some = run("some", {"--columns", "momentum_y, y[2..3], energy, px[6]"});
+    REQUIRE(all.size() == 12);
+    REQUIRE(some.size() == all.size());
+    CHECK(all[0].find("t,x[1],x[2],x[3],") == 0);
+    CHECK(some[0] == "t,momentum_y,y[2],y[3],energy,px[6]");
+    for (std::size_t k = 1; k < all.size(); ++k) {
+        const auto whole = numbers_of(all[k]);  // of 18 coordinates, and as many momenta
+        REQUIRE(whole.size() == 1 + 36 + 7);
+        CHECK(numbers_of(some[k]) ==
+              std::vector<double>{whole[0], whole[39], whole[8], whole[9], whole[37], whole[24]});
+    }
+    CHECK(contents(directory / "some/picture.svg").find("momentum_y") != std::string::npos);
+    CHECK(contents(directory / "some/picture.svg").find("momentum_x") == std::string::npos);
+    // Also where there is nothing to draw one against the other, or nothing that is kept.
+    for (const char* list : {"energy", "py", "y[4]"}) {
+        CHECK(run(list, {"--columns", list}).size() == 12);
+    }
+}
+
+TEST_CASE("names with two indices are cells of their own, and drawn") {
+    use_cache();
+    const Directory directory;
+    write(directory / "sheet.toml",
+          "coordinates = [\"u[1..2,1..2]\"]\nmomenta = [\"v[1..2,1..2]\"]\n"
+          "hamiltonian = \"sum(i=1..2, j=1..2, v[i,j]^2 + u[i,j]^2)/2\"\n"
+          "initial = {\"u[i,j]\" = \"i + 10*j\", \"v[i,j]\" = 0}\n"
+          "run = {method = \"stormer-verlet\", step = 0.1, until = 1}\n");
+    const Outcome result = hvi_gen(
+        {"run", "sheet.toml", "-o", "out", "--columns", "v[1,1], u[1..2,2]"}, directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    const auto lines = lines_of(contents(directory / "out/trajectory.csv"));
+    REQUIRE(lines.size() == 12);
+    CHECK(lines[0] == "t,\"v[1,1]\",\"u[1,2]\",\"u[2,2]\"");
+    CHECK(lines[1] == "0,0,21,22");
+    CHECK(contents(directory / "out/picture.svg").find("u[2,2]") != std::string::npos);
+}
+
 TEST_CASE("what is left out at the end of a run is said") {
     use_cache();
     const Directory directory;
@@ -293,8 +343,8 @@ TEST_CASE("whatever ends a run ends the compiler too, and leaves nothing") {
 }
 
 TEST_CASE("a link where a table is to grow leads nowhere") {
-    // The table is the fifth word of the program.
-    const PretendedCompiler compiler("echo t,q,p > \"$5\"; " + right_answers);
+    // The table is the sixth word of the program.
+    const PretendedCompiler compiler("echo t,q,p > \"$6\"; " + right_answers);
     const Outcome outcome =
         compiler.run("echo precious > victim; mkdir out; for end in '' -0 -1; do "
                      "ln -s ../victim out/.hvi-gen-$$$end.tmp; done; "
@@ -318,6 +368,14 @@ TEST_CASE("directories of any name") {
 
 TEST_CASE("runs that cannot be") {
     use_cache();
+    CHECK(hvi_gen({"run", "kepler", "--columns", ""}).status == 2);
+    const Outcome columns = hvi_gen({"run", "kepler", "--columns", "x, angular_momentu"});
+    CHECK(columns.status == 2);
+    CHECK(columns.out.empty());
+    CHECK(columns.err == "error: there is no column `angular_momentu`\n"
+                         "  --columns: x, angular_momentu\n"
+                         "                ^~~~~~~~~~~~~~~\n"
+                         "help: did you mean `angular_momentum`?\n");
     CHECK(hvi_gen({"run"}).status == 2);
     CHECK(hvi_gen({"run", "no-such-scene"}).status == 2);
     CHECK(hvi_gen({"run", "kepler", "--step", "w"}).status == 2);

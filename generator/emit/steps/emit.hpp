@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "generator/emit/system/loop_code.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/ir/one_step_method.hpp"
 #include "generator/ir/step.hpp"
@@ -11,10 +12,11 @@
 namespace hvi::gen {
 
 struct EmitOptions {
-    std::string class_name;          ///< checked by check_class_name()
-    std::string command;             ///< the command line that writes the same header again
-    const System* system = nullptr;  ///< whose H it is; null: that of a class of the user
-    SceneWishes wishes = {};         ///< of the scene
+    std::string class_name;           ///< checked by check_class_name()
+    std::string command;              ///< the command line that writes the same header again
+    const System* system = nullptr;   ///< whose H it is; null: that of a class of the user, or
+    const LoopCode* loops = nullptr;  ///< that of a scene with loops
+    SceneWishes wishes = {};          ///< of the scene
     const Evaluations* evaluations = nullptr;  ///< of the scene, if there is one
 };
 

@@ -179,11 +179,67 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
     return part;
 }
 
+// ---- a scene with loops ----
+
+/// NOTE: explicit steppers include of hvi what they have in copies too.
+std::string include_of_loops(const LoopCode& code) {
+    std::string text = "#include <algorithm>\n#include <array>\n#include <cstdint>\n"
+                       "#include <type_traits>\n#include <vector>\n\n"
+                       "#include <hvi/detail/coefficients/rounded.hpp>\n"
+                       "#include <hvi/detail/lanes/lane_math.hpp>\n"
+                       "#include <hvi/detail/loops/along.hpp>\n"
+                       "#include <hvi/detail/loops/ranges.hpp>\n";
+    text += code.sites ? "#include <hvi/detail/loops/sites.hpp>\n"
+                       : "#include <hvi/detail/loops/chunks.hpp>\n";
+    return text;
+}
+
+std::string constructors_for_loops(const LoopCode& code, const std::string& class_name) {
+    Writer writer(1);
+    writer.line("{0}() : {0}(Parameters{{}}) {{}}", class_name);
+    writer.line("/// `threads`: 0 for as many as there are processors.");
+    writer.line("explicit {}(const Parameters& parameters, unsigned threads = 1) : "
+                "system_(parameters, threads) {{}}",
+                class_name);
+    return writer.blank().insert(loop_members_text(code)).str();
+}
+
+SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitOptions& options) {
+    const LoopCode& code = *options.loops;
+    SystemPart part;
+    part.include = include_of_loops(code);
+    Writer purpose(0);
+    purpose.comment(
+        fmt::format("The scene {} of any size with {}, computed in Number: float, double or long "
+                    "double. States hold std::vector.",
+                    code.system.name,
+                    provenance.name.empty() ? "a method of its own" : provenance.name),
+        "/// ");
+    if (!code.system.description.empty()) { purpose.comment(code.system.description, "/// "); }
+    part.purpose = purpose.str();
+    part.head = "template <class Number>";
+    part.class_name = "Basic" + options.class_name;
+    part.condition = "static_assert(hvi::detail::is_standard<Number>,\n"
+                     "              \"hvi: a scene is computed in float, double or long double\");";
+    Writer types(1);
+    types.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
+    types.line("using Place = std::ptrdiff_t;").blank();
+    types.insert(loop_parameters_text(code.system)).blank();
+    types.insert(loop_system_text(code)).blank();
+    if (step.iteration() != nullptr) { types.line("using Solver = hvi::FixedPoint;").blank(); }
+    part.types = types.str();
+    part.state = "hvi::State<Vector>";
+    part.construct = constructors_for_loops(code, part.class_name);
+    part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
+    return part;
+}
+
 }  // namespace
 
 SystemPart system_part(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
-    return options.system == nullptr ? for_users(step, options)
-                                     : for_scene(method.provenance(), step, options);
+    if (options.system != nullptr) { return for_scene(method.provenance(), step, options); }
+    return options.loops != nullptr ? for_loops(method.provenance(), step, options)
+                                    : for_users(step, options);
 }
 
 Holes holes_of(const SystemPart& part) {

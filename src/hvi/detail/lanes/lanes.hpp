@@ -136,6 +136,18 @@ public:
 
     void store(Row& row) const { store(row, each{}); }
 
+    /// The `count` numbers from there on, wherever that is. Precondition: none is left over.
+    [[nodiscard]] static Lanes load(const Number* from) {
+        static_assert(count == places, "registers are filled");
+        return Lanes(load(from, each{}));
+    }
+
+    /// The same the other way.
+    void store(Number* to) const {
+        static_assert(count == places, "registers are filled");
+        store(to, each{});
+    }
+
     /// f(x) in each lane, f being a function of one register.
     template <class F>
     [[nodiscard]] Lanes map(F f) const {
@@ -231,6 +243,16 @@ private:
     template <std::size_t... i>
     void store(Row& row, std::index_sequence<i...>) const {
         (Register::store(parts_[i], row.at + i * width), ...);
+    }
+
+    template <std::size_t... i>
+    [[nodiscard]] static Parts load(const Number* from, std::index_sequence<i...>) {
+        return {Register::load_anywhere(from + i * width)...};
+    }
+
+    template <std::size_t... i>
+    void store(Number* to, std::index_sequence<i...>) const {
+        (Register::store_anywhere(parts_[i], to + i * width), ...);
     }
 
     template <class F, std::size_t... i>

@@ -98,6 +98,10 @@ struct Register {
     using Type = typename RegisterOf<Number, width>::type;
     [[nodiscard]] static Type load(const Number* from) { return Type::load_aligned(from); }
     static void store(const Type& x, Number* to) { x.store_aligned(to); }
+    [[nodiscard]] static Type load_anywhere(const Number* from) {
+        return Type::load_unaligned(from);
+    }
+    static void store_anywhere(const Type& x, Number* to) { x.store_unaligned(to); }
     [[nodiscard]] static Number sum(const Type& x) {
 #if HVI_HAS_XSIMD && XSIMD_VERSION_MAJOR < 9
         return hadd(x);
@@ -112,6 +116,8 @@ struct Register<Number, 1> {
     using Type = Number;
     [[nodiscard]] static const Number& load(const Number* from) { return *from; }
     static void store(const Number& x, Number* to) { *to = x; }
+    [[nodiscard]] static const Number& load_anywhere(const Number* from) { return *from; }
+    static void store_anywhere(const Number& x, Number* to) { *to = x; }
     [[nodiscard]] static const Number& sum(const Number& x) { return x; }
 };
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/loops.hpp"
+
+#include <algorithm>
+
+#include "generator/emit/steps/banner.hpp"
+#include "generator/emit/steps/explicit_moves.hpp"
+#include "generator/emit/steps/header.hpp"
+#include "generator/emit/steps/system_part.hpp"
+#include "generator/ir/equal.hpp"
+#include "src/hvi/version.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The weight of a move, which is 1 where there is no table of them.
+std::string weight_of(const Step& step, const Move& move) {
+    const std::vector<StageValue>& values = move.kick ? step.positions : step.momenta;
+    const bool are_ones = std::all_of(values.begin(), values.end(), [](const StageValue& value) {
+        return equal(value.weight, 1);
+    });
+    return are_ones ? "Scalar(1)" : fmt::format("b_{}[{}]", move.kick ? "p" : "q", move.index);
+}
+
+std::string moves_text(const Step& step) {
+    Writer writer(3);
+    for (const Move& move : moves(step)) {
+        writer.line("Move{{Move::{}, {}}},", move.kick ? "kick" : "drift", weight_of(step, move));
+    }
+    return writer.str();
+}
+
+/// Forces of so many steps that go well. NOTE: the last kick of a step and the first of the next
+/// one have the same.
+std::string forces_of(const std::vector<Move>& all, std::string_view steps) {
+    const auto kicks =
+        std::count_if(all.begin(), all.end(), [](const Move& move) { return move.kick; });
+    const bool are_shared = kicks > 1 && all.front().kick && all.back().kick;
+    return are_shared ? fmt::format("({} > 0 ? {} * {} + 1 : 0)", steps, kicks - 1, steps)
+                      : fmt::format("{} * {}", kicks, steps);
+}
+
+std::string emit_sites(const OneStepMethod& method, const Step& step, const ExplicitStep& form,
+                       const LoopCode& code, const EmitOptions& options) {
+    const SystemPart part = system_part(method, step, options);
+    const std::vector<Move> all = moves(step);
+    const std::string include = "#include <hvi/detail/coefficients/rounded.hpp>\n"
+                                "#include <hvi/detail/lanes/lane_math.hpp>\n"
+                                "#include <hvi/detail/loops/along.hpp>\n"
+                                "#include <hvi/detail/loops/ranges.hpp>\n"
+                                "#include <hvi/detail/loops/site_moves.hpp>\n"
+                                "#include <hvi/integrate.hpp>\n"
+                                "#include <hvi/version.hpp>";
+    return fill("sites.hpp.in",
+                {{"banner", banner(method, step, options)},
+                 {"include", include},
+                 {"format", std::to_string(hvi::runtime_format)},
+                 {"name", part.class_name},
+                 {"purpose", part.purpose},
+                 {"types", part.types},
+                 {"members", loop_members_text(code)},
+                 {"weights", weights_text(step)},
+                 {"moves", moves_text(step)},
+                 {"forces", forces_of(all, "run.steps")},
+                 {"sums", form.sums == Sums::plain ? "PlainSums" : "CompensatedSums"},
+                 {"alias", part.alias}});
+}
+
+}  // namespace
+
+std::string emit_loops(const OneStepMethod& method, const Step& step, const LoopCode& code,
+                       const EmitOptions& options) {
+    const auto* form = std::get_if<ExplicitStep>(&step.form);
+    if (form != nullptr && code.sites) { return emit_sites(method, step, *form, code, options); }
+    return emit(method, step, options);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/system/loop_code.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "generator/emit/system/loop_names.hpp"
+#include "generator/emit/system/loop_writer.hpp"
+#include "generator/emit/system/scene_code.hpp"
+#include "generator/emit/system/site_writer.hpp"
+#include "generator/emit/text/text.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+std::vector<const LoopFamily*> all_families(const LoopSystem& system) {
+    std::vector<const LoopFamily*> families;
+    for (const auto* each : {&system.coordinates, &system.momenta}) {
+        for (const LoopFamily& family : *each) { families.push_back(&family); }
+    }
+    for (const LoopTable& table : system.tables) { families.push_back(&table.family); }
+    return families;
+}
+
+// ---- the functions of the class ----
+
+/// One sum's derivatives: the name of what adds them, and which.
+struct Derivative {
+    std::string name;
+    const LoopSum* sum;
+    const std::vector<AccessSlope>* slopes;
+};
+
+std::vector<Derivative> derivatives(const LoopSystem& system, bool by_q) {
+    std::vector<Derivative> result;
+    for (std::size_t s = 0; s < system.sums.size(); ++s) {
+        const LoopSum& sum = system.sums[s];
+        const std::vector<AccessSlope>& slopes = by_q ? sum.by_q : sum.by_momenta;
+        if (slopes.empty()) { continue; }
+        result.push_back({fmt::format("add_by_{}_{}", by_q ? "q" : "p", s + 1), &sum, &slopes});
+    }
+    return result;
+}
+
+class SystemClass {
+public:
+    explicit SystemClass(const LoopCode& code)
+        : code_(code), system_(code.system), names_(system_), loops_(system_, names_) {}
+
+    [[nodiscard]] std::string text() {
+        // NOTE: the constructor comes last, as it computes what the others need.
+        Writer functions(2);
+        write_gradients(functions);
+        write_values(functions);
+        write_begin(functions);
+        Writer writer(1);
+        writer.comment("H = " + to_text(system_.expression), "/// ");
+        writer.open("struct System {{");
+        writer.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
+        if (code_.sites) { write_site_types(writer, *code_.sites); }
+        writer.blank();
+        write_constructor(writer);
+        writer.blank().insert(functions.str());
+        writer.blank();
+        write_data(writer);
+        return writer.close("};").str();
+    }
+
+private:
+    void write_gradients(Writer& writer) {
+        writer.line("/// Degrees of freedom.");
+        writer.line("[[nodiscard]] std::size_t size() const {{ return size_; }}").blank();
+        writer.line("/// Whether lists of parameters are as long as these sizes ask for.");
+        writer.line("[[nodiscard]] bool fits() const {{ return fits_; }}").blank();
+        if (code_.sites) {
+            SiteWriter(*code_.sites, loops_).write(writer);
+            write_gathered(writer);
+            return;
+        }
+        write_scattered(writer, true);
+        writer.blank();
+        write_scattered(writer, false);
+    }
+
+    void write_gathered(Writer& writer) const {
+        writer.blank().open("void dHdq(const Vector& q, Vector& out) const {{");
+        count_evaluation(writer);
+        writer.line("hvi::detail::gather(*this, q.data(), out.data());").close();
+        writer.blank().open("void dHdp(const Vector& p, Vector& out) const {{");
+        writer.line("hvi::detail::velocities(*this, p.data(), out.data());").close();
+    }
+
+    void count_evaluation(Writer& writer) const {
+        if (code_.evaluations) { writer.line("++evaluations;"); }
+    }
+
+    void write_scattered(Writer& writer, bool by_q) {
+        const std::vector<Derivative> all = derivatives(system_, by_q);
+        for (const Derivative& each : all) {
+            loops_.write_derivatives(writer, each.name, *each.sum, *each.slopes);
+            writer.blank();
+        }
+        const bool is_separable = system_.is_separable();
+        const std::string letter = by_q ? "q" : "p";
+        writer.open("void dHd{}({}, Vector& out) const {{", letter,
+                    is_separable
+                        ? fmt::format("[[maybe_unused]] const Vector& {}", letter)
+                        : "[[maybe_unused]] const Vector& q, [[maybe_unused]] const Vector& p");
+        if (by_q) { count_evaluation(writer); }
+        writer.line("std::fill(out.begin(), out.end(), Scalar(0));");
+        for (const Derivative& each : all) {
+            const std::string q = is_separable && !by_q ? "nullptr" : "q.data()";
+            const std::string p = is_separable && by_q ? "nullptr" : "p.data()";
+            loops_.call_derivatives(writer, each.name, *each.sum, q, p);
+        }
+        writer.close();
+    }
+
+    void write_value(Writer& writer, const std::string& name, const std::vector<LoopSum>& sums) {
+        writer.blank().open("[[nodiscard]] Scalar {}([[maybe_unused]] const Vector& q_of, "
+                            "[[maybe_unused]] const Vector& p_of) const {{",
+                            name);
+        writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
+        writer.line("[[maybe_unused]] const Scalar* const p = p_of.data();");
+        writer.line("hvi::detail::CompensatedTotal<Scalar> total;");
+        for (const LoopSum& sum : sums) { loops_.write_total(writer, sum); }
+        writer.line("return total.sum();").close();
+    }
+
+    void write_values(Writer& writer) {
+        write_value(writer, "energy", system_.sums);
+        for (const LoopInvariant& invariant : system_.invariants) {
+            write_value(writer, invariant.name, invariant.sums);
+        }
+    }
+
+    void write_begin(Writer& writer) {
+        writer.blank().line("/// Where the scene begins.");
+        writer.open("void begin(Vector& q, Vector& p) const {{");
+        writer.line("q.assign(size_, Scalar(0));").line("p.assign(size_, Scalar(0));");
+        const std::size_t count = system_.coordinates.size();
+        for (std::size_t k = 0; k < system_.initial.size(); ++k) {
+            const bool is_q = k < count;
+            loops_.write_start(writer, is_q ? system_.coordinates[k] : system_.momenta[k - count],
+                               is_q ? "q" : "p", system_.initial[k]);
+        }
+        writer.close();
+    }
+
+    // ---- the constructor, and the data ----
+
+    static std::string extent(const LoopNames& names, const LoopRange& range) {
+        return fmt::format("hvi::detail::count_of({}, {})", names.whole(range.first),
+                           names.whole(range.last));
+    }
+
+    void write_places(Writer& writer, const LoopFamily& family, std::string_view total) {
+        const std::string name = member_of(family.name);
+        const std::size_t d = family.ranges.size();
+        std::string first;
+        for (std::size_t i = d; i-- > 0;) {
+            if (i + 1 < d) {
+                writer.line("{}_step_{}_ = {}{};", name, i + 1,
+                            extent(names_, family.ranges[i + 1]),
+                            i + 2 < d ? fmt::format(" * {}_step_{}_", name, i + 2) : "");
+            }
+            first += fmt::format(" - ({}){}", names_.whole(family.ranges[i].first),
+                                 i + 1 < d ? fmt::format(" * {}_step_{}_", name, i + 1) : "");
+        }
+        writer.line("{}_at_ = {}{};", name, total.empty() ? "0" : total, first);
+        if (total.empty()) { return; }
+        std::string count = d == 0 ? "1" : extent(names_, family.ranges[0]);
+        if (d > 1) { count += fmt::format(" * {}_step_1_", name); }
+        writer.line("{} += {};", total, count);
+    }
+
+    /// NOTE: elements that may be out of a table where sizes are others than those of the scene.
+    void write_fits(Writer& writer) {
+        for (const LoopTable& table : system_.tables) {
+            std::set<std::string> needed;
+            std::vector<std::size_t> extents;
+            for (const LoopRange& range : table.family.ranges) {
+                extents.push_back(static_cast<std::size_t>(range.last.constant));
+            }
+            const std::string name = member_of(table.family.name);
+            std::size_t count = 1;
+            for (const std::size_t extent : extents) { count *= extent; }
+            if (extents.size() > 1) {
+                writer.line("fits_ = fits_ && parameters.{}.size() >= {};", name, count);
+            }
+            for (const std::string& last : loops_.last_indices(table.family)) {
+                needed.insert(last);
+            }
+            for (const std::string& last : needed) { writer.line("fits_ = fits_ && {};", last); }
+        }
+    }
+
+    void write_constructor(Writer& writer) {
+        Writer body(2);
+        body.line("Place in_q = 0, in_p = 0;");
+        for (const LoopFamily& family : system_.coordinates) { write_places(body, family, "in_q"); }
+        for (const LoopFamily& family : system_.momenta) { write_places(body, family, "in_p"); }
+        for (const LoopTable& table : system_.tables) { write_places(body, table.family, ""); }
+        body.line("size_ = static_cast<std::size_t>(in_q);");
+        if (code_.sites) { body.line("count_ = in_q / {};", system_.coordinates.size()); }
+        write_fits(body);
+        const NodeNames given = names_.setup_names();
+        const auto results = write_code(body, system_.graph, names_.setup(), given, "hvi::math");
+        for (std::size_t k = 0; k < results.size(); ++k) {
+            body.line("c{} = {};", k + 1, results[k]);
+        }
+        writer.line("explicit System({}const Parameters& parameters{})",
+                    uses_parameters() ? "" : "[[maybe_unused]] ",
+                    has_chunks() ? ", unsigned threads = 1" : ", unsigned /*threads*/ = 1");
+        std::vector<std::string> members;
+        for (const LoopSize& size : system_.sizes) {
+            members.push_back(fmt::format("{0}_(parameters.{0})", member_of(size.name)));
+        }
+        for (const LoopTable& table : system_.tables) {
+            members.push_back(
+                fmt::format("{0}_values_(parameters.{0})", member_of(table.family.name)));
+        }
+        if (has_chunks()) { members.emplace_back("team_(threads)"); }
+        if (members.empty()) {
+            writer.open("{{");
+        } else {
+            writer.open("    : {} {{", fmt::join(members, ", "));
+        }
+        writer.insert(body.str()).close();
+    }
+
+    [[nodiscard]] bool uses_parameters() const {
+        return !system_.sizes.empty() || !system_.tables.empty() || !names_.members().empty();
+    }
+
+    /// Whether sums over pairs are cut into chunks.
+    [[nodiscard]] bool has_chunks() const {
+        return !code_.sites && std::any_of(system_.sums.begin(), system_.sums.end(),
+                                           [](const LoopSum& sum) { return sum.loops.size() > 1; });
+    }
+
+    void write_data(Writer& writer) const {
+        for (std::size_t k = 0; k < names_.constants().size(); ++k) {
+            const Expression& value = system_.graph.at(names_.constants()[k]).constant;
+            writer.line("static constexpr Scalar k{} = {};  // {}", k + 1, initializer(value),
+                        to_text(value));
+        }
+        for (const LoopSize& size : system_.sizes) {
+            writer.line("Place {}_;", member_of(size.name));
+        }
+        for (const LoopTable& table : system_.tables) {
+            writer.line("Vector {}_values_;", member_of(table.family.name));
+        }
+        for (const LoopFamily* family : all_families(system_)) {
+            const std::string name = member_of(family->name);
+            std::string line = fmt::format("Place {}_at_ = 0", name);
+            for (std::size_t d = 1; d < family->ranges.size(); ++d) {
+                line += fmt::format(", {}_step_{}_ = 0", name, d);
+            }
+            writer.line("{};", line);
+        }
+        for (std::size_t k = 0; k < names_.members().size(); ++k) {
+            writer.line("Scalar c{} = 0;", k + 1);
+        }
+        writer.line("std::size_t size_ = 0;").line("bool fits_ = true;");
+        if (code_.sites) { writer.line("Place count_ = 0;  // of sites"); }
+        if (has_chunks()) {
+            writer.line("mutable hvi::detail::Team team_;");
+            writer.line("mutable Vector memory_{{}};  // of chunks");
+        }
+        if (code_.evaluations) {
+            writer.line("mutable std::int64_t evaluations = 0;  // of dH/dq");
+        }
+    }
+
+    const LoopCode& code_;
+    const LoopSystem& system_;
+    LoopNames names_;
+    LoopWriter loops_;
+};
+
+}  // namespace
+
+std::string loop_parameters_text(const LoopSystem& system) {
+    Writer writer(1);
+    writer.line("/// As the scene has them.").open("struct Parameters {{");
+    for (const LoopSize& size : system.sizes) {
+        writer.line("Place {} = {};", member_of(size.name), size.value);
+    }
+    for (const SystemParameter& parameter : system.parameters) {
+        writer.line("Scalar {} = {};  // {} = {}", member_of(parameter.name),
+                    initializer(parameter.value), parameter.name, to_text(parameter.value));
+    }
+    for (const LoopTable& table : system.tables) {
+        writer.open("std::vector<Scalar> {}{{", member_of(table.family.name));
+        for (const Expression& value : table.values) { writer.line("{},", initializer(value)); }
+        writer.close("};");
+    }
+    return writer.close("};").str();
+}
+
+std::string loop_system_text(const LoopCode& code) { return SystemClass(code).text(); }
+
+std::string loop_members_text(const LoopCode& code) {
+    Writer writer(1);
+    writer.line("/// Where the scene begins.");
+    writer.open("[[nodiscard]] static State initial(const Parameters& parameters) {{")
+        .line("State x;")
+        .line("System(parameters).begin(x.q, x.p);")
+        .line("return x;")
+        .close();
+    writer.line("[[nodiscard]] static State initial() {{ return initial(Parameters{{}}); }}");
+    const auto value = [&](const std::string& name, const Expression& expression) {
+        writer.blank().comment(to_text(expression), "/// ");
+        writer.open("[[nodiscard]] Scalar {}(const State& x) const {{", name)
+            .line("return system_.{}(x.q, x.p);", name)
+            .close();
+    };
+    if (code.evaluations) {
+        writer.blank().line("/// How often dH/dq was evaluated.");
+        writer.line(
+            "[[nodiscard]] std::int64_t evaluations() const {{ return system_.evaluations; }}");
+    }
+    value("energy", code.system.expression);
+    for (const LoopInvariant& invariant : code.system.invariants) {
+        value(invariant.name, invariant.expression);
+    }
+    return writer.str();
+}
+
+}  // namespace hvi::gen

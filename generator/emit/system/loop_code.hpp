@@ -1,0 +1,29 @@
+// The parts of a header that a scene with loops decides: H and its derivatives for any sizes.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/ir/loop_system.hpp"
+#include "generator/lower/site_force.hpp"
+
+namespace hvi::gen {
+
+/// A system with loops, and its sites where it is a lattice.
+struct LoopCode {
+    const LoopSystem& system;
+    const std::optional<SiteSystem>& sites;
+    bool evaluations = false;  ///< of dH/dq are counted
+};
+
+/// `struct Parameters`, with sizes, numbers and tables of the scene as defaults.
+[[nodiscard]] std::string loop_parameters_text(const LoopSystem& system);
+
+/// `struct System`: what a stepper needs of H, with loops where the scene has sums.
+[[nodiscard]] std::string loop_system_text(const LoopCode& code);
+
+/// `static State initial(...)`, the energy and the invariants, as members of a stepper.
+[[nodiscard]] std::string loop_members_text(const LoopCode& code);
+
+}  // namespace hvi::gen

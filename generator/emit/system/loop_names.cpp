@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/system/loop_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "generator/emit/text/names.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+std::string member_of(const std::string& name) { return member_name(name); }
+
+LoopNames::LoopNames(const LoopSystem& system) : system_(system) {
+    for (Node node = 0; node < system.graph.size(); ++node) {
+        const Computation& computation = system.graph.at(node);
+        if (computation.operation != Operation::input || varies(computation.roles)) { continue; }
+        const std::string& name = computation.name;
+        const bool is_size = std::any_of(system.sizes.begin(), system.sizes.end(),
+                                         [&](const LoopSize& size) { return size.name == name; });
+        inputs_[node] = is_size ? fmt::format("static_cast<Scalar>(parameters.{})", member_of(name))
+                                : fmt::format("parameters.{}", member_of(name));
+    }
+}
+
+/// NOTE: other names in the code are q, p, out, e, k, V, h, x and t1, t2, ..., or end in an
+/// underscore.
+std::string LoopNames::index(const std::string& name) const {
+    const bool is_free =
+        name.size() == 1 && std::string("abcdfgijlmnorsuvwyz").find(name) != std::string::npos;
+    return is_free ? name : "index_" + name;
+}
+
+std::string LoopNames::whole(const AffineForm& form) const {
+    std::string text;
+    const auto add = [&](bool is_negative, const std::string& size) {
+        text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
+        text += size;
+    };
+    for (const auto& [name, coefficient] : form.coefficients) {
+        const bool is_size =
+            std::any_of(system_.sizes.begin(), system_.sizes.end(),
+                        [&, &known = name](const LoopSize& size) { return size.name == known; });
+        const std::string called = is_size ? member_of(name) + "_" : index(name);
+        const long size = std::labs(coefficient);
+        add(coefficient < 0, size == 1 ? called : fmt::format("{} * {}", size, called));
+    }
+    if (form.constant != 0 || text.empty()) {
+        add(form.constant < 0, std::to_string(std::labs(form.constant)));
+    }
+    return text;
+}
+
+std::string LoopNames::place(const Access& access) const {
+    const LoopFamily& family = system_.family(access);
+    const std::string name = member_of(family.name);
+    std::string text = name + "_at_";
+    for (std::size_t d = 0; d < access.indices.size(); ++d) {
+        const auto& [form, modulus, offset] = access.indices[d];
+        std::string index = whole(form);
+        if (modulus) {
+            index = fmt::format("hvi::detail::remainder({}, {})", index, whole(*modulus));
+            if (offset != AffineForm{}) { index += " + (" + whole(offset) + ")"; }
+        }
+        const bool is_last = d + 1 == access.indices.size();
+        text += is_last ? fmt::format(" + ({})", index)
+                        : fmt::format(" + ({}) * {}_step_{}_", index, name, d + 1);
+    }
+    return text;
+}
+
+std::string LoopNames::array(const Access& access) const {
+    switch (access.kind) {
+    case FamilyKind::coordinate: return "q";
+    case FamilyKind::momentum: return "p";
+    case FamilyKind::table: break;
+    }
+    return member_of(system_.family(access).name) + "_values_.data()";
+}
+
+void LoopNames::name_constant(Node node) {
+    if (names_.count(node) != 0) { return; }
+    constants_.push_back(node);
+    names_[node] = fmt::format("k{}", constants_.size());
+}
+
+NodeNames LoopNames::given(const Kernel& kernel, const NodeNames& locals) {
+    NodeNames result = locals;
+    for (const Node node : kernel.given) {
+        if (system_.graph.is_number({{1, 1}, node}) || locals.count(node) != 0) { continue; }
+        if (system_.graph.at(node).operation == Operation::constant) {
+            name_constant(node);
+        } else if (names_.count(node) == 0) {
+            members_.push_back(node);
+            names_[node] = fmt::format("c{}", members_.size());
+        }
+        result[node] = names_.at(node);
+    }
+    return result;
+}
+
+Kernel LoopNames::setup() const {
+    std::vector<Scaled> results;
+    for (const Node node : members_) { results.push_back({{1, 1}, node}); }
+    return kernel_of_inputs(system_.graph, results);
+}
+
+NodeNames LoopNames::setup_names() {
+    const Kernel kernel = setup();
+    NodeNames result = inputs_;
+    for (const Node node : kernel.given) {
+        if (system_.graph.at(node).operation == Operation::constant &&
+            !system_.graph.is_number({{1, 1}, node})) {
+            name_constant(node);
+            result[node] = names_.at(node);
+        }
+    }
+    return result;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/system/loop_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "generator/emit/system/scene_code.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+std::vector<Scaled> values(const std::vector<AccessSlope>& slopes) {
+    std::vector<Scaled> result;
+    for (const AccessSlope& slope : slopes) { result.push_back(slope.value); }
+    return result;
+}
+
+/// NOTE: a square root or a quotient of eight numbers is no faster than two of four.
+std::size_t lanes_for(const Kernel& kernel) {
+    const auto& [additions, multiplications, divisions, roots, calls] = kernel.counts;
+    return divisions + roots > 0 && calls == 0 ? 4 : 8;
+}
+
+}  // namespace
+
+bool LoopWriter::depends(std::size_t access, const std::string& index) const {
+    const std::vector<ElementIndex>& indices = system_.accesses[access].indices;
+    return std::any_of(indices.begin(), indices.end(), [&](const ElementIndex& each) {
+        return each.form.coefficient(index) != 0 ||
+               (each.modulus && each.modulus->coefficient(index) != 0) ||
+               each.offset.coefficient(index) != 0;
+    });
+}
+
+/// NOTE: each element stays along the innermost loop, or is followed by its neighbours.
+bool LoopWriter::goes_in_lanes(const LoopSum& sum) const {
+    if (sum.loops.empty()) { return false; }
+    const std::string& inner = sum.loops.back().index;
+    return std::all_of(sum.accesses.begin(), sum.accesses.end(), [&](std::size_t a) {
+        if (!depends(a, inner)) { return true; }
+        const std::vector<ElementIndex>& indices = system_.accesses[a].indices;
+        const bool only_last =
+            std::none_of(indices.begin(), indices.end() - 1, [&](const ElementIndex& index) {
+                return index.form.coefficient(inner) != 0 || index.modulus;
+            });
+        const ElementIndex& last = indices.back();
+        return only_last && last.form.coefficient(inner) == 1 && !last.modulus;
+    });
+}
+
+void LoopWriter::name_indices(NodeNames& locals, const std::vector<Loop>& loops) const {
+    for (Node node = 0; node < system_.graph.size(); ++node) {
+        const Computation& computation = system_.graph.at(node);
+        if (computation.operation != Operation::input) { continue; }
+        for (const Loop& loop : loops) {
+            if (computation.name != loop.index) { continue; }
+            locals[node] = fmt::format("static_cast<Scalar>({})", names_.index(loop.index));
+        }
+    }
+}
+
+NodeNames LoopWriter::load(Writer& writer, const std::vector<std::size_t>& accesses,
+                           const Kernel& kernel, const std::vector<Loop>& loops) {
+    NodeNames locals;
+    name_indices(locals, loops);
+    std::size_t count = 0;
+    for (const std::size_t a : accesses) {
+        const Access& access = system_.accesses[a];
+        if (access.node >= kernel.uses.size() || kernel.uses[access.node] == 0) { continue; }
+        const std::string name = fmt::format("a{}", ++count);
+        writer.line("const Scalar {} = {}[{}];", name, names_.array(access), names_.place(access));
+        locals[access.node] = name;
+    }
+    return names_.given(kernel, locals);
+}
+
+void LoopWriter::open_loop(Writer& writer, const Loop& loop) const {
+    const std::string i = names_.index(loop.index);
+    writer.open("for (Place {0} = {1}; {0} <= {2}; ++{0}) {{", i, names_.whole(loop.range.first),
+                names_.whole(loop.range.last));
+}
+
+/// What a sum does at one place, where it goes one by one.
+void LoopWriter::write_body(Writer& writer, const LoopSum& sum,
+                            const std::vector<AccessSlope>& slopes) {
+    const Kernel slope = kernel(system_.graph, values(slopes));
+    const NodeNames given = load(writer, sum.accesses, slope, sum.loops);
+    const auto results = write_code(writer, system_.graph, slope, given, "hvi::math");
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
+        writer.line("out[{}] += {};", names_.place(system_.accesses[slopes[k].access]), results[k]);
+    }
+}
+
+void LoopWriter::write_along(Writer& writer, const LoopSum& sum, const Kernel& kernel,
+                             const AlongLoop& loop,
+                             const std::function<void(const std::vector<std::string>&)>& use) {
+    const std::string& inner = sum.loops.back().index;
+    NodeNames locals;
+    std::size_t count = 0;
+    const auto load = [&](bool moves, std::string_view type, std::string_view before,
+                          std::string_view between, std::string_view after) {
+        for (const std::size_t a : sum.accesses) {
+            const Access& access = system_.accesses[a];
+            const bool is_used = access.node < kernel.uses.size() && kernel.uses[access.node] != 0;
+            if (!is_used || depends(a, inner) != moves) { continue; }
+            locals[access.node] = fmt::format("a{}", ++count);
+            writer.line("const {} a{} = {}{}{}{}{};", type, count, before, names_.array(access),
+                        between, names_.place(access), after);
+        }
+    };
+    load(false, "Scalar", "", "[", "]");
+    name_indices(locals, sum.loops);
+    const std::string j = names_.index(inner);
+    for (auto& [node, name] : locals) {
+        if (system_.graph.at(node).name == inner) { name = fmt::format("stretch.indices({})", j); }
+    }
+    writer.open("hvi::detail::along<Scalar, {}>({}, {}, [&](auto stretch, Place {}) HVI_INLINED {{",
+                loop.width, loop.first, loop.end, j);
+    writer.line("using V = hvi::detail::ValueOf<decltype(stretch)>;");
+    load(true, "V", "stretch.load(", " + ", ")");
+    use(write_code(writer, system_.graph, kernel, names_.given(kernel, locals), "hvi::math", "V"));
+    writer.close("});");
+}
+
+/// Adds the derivatives, with the innermost loop in lanes. NOTE: what is taken away costs less than
+/// what is turned and added.
+void LoopWriter::write_lanes(Writer& writer, const LoopSum& sum,
+                             const std::vector<AccessSlope>& slopes) {
+    const Loop& inner = sum.loops.back();
+    const auto is_negative = [&](const AccessSlope& slope) {
+        return depends(slope.access, inner.index) && slope.value.factor.above < 0;
+    };
+    std::vector<Scaled> results = values(slopes);
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
+        if (is_negative(slopes[k])) { results[k].factor = -results[k].factor; }
+    }
+    const Kernel slope = kernel(system_.graph, results);
+    const std::size_t width = lanes_for(slope);
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
+        if (depends(slopes[k].access, inner.index)) { continue; }
+        writer.line("hvi::detail::Total<Scalar, {}> sum_{};", width, k + 1);
+    }
+    const bool is_only_loop = sum.loops.size() == 1;
+    const AlongLoop loop{width, is_only_loop ? "from" : names_.whole(inner.range.first),
+                         is_only_loop ? "to" : names_.whole(inner.range.last + AffineForm{1})};
+    write_along(writer, sum, slope, loop, [&](const std::vector<std::string>& texts) {
+        for (std::size_t k = 0; k < slopes.size(); ++k) {
+            const Access& access = system_.accesses[slopes[k].access];
+            if (depends(slopes[k].access, inner.index)) {
+                writer.line("hvi::detail::{}(out + {}, V({}));",
+                            is_negative(slopes[k]) ? "subtract" : "add", names_.place(access),
+                            texts[k]);
+            } else {
+                writer.line("sum_{}.add(V({}));", k + 1, texts[k]);
+            }
+        }
+    });
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
+        if (depends(slopes[k].access, inner.index)) { continue; }
+        writer.line("out[{}] += sum_{}.sum();", names_.place(system_.accesses[slopes[k].access]),
+                    k + 1);
+    }
+}
+
+void LoopWriter::write_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
+                                   const std::vector<AccessSlope>& slopes) {
+    const bool in_lanes = goes_in_lanes(sum);
+    const bool is_only_loop = sum.loops.size() == 1;
+    writer.open("void {0}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* p, "
+                "Scalar* out{1}) const {{",
+                name,
+                sum.loops.empty() ? ""
+                                  : fmt::format(", Place from, Place to"
+                                                "{}",
+                                                is_only_loop ? "" : ", Place stride"));
+    if (sum.loops.empty()) {
+        write_body(writer, sum, slopes);
+    } else if (in_lanes && is_only_loop) {
+        write_lanes(writer, sum, slopes);
+    } else {
+        const std::string i = names_.index(sum.loops.front().index);
+        writer.open("for (Place {0} = from; {0} < to; {1}) {{", i,
+                    is_only_loop ? "++" + i : i + " += stride");
+        const std::size_t inner = sum.loops.size() - (in_lanes ? 1 : 0);
+        for (std::size_t l = 1; l < inner; ++l) { open_loop(writer, sum.loops[l]); }
+        if (in_lanes) {
+            write_lanes(writer, sum, slopes);
+        } else {
+            write_body(writer, sum, slopes);
+        }
+        for (std::size_t l = 0; l < inner; ++l) { writer.close(); }
+    }
+    writer.close();
+}
+
+void LoopWriter::call_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
+                                  std::string_view q, std::string_view p) {
+    if (sum.loops.empty()) {
+        writer.line("{}({}, {}, out.data());", name, q, p);
+        return;
+    }
+    const LoopRange& range = sum.loops.front().range;
+    const std::string first = names_.whole(range.first);
+    const std::string end = names_.whole(range.last + AffineForm{1});
+    if (sum.loops.size() == 1) {
+        writer.line("{}({}, {}, out.data(), {}, {});", name, q, p, first, end);
+        return;
+    }
+    writer.line("hvi::detail::chunked(team_, {}, {}, out.data(), out.size(), memory_,", first, end);
+    writer.open("    [&](Place from, Place to, Place "
+                "stride, Scalar* to_out) {{");
+    writer.line("{}({}, {}, to_out, from, to, stride);", name, q, p).close("});");
+}
+
+void LoopWriter::write_total(Writer& writer, const LoopSum& sum) {
+    const bool in_lanes = goes_in_lanes(sum);
+    const std::size_t outer = sum.loops.size() - (in_lanes ? 1 : 0);
+    const Kernel value = kernel(system_.graph, {sum.value});
+    if (outer == 0) { writer.open("{{"); }
+    for (std::size_t l = 0; l < outer; ++l) { open_loop(writer, sum.loops[l]); }
+    if (!in_lanes) {
+        const NodeNames given = load(writer, sum.accesses, value, sum.loops);
+        const auto results = write_code(writer, system_.graph, value, given, "hvi::math");
+        writer.line("total.add({});", results.front());
+    } else {
+        const LoopRange& range = sum.loops.back().range;
+        const std::size_t width = lanes_for(value);
+        writer.line("hvi::detail::Total<Scalar, {}> inner;", width);
+        write_along(writer, sum, value,
+                    {width, names_.whole(range.first), names_.whole(range.last + AffineForm{1})},
+                    [&](const std::vector<std::string>& texts) {
+                        writer.line("inner.add(V({}));", texts.front());
+                    });
+        writer.line("total.add(inner.sum());");
+    }
+    for (std::size_t l = 0; l < std::max<std::size_t>(outer, 1); ++l) { writer.close(); }
+}
+
+void LoopWriter::write_start(Writer& writer, const LoopFamily& family, std::string_view array,
+                             const LoopStart& start) {
+    if (const auto* list = std::get_if<std::vector<Scaled>>(&start.values)) {
+        write_list(writer, family, array, *list);
+    } else {
+        write_rule(writer, family, array, std::get<LoopStart::Rule>(start.values));
+    }
+}
+
+/// Where the element with these indices is.
+std::string LoopWriter::place(const LoopFamily& family,
+                              const std::vector<std::string>& indices) const {
+    const std::string name = member_of(family.name);
+    std::string text = name + "_at_";
+    for (std::size_t d = 0; d < indices.size(); ++d) {
+        const bool is_last = d + 1 == indices.size();
+        text += is_last ? fmt::format(" + {}", indices[d])
+                        : fmt::format(" + {} * {}_step_{}_", indices[d], name, d + 1);
+    }
+    return text;
+}
+
+void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::string_view array,
+                            const std::vector<Scaled>& list) {
+    const Kernel all = kernel(system_.graph, list);
+    writer.open("{{");
+    const auto results = write_code(writer, system_.graph, all, names_.given(all, {}), "hvi::math");
+    writer.open("const Scalar values[] = {{");
+    for (const std::string& result : results) { writer.line("{},", result); }
+    writer.close("};");
+    std::vector<std::string> first;
+    for (const LoopRange& range : family.ranges) {
+        first.push_back("(" + names_.whole(range.first) + ")");
+    }
+    writer.line("hvi::detail::put(values, {}, {});", array, place(family, first)).close();
+}
+
+void LoopWriter::write_rule(Writer& writer, const LoopFamily& family, std::string_view array,
+                            const LoopStart::Rule& rule) {
+    std::vector<Loop> loops;
+    std::vector<std::string> indices;
+    for (std::size_t d = 0; d < rule.indices.size(); ++d) {
+        loops.push_back({rule.indices[d], family.ranges[d]});
+        indices.push_back(names_.index(rule.indices[d]));
+    }
+    if (loops.empty()) { writer.open("{{"); }
+    for (const Loop& loop : loops) { open_loop(writer, loop); }
+    const Kernel value = kernel(system_.graph, {rule.value});
+    std::vector<std::size_t> all(system_.accesses.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const NodeNames given = load(writer, all, value, loops);
+    const auto results = write_code(writer, system_.graph, value, given, "hvi::math");
+    writer.line("{}[{}] = {};", array, place(family, indices), results.front());
+    for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
+}
+
+std::vector<std::string> LoopWriter::last_indices(const LoopFamily& table) const {
+    std::set<std::string> result;
+    std::map<std::string, long> sizes;
+    for (const LoopSize& size : system_.sizes) { sizes[size.name] = size.value; }
+    const auto add = [&](const Access& access, const std::vector<Loop>& loops) {
+        for (std::size_t d = 0; d < access.indices.size(); ++d) {
+            const ElementIndex& index = access.indices[d];
+            AffineForm last =
+                index.modulus ? *index.modulus + index.offset - AffineForm{1} : index.form;
+            for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop) {
+                const bool rises = last.coefficient(loop->index) > 0;
+                last = replaced(last, loop->index, rises ? loop->range.last : loop->range.first);
+            }
+            const long extent = table.ranges[d].last.constant;
+            if (last.is_number() || last.at(sizes) > extent) { continue; }
+            const std::string most = table.ranges.size() > 1
+                                         ? std::to_string(extent)
+                                         : fmt::format("static_cast<Place>(parameters.{}.size())",
+                                                       member_of(table.name));
+            result.insert(fmt::format("{} <= {}", names_.whole(last), most));
+        }
+    };
+    const auto add_all = [&](const std::vector<LoopSum>& sums) {
+        for (const LoopSum& sum : sums) {
+            for (const std::size_t a : sum.accesses) {
+                const Access& access = system_.accesses[a];
+                if (access.kind == FamilyKind::table && &system_.family(access) == &table) {
+                    add(access, sum.loops);
+                }
+            }
+        }
+    };
+    add_all(system_.sums);
+    for (const LoopInvariant& invariant : system_.invariants) { add_all(invariant.sums); }
+    return {result.begin(), result.end()};
+}
+
+}  // namespace hvi::gen

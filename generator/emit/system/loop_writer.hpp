@@ -1,0 +1,77 @@
+// Sums as loops in C++.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "generator/emit/system/loop_names.hpp"
+#include "generator/emit/text/text.hpp"
+
+namespace hvi::gen {
+
+/// Writes what is computed for each value of the indices of sums. Innermost loops go in lanes where
+/// all elements stand in a row or stay.
+class LoopWriter {
+public:
+    LoopWriter(const LoopSystem& system, LoopNames& names) : system_(system), names_(names) {}
+
+    /// A function that adds derivatives of a sum to `out`, for values of its first index from
+    /// `first` to `last`.
+    void write_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
+                           const std::vector<AccessSlope>& slopes);
+
+    /// The call of it for the whole sum.
+    void call_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
+                          std::string_view q, std::string_view p);
+
+    /// Adds a sum to `total`.
+    void write_total(Writer& writer, const LoopSum& sum);
+
+    /// Gives the elements of a family their values in `array`.
+    void write_start(Writer& writer, const LoopFamily& family, std::string_view array,
+                     const LoopStart& start);
+
+    /// `N_ <= static_cast<Place>(parameters.m.size())`, ...: what holds where all elements of a
+    /// table that sums need are there.
+    [[nodiscard]] std::vector<std::string> last_indices(const LoopFamily& table) const;
+
+    /// Loads the elements that a kernel is given, by their own names, and returns all names that it
+    /// needs. `value`: the type of what is loaded.
+    [[nodiscard]] NodeNames load(Writer& writer, const std::vector<std::size_t>& accesses,
+                                 const Kernel& kernel, const std::vector<Loop>& loops);
+
+    [[nodiscard]] LoopNames& names() { return names_; }
+    [[nodiscard]] const LoopSystem& system() const { return system_; }
+
+private:
+    /// The loop of an innermost index, with so many numbers side by side, from first to end - 1.
+    struct AlongLoop {
+        std::size_t width;
+        std::string first, end;
+    };
+
+    /// Writes the innermost loop in lanes: what stays is loaded before it, and `use` writes what
+    /// becomes of the results, which are of the type V.
+    void write_along(Writer& writer, const LoopSum& sum, const Kernel& kernel,
+                     const AlongLoop& loop,
+                     const std::function<void(const std::vector<std::string>&)>& use);
+    void write_body(Writer& writer, const LoopSum& sum, const std::vector<AccessSlope>& slopes);
+    void write_lanes(Writer& writer, const LoopSum& sum, const std::vector<AccessSlope>& slopes);
+    void write_list(Writer& writer, const LoopFamily& family, std::string_view array,
+                    const std::vector<Scaled>& list);
+    void write_rule(Writer& writer, const LoopFamily& family, std::string_view array,
+                    const LoopStart::Rule& rule);
+    [[nodiscard]] std::string place(const LoopFamily& family,
+                                    const std::vector<std::string>& indices) const;
+    void open_loop(Writer& writer, const Loop& loop) const;
+    [[nodiscard]] bool goes_in_lanes(const LoopSum& sum) const;
+    [[nodiscard]] bool depends(std::size_t access, const std::string& index) const;
+    void name_indices(NodeNames& locals, const std::vector<Loop>& loops) const;
+
+    const LoopSystem& system_;
+    LoopNames& names_;
+};
+
+}  // namespace hvi::gen

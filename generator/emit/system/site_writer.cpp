@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/system/site_writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace hvi::gen {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& texts) {
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+void write_site_types(Writer& writer, const SiteSystem& sites) {
+    writer.line("static constexpr std::size_t dimension = {};  // indices of a site",
+                sites.ranges.size());
+    writer.line("static constexpr std::size_t components = {};", sites.forces.size());
+    writer.line("using Site = hvi::detail::Site<dimension>;");
+    writer.line("static constexpr Site reach = {{{{{}}}}};", fmt::join(sites.reach, ", "));
+}
+
+void SiteWriter::write(Writer& writer) {
+    write_sites(writer);
+    writer.blank();
+    write_force(writer);
+    writer.blank();
+    write_edge(writer);
+    writer.blank();
+    write_velocity(writer);
+}
+
+void SiteWriter::write_sites(Writer& writer) const {
+    std::vector<std::string> first, end, inside_first, inside_end;
+    const auto extreme = [&](std::string_view which, const std::vector<AffineForm>& forms,
+                             const AffineForm& more) {
+        std::vector<std::string> texts;
+        for (const AffineForm& form : forms) { texts.push_back(names_.whole(form + more)); }
+        return texts.size() == 1 ? texts.front()
+                                 : fmt::format("std::{}<Place>({{{}}})", which, joined(texts));
+    };
+    const AffineForm one{1};
+    for (std::size_t d = 0; d < sites_.ranges.size(); ++d) {
+        const LoopRange& range = sites_.ranges[d];
+        first.push_back(names_.whole(range.first));
+        end.push_back(fmt::format("std::max<Place>({}, {})", names_.whole(range.first),
+                                  names_.whole(range.last + one)));
+        inside_first.push_back(extreme("max", sites_.inside[d].firsts, {}));
+        inside_end.push_back(extreme("min", sites_.inside[d].lasts, one));
+    }
+    writer.open("[[nodiscard]] hvi::detail::Sites<dimension> sites() const {{");
+    writer.line("return {{{{{{{{{}}}}}, {{{{{}}}}}}},", joined(first), joined(end));
+    writer.line("        {{{{{{{}}}}}, {{{{{}}}}}}}}};", joined(inside_first), joined(inside_end));
+    writer.close();
+}
+
+/// Of an element that a site sees, from the number e of the site on.
+std::string SiteWriter::place(const SiteAccess& seen) const {
+    const LoopSystem& system = loops_.system();
+    const LoopFamily& family = system.family({seen.kind, seen.family, {}, 0});
+    const std::string name = member_of(family.name);
+    const std::size_t d = family.ranges.size();
+    if (seen.kind != FamilyKind::table) {
+        std::string text = seen.family == 0 ? "e" : fmt::format("{} * count_ + e", seen.family);
+        for (std::size_t i = 0; i < d; ++i) {
+            const long offset = seen.offset[i].constant;
+            if (offset == 0) { continue; }
+            const long size = std::labs(offset);
+            const std::string step = i + 1 == d ? std::to_string(size)
+                                     : size == 1
+                                         ? fmt::format("{}_step_{}_", name, i + 1)
+                                         : fmt::format("{} * {}_step_{}_", size, name, i + 1);
+            text += (offset < 0 ? " - " : " + ") + step;
+        }
+        return text;
+    }
+    std::string text = name + "_at_";
+    for (std::size_t i = 0; i < d; ++i) {
+        const std::string offset = names_.whole(seen.offset[i]);
+        const std::string index =
+            seen.of[i] ? fmt::format("k[{}] + {}", *seen.of[i], offset) : offset;
+        text += i + 1 == d ? fmt::format(" + ({})", index)
+                           : fmt::format(" + ({}) * {}_step_{}_", index, name, i + 1);
+    }
+    return text;
+}
+
+/// Loads what forces or velocities look at.
+NodeNames SiteWriter::locals(Writer& writer, const Kernel& kernel) {
+    const std::size_t last = sites_.ranges.size() - 1;
+    NodeNames names;
+    std::size_t count = 0;
+    for (const SiteAccess& seen : sites_.accesses) {
+        if (seen.node >= kernel.uses.size() || kernel.uses[seen.node] == 0) { continue; }
+        if (seen.kind == FamilyKind::momentum) {
+            names[seen.node] = fmt::format("p[{}]", seen.family);
+            continue;
+        }
+        const Access access{seen.kind, seen.family, {}, 0};
+        const bool moves = std::find(seen.of.begin(), seen.of.end(), last) != seen.of.end();
+        names[seen.node] = fmt::format("a{}", ++count);
+        if (moves) {
+            writer.line("const V a{} = hvi::detail::Stretch<V>::load({} + ({}));", count,
+                        names_.array(access), place(seen));
+        } else {
+            writer.line("const Scalar a{} = {}[{}];", count, names_.array(access), place(seen));
+        }
+    }
+    for (std::size_t d = 0; d < sites_.indices.size(); ++d) {
+        names[sites_.indices[d]] = d == last
+                                       ? fmt::format("hvi::detail::Stretch<V>::indices(k[{}])", d)
+                                       : fmt::format("static_cast<Scalar>(k[{}])", d);
+    }
+    return names_.given(kernel, names);
+}
+
+void SiteWriter::write_force(Writer& writer) {
+    const LoopSystem& system = loops_.system();
+    const Kernel forces = kernel(system.graph, sites_.forces);
+    writer.comment("dU/dq of the sites e, e + 1, ... that V stands for, where all their "
+                   "neighbours are; the first has the indices k.",
+                   "/// ");
+    writer.line("template <class V>");
+    writer.open(
+        "HVI_INLINE_IN_LANES void force([[maybe_unused]] const Scalar* q, "
+        "[[maybe_unused]] Place e, [[maybe_unused]] const Site& k, V (&out)[components]) const {{");
+    const NodeNames names = locals(writer, forces);
+    const auto results = write_code(writer, system.graph, forces, names, "hvi::math", "V");
+    for (std::size_t c = 0; c < results.size(); ++c) {
+        writer.line("out[{}] = V({});", c, results[c]);
+    }
+    writer.close();
+}
+
+void SiteWriter::write_edge_term(Writer& writer, const SiteTerm& term) {
+    const LoopSystem& system = loops_.system();
+    const LoopSum& sum = system.sums[term.sum];
+    std::vector<std::string> conditions;
+    writer.open("{{");
+    for (std::size_t d = 0; d < term.indices.size(); ++d) {
+        const SiteIndex& index = term.indices[d];
+        const std::string shift = names_.whole(index.shift);
+        if (!index.loop) {
+            conditions.push_back(fmt::format("k[{}] == {}", d, shift));
+            continue;
+        }
+        const Loop& loop = sum.loops[*index.loop];
+        const std::string i = names_.index(loop.index);
+        const std::string first = names_.whole(loop.range.first);
+        const std::string last = names_.whole(loop.range.last);
+        if (index.wraps) {
+            const AffineForm length = loop.range.last - loop.range.first + AffineForm{1};
+            writer.line("const Place {} = {} + hvi::detail::remainder(k[{}] - ({}) - "
+                        "({}), {});",
+                        i, first, d, shift, first, names_.whole(length));
+        } else {
+            writer.line("const Place {} = k[{}] - ({});", i, d, shift);
+            conditions.push_back(fmt::format("{} <= {} && {} <= {}", first, i, i, last));
+        }
+    }
+    if (!conditions.empty()) { writer.open("if ({}) {{", fmt::join(conditions, " && ")); }
+    const Kernel slope = kernel(system.graph, {term.slope.value});
+    const NodeNames given = loops_.load(writer, sum.accesses, slope, sum.loops);
+    const auto results = write_code(writer, system.graph, slope, given, "hvi::math");
+    writer.line("out[{}] += {};", term.component, results.front());
+    if (!conditions.empty()) { writer.close(); }
+    writer.close();
+}
+
+void SiteWriter::write_edge(Writer& writer) {
+    writer.line("/// The same of any site.");
+    writer.open("void force_at_edge([[maybe_unused]] const Scalar* q, Place, "
+                "[[maybe_unused]] const Site& k, Scalar "
+                "(&out)[components]) const {{");
+    writer.line("for (Scalar& each : out) {{ each = 0; }}");
+    for (const SiteTerm& term : sites_.terms) { write_edge_term(writer, term); }
+    writer.close();
+}
+
+void SiteWriter::write_velocity(Writer& writer) {
+    const LoopSystem& system = loops_.system();
+    const Kernel velocities = kernel(system.graph, sites_.velocities);
+    writer.line("/// dT/dp of sites with the momenta p.");
+    writer.line("template <class V>");
+    writer.open(
+        "HVI_INLINE_IN_LANES void velocity([[maybe_unused]] const V (&p)[components], "
+        "[[maybe_unused]] Place e, [[maybe_unused]] const Site& k, V (&out)[components]) const {{");
+    const NodeNames names = locals(writer, velocities);
+    const auto results = write_code(writer, system.graph, velocities, names, "hvi::math", "V");
+    for (std::size_t c = 0; c < results.size(); ++c) {
+        writer.line("out[{}] = V({});", c, results[c]);
+    }
+    writer.close();
+}
+
+}  // namespace hvi::gen

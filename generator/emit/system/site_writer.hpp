@@ -1,0 +1,35 @@
+// The forces on the sites of a lattice in C++.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/emit/system/loop_writer.hpp"
+#include "generator/lower/site_force.hpp"
+
+namespace hvi::gen {
+
+/// What is known of the sites when the header is compiled.
+void write_site_types(Writer& writer, const SiteSystem& sites);
+
+/// Writes what src/hvi/detail/loops/sites.hpp asks of a system.
+class SiteWriter {
+public:
+    SiteWriter(const SiteSystem& sites, LoopWriter& loops)
+        : sites_(sites), loops_(loops), names_(loops.names()) {}
+
+    void write(Writer& writer);
+
+private:
+    void write_sites(Writer& writer) const;
+    void write_force(Writer& writer);
+    void write_edge(Writer& writer);
+    void write_edge_term(Writer& writer, const SiteTerm& term);
+    void write_velocity(Writer& writer);
+    [[nodiscard]] NodeNames locals(Writer& writer, const Kernel& kernel);
+    [[nodiscard]] std::string place(const SiteAccess& access) const;
+
+    const SiteSystem& sites_;
+    LoopWriter& loops_;
+    LoopNames& names_;
+};
+
+}  // namespace hvi::gen

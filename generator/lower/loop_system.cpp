@@ -1,0 +1,492 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/loop_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/lower/derivative.hpp"
+#include "generator/lower/element_ranges.hpp"
+#include "generator/lower/kernel.hpp"
+#include "generator/lower/loop_terms.hpp"
+#include "generator/lower/lower.hpp"
+#include "generator/read/names.hpp"
+#include "generator/read/nearest.hpp"
+#include "generator/read/put_in.hpp"
+#include "generator/read/sizes.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// A family by its name.
+struct Named {
+    FamilyKind kind;
+    std::size_t number;
+};
+
+std::string text_of(const ElementIndex& index) {
+    if (!index.modulus) { return to_text(index.form); }
+    const std::string rest =
+        fmt::format("mod({}, {})", to_text(index.form), to_text(*index.modulus));
+    return index.offset == AffineForm{} ? rest : rest + " + " + to_text(index.offset);
+}
+
+std::string text_of(const std::string& name, const std::vector<ElementIndex>& indices) {
+    std::vector<std::string> texts;
+    for (const ElementIndex& index : indices) { texts.push_back(text_of(index)); }
+    return fmt::format("{}[{}]", name, fmt::join(texts, ","));
+}
+
+/// Where the kinds of what a summand depends on differ, it is another sum.
+constexpr Roles of_state =
+    static_cast<Roles>(Role::coordinate) | static_cast<Roles>(Role::conjugate);
+
+class LoopLowering {
+public:
+    explicit LoopLowering(const IndexedScene& written) : written_(written) {}
+
+    [[nodiscard]] LoopSystem operator()();
+
+private:
+    void refuse_side() const;
+    void declare_sizes();
+    void declare_families(const NameTexts& texts, FamilyKind kind);
+    void check_pairs() const;
+    void declare(const std::string& name, const Place& place);
+    void declare_parameters();
+    void declare_table(const IndexedValue& value, const ValueList& list);
+    void define();
+
+    [[nodiscard]] std::vector<LoopSum> sums(const IndexedExpression& expression);
+    [[nodiscard]] Scaled value(const Expression& term, const std::vector<Loop>& loops,
+                               const std::shared_ptr<const Source>& source);
+    [[nodiscard]] Expression with_accesses(const Expression& term, const std::vector<Loop>& loops,
+                                           const std::shared_ptr<const Source>& source,
+                                           Symbols& symbols);
+    [[nodiscard]] std::string access(const Expression& element, const std::vector<Loop>& loops,
+                                     const std::shared_ptr<const Source>& source, Symbols& symbols);
+    [[nodiscard]] ElementIndex index(const Expression& written, const std::vector<Loop>& loops,
+                                     const std::shared_ptr<const Source>& source) const;
+    void check_known(const Expression& part, const std::vector<Loop>& loops,
+                     const std::shared_ptr<const Source>& source) const;
+    void add_slopes(LoopSum& sum);
+    [[nodiscard]] const LoopFamily& family(const Named& named) const;
+
+    [[nodiscard]] LoopStart start(const LoopFamily& family);
+    [[nodiscard]] LoopStart start(const LoopFamily& family, const IndexedValue& value);
+
+    const IndexedScene& written_;
+    LoopSystem system_;
+    std::map<std::string, long> sizes_;
+    std::map<std::string, Named> families_;
+    std::set<std::string> taken_;  ///< all names but those of indices
+    Symbols symbols_;              ///< parameters, and sizes as numbers
+    Definitions definitions_;
+};
+
+// ---- names ----
+
+void LoopLowering::refuse_side() const {
+    if (written_.side == Side::hamiltonian) { return; }
+    throw InputError("a Lagrangian of more than 64 degrees of freedom is not built",
+                     whole(written_.function.source), "write its Hamiltonian");
+}
+
+void LoopLowering::declare(const std::string& name, const Place& place) {
+    if (!taken_.insert(name).second) {
+        throw InputError(fmt::format("`{}` is named twice", name), place);
+    }
+}
+
+void LoopLowering::declare_sizes() {
+    for (const auto& [name, value] : sizes(written_)) {
+        sizes_[name] = value;
+        system_.sizes.push_back({name, value});
+        symbols_[name] = system_.graph.input(name, Role::parameter);
+    }
+}
+
+void LoopLowering::declare_families(const NameTexts& texts, FamilyKind kind) {
+    std::vector<LoopFamily>& families =
+        kind == FamilyKind::coordinate ? system_.coordinates : system_.momenta;
+    for (const NameTexts::Text& text : texts.texts) {
+        for (const Name& name : text.names) {
+            const Place place{text.source, name.range};
+            check_parameter_name(name.stem, place, "a variable");
+            declare(name.stem, place);
+            LoopFamily family{name.stem, {}};
+            for (const IndexBounds& written : name.bounds) {
+                const auto first = affine_form(written.first), last = affine_form(written.last);
+                if (!first || !last) {
+                    throw InputError("bounds of indices are made of whole numbers and sizes",
+                                     Place{text.source, written.range});
+                }
+                family.ranges.push_back({*first, *last});
+            }
+            families_[name.stem] = {kind, families.size()};
+            families.push_back(std::move(family));
+        }
+    }
+}
+
+void LoopLowering::check_pairs() const {
+    const auto extent = [&](const LoopRange& range) {
+        return range.last.at(sizes_) - range.first.at(sizes_);
+    };
+    const auto& [coordinates, momenta] = std::tie(system_.coordinates, system_.momenta);
+    bool are_pairs = coordinates.size() == momenta.size();
+    for (std::size_t k = 0; are_pairs && k < coordinates.size(); ++k) {
+        are_pairs = coordinates[k].ranges == momenta[k].ranges;
+        for (const LoopRange& range : coordinates[k].ranges) {
+            if (extent(range) < 0) {
+                throw InputError(fmt::format("`{}` has no index", coordinates[k].name),
+                                 written_.coordinates.place);
+            }
+        }
+    }
+    if (!are_pairs) {
+        throw InputError("where there are more than 64 degrees of freedom, coordinates and momenta "
+                         "are pairs of families with the same indices",
+                         written_.conjugates.place, "as x[1..N], y[1..N] and px[1..N], py[1..N]");
+    }
+}
+
+// ---- parameters ----
+
+void LoopLowering::declare_table(const IndexedValue& value, const ValueList& list) {
+    LoopTable table{{value.name, {}}, {}};
+    for (const std::size_t extent : list.extents) {
+        table.family.ranges.push_back({{1}, {static_cast<long>(extent)}});
+    }
+    for (const IndexedExpression& each : list.values) {
+        Expression number = unrolled(each, {sizes_.begin(), sizes_.end()});
+        walk(number, [&](const Expression& part) {
+            if (part.kind == Expression::Kind::symbol && !is_constant(part.name)) {
+                throw InputError("where there are more than 64 degrees of freedom, lists of "
+                                 "parameters are made of numbers",
+                                 Place{each.source, part.range});
+            }
+            return true;
+        });
+        table.values.push_back(std::move(number));
+    }
+    families_[value.name] = {FamilyKind::table, system_.tables.size()};
+    system_.tables.push_back(std::move(table));
+}
+
+void LoopLowering::declare_parameters() {
+    std::vector<Parameter> numbers;
+    for (const IndexedValue& value : written_.parameters) {
+        check_parameter_name(value.name, value.place);
+        declare(value.name, value.place);
+        if (sizes_.count(value.name) != 0) { continue; }
+        if (const auto* list = std::get_if<ValueList>(&value.value)) {
+            declare_table(value, *list);
+            continue;
+        }
+        const auto& written = std::get<IndexedExpression>(value.value);
+        numbers.push_back({value.name, unrolled(written, {sizes_.begin(), sizes_.end()}),
+                           value.place, written.source});
+    }
+    resolve(numbers);
+    for (Parameter& number : numbers) {
+        const Scaled node = system_.graph.input(number.name, Role::parameter);
+        walk(number.value, [&](const Expression& part) {
+            if (part.kind == Expression::Kind::symbol && !is_constant(part.name)) {
+                throw InputError(fmt::format("`{}` is no parameter", part.name),
+                                 Place{number.source, part.range});
+            }
+            return true;
+        });
+        symbols_[number.name] = node;
+        system_.parameters.push_back({number.name, std::move(number.value), node.node});
+    }
+}
+
+void LoopLowering::define() {
+    for (const Definition& definition : written_.definitions) {
+        declare(definition.name, definition.place);
+        definitions_.add(definition);
+    }
+}
+
+// ---- summands ----
+
+const LoopFamily& LoopLowering::family(const Named& named) const {
+    return system_.family({named.kind, named.number, {}, 0});
+}
+
+/// NOTE: in an index a mod stands once, and what is beside it is added.
+ElementIndex LoopLowering::index(const Expression& written, const std::vector<Loop>& loops,
+                                 const std::shared_ptr<const Source>& source) const {
+    walk(written, [&](const Expression& part) {
+        if (part.kind == Expression::Kind::symbol) {
+            const bool is_known = sizes_.count(part.name) != 0 ||
+                                  std::any_of(loops.begin(), loops.end(), [&](const Loop& loop) {
+                                      return loop.index == part.name;
+                                  });
+            if (!is_known) {
+                throw InputError(fmt::format("`{}` is neither a size nor an index here", part.name),
+                                 Place{source, part.range});
+            }
+        }
+        return true;
+    });
+    if (auto form = affine_form(written)) { return {std::move(*form)}; }
+    const auto is_mod = [](const Expression& part) {
+        return part.kind == Expression::Kind::call && part.name == "mod";
+    };
+    std::vector<Expression> parts{written};
+    if (written.kind == Expression::Kind::sum) { parts = written.arguments; }
+    const auto mod = std::find_if(parts.begin(), parts.end(), is_mod);
+    if (mod != parts.end()) {
+        auto form = affine_form(mod->arguments[0]), modulus = affine_form(mod->arguments[1]);
+        parts.erase(mod);
+        auto offset = affine_form(Expression::sum(std::move(parts)));
+        if (form && modulus && offset) {
+            return {std::move(*form), std::move(modulus), std::move(*offset)};
+        }
+    }
+    throw InputError("where there are more than 64 degrees of freedom, an index is made of whole "
+                     "numbers, sizes and indices of sums by +, - and products with numbers, or of "
+                     "one mod of these and what is added to it",
+                     Place{source, written.range});
+}
+
+/// The name of an element in the graph, and among the symbols.
+std::string LoopLowering::access(const Expression& element, const std::vector<Loop>& loops,
+                                 const std::shared_ptr<const Source>& source, Symbols& symbols) {
+    const Place place{source, element.range};
+    const auto found = families_.find(element.name);
+    if (found == families_.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& [name, named] : families_) { names.push_back(name); }
+        throw InputError(
+            fmt::format("there is no variable or parameter `{}` with an index", element.name),
+            place, did_you_mean(element.name, names, ""));
+    }
+    const LoopFamily& of = family(found->second);
+    if (of.ranges.size() != element.arguments.size()) {
+        throw InputError(fmt::format("`{}` has {} ind{}, and here {}", element.name,
+                                     of.ranges.size(), of.ranges.size() == 1 ? "ex" : "ices",
+                                     element.arguments.size()),
+                         place);
+    }
+    std::vector<ElementIndex> indices;
+    for (const Expression& written : element.arguments) {
+        indices.push_back(index(written, loops, source));
+    }
+    check_ranges(of, indices, loops, sizes_, place);
+    const std::string name = indices.empty() ? element.name : text_of(element.name, indices);
+    const FamilyKind kind = found->second.kind;
+    const Role role = kind == FamilyKind::coordinate ? Role::coordinate
+                      : kind == FamilyKind::momentum ? Role::conjugate
+                                                     : Role::index;
+    const Scaled node = system_.graph.input(name, role);
+    const bool is_new = std::none_of(system_.accesses.begin(), system_.accesses.end(),
+                                     [&](const Access& other) { return other.node == node.node; });
+    if (is_new) {
+        system_.accesses.push_back({kind, found->second.number, std::move(indices), node.node});
+    }
+    symbols[name] = node;
+    return name;
+}
+
+/// NOTE: elements become symbols, as a graph has them.
+Expression LoopLowering::with_accesses(const Expression& term, const std::vector<Loop>& loops,
+                                       const std::shared_ptr<const Source>& source,
+                                       Symbols& symbols) {
+    const bool is_scalar_variable = term.kind == Expression::Kind::symbol &&
+                                    families_.count(term.name) != 0 &&
+                                    family(families_.at(term.name)).ranges.empty();
+    if (term.kind == Expression::Kind::element || is_scalar_variable) {
+        Expression symbol = Expression::symbol(access(term, loops, source, symbols));
+        symbol.range = term.range;
+        return symbol;
+    }
+    if (term.kind == Expression::Kind::symbol) { check_known(term, loops, source); }
+    Expression result = term;
+    for (Expression& argument : result.arguments) {
+        argument = with_accesses(argument, loops, source, symbols);
+    }
+    return result;
+}
+
+void LoopLowering::check_known(const Expression& part, const std::vector<Loop>& loops,
+                               const std::shared_ptr<const Source>& source) const {
+    const std::string& name = part.name;
+    const bool is_index = std::any_of(loops.begin(), loops.end(),
+                                      [&](const Loop& loop) { return loop.index == name; });
+    if (is_constant(name) || is_index || symbols_.count(name) != 0) { return; }
+    const Place place{source, part.range};
+    if (name == "t") {
+        throw InputError("a Hamiltonian of more than 64 degrees of freedom with explicit time is "
+                         "not built",
+                         place);
+    }
+    if (families_.count(name) != 0) {
+        throw InputError(fmt::format("`{}` has an index", name), place);
+    }
+    std::vector<std::string_view> names(taken_.begin(), taken_.end());
+    throw InputError(fmt::format("`{}` has no meaning here", name), place,
+                     did_you_mean(name, names, "give it a value: add it to [parameters]"));
+}
+
+Scaled LoopLowering::value(const Expression& term, const std::vector<Loop>& loops,
+                           const std::shared_ptr<const Source>& source) {
+    Symbols symbols = symbols_;
+    const Expression written = with_accesses(term, loops, source, symbols);
+    check_functions(written, source, "an expression of a scene");
+    for (const Loop& loop : loops) {
+        symbols[loop.index] = system_.graph.input(loop.index, Role::index);
+    }
+    return lower(system_.graph, written, symbols, source);
+}
+
+std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
+    const IndexedExpression whole = definitions_.put_in(expression);
+    const auto roles = [&](const std::string& name) -> Roles {
+        const auto found = families_.find(name);
+        if (found == families_.end()) { return 0; }
+        switch (found->second.kind) {
+        case FamilyKind::coordinate: return static_cast<Roles>(Role::coordinate);
+        case FamilyKind::momentum: return static_cast<Roles>(Role::conjugate);
+        case FamilyKind::table: break;
+        }
+        return 0;
+    };
+    struct Group {
+        std::vector<Loop> loops;
+        Roles roles;
+        std::vector<Scaled> values;
+    };
+    std::vector<Group> groups;
+    for (const LoopTerm& term : loop_terms(whole, {taken_, roles})) {
+        const Scaled summand = value(term.term, term.loops, whole.source);
+        if (summand.is_zero()) { continue; }
+        const Roles found = system_.graph.at(summand.node).roles & of_state;
+        const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+            return group.loops == term.loops && group.roles == found;
+        });
+        if (same == groups.end()) {
+            groups.push_back({term.loops, found, {summand}});
+        } else {
+            same->values.push_back(summand);
+        }
+    }
+    std::vector<LoopSum> result;
+    for (Group& group : groups) {
+        result.push_back(
+            {std::move(group.loops), system_.graph.sum(std::move(group.values)), {}, {}, {}});
+        add_slopes(result.back());
+    }
+    return result;
+}
+
+void LoopLowering::add_slopes(LoopSum& sum) {
+    const Kernel whole = kernel(system_.graph, {sum.value});
+    std::vector<Node> inputs;
+    for (std::size_t k = 0; k < system_.accesses.size(); ++k) {
+        const Node node = system_.accesses[k].node;
+        if (node >= whole.uses.size() || whole.uses[node] == 0) { continue; }
+        sum.accesses.push_back(k);
+        inputs.push_back(node);
+    }
+    const std::vector<Scaled> slopes = gradient(system_.graph, sum.value, inputs);
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
+        const FamilyKind kind = system_.accesses[sum.accesses[k]].kind;
+        if (kind == FamilyKind::table || slopes[k].is_zero()) { continue; }
+        (kind == FamilyKind::coordinate ? sum.by_q : sum.by_momenta)
+            .push_back({sum.accesses[k], slopes[k]});
+    }
+}
+
+// ---- where it begins ----
+
+LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& value) {
+    if (const auto* list = std::get_if<ValueList>(&value.value)) {
+        long count = 1;
+        for (const LoopRange& range : family.ranges) {
+            count *= range.last.at(sizes_) - range.first.at(sizes_) + 1;
+        }
+        if (static_cast<long>(list->values.size()) != count) {
+            throw InputError(fmt::format("`{}` has {} indices, and here are {} values", family.name,
+                                         count, list->values.size()),
+                             value.place_of_value);
+        }
+        std::vector<Scaled> values;
+        for (const IndexedExpression& each : list->values) {
+            values.push_back(this->value(definitions_.put_in(each).written, {}, each.source));
+        }
+        return {std::move(values)};
+    }
+    const auto* rule = std::get_if<ValueRule>(&value.value);
+    const IndexedExpression& written =
+        rule != nullptr ? rule->value : std::get<IndexedExpression>(value.value);
+    std::vector<Loop> loops;
+    if (rule != nullptr) {
+        for (const std::string& name : rule->indices) { loops.push_back({name, {}}); }
+    }
+    if (loops.size() != family.ranges.size()) {
+        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", family.name,
+                                     family.ranges.size(),
+                                     family.ranges.size() == 1 ? "ex" : "ices", loops.size()),
+                         value.place, "give a rule for all indices: \"x[i]\" = \"sin(i)\"");
+    }
+    for (std::size_t d = 0; d < loops.size(); ++d) { loops[d].range = family.ranges[d]; }
+    const IndexedExpression whole = definitions_.put_in(written);
+    LoopStart::Rule result;
+    for (const Loop& loop : loops) { result.indices.push_back(loop.index); }
+    result.value = this->value(whole.written, loops, whole.source);
+    if ((system_.graph.at(result.value.node).roles & of_state) != 0) {
+        throw InputError("an initial value cannot depend on a variable",
+                         Place{whole.source, whole.written.range});
+    }
+    return {std::move(result)};
+}
+
+LoopStart LoopLowering::start(const LoopFamily& family) {
+    for (const IndexedValue& value : written_.initial.values) {
+        if (value.name == family.name) { return start(family, value); }
+    }
+    throw InputError(fmt::format("an initial value is missing: that of `{}`", family.name),
+                     written_.initial.place);
+}
+
+LoopSystem LoopLowering::operator()() {
+    refuse_side();
+    system_.name = written_.name;
+    system_.description = written_.description;
+    system_.expression = written_.function.written;
+    declare_sizes();
+    declare_families(written_.coordinates, FamilyKind::coordinate);
+    declare_families(written_.conjugates, FamilyKind::momentum);
+    check_pairs();
+    declare_parameters();
+    define();
+    system_.sums = sums(written_.function);
+    for (const auto* families : {&system_.coordinates, &system_.momenta}) {
+        for (const LoopFamily& each : *families) { system_.initial.push_back(start(each)); }
+    }
+    for (const IndexedValue& value : written_.initial.values) {
+        const auto found = families_.find(value.name);
+        if (found == families_.end() || found->second.kind == FamilyKind::table) {
+            throw InputError(fmt::format("`{}` is no variable", value.name), value.place);
+        }
+    }
+    for (const NamedIndexed& invariant : written_.invariants) {
+        check_parameter_name(invariant.name, invariant.place_of_name, "an invariant");
+        declare(invariant.name, invariant.place_of_name);
+        system_.invariants.push_back(
+            {invariant.name, invariant.expression.written, sums(invariant.expression)});
+    }
+    return std::move(system_);
+}
+
+}  // namespace
+
+LoopSystem loop_system(const IndexedScene& scene) { return LoopLowering(scene)(); }
+
+}  // namespace hvi::gen

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/loop_terms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "generator/read/names.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using Expressions = std::vector<Expression>;
+
+bool has_sum(const Expression& expression) {
+    bool found = false;
+    walk(expression, [&](const Expression& part) {
+        found = found || part.kind == Expression::Kind::sum_over;
+        return !found;
+    });
+    return found;
+}
+
+/// The expression with another one for a symbol.
+Expression with_symbol(const Expression& expression, const std::string& name,
+                       const Expression& value) {
+    if (expression.kind == Expression::Kind::symbol && expression.name == name) { return value; }
+    Expression result = expression;
+    const bool is_hidden = result.kind == Expression::Kind::sum_over && result.name == name;
+    for (std::size_t k = 0; k < result.arguments.size(); ++k) {
+        // NOTE: the bounds of a sum, its first arguments, are outside of it.
+        if (is_hidden && k == 2) { continue; }
+        result.arguments[k] = with_symbol(result.arguments[k], name, value);
+    }
+    if (result.kind == Expression::Kind::sum) {
+        result = Expression::sum(std::move(result.arguments));
+    }
+    if (result.kind == Expression::Kind::product) {
+        result = Expression::product(std::move(result.arguments));
+    }
+    result.range = expression.range;
+    return result;
+}
+
+/// Short sums with numbers for bounds, written out.
+Expression written_out(const Expression& expression) {
+    constexpr long most_terms = 16;
+    Expression result = expression;
+    for (Expression& argument : result.arguments) { argument = written_out(argument); }
+    if (result.kind != Expression::Kind::sum_over) { return result; }
+    const auto first = affine_form(result.arguments[0]), last = affine_form(result.arguments[1]);
+    const bool is_short = first && last && first->is_number() && last->is_number() &&
+                          last->constant - first->constant < most_terms;
+    if (!is_short) { return result; }
+    Expressions terms;
+    for (long index = first->constant; index <= last->constant; ++index) {
+        terms.push_back(with_symbol(result.arguments[2], result.name, Expression::integer(index)));
+    }
+    Expression sum = Expression::sum(std::move(terms));
+    sum.range = expression.range;
+    return sum;
+}
+
+class Splitting {
+public:
+    Splitting(const std::shared_ptr<const Source>& source, const TermNames& names)
+        : source_(source), names_(names) {}
+
+    /// Adds what an expression is, times the factors, within the loops.
+    void split(const Expression& expression, const Expressions& factors,
+               const std::vector<Loop>& loops) {
+        switch (expression.kind) {
+        case Expression::Kind::sum:
+            if (is_whole(expression)) { return add(expression, factors, loops); }
+            for (const Expression& term : expression.arguments) { split(term, factors, loops); }
+            return;
+        case Expression::Kind::negation: {
+            Expressions more = factors;
+            more.push_back(Expression::integer(-1));
+            return split(expression.arguments.front(), more, loops);
+        }
+        case Expression::Kind::sum_over: return split_sum(expression, factors, loops);
+        case Expression::Kind::product: return split_product(expression, factors, loops);
+        default: return add(expression, factors, loops);
+        }
+    }
+
+    std::vector<LoopTerm> terms;
+
+private:
+    /// Variables of one kind at most, and no sum.
+    [[nodiscard]] bool is_whole(const Expression& expression) const {
+        const Roles found = roles(expression);
+        return !has_sum(expression) && (found & (found - 1)) == 0;
+    }
+
+    [[nodiscard]] Roles roles(const Expression& expression) const {
+        Roles found = 0;
+        walk(expression, [&](const Expression& part) {
+            if (part.kind == Expression::Kind::symbol || part.kind == Expression::Kind::element) {
+                found |= names_.roles(part.name);
+            }
+            return true;
+        });
+        return found;
+    }
+
+    void add(const Expression& expression, const Expressions& factors,
+             const std::vector<Loop>& loops) {
+        Expressions all = factors;
+        all.push_back(has_sum(expression) ? written_out(expression) : expression);
+        refuse_sums(all.back());
+        terms.push_back({loops, Expression::product(std::move(all))});
+    }
+
+    void refuse_sums(const Expression& expression) const {
+        walk(expression, [&](const Expression& part) {
+            if (part.kind != Expression::Kind::sum_over) { return true; }
+            throw InputError("a sum inside a function is built only for at most 16 terms, with "
+                             "numbers for its bounds, where there are more than 64 degrees of "
+                             "freedom",
+                             Place{source_, part.range});
+        });
+    }
+
+    void split_sum(const Expression& sum, const Expressions& factors, std::vector<Loop> loops) {
+        const auto first = bound(sum.arguments[0]), last = bound(sum.arguments[1]);
+        const bool is_empty =
+            first.is_number() && last.is_number() && last.constant < first.constant;
+        if (is_empty) {
+            const Range bounds{sum.arguments[0].range.begin, sum.arguments[1].range.end};
+            throw InputError("this sum has no term", Place{source_, bounds});
+        }
+        std::string index = sum.name;
+        const auto is_taken = [&](const std::string& name) {
+            return names_.taken.count(name) != 0 ||
+                   std::any_of(loops.begin(), loops.end(),
+                               [&](const Loop& loop) { return loop.index == name; });
+        };
+        for (int k = 2; is_taken(index); ++k) { index = fmt::format("{}_{}", sum.name, k); }
+        loops.push_back({index, {first, last}});
+        const Expression& term = sum.arguments[2];
+        split(index == sum.name ? term : with_symbol(term, sum.name, Expression::symbol(index)),
+              factors, loops);
+    }
+
+    [[nodiscard]] AffineForm bound(const Expression& written) const {
+        if (auto form = affine_form(written)) { return std::move(*form); }
+        throw InputError("where there are more than 64 degrees of freedom, bounds of sums are made "
+                         "of whole numbers, sizes and other indices by +, - and products with "
+                         "numbers",
+                         Place{source_, written.range});
+    }
+
+    /// NOTE: what is multiplied out is one factor, the others being without variables, so that
+    /// nothing is computed twice that was written once.
+    void split_product(const Expression& product, const Expressions& factors,
+                       const std::vector<Loop>& loops) {
+        if (is_whole(product)) { return add(product, factors, loops); }
+        Expressions more = factors;
+        const Expression* inner = nullptr;
+        bool is_linear = true;
+        for (const Expression& factor : product.arguments) {
+            const bool opens =
+                has_sum(factor) || (factor.kind == Expression::Kind::sum && !is_whole(factor));
+            if (opens && inner != nullptr) { is_linear = false; }
+            if (opens) {
+                inner = &factor;
+            } else {
+                more.push_back(factor);
+            }
+        }
+        if (inner != nullptr && is_linear) { return split(*inner, more, loops); }
+        const Expression written = written_out(product);
+        if (has_sum(written)) {
+            throw InputError("a product of two sums is not built for more than 64 degrees of "
+                             "freedom",
+                             Place{source_, product.range});
+        }
+        add(written, factors, loops);
+    }
+
+    const std::shared_ptr<const Source>& source_;
+    const TermNames& names_;
+};
+
+}  // namespace
+
+std::vector<LoopTerm> loop_terms(const IndexedExpression& expression, const TermNames& names) {
+    Splitting splitting(expression.source, names);
+    splitting.split(expression.written, {}, {});
+    return std::move(splitting.terms);
+}
+
+}  // namespace hvi::gen

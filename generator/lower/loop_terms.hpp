@@ -1,0 +1,35 @@
+// Sums taken apart into summands with the loops around them.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generator/ir/loop_system.hpp"
+#include "generator/read/parse.hpp"
+
+namespace hvi::gen {
+
+/// A summand, in which names have indices and no sum stands, and the loops around it.
+struct LoopTerm {
+    std::vector<Loop> loops;
+    Expression term;
+};
+
+/// What names mean where sums are taken apart.
+struct TermNames {
+    std::set<std::string> taken;  ///< that no index may have; it gets another then
+    /// The variables among these: Role::coordinate, Role::conjugate, or 0.
+    std::function<Roles(const std::string& name)> roles;
+};
+
+/// The expression as a sum of summands: c*(a + sum(i=1..N, b[i])) is c*a and c*b[i] for all i. What
+/// has momenta stands apart from what has coordinates, where a sum of them is written. A sum of at
+/// most 16 terms inside a function is written out. Throws InputError for a longer one there, for a
+/// product of two sums, and for bounds that are not made of sizes and indices.
+[[nodiscard]] std::vector<LoopTerm> loop_terms(const IndexedExpression& expression,
+                                               const TermNames& names);
+
+}  // namespace hvi::gen

@@ -1,0 +1,19 @@
+// Scenes that come with the program, as small as tests that write them out want them.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/read/scene.hpp"
+#include "tests/read/refusal.hpp"
+
+namespace hvi::gen {
+
+/// The scene, with N = 4 where it is large.
+inline Scene small_scene(const SceneEntry& entry) {
+    const Given name = source(std::string(entry.name), "SCENE");
+    if (entry.degrees_of_freedom <= most_degrees_of_freedom) { return find_scene(name); }
+    return find_scene(name, {parse_parameter(source("N=4", "--param"))});
+}
+
+}  // namespace hvi::gen
