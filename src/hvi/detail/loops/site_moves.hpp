@@ -61,12 +61,13 @@ public:
 
         remainders_.assign(2 * Sums<Scalar>::vectors * static_cast<std::size_t>(size), Scalar(0));
         Scalar* remainders = remainders_.data();
+        Scalar* of_p = remainders + Sums<Scalar>::vectors * static_cast<std::size_t>(size);
         const SiteState<Scalar, Sums<Scalar>> state{&x.q[0], &x.p[0], Sums<Scalar>(remainders),
-                                                    Sums<Scalar>(remainders + size)};
+                                                    Sums<Scalar>(of_p)};
         std::vector<Scalar*> vectors{state.q, state.p};
         if (!remainders_.empty()) {
             vectors.push_back(remainders);
-            vectors.push_back(remainders + size);
+            vectors.push_back(of_p);
         }
         SiteCopies<Scalar> before(team_, std::move(vectors), size,
                                   std::max<Place>(1, chunks.count()), copies_);
