@@ -111,16 +111,12 @@ bool has_parameter(const Method& method, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-}  // namespace
-
-MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system) {
-    std::vector<Parameter> parameters = parameters_in(options.parameters);
-    Scene scene = system.scene ? find_scene(system.scene, parameters)
-                               : scene_of(read_hamiltonian(system, parameters));
+/// With the method that is given, or that of the scene.
+MethodAndScene completed(Scene scene, const MethodOptions& options) {
     Method method = method_for(options, scene.run.method, scene.place);
     check_together(method, scene);
     std::string defaults;
-    for (Parameter& parameter : parameters) {
+    for (Parameter& parameter : parameters_in(options.parameters)) {
         if (!has_parameter(method, parameter.name)) defaults += parameter_option(parameter);
         set_parameter(method, scene, std::move(parameter));
     }
@@ -141,22 +137,49 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
     return {std::move(method), std::move(scene)};
 }
 
-bool is_large(const SystemOptions& system, const MethodOptions& options) {
-    if (!system.scene) return false;
-    const IndexedScene scene = find_indexed_scene(system.scene, parameters_in(options.parameters));
-    return degrees_of_freedom(scene) > most_unrolled;
+/// NOTE: of a scene that is written out a parameter with the name of one of the method is fixed.
+/// Here it stays a member that a program may change, which the method would not see.
+MethodAndLargeScene completed(IndexedScene scene, const Given& name, const MethodOptions& options) {
+    Method method = method_for(options, scene.run.method, whole(name));
+    for (Parameter& parameter : parameters_in(options.parameters)) {
+        const bool is_of_scene = assign(scene, parameter);
+        const bool is_of_method = has_parameter(method, parameter.name);
+        if (is_of_scene && is_of_method)
+            throw InputError(fmt::format("both the method and the scene have a parameter `{}`, "
+                                         "which is not built for more than {} degrees of freedom",
+                                         parameter.name, most_unrolled),
+                             parameter.place, "give one of the two another name");
+        if (is_of_scene) {
+            scene.origin += parameter_option(parameter);
+        } else if (is_of_method) {
+            set_parameter(method, std::move(parameter));
+        } else {
+            throw InputError(fmt::format("neither the method nor the scene has a parameter `{}`",
+                                         parameter.name),
+                             parameter.place);
+        }
+    }
+    return {std::move(method), std::move(scene)};
 }
 
-MethodAndLargeScene read_large_scene(const MethodOptions& options, const SystemOptions& system) {
-    IndexedScene scene = find_indexed_scene(system.scene);
-    for (Parameter& parameter : parameters_in(options.parameters)) {
-        if (!assign(scene, parameter))
-            throw InputError(fmt::format("the scene has no parameter `{}`", parameter.name),
-                             parameter.place);
-        scene.origin += parameter_option(parameter);
-    }
-    Method method = method_for(options, scene.run.method, whole(system.scene));
-    return {std::move(method), std::move(scene)};
+}  // namespace
+
+MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system) {
+    const std::vector<Parameter> parameters = parameters_in(options.parameters);
+    return completed(system.scene ? find_scene(system.scene, parameters)
+                                  : scene_of(read_hamiltonian(system, parameters)),
+                     options);
+}
+
+std::variant<MethodAndScene, MethodAndLargeScene>
+read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system) {
+    if (!system.scene) return read_scene(options, system);
+    IndexedScene written = find_indexed_scene(system.scene, parameters_in(options.parameters));
+    if (degrees_of_freedom(written) > most_unrolled)
+        return completed(std::move(written), system.scene, options);
+    Scene scene = unrolled(written);
+    scene.place = whole(system.scene);
+    return completed(std::move(scene), options);
 }
 
 }  // namespace hvi::gen

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <variant>
+
 #include "generator/cli/options.hpp"
 #include "generator/read/coefficients.hpp"
 #include "generator/read/indexed_scene.hpp"
@@ -34,16 +36,16 @@ struct MethodAndScene {
 };
 [[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
 
-/// Whether a scene is named that has more degrees of freedom than are written out.
-[[nodiscard]] bool is_large(const SystemOptions& system, const MethodOptions& options);
-
-/// A method, and such a scene as it is written. Each parameter that has a value is one of the
-/// scene.
+/// A method, and a scene of more degrees of freedom than are written out, as it is written. Its
+/// parameters have their values, and so have those of the method.
 struct MethodAndLargeScene {
     Method method;
     IndexedScene scene;
 };
-[[nodiscard]] MethodAndLargeScene read_large_scene(const MethodOptions& options,
-                                                   const SystemOptions& system);
+
+/// Whichever of the two the scene is. Throws InputError, too, where a scene that is not written out
+/// has a parameter of the name of one of the method.
+[[nodiscard]] std::variant<MethodAndScene, MethodAndLargeScene>
+read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system);
 
 }  // namespace hvi::gen

@@ -220,16 +220,14 @@ StepperWishes wishes_of(const RunOptions& options) {
     return wishes;
 }
 
-WishedRun wished_run(const RunOptions& options) {
-    const auto [method, scene] = read_scene(options.method, options.system);
-    const Steps steps = wished_steps(scene, options);
-    return {run_subject(scene_stepper(method, scene, wishes_of(options))), steps};
+WishedRun wished_run(const RunOptions& options, const MethodAndScene& wished) {
+    const Steps steps = wished_steps(wished.scene, options);
+    return {run_subject(scene_stepper(wished.method, wished.scene, wishes_of(options))), steps};
 }
 
-WishedRun large_run(const RunOptions& options) {
-    const auto [method, scene] = read_large_scene(options.method, options.system);
-    const Steps steps = wished_steps(without_motion(scene), options);
-    return {run_subject(loop_stepper(method, scene, wishes_of(options))), steps};
+WishedRun wished_run(const RunOptions& options, const MethodAndLargeScene& wished) {
+    const Steps steps = wished_steps(without_motion(wished.scene), options);
+    return {run_subject(loop_stepper(wished.method, wished.scene, wishes_of(options))), steps};
 }
 
 WishedRun advised_run(const RunOptions& options) {
@@ -245,7 +243,8 @@ WishedRun advised_run(const RunOptions& options) {
 
 WishedRun any_run(const RunOptions& options) {
     if (options.accuracy) return advised_run(options);
-    return is_large(options.system, options.method) ? large_run(options) : wished_run(options);
+    return std::visit([&](const auto& wished) { return wished_run(options, wished); },
+                      read_scene_of_any_size(options.method, options.system));
 }
 
 }  // namespace

@@ -41,24 +41,26 @@ std::string explanation(const SceneStepper& stepper) {
     return text;
 }
 
+void write_scene(const StepperOptions& options, const MethodAndScene& wished) {
+    const SceneStepper stepper = scene_stepper(wished.method, wished.scene, options.wishes);
+    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
+    write_result(options.output,
+                 options.dump ? dump(wished.method, stepper, *options.dump) : stepper.header);
+}
+
 /// What has loops where a scene of a few degrees of freedom has none.
-void write_loops(const StepperOptions& options) {
-    const auto [method, scene] = read_large_scene(options.method, *options.system);
+void write_scene(const StepperOptions& options, const MethodAndLargeScene& wished) {
     if (options.dump)
         throw InputError("--dump is not built for more than 64 degrees of freedom",
                          options.dump->place);
-    const LoopStepper stepper = loop_stepper(method, scene, options.wishes);
+    const LoopStepper stepper = loop_stepper(wished.method, wished.scene, options.wishes);
     if (options.explain) std::fputs(dump(stepper.step).c_str(), stderr);
     write_result(options.output, stepper.header);
 }
 
 void write_scene(const StepperOptions& options) {
-    if (is_large(*options.system, options.method)) return write_loops(options);
-    const auto [method, scene] = read_scene(options.method, *options.system);
-    const SceneStepper stepper = scene_stepper(method, scene, options.wishes);
-    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
-    write_result(options.output,
-                 options.dump ? dump(method, stepper, *options.dump) : stepper.header);
+    std::visit([&](const auto& wished) { write_scene(options, wished); },
+               read_scene_of_any_size(options.method, *options.system));
 }
 
 /// With the method and the solver that measuring finds.

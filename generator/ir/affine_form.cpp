@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr long largest = 1'000'000;
+constexpr long largest = 100'000'000;
 
 bool is_small(const AffineForm& form) {
     if (std::abs(form.constant) > largest) { return false; }
@@ -45,7 +45,7 @@ std::optional<AffineForm> product(const Expression& written) {
 std::optional<AffineForm> any(const Expression& written) {
     switch (written.kind) {
     case Expression::Kind::number:
-        if (written.denominator != "1" || written.numerator.size() > 7) { return std::nullopt; }
+        if (written.denominator != "1" || written.numerator.size() > 9) { return std::nullopt; }
         return AffineForm{std::stol(written.numerator)};
     case Expression::Kind::symbol: return AffineForm::of(written.name);
     case Expression::Kind::negation: {

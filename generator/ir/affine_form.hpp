@@ -32,7 +32,7 @@ struct AffineForm {
 [[nodiscard]] AffineForm replaced(const AffineForm& form, const std::string& name,
                                   const AffineForm& by);
 
-/// What is written, as such a form; empty where it is none: i*j, i/2, mod(i, 2), or above 10^6.
+/// What is written, as such a form; empty where it is none: i*j, i/2, mod(i, 2), or above 10^8.
 [[nodiscard]] std::optional<AffineForm> affine_form(const Expression& expression);
 
 /// `N - 1`, `2*i + j`, as people write it.

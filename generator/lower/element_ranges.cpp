@@ -45,11 +45,15 @@ public:
     /// does not.
     [[nodiscard]] bool stays() { return stays_roughly() || stays_from(0); }
 
+    /// Whether there were too many of them to look at.
+    [[nodiscard]] bool gave_up() const { return seen_ > most_values; }
     [[nodiscard]] const Values& values() const { return values_; }
     [[nodiscard]] long found() const { return found_; }
     [[nodiscard]] const Interval& allowed() const { return allowed_; }
 
 private:
+    static constexpr long most_values = 20'000'000;
+
     /// As far as intervals show.
     [[nodiscard]] bool stays_roughly() const {
         std::map<std::string, Interval> names;
@@ -90,7 +94,6 @@ private:
             if (modulus < 1) { return false; }
             found_ = (found_ % modulus + modulus) % modulus + index_.offset.at(values_);
         }
-        constexpr long most_values = 20'000'000;
         return ++seen_ <= most_values && allowed_.first <= found_ && found_ <= allowed_.last;
     }
 
@@ -119,6 +122,12 @@ void check_ranges(const LoopFamily& family, const std::vector<ElementIndex>& ind
     for (std::size_t d = 0; d < indices.size(); ++d) {
         IndexCheck check(indices[d], family.ranges[d], loops, sizes);
         if (check.stays()) { continue; }
+        if (check.gave_up()) {
+            throw InputError(fmt::format("whether `{}` has all of these indices would take too "
+                                         "long to find out",
+                                         family.name),
+                             place, "with smaller sizes it is found, and a program may raise them");
+        }
         throw InputError(
             fmt::format("there is no `{}` with the index {}{}", family.name, check.found(),
                         loop_values(loops, check.values())),

@@ -13,7 +13,6 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr long largest_index = 1'000'000;
 constexpr std::size_t most_names = 1000;
 
 std::optional<long> in_range(long value) {
@@ -46,7 +45,7 @@ std::optional<long> whole_fold(const Expression& parts, const WholeNumbers& know
 std::optional<long> whole_value(const Expression& expression, const WholeNumbers& known) {
     switch (expression.kind) {
     case Expression::Kind::number:
-        if (expression.denominator != "1" || expression.numerator.size() > 7) { return {}; }
+        if (expression.denominator != "1" || expression.numerator.size() > 9) { return {}; }
         return in_range(std::stol(expression.numerator));
     case Expression::Kind::symbol: {
         const auto found = known.find(expression.name);
@@ -165,18 +164,14 @@ private:
     std::size_t words_ = 0;
 };
 
-struct Interval {
-    long first, last;
-};
-
 /// Calls `visit` with each index, the last component running fastest.
-void for_each_index(const std::vector<Interval>& intervals, Index& index,
+void for_each_index(const std::vector<IndexInterval>& intervals, Index& index,
                     const std::function<void()>& visit) {
     if (index.size() == intervals.size()) {
         visit();
         return;
     }
-    const Interval& interval = intervals[index.size()];
+    const IndexInterval& interval = intervals[index.size()];
     for (long value = interval.first; value <= interval.last; ++value) {
         index.push_back(value);
         for_each_index(intervals, index, visit);
@@ -195,10 +190,21 @@ long whole_number(const Expression& index, const std::shared_ptr<const Source>& 
     const std::optional<long> value = whole_value(index, known);
     if (!value) {
         throw InputError("a whole number is wanted here", Place{source, index.range},
-                         "it is made of whole numbers below a million, +, -, *, mod, parameters "
+                         "it is made of whole numbers up to 10^8, +, -, *, mod, parameters "
                          "that are whole, and indices of sums around it");
     }
     return *value;
+}
+
+IndexInterval interval(const IndexBounds& bounds, const std::shared_ptr<const Source>& source,
+                       const WholeNumbers& known) {
+    const long first = whole_number(bounds.first, source, known);
+    const long last = whole_number(bounds.last, source, known);
+    if (first > last) {
+        throw InputError(fmt::format("there is no such index: from {} to {}", first, last),
+                         Place{source, bounds.range});
+    }
+    return {first, last};
 }
 
 namespace {
@@ -208,13 +214,11 @@ void append(std::vector<DeclaredName>& list, const Name& name,
             const std::shared_ptr<const Source>& source, const WholeNumbers& known) {
     const Place place{source, name.range};
     const std::size_t left = most_names - list.size();
-    std::vector<Interval> intervals;
+    std::vector<IndexInterval> intervals;
     std::size_t count = 1;
     for (const IndexBounds& bounds : name.bounds) {
-        const long first = whole_number(bounds.first, source, known);
-        const long last = whole_number(bounds.last, source, known);
-        if (first > last) { throw InputError("there is no such index", place); }
-        intervals.push_back({first, last});
+        intervals.push_back(interval(bounds, source, known));
+        const auto [first, last] = intervals.back();
         if (count <= left) { count *= static_cast<std::size_t>(last - first + 1); }
     }
     if (count > left) {

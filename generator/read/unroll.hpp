@@ -16,13 +16,16 @@ namespace hvi::gen {
 /// Whole numbers by name: structural parameters, and indices.
 using WholeNumbers = std::map<std::string, long, std::less<>>;
 
+/// Indices and sizes are not larger. NOTE: products of two, and sums of many of these, are longs.
+constexpr long largest_index = 100'000'000;
+
 /// The most words that an expression may have whose sums are written out or whose names are put in.
 constexpr std::size_t most_words_unrolled = 100'000;
 
 /// The expression with its sums written out: `sum(i=1..2, x[i]^2)` is x[1]^2 + x[2]^2, of symbols
 /// with the names `x[1]` and `x[2]`; with several indices they are called `u[1,2]`. Names that are
 /// `known` are numbers. A sum whose bounds depend on a name may have no term, and is 0 then. Throws
-/// InputError where an index is no whole number below a million in size, where a sum without names
+/// InputError where an index is no whole number of at most 10^8 in size, where a sum without names
 /// in its bounds has no term, and for what has more than 100 000 words.
 [[nodiscard]] Expression unrolled(const IndexedExpression& expression,
                                   const WholeNumbers& known = {});
@@ -31,6 +34,16 @@ constexpr std::size_t most_words_unrolled = 100'000;
 [[nodiscard]] long whole_number(const Expression& index,
                                 const std::shared_ptr<const Source>& source,
                                 const WholeNumbers& known = {});
+
+/// The values of an index, from first to last.
+struct IndexInterval {
+    long first, last;
+};
+
+/// Those of a name. Throws InputError, too, where there is none.
+[[nodiscard]] IndexInterval interval(const IndexBounds& bounds,
+                                     const std::shared_ptr<const Source>& source,
+                                     const WholeNumbers& known = {});
 
 /// The texts that declare variables: `["x[1..N]", "y"]` are two.
 struct NameTexts {

@@ -384,18 +384,20 @@ Scene without_motion(IndexedScene scene) {
 }
 
 std::size_t degrees_of_freedom(const IndexedScene& scene) {
+    constexpr std::size_t most_in_family = 1'000'000'000'000;
     const WholeNumbers known = sizes(scene);
     std::size_t total = 0;
     for (const NameTexts::Text& text : scene.coordinates.texts) {
         for (const Name& name : text.names) {
             std::size_t count = 1;
             for (const IndexBounds& bounds : name.bounds) {
-                const long first = whole_number(bounds.first, text.source, known);
-                const long last = whole_number(bounds.last, text.source, known);
-                if (first > last) {
-                    throw InputError("there is no such index", Place{text.source, bounds.range});
+                const auto [first, last] = interval(bounds, text.source, known);
+                const auto extent = static_cast<std::size_t>(last - first + 1);
+                if (count > most_in_family / extent) {
+                    throw InputError("there are more of these than any memory holds",
+                                     Place{text.source, name.range});
                 }
-                count *= static_cast<std::size_t>(last - first + 1);
+                count *= extent;
             }
             total += count;
         }

@@ -1,0 +1,75 @@
+// Refusals of what is asked of scenes whose sums stay loops.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tests/cli/refusals.hpp"
+
+using namespace hvi::test;
+
+namespace {
+
+/// A hundred springs, with a parameter that a basis may have too.
+const std::string springs = R"toml(coordinates = "x[1..N]"
+momenta     = "p[1..N]"
+hamiltonian = "sum(i=1..N, p[i]^2/2 + a*x[i]^2/2)"
+[parameters]
+N = 100
+a = 2
+[initial]
+"x[i]" = "sin(i)"
+"p[i]" = "0"
+)toml";
+
+Outcome stepper_of_springs(const std::vector<std::string>& words, const Directory& directory) {
+    write(directory / "springs.toml", springs);
+    std::vector<std::string> all = {"stepper", "springs.toml"};
+    all.insert(all.end(), words.begin(), words.end());
+    return hvi_gen(all, directory.path());
+}
+
+const std::vector<std::string> fitted = {"--basis", "1, cos(w*tau)", "--nodes", "0, 1"};
+
+}  // namespace
+
+TEST_CASE("values are given to parameters of the method and of the scene") {
+    const Directory directory;
+    for (const std::vector<std::string>& values :
+         {std::vector<std::string>{"--param", "w=2"},
+          std::vector<std::string>{"--param", "w=2", "--param", "a=3", "--param", "N=70"}}) {
+        std::vector<std::string> words = fitted;
+        words.insert(words.end(), values.begin(), values.end());
+        const Outcome outcome = stepper_of_springs(words, directory);
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.out.find("--param \"w=2\"") != std::string::npos);
+        const bool is_larger = values.size() > 2;
+        CHECK((outcome.out.find("Place N = 70;") != std::string::npos) == is_larger);
+        CHECK((outcome.out.find("a = 3") != std::string::npos) == is_larger);
+    }
+}
+
+TEST_CASE("what steppers of large scenes are not built for is refused, with its place") {
+    const Directory directory;
+    const auto check = [&](int status, const std::string& place,
+                           const std::vector<std::string>& words) {
+        const Outcome outcome = stepper_of_springs(words, directory);
+        std::string line;
+        for (const std::string& word : words) line += word + " | ";
+        INFO(line << "\n" << outcome.err);
+        CHECK(outcome.status == status);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        CHECK(pointed_at(outcome.err) == place);
+        return outcome.err;
+    };
+    check(2, "springs.toml", {});  // no method is named
+    check(2, "b", {"--method", "gauss:2", "--param", "b=1"});
+    check(2, "1, cos(w*tau)", fitted);  // w has no value
+    check(2, "a", {"--basis", "1, cos(a*tau)", "--nodes", "0, 1", "--param", "a=2"});
+    check(2, "a", {"--method", "gauss:2", "--param", "a=1", "--param", "a=1"});
+    check(2, "1..N", {"--method", "gauss:2", "--param", "N=0"});
+    check(2, "graph", {"--method", "gauss:2", "--dump", "graph"});
+    for (const std::string flag : {"--dense", "--action", "--float128"}) {
+        const std::string message =
+            check(2, "sum(i=1..N, p[i]^2/2 + a*x[i]^2/2)", {"--method", "gauss:2", flag});
+        CHECK(message.find(flag) != std::string::npos);
+    }
+}
