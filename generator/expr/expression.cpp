@@ -134,6 +134,17 @@ bool operator==(const Expression& left, const Expression& right) {
            left.arguments == right.arguments;
 }
 
+Expression with_arguments(Expression expression, std::vector<Expression> arguments) {
+    const Range range = expression.range;
+    switch (expression.kind) {
+    case Kind::sum: expression = Expression::sum(std::move(arguments)); break;
+    case Kind::product: expression = Expression::product(std::move(arguments)); break;
+    default: expression.arguments = std::move(arguments);
+    }
+    expression.range = range;
+    return expression;
+}
+
 Expression renamed(const Expression& expression, const std::map<std::string, std::string>& names) {
     Expression result = expression;
     if (result.kind == Kind::symbol) {

@@ -67,6 +67,10 @@ struct Expression {
 /// precedence asks for them. `1/6-5*sqrt(2)/48`, `(pi-2)/(2*pi)`, `cos(2*pi*tau)`.
 [[nodiscard]] std::string to_text(const Expression& expression);
 
+/// The expression with other arguments, in its place: sums and products are flattened, as sum() and
+/// product() make them.
+[[nodiscard]] Expression with_arguments(Expression expression, std::vector<Expression> arguments);
+
 /// The expression with other names for its symbols; those that are no key keep theirs.
 [[nodiscard]] Expression renamed(const Expression& expression,
                                  const std::map<std::string, std::string>& names);

@@ -84,6 +84,7 @@ struct LoopStart {
     struct Rule {
         std::vector<std::string> indices;
         Scaled value;
+        std::vector<std::size_t> accesses;  ///< that the value depends on, ascending
     };
     std::variant<Rule, std::vector<Scaled>> values;
 };

@@ -71,6 +71,7 @@ private:
                                      const std::shared_ptr<const Source>& source) const;
     void check_known(const Expression& part, const std::vector<Loop>& loops,
                      const std::shared_ptr<const Source>& source) const;
+    [[nodiscard]] std::vector<std::size_t> accesses_in(const Scaled& value) const;
     void add_slopes(LoopSum& sum);
     [[nodiscard]] const LoopFamily& family(const Named& named) const;
 
@@ -385,15 +386,20 @@ std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
     return result;
 }
 
-void LoopLowering::add_slopes(LoopSum& sum) {
-    const Kernel whole = kernel(system_.graph, {sum.value});
-    std::vector<Node> inputs;
+std::vector<std::size_t> LoopLowering::accesses_in(const Scaled& value) const {
+    const Kernel whole = kernel(system_.graph, {value});
+    std::vector<std::size_t> result;
     for (std::size_t k = 0; k < system_.accesses.size(); ++k) {
         const Node node = system_.accesses[k].node;
-        if (node >= whole.uses.size() || whole.uses[node] == 0) { continue; }
-        sum.accesses.push_back(k);
-        inputs.push_back(node);
+        if (node < whole.uses.size() && whole.uses[node] != 0) { result.push_back(k); }
     }
+    return result;
+}
+
+void LoopLowering::add_slopes(LoopSum& sum) {
+    sum.accesses = accesses_in(sum.value);
+    std::vector<Node> inputs;
+    for (const std::size_t k : sum.accesses) { inputs.push_back(system_.accesses[k].node); }
     const std::vector<Scaled> slopes = gradient(system_.graph, sum.value, inputs);
     for (std::size_t k = 0; k < slopes.size(); ++k) {
         const FamilyKind kind = system_.accesses[sum.accesses[k]].kind;
@@ -425,25 +431,27 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
     const auto* rule = std::get_if<ValueRule>(&value.value);
     const IndexedExpression& written =
         rule != nullptr ? rule->value : std::get<IndexedExpression>(value.value);
-    std::vector<Loop> loops;
-    if (rule != nullptr) {
-        for (const std::string& name : rule->indices) { loops.push_back({name, {}}); }
-    }
-    if (loops.size() != family.ranges.size()) {
+    const std::vector<std::string> indices =
+        rule != nullptr ? rule->indices : std::vector<std::string>{};
+    if (indices.size() != family.ranges.size()) {
         throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", family.name,
                                      family.ranges.size(),
-                                     family.ranges.size() == 1 ? "ex" : "ices", loops.size()),
+                                     family.ranges.size() == 1 ? "ex" : "ices", indices.size()),
                          value.place, "give a rule for all indices: \"x[i]\" = \"sin(i)\"");
     }
-    for (std::size_t d = 0; d < loops.size(); ++d) { loops[d].range = family.ranges[d]; }
     const IndexedExpression whole = definitions_.put_in(written);
+    LoopTerm term{{}, whole.written};
+    for (std::size_t d = 0; d < indices.size(); ++d) {
+        term = within_loop(std::move(term), indices[d], family.ranges[d], taken_);
+    }
     LoopStart::Rule result;
-    for (const Loop& loop : loops) { result.indices.push_back(loop.index); }
-    result.value = this->value(whole.written, loops, whole.source);
+    for (const Loop& loop : term.loops) { result.indices.push_back(loop.index); }
+    result.value = this->value(term.term, term.loops, whole.source);
     if ((system_.graph.at(result.value.node).roles & of_state) != 0) {
         throw InputError("an initial value cannot depend on a variable",
                          Place{whole.source, whole.written.range});
     }
+    result.accesses = accesses_in(result.value);
     return {std::move(result)};
 }
 

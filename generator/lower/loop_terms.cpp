@@ -15,34 +15,38 @@ namespace {
 
 using Expressions = std::vector<Expression>;
 
-bool has_sum(const Expression& expression) {
+template <class Test>
+bool any_part(const Expression& expression, const Test& test) {
     bool found = false;
     walk(expression, [&](const Expression& part) {
-        found = found || part.kind == Expression::Kind::sum_over;
+        found = found || test(part);
         return !found;
     });
     return found;
+}
+
+bool has_sum(const Expression& expression) {
+    return any_part(expression,
+                    [](const Expression& part) { return part.kind == Expression::Kind::sum_over; });
+}
+
+/// As a symbol, or as the index of a sum.
+bool mentions(const Expression& expression, const std::string& name) {
+    return any_part(expression, [&](const Expression& part) { return part.name == name; });
 }
 
 /// The expression with another one for a symbol.
 Expression with_symbol(const Expression& expression, const std::string& name,
                        const Expression& value) {
     if (expression.kind == Expression::Kind::symbol && expression.name == name) { return value; }
-    Expression result = expression;
-    const bool is_hidden = result.kind == Expression::Kind::sum_over && result.name == name;
-    for (std::size_t k = 0; k < result.arguments.size(); ++k) {
+    const bool is_hidden = expression.kind == Expression::Kind::sum_over && expression.name == name;
+    Expressions arguments = expression.arguments;
+    for (std::size_t k = 0; k < arguments.size(); ++k) {
         // NOTE: the bounds of a sum, its first arguments, are outside of it.
         if (is_hidden && k == 2) { continue; }
-        result.arguments[k] = with_symbol(result.arguments[k], name, value);
+        arguments[k] = with_symbol(arguments[k], name, value);
     }
-    if (result.kind == Expression::Kind::sum) {
-        result = Expression::sum(std::move(result.arguments));
-    }
-    if (result.kind == Expression::Kind::product) {
-        result = Expression::product(std::move(result.arguments));
-    }
-    result.range = expression.range;
-    return result;
+    return with_arguments(expression, std::move(arguments));
 }
 
 /// Short sums with numbers for bounds, written out.
@@ -126,7 +130,8 @@ private:
         });
     }
 
-    void split_sum(const Expression& sum, const Expressions& factors, std::vector<Loop> loops) {
+    void split_sum(const Expression& sum, const Expressions& factors,
+                   const std::vector<Loop>& loops) {
         const auto first = bound(sum.arguments[0]), last = bound(sum.arguments[1]);
         const bool is_empty =
             first.is_number() && last.is_number() && last.constant < first.constant;
@@ -134,17 +139,9 @@ private:
             const Range bounds{sum.arguments[0].range.begin, sum.arguments[1].range.end};
             throw InputError("this sum has no term", Place{source_, bounds});
         }
-        std::string index = sum.name;
-        const auto is_taken = [&](const std::string& name) {
-            return names_.taken.count(name) != 0 ||
-                   std::any_of(loops.begin(), loops.end(),
-                               [&](const Loop& loop) { return loop.index == name; });
-        };
-        for (int k = 2; is_taken(index); ++k) { index = fmt::format("{}_{}", sum.name, k); }
-        loops.push_back({index, {first, last}});
-        const Expression& term = sum.arguments[2];
-        split(index == sum.name ? term : with_symbol(term, sum.name, Expression::symbol(index)),
-              factors, loops);
+        LoopTerm inner =
+            within_loop({loops, sum.arguments[2]}, sum.name, {first, last}, names_.taken);
+        split(inner.term, factors, inner.loops);
     }
 
     [[nodiscard]] AffineForm bound(const Expression& written) const {
@@ -188,6 +185,20 @@ private:
 };
 
 }  // namespace
+
+LoopTerm within_loop(LoopTerm term, const std::string& index, LoopRange range,
+                     const std::set<std::string>& taken) {
+    const auto is_free = [&](const std::string& name) {
+        return taken.count(name) == 0 && (name == index || !mentions(term.term, name)) &&
+               std::none_of(term.loops.begin(), term.loops.end(),
+                            [&](const Loop& loop) { return loop.index == name; });
+    };
+    std::string name = index;
+    for (int k = 2; !is_free(name); ++k) { name = fmt::format("{}_{}", index, k); }
+    if (name != index) { term.term = with_symbol(term.term, index, Expression::symbol(name)); }
+    term.loops.push_back({std::move(name), std::move(range)});
+    return term;
+}
 
 std::vector<LoopTerm> loop_terms(const IndexedExpression& expression, const TermNames& names) {
     Splitting splitting(expression.source, names);

@@ -18,6 +18,11 @@ struct LoopTerm {
     Expression term;
 };
 
+/// The term within one more loop, the innermost. The index gets another name where its own is
+/// taken, or is that of a loop around it.
+[[nodiscard]] LoopTerm within_loop(LoopTerm term, const std::string& index, LoopRange range,
+                                   const std::set<std::string>& taken);
+
 /// What names mean where sums are taken apart.
 struct TermNames {
     std::set<std::string> taken;  ///< that no index may have; it gets another then

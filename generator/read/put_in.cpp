@@ -34,14 +34,8 @@ public:
             return result;
         }
         if (auto other = substitute_(result)) { return placed(std::move(*other), result.range); }
-        if (result.kind == Expression::Kind::sum) {
-            result = Expression::sum(std::move(result.arguments));
-        }
-        if (result.kind == Expression::Kind::product) {
-            result = Expression::product(std::move(result.arguments));
-        }
-        result.range = expression.range;
-        return result;
+        std::vector<Expression> arguments = std::move(result.arguments);
+        return with_arguments(std::move(result), std::move(arguments));
     }
 
 private:

@@ -22,8 +22,7 @@ using Expressions = std::map<std::string, Expression>;
 
 /// With expressions in place of symbols.
 Expression substituted(const Expression& expression, const Expressions& symbols) {
-    using Kind = Expression::Kind;
-    if (expression.kind == Kind::symbol) {
+    if (expression.kind == Expression::Kind::symbol) {
         const auto found = symbols.find(expression.name);
         return found == symbols.end() ? expression : found->second;
     }
@@ -31,11 +30,7 @@ Expression substituted(const Expression& expression, const Expressions& symbols)
     for (const Expression& argument : expression.arguments) {
         arguments.push_back(substituted(argument, symbols));
     }
-    if (expression.kind == Kind::sum) { return Expression::sum(std::move(arguments)); }
-    if (expression.kind == Kind::product) { return Expression::product(std::move(arguments)); }
-    Expression result = expression;
-    result.arguments = std::move(arguments);
-    return result;
+    return with_arguments(expression, std::move(arguments));
 }
 
 /// H as it was written, but for parameters that have a value.

@@ -246,7 +246,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const Explic
     holes.merge(Holes{{"banner", banner(method, step, options)},
                       {"support", support(step, parts, options, rounds)},
                       {"parameter", parameter_text(step)},
-                      {"begins", begins(step)},
+                      {"begins", begins(step, options)},
                       {"weights", weights},
                       {"fits", fits_text(step, parts)},
                       {"moves", parts.moves},

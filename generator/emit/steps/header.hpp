@@ -69,8 +69,8 @@ struct NewtonPolicy {
 [[nodiscard]] std::string_view coefficients_argument(const Step& step);
 /// The struct Functions, of which coefficients are quotients. Precondition: from_parameter.
 [[nodiscard]] std::string functions_of_parameter(const Step& step);
-/// What step() does first: there may be no method.
-[[nodiscard]] std::string begins(const Step& step);
+/// What step() does first: there may be no method, or no system of the size of x.
+[[nodiscard]] std::string begins(const Step& step, const EmitOptions& options);
 
 /// What Q_i[k] is, and P_j[k], of the slopes in `s`.
 [[nodiscard]] std::string moved_position(const Step& step, std::size_t i, std::string_view s);

@@ -50,12 +50,13 @@ ImplicitParts parts_of(const Step& step, const GalerkinStep& form, const SceneWi
 
 /// NOTE: the action looks at the time itself.
 std::string one_step(const Step& step, const std::string& body, const std::string& name,
-                     bool has_action) {
-    return fill_part("step.hpp.in",
-                     {{"name", name},
-                      {"begins", begins(step)},
-                      {"clock", clock_begins(step, has_action ? "s_.forget()" : "reset()")},
-                      {"steps", body}});
+                     const EmitOptions& options) {
+    return fill_part(
+        "step.hpp.in",
+        {{"name", name},
+         {"begins", begins(step, options)},
+         {"clock", clock_begins(step, options.wishes.action ? "s_.forget()" : "reset()")},
+         {"steps", body}});
 }
 
 std::string composed_step(bool has_action, bool has_adjoint) {
@@ -80,7 +81,7 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }
     for (const std::string& header : solver_headers(step)) { parts.runtime.push_back(header); }
     const std::string step_text =
-        one_step(step, parts.steps, parts.composes ? "part_of_step" : "step", has_action);
+        one_step(step, parts.steps, parts.composes ? "part_of_step" : "step", options);
     Holes holes = holes_of(system);
     holes.merge(
         Holes{{"banner", banner(method, step, options)},

@@ -339,11 +339,16 @@ std::string_view coefficients_argument(const Step& step) {
     return step.from_parameter ? "coefficients_, " : "";
 }
 
-std::string begins(const Step& step) {
-    if (!step.from_parameter) { return {}; }
-    return Writer(2)
-        .line("if (!coefficients_.status.ok()) {{ return coefficients_.status; }}")
-        .str();
+std::string begins(const Step& step, const EmitOptions& options) {
+    Writer writer(2);
+    if (step.from_parameter) {
+        writer.line("if (!coefficients_.status.ok()) {{ return coefficients_.status; }}");
+    }
+    if (options.loops != nullptr) {
+        writer.line("if (!system_.fits(x.q, x.p)) {{ return "
+                    "Status(Status::Code::dimension_mismatch); }}");
+    }
+    return writer.str();
 }
 
 }  // namespace hvi::gen

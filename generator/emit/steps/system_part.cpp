@@ -184,7 +184,7 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
 /// NOTE: explicit steppers include of hvi what they have in copies too.
 std::string include_of_loops(const LoopCode& code) {
     std::string text = "#include <algorithm>\n#include <array>\n#include <cstdint>\n"
-                       "#include <type_traits>\n#include <vector>\n\n"
+                       "#include <limits>\n#include <type_traits>\n#include <vector>\n\n"
                        "#include <hvi/detail/coefficients/rounded.hpp>\n"
                        "#include <hvi/detail/lanes/lane_math.hpp>\n"
                        "#include <hvi/detail/loops/along.hpp>\n"

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/emit/system/element_conditions.hpp"
 #include "generator/emit/system/loop_names.hpp"
 #include "generator/emit/system/loop_writer.hpp"
 #include "generator/emit/system/scene_code.hpp"
@@ -74,8 +75,11 @@ private:
     void write_gradients(Writer& writer) {
         writer.line("/// Degrees of freedom.");
         writer.line("[[nodiscard]] std::size_t size() const {{ return size_; }}").blank();
-        writer.line("/// Whether lists of parameters are as long as these sizes ask for.");
-        writer.line("[[nodiscard]] bool fits() const {{ return fits_; }}").blank();
+        writer.comment("Whether vectors have the size of the system, and all that sums look at is "
+                       "there: lists may be too short.",
+                       "/// ");
+        writer.open("[[nodiscard]] bool fits(const Vector& q, const Vector& p) const {{");
+        writer.line("return fits_ && q.size() == size_ && p.size() == size_;").close().blank();
         if (code_.sites) {
             SiteWriter(*code_.sites, loops_).write(writer);
             write_gathered(writer);
@@ -124,6 +128,8 @@ private:
         writer.blank().open("[[nodiscard]] Scalar {}([[maybe_unused]] const Vector& q_of, "
                             "[[maybe_unused]] const Vector& p_of) const {{",
                             name);
+        writer.line(
+            "if (!fits(q_of, p_of)) {{ return std::numeric_limits<Scalar>::quiet_NaN(); }}");
         writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
         writer.line("[[maybe_unused]] const Scalar* const p = p_of.data();");
         writer.line("hvi::detail::CompensatedTotal<Scalar> total;");
@@ -139,8 +145,12 @@ private:
     }
 
     void write_begin(Writer& writer) {
-        writer.blank().line("/// Where the scene begins.");
+        writer.blank().line("/// Where the scene begins; empty where lists are too short.");
         writer.open("void begin(Vector& q, Vector& p) const {{");
+        writer.line("q.clear();").line("p.clear();");
+        for (const std::string& condition : conditions_of_starts(system_, names_)) {
+            writer.line("if (!({})) {{ return; }}", condition);
+        }
         writer.line("q.assign(size_, Scalar(0));").line("p.assign(size_, Scalar(0));");
         const std::size_t count = system_.coordinates.size();
         for (std::size_t k = 0; k < system_.initial.size(); ++k) {
@@ -178,24 +188,15 @@ private:
         writer.line("{} += {};", total, count);
     }
 
-    /// NOTE: elements that may be out of a table where sizes are others than those of the scene.
-    void write_fits(Writer& writer) {
+    /// NOTE: for other sizes than those of the scene.
+    void write_fits(Writer& writer) const {
         for (const LoopTable& table : system_.tables) {
-            std::set<std::string> needed;
-            std::vector<std::size_t> extents;
-            for (const LoopRange& range : table.family.ranges) {
-                extents.push_back(static_cast<std::size_t>(range.last.constant));
-            }
-            const std::string name = member_of(table.family.name);
-            std::size_t count = 1;
-            for (const std::size_t extent : extents) { count *= extent; }
-            if (extents.size() > 1) {
-                writer.line("fits_ = fits_ && parameters.{}.size() >= {};", name, count);
-            }
-            for (const std::string& last : loops_.last_indices(table.family)) {
-                needed.insert(last);
-            }
-            for (const std::string& last : needed) { writer.line("fits_ = fits_ && {};", last); }
+            if (table.family.ranges.size() == 1) { continue; }
+            writer.line("fits_ = fits_ && {}_values_.size() == {};", member_of(table.family.name),
+                        table.values.size());
+        }
+        for (const std::string& condition : conditions_of_sums(system_, names_)) {
+            writer.line("fits_ = fits_ && {};", condition);
         }
     }
 
@@ -307,7 +308,8 @@ std::string loop_system_text(const LoopCode& code) { return SystemClass(code).te
 
 std::string loop_members_text(const LoopCode& code) {
     Writer writer(1);
-    writer.line("/// Where the scene begins.");
+    writer.line("/// Where the scene begins; empty where lists of parameters are too short for its "
+                "sizes.");
     writer.open("[[nodiscard]] static State initial(const Parameters& parameters) {{")
         .line("State x;")
         .line("System(parameters).begin(x.q, x.p);")
@@ -316,6 +318,7 @@ std::string loop_members_text(const LoopCode& code) {
     writer.line("[[nodiscard]] static State initial() {{ return initial(Parameters{{}}); }}");
     const auto value = [&](const std::string& name, const Expression& expression) {
         writer.blank().comment(to_text(expression), "/// ");
+        writer.line("/// Not a number where x does not have the size of the system.");
         writer.open("[[nodiscard]] Scalar {}(const State& x) const {{", name)
             .line("return system_.{}(x.q, x.p);", name)
             .close();

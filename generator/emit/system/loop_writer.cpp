@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <set>
 #include <utility>
 
 #include "generator/emit/system/scene_code.hpp"
@@ -120,7 +118,8 @@ void LoopWriter::write_along(Writer& writer, const LoopSum& sum, const Kernel& k
     for (auto& [node, name] : locals) {
         if (system_.graph.at(node).name == inner) { name = fmt::format("stretch.indices({})", j); }
     }
-    writer.open("hvi::detail::along<Scalar, {}>({}, {}, [&](auto stretch, Place {}) HVI_INLINED {{",
+    writer.open("hvi::detail::along<Scalar, {}>({}, {}, [&](auto stretch, "
+                "[[maybe_unused]] Place {}) HVI_INLINED {{",
                 loop.width, loop.first, loop.end, j);
     writer.line("using V = hvi::detail::ValueOf<decltype(stretch)>;");
     load(true, "V", "stretch.load(", " + ", ")");
@@ -290,49 +289,10 @@ void LoopWriter::write_rule(Writer& writer, const LoopFamily& family, std::strin
     if (loops.empty()) { writer.open("{{"); }
     for (const Loop& loop : loops) { open_loop(writer, loop); }
     const Kernel value = kernel(system_.graph, {rule.value});
-    std::vector<std::size_t> all(system_.accesses.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    const NodeNames given = load(writer, all, value, loops);
+    const NodeNames given = load(writer, rule.accesses, value, loops);
     const auto results = write_code(writer, system_.graph, value, given, "hvi::math");
     writer.line("{}[{}] = {};", array, place(family, indices), results.front());
     for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
-}
-
-std::vector<std::string> LoopWriter::last_indices(const LoopFamily& table) const {
-    std::set<std::string> result;
-    std::map<std::string, long> sizes;
-    for (const LoopSize& size : system_.sizes) { sizes[size.name] = size.value; }
-    const auto add = [&](const Access& access, const std::vector<Loop>& loops) {
-        for (std::size_t d = 0; d < access.indices.size(); ++d) {
-            const ElementIndex& index = access.indices[d];
-            AffineForm last =
-                index.modulus ? *index.modulus + index.offset - AffineForm{1} : index.form;
-            for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop) {
-                const bool rises = last.coefficient(loop->index) > 0;
-                last = replaced(last, loop->index, rises ? loop->range.last : loop->range.first);
-            }
-            const long extent = table.ranges[d].last.constant;
-            if (last.is_number() || last.at(sizes) > extent) { continue; }
-            const std::string most = table.ranges.size() > 1
-                                         ? std::to_string(extent)
-                                         : fmt::format("static_cast<Place>(parameters.{}.size())",
-                                                       member_of(table.name));
-            result.insert(fmt::format("{} <= {}", names_.whole(last), most));
-        }
-    };
-    const auto add_all = [&](const std::vector<LoopSum>& sums) {
-        for (const LoopSum& sum : sums) {
-            for (const std::size_t a : sum.accesses) {
-                const Access& access = system_.accesses[a];
-                if (access.kind == FamilyKind::table && &system_.family(access) == &table) {
-                    add(access, sum.loops);
-                }
-            }
-        }
-    };
-    add_all(system_.sums);
-    for (const LoopInvariant& invariant : system_.invariants) { add_all(invariant.sums); }
-    return {result.begin(), result.end()};
 }
 
 }  // namespace hvi::gen

@@ -33,10 +33,6 @@ public:
     void write_start(Writer& writer, const LoopFamily& family, std::string_view array,
                      const LoopStart& start);
 
-    /// `N_ <= static_cast<Place>(parameters.m.size())`, ...: what holds where all elements of a
-    /// table that sums need are there.
-    [[nodiscard]] std::vector<std::string> last_indices(const LoopFamily& table) const;
-
     /// Loads the elements that a kernel is given, by their own names, and returns all names that it
     /// needs. `value`: the type of what is loaded.
     [[nodiscard]] NodeNames load(Writer& writer, const std::vector<std::size_t>& accesses,

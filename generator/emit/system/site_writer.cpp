@@ -119,9 +119,17 @@ NodeNames SiteWriter::locals(Writer& writer, const Kernel& kernel) {
     return names_.given(kernel, names);
 }
 
+/// One for each component, to `out`.
+void SiteWriter::write_results(Writer& writer, const Kernel& kernel) {
+    const NodeNames names = locals(writer, kernel);
+    const auto results = write_code(writer, loops_.system().graph, kernel, names, "hvi::math", "V");
+    for (std::size_t c = 0; c < results.size(); ++c) {
+        writer.line("out[{}] = V({});", c, results[c]);
+    }
+}
+
 void SiteWriter::write_force(Writer& writer) {
-    const LoopSystem& system = loops_.system();
-    const Kernel forces = kernel(system.graph, sites_.forces);
+    const Kernel forces = kernel(loops_.system().graph, sites_.forces);
     writer.comment("dU/dq of the sites e, e + 1, ... that V stands for, where all their "
                    "neighbours are; the first has the indices k.",
                    "/// ");
@@ -129,11 +137,7 @@ void SiteWriter::write_force(Writer& writer) {
     writer.open(
         "HVI_INLINE_IN_LANES void force([[maybe_unused]] const Scalar* q, "
         "[[maybe_unused]] Place e, [[maybe_unused]] const Site& k, V (&out)[components]) const {{");
-    const NodeNames names = locals(writer, forces);
-    const auto results = write_code(writer, system.graph, forces, names, "hvi::math", "V");
-    for (std::size_t c = 0; c < results.size(); ++c) {
-        writer.line("out[{}] = V({});", c, results[c]);
-    }
+    write_results(writer, forces);
     writer.close();
 }
 
@@ -183,18 +187,13 @@ void SiteWriter::write_edge(Writer& writer) {
 }
 
 void SiteWriter::write_velocity(Writer& writer) {
-    const LoopSystem& system = loops_.system();
-    const Kernel velocities = kernel(system.graph, sites_.velocities);
+    const Kernel velocities = kernel(loops_.system().graph, sites_.velocities);
     writer.line("/// dT/dp of sites with the momenta p.");
     writer.line("template <class V>");
     writer.open(
         "HVI_INLINE_IN_LANES void velocity([[maybe_unused]] const V (&p)[components], "
         "[[maybe_unused]] Place e, [[maybe_unused]] const Site& k, V (&out)[components]) const {{");
-    const NodeNames names = locals(writer, velocities);
-    const auto results = write_code(writer, system.graph, velocities, names, "hvi::math", "V");
-    for (std::size_t c = 0; c < results.size(); ++c) {
-        writer.line("out[{}] = V({});", c, results[c]);
-    }
+    write_results(writer, velocities);
     writer.close();
 }
 

@@ -20,6 +20,7 @@ public:
 
 private:
     void write_sites(Writer& writer) const;
+    void write_results(Writer& writer, const Kernel& kernel);
     void write_force(Writer& writer);
     void write_edge(Writer& writer);
     void write_edge_term(Writer& writer, const SiteTerm& term);
