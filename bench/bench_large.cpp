@@ -104,18 +104,6 @@ class FusedByHand {
 public:
     explicit FusedByHand(std::size_t n) : n_(n) {}
 
-    void advance(hvi::State<Vector>& x, int steps) const {
-        if (steps == 0) { return; }
-        double* q = x.q.data();
-        double* p = x.p.data();
-        sweep(q, p, h / 2, h);
-        for (int step = 1; step < steps; ++step) { sweep(q, p, h, h); }
-        sweep(q, p, h / 2, 0);
-    }
-
-private:
-    static constexpr std::size_t block = 512;
-
     void sweep(double* __restrict q, double* __restrict p, double kick, double drift) const {
         const double last = bond(-q[n_ - 1]) - bond(q[n_ - 1] - q[n_ - 2]);
         p[0] += kick * (bond(q[1] - q[0]) - bond(q[0]));
@@ -131,6 +119,9 @@ private:
         for (std::size_t k = drifted; k < n_; ++k) { q[k] += drift * p[k]; }
     }
 
+private:
+    static constexpr std::size_t block = 512;
+
     std::size_t n_;
 };
 
@@ -139,16 +130,6 @@ class TwoLoopsByHand {
 public:
     explicit TwoLoopsByHand(std::size_t n) : n_(n) {}
 
-    void advance(hvi::State<Vector>& x, int steps) const {
-        if (steps == 0) { return; }
-        double* q = x.q.data();
-        double* p = x.p.data();
-        sweep(q, p, h / 2, h);
-        for (int step = 1; step < steps; ++step) { sweep(q, p, h, h); }
-        sweep(q, p, h / 2, 0);
-    }
-
-private:
     void sweep(double* __restrict q, double* __restrict p, double kick, double drift) const {
         p[0] += kick * (bond(q[1] - q[0]) - bond(q[0]));
         for_each_force(q, 1, n_ - 1, [=](std::size_t k, double force) { p[k] += kick * force; });
@@ -156,7 +137,27 @@ private:
         for (std::size_t k = 0; k < n_; ++k) { q[k] += drift * p[k]; }
     }
 
+private:
     std::size_t n_;
+};
+
+/// Steps of such sweeps: the last kick of one is made with the first of the next.
+template <class Sweeps>
+class ByHand {
+public:
+    explicit ByHand(std::size_t n) : sweeps_(n) {}
+
+    void advance(hvi::State<Vector>& x, int steps) const {
+        if (steps == 0) { return; }
+        double* q = x.q.data();
+        double* p = x.p.data();
+        sweeps_.sweep(q, p, h / 2, h);
+        for (int step = 1; step < steps; ++step) { sweeps_.sweep(q, p, h, h); }
+        sweeps_.sweep(q, p, h / 2, 0);
+    }
+
+private:
+    Sweeps sweeps_;
 };
 
 class Odeint {
@@ -200,7 +201,7 @@ public:
                  : n < 1000000 ? 256
                                : 64),
           wanted_(start(n)) {
-        TwoLoopsByHand(n).advance(wanted_, 10);
+        ByHand<TwoLoopsByHand>(n).advance(wanted_, 10);
     }
 
     /// Whether it ends where the others do.
@@ -248,8 +249,8 @@ int main(int argc, char** argv) {
         all_agree &= compare.add<Ours<PlainSums, 1>>("ours");
         all_agree &= compare.add<Ours<PlainSums, 2>>("ours_on_two_threads");
         all_agree &= compare.add<Ours<CompensatedSums, 1>>("ours_compensated");
-        all_agree &= compare.add<FusedByHand>("fused_by_hand");
-        all_agree &= compare.add<TwoLoopsByHand>("two_loops_by_hand");
+        all_agree &= compare.add<ByHand<FusedByHand>>("fused_by_hand");
+        all_agree &= compare.add<ByHand<TwoLoopsByHand>>("two_loops_by_hand");
         all_agree &= compare.add<Odeint>("odeint");
         const std::string size = "_" + std::to_string(n);
         ratios.push_back({"ours" + size, "fused_by_hand" + size, "at most 1.1"});

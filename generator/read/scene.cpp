@@ -96,7 +96,14 @@ IndexedScene find_indexed_scene(const Given& name_or_file, const std::vector<Par
 }
 
 Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
-    Scene scene = unrolled(find_indexed_scene(name_or_file, values));
+    const IndexedScene written = find_indexed_scene(name_or_file, values);
+    if (const std::size_t n = degrees_of_freedom(written); n > most_unrolled) {
+        throw InputError(
+            fmt::format("this scene has {} degrees of freedom, more than {}", n, most_unrolled),
+            whole(name_or_file),
+            "here sums are written out; `stepper` and `run` take scenes of any size");
+    }
+    Scene scene = unrolled(written);
     scene.place = whole(name_or_file);
     return scene;
 }

@@ -46,6 +46,11 @@ TEST_CASE("values are given to parameters of the method and of the scene") {
     }
 }
 
+TEST_CASE("commands that write sums out say who does not") {
+    check_refused({2, "plummer", {}}, {"scheme", "--method", "gauss:2", "plummer"});
+    check_refused({2, "plummer", {}}, {"report", "plummer"});
+}
+
 TEST_CASE("what steppers of large scenes are not built for is refused, with its place") {
     const Directory directory;
     const auto check = [&](int status, const std::string& place,
