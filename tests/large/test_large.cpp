@@ -32,6 +32,8 @@ Vector some_numbers(std::size_t n, double size) {
     return result;
 }
 
+Real wide(double x) { return static_cast<Real>(x); }
+
 Reals wide(const Vector& v) { return {v.begin(), v.end()}; }
 
 /// `near`: of the largest of them.
@@ -41,7 +43,7 @@ void check_near(const Vector& found, const Reals& expected, Real near) {
     for (const Real value : expected) { largest = std::max(largest, std::abs(value)); }
     for (std::size_t i = 0; i < found.size(); ++i) {
         CAPTURE(i);
-        CHECK(std::abs(static_cast<Real>(found[i]) - expected[i]) <= near * largest);
+        CHECK(std::abs(wide(found[i]) - expected[i]) <= near * largest);
     }
 }
 
@@ -130,7 +132,7 @@ void check_steps(Stepper stepper, const System& system, Step by_hand, const Stat
     constexpr int steps = 20;
     for (int step = 0; step < steps; ++step) {
         REQUIRE(stepper.step(x, 0.01).ok());
-        by_hand(system, y, 0.01);
+        by_hand(system, y, wide(0.01));
     }
     check_near(x.q, y.q, 1e-13L);
     check_near(x.p, y.p, 1e-13L);
@@ -159,11 +161,12 @@ TEST_CASE("forces and energies of chains of any size") {
         check_near(slope, HandChain{}.slope(wide(x.q)), 1e-15L);
         Real energy = 0;
         for (std::size_t i = 0; i <= n; ++i) {
-            const Real r = (i < n ? Real(x.q[i]) : 0) - (i > 0 ? Real(x.q[i - 1]) : 0);
+            const Real r = (i < n ? wide(x.q[i]) : 0) - (i > 0 ? wide(x.q[i - 1]) : 0);
             energy += r * r / 2 + r * r * r / 12;
-            if (i < n) { energy += Real(x.p[i]) * x.p[i] / 2; }
+            if (i < n) { energy += wide(x.p[i]) * wide(x.p[i]) / 2; }
         }
-        CHECK(std::abs(system.energy(x.q, x.p) - energy) <= 1e-14L * std::abs(energy) + 1e-15L);
+        const Real found = wide(system.energy(x.q, x.p));
+        CHECK(std::abs(found - energy) <= 1e-14L * std::abs(energy) + 1e-15L);
     }
 }
 
@@ -178,7 +181,7 @@ TEST_CASE("forces of all pairs, with a list of masses") {
         system.dHdp(x.p, velocity);
         check_near(slope, HandMasses{wide(parameters.m)}.slope(wide(x.q)), 1e-13L);
         for (std::size_t i = 0; i < n; ++i) {
-            CHECK(std::abs(velocity[i] - x.p[i] / parameters.m[i]) <= 1e-15);
+            CHECK(std::abs(wide(velocity[i]) - wide(x.p[i]) / wide(parameters.m[i])) <= 1e-15L);
         }
     }
 }
@@ -192,7 +195,7 @@ TEST_CASE("forces of a lattice in the plane, across its seams") {
     system.dHdq(x.q, slope);
     const Reals u = wide(x.q);
     Reals expected;
-    const Real a = Real(parameters.a);
+    const Real a = wide(parameters.a);
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < n; ++j) {
             const Real here = u[i * n + j];
@@ -226,8 +229,8 @@ TEST_CASE("a scene begins where it says") {
     REQUIRE(x.q.size() == 70);
     for (std::size_t i = 0; i < 70; ++i) {
         const Real k = static_cast<Real>(i + 1);
-        CHECK(std::abs(x.q[i] - std::sin(k) * parameters.m[i]) <= 1e-15L * 4);
-        CHECK(std::abs(x.p[i] - std::cos(2 * k)) <= 1e-15L);
+        CHECK(std::abs(wide(x.q[i]) - std::sin(k) * wide(parameters.m[i])) <= 4e-15L);
+        CHECK(std::abs(wide(x.p[i]) - std::cos(2 * k)) <= 1e-15L);
     }
     const State ring = generated::Toda::initial();
     REQUIRE(ring.q.size() == 1000);
@@ -241,10 +244,10 @@ TEST_CASE("names mean what they mean in the scene, whatever they mean around it"
     Vector slope(n);
     system.dHdq(x.q, slope);
     Real sum = 0;
-    for (const double value : x.q) { sum += value; }
+    for (const double value : x.q) { sum += wide(value); }
     Reals expected;
     for (std::size_t i = 0; i < n; ++i) {
-        expected.push_back(6 * Real(i + 1) * x.q[i] + 0.03L * (sum - x.q[i]));
+        expected.push_back(6 * Real(i + 1) * wide(x.q[i]) + 0.03L * (sum - wide(x.q[i])));
     }
     check_near(slope, expected, 1e-15L);
     const State start = generated::Names::initial();
