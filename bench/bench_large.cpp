@@ -244,7 +244,7 @@ int main(int argc, char** argv) {
     using hvi::detail::PlainSums;
     std::vector<bench::Ratio> ratios;
     bool all_agree = true;
-    for (const std::size_t n : {1000, 100000, 1000000}) {
+    for (const std::size_t n : {1000U, 100000U, 1000000U}) {
         const Comparison compare(n);
         all_agree &= compare.add<Ours<PlainSums, 1>>("ours");
         all_agree &= compare.add<Ours<PlainSums, 2>>("ours_on_two_threads");

@@ -151,7 +151,7 @@ State any_state(std::size_t n) { return {some_numbers(n, 1.3), some_numbers(n, -
 }  // namespace
 
 TEST_CASE("forces and energies of chains of any size") {
-    for (const std::size_t n : {1, 2, 5, 64, 1000}) {
+    for (const std::size_t n : {1U, 2U, 5U, 64U, 1000U}) {
         CAPTURE(n);
         const generated::Chain::System system(
             of_size<generated::Chain>(static_cast<std::ptrdiff_t>(n)));
@@ -171,7 +171,7 @@ TEST_CASE("forces and energies of chains of any size") {
 }
 
 TEST_CASE("forces of all pairs, with a list of masses") {
-    for (const std::size_t n : {1, 2, 5, 70}) {
+    for (const std::size_t n : {1U, 2U, 5U, 70U}) {
         CAPTURE(n);
         const auto parameters = of_size<generated::Masses>(static_cast<std::ptrdiff_t>(n));
         const generated::Masses::System system(parameters);
@@ -208,7 +208,7 @@ TEST_CASE("forces of a lattice in the plane, across its seams") {
 }
 
 TEST_CASE("steps are those of loops by hand") {
-    for (const std::size_t n : {1, 70}) {
+    for (const std::size_t n : {1U, 70U}) {
         const auto size = static_cast<std::ptrdiff_t>(n);
         const State x = any_state(n);
         const State small{some_numbers(n, 0.3), x.p};

@@ -146,12 +146,15 @@ private:
 
     void write_begin(Writer& writer) {
         writer.blank().line("/// Where the scene begins; empty where lists are too short.");
-        writer.open("void begin(Vector& q, Vector& p) const {{");
-        writer.line("q.clear();").line("p.clear();");
+        writer.open("void begin(Vector& q_of, Vector& p_of) const {{");
+        writer.line("q_of.clear();").line("p_of.clear();");
         for (const std::string& condition : conditions_of_starts(system_, names_)) {
             writer.line("if (!({})) {{ return; }}", condition);
         }
-        writer.line("q.assign(size_, Scalar(0));").line("p.assign(size_, Scalar(0));");
+        for (const char letter : {'q', 'p'}) {
+            writer.line("{}_of.assign(size_, Scalar(0));", letter);
+            writer.line("[[maybe_unused]] Scalar* const {0} = {0}_of.data();", letter);
+        }
         const std::size_t count = system_.coordinates.size();
         for (std::size_t k = 0; k < system_.initial.size(); ++k) {
             const bool is_q = k < count;
