@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <large/chain.hpp>
 #include <large/chain_gauss.hpp>
+#include <large/listed.hpp>
 #include <large/masses.hpp>
 #include <large/masses_gauss.hpp>
 #include <large/names.hpp>
@@ -235,6 +236,23 @@ TEST_CASE("a scene begins where it says") {
     const State ring = generated::Toda::initial();
     REQUIRE(ring.q.size() == 1000);
     CHECK(ring.p[249] == Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE("a scene may begin with a list, which fits its size or is refused") {
+    generated::Listed::Parameters parameters;
+    parameters.a = 0.75;
+    const State x = generated::Listed::initial(parameters);
+    REQUIRE(x.q.size() == 70);
+    for (std::size_t i = 0; i < 70; ++i) {
+        const double k = static_cast<double>(i + 1);
+        const double listed[] = {0.75 * k, std::sqrt(k), k + 0.25};
+        CHECK(x.q[i] == listed[(i + 1) % 3]);
+        CHECK(x.p[i] == Approx(k / 70).epsilon(1e-15));
+    }
+    for (const std::ptrdiff_t n : {0, 69, 71}) {
+        parameters.N = n;
+        CHECK(generated::Listed::initial(parameters).q.empty());
+    }
 }
 
 TEST_CASE("names mean what they mean in the scene, whatever they mean around it") {

@@ -86,18 +86,25 @@ std::set<std::string> conditions_of_sums(const LoopSystem& system, const LoopNam
 
 std::set<std::string> conditions_of_starts(const LoopSystem& system, const LoopNames& names) {
     Conditions conditions(system, names);
+    std::set<std::string> lengths;
+    const std::size_t count = system.coordinates.size();
     for (std::size_t k = 0; k < system.initial.size(); ++k) {
-        const auto* rule = std::get_if<LoopStart::Rule>(&system.initial[k].values);
-        if (rule == nullptr) { continue; }
-        const std::size_t count = system.coordinates.size();
         const LoopFamily& family = k < count ? system.coordinates[k] : system.momenta[k - count];
+        const auto* rule = std::get_if<LoopStart::Rule>(&system.initial[k].values);
+        if (rule == nullptr) {
+            const auto& list = std::get<std::vector<Scaled>>(system.initial[k].values);
+            lengths.insert(fmt::format("{} == {}", names.count(family), list.size()));
+            continue;
+        }
         std::vector<Loop> loops;
         for (std::size_t d = 0; d < rule->indices.size(); ++d) {
             loops.push_back({rule->indices[d], family.ranges[d]});
         }
         conditions.add(rule->accesses, loops);
     }
-    return std::move(conditions).all();
+    std::set<std::string> all = std::move(conditions).all();
+    all.merge(lengths);
+    return all;
 }
 
 }  // namespace hvi::gen

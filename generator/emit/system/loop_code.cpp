@@ -145,7 +145,7 @@ private:
     }
 
     void write_begin(Writer& writer) {
-        writer.blank().line("/// Where the scene begins; empty where lists are too short.");
+        writer.blank().line("/// Where the scene begins; empty where lists do not fit.");
         writer.open("void begin(Vector& q_of, Vector& p_of) const {{");
         writer.line("q_of.clear();").line("p_of.clear();");
         for (const std::string& condition : conditions_of_starts(system_, names_)) {
@@ -166,19 +166,13 @@ private:
 
     // ---- the constructor, and the data ----
 
-    static std::string extent(const LoopNames& names, const LoopRange& range) {
-        return fmt::format("hvi::detail::count_of({}, {})", names.whole(range.first),
-                           names.whole(range.last));
-    }
-
     void write_places(Writer& writer, const LoopFamily& family, std::string_view total) {
         const std::string name = member_of(family.name);
         const std::size_t d = family.ranges.size();
         std::string first;
         for (std::size_t i = d; i-- > 0;) {
             if (i + 1 < d) {
-                writer.line("{}_step_{}_ = {}{};", name, i + 1,
-                            extent(names_, family.ranges[i + 1]),
+                writer.line("{}_step_{}_ = {}{};", name, i + 1, names_.count(family.ranges[i + 1]),
                             i + 2 < d ? fmt::format(" * {}_step_{}_", name, i + 2) : "");
             }
             first += fmt::format(" - ({}){}", names_.whole(family.ranges[i].first),
@@ -186,7 +180,7 @@ private:
         }
         writer.line("{}_at_ = {}{};", name, total.empty() ? "0" : total, first);
         if (total.empty()) { return; }
-        std::string count = d == 0 ? "1" : extent(names_, family.ranges[0]);
+        std::string count = d == 0 ? "1" : names_.count(family.ranges[0]);
         if (d > 1) { count += fmt::format(" * {}_step_1_", name); }
         writer.line("{} += {};", total, count);
     }
@@ -311,8 +305,7 @@ std::string loop_system_text(const LoopCode& code) { return SystemClass(code).te
 
 std::string loop_members_text(const LoopCode& code) {
     Writer writer(1);
-    writer.line("/// Where the scene begins; empty where lists of parameters are too short for its "
-                "sizes.");
+    writer.line("/// Where the scene begins; empty where a list does not fit its sizes.");
     writer.open("[[nodiscard]] static State initial(const Parameters& parameters) {{")
         .line("State x;")
         .line("System(parameters).begin(x.q, x.p);")

@@ -53,6 +53,18 @@ std::string LoopNames::whole(const AffineForm& form) const {
     return text;
 }
 
+std::string LoopNames::count(const LoopRange& range) const {
+    return fmt::format("hvi::detail::count_of({}, {})", whole(range.first), whole(range.last));
+}
+
+std::string LoopNames::count(const LoopFamily& family) const {
+    std::string text;
+    for (const LoopRange& range : family.ranges) {
+        text += (text.empty() ? "" : " * ") + count(range);
+    }
+    return text.empty() ? "1" : text;
+}
+
 std::string LoopNames::place(const Access& access) const {
     const LoopFamily& family = system_.family(access);
     const std::string name = member_of(family.name);

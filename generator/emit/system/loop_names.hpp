@@ -23,6 +23,12 @@ public:
     /// A whole number of sizes and indices, as a factor of another where it is one.
     [[nodiscard]] std::string whole(const AffineForm& form) const;
 
+    /// `hvi::detail::count_of(1, N_)`: how many values an index takes.
+    [[nodiscard]] std::string count(const LoopRange& range) const;
+
+    /// How many elements a family has.
+    [[nodiscard]] std::string count(const LoopFamily& family) const;
+
     /// `x_at_ + i`: the place of an element among those of its kind.
     [[nodiscard]] std::string place(const Access& access) const;
 

@@ -275,7 +275,7 @@ void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::strin
     for (const LoopRange& range : family.ranges) {
         first.push_back("(" + names_.whole(range.first) + ")");
     }
-    writer.line("hvi::detail::put(values, {}, {});", array, place(family, first)).close();
+    writer.line("hvi::detail::put(values, {} + {});", array, place(family, first)).close();
 }
 
 void LoopWriter::write_rule(Writer& writer, const LoopFamily& family, std::string_view array,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include <hvi/detail/loops/stretch.hpp>
@@ -20,13 +21,10 @@ namespace hvi::detail {
     return rest < 0 ? rest + n : rest;
 }
 
-/// Gives to[at], to[at + 1], ... these values, as far as there are places.
-template <class Scalar, std::size_t count, class Vector>
-void put(const Scalar (&values)[count], Vector& to, Place at) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t place = static_cast<std::size_t>(at) + k;
-        if (place < to.size()) { to[place] = values[k]; }
-    }
+/// Gives to[0], to[1], ... these values.
+template <class Scalar, std::size_t count>
+void put(const Scalar (&values)[count], Scalar* to) {
+    std::copy_n(values, count, to);
 }
 
 }  // namespace hvi::detail
