@@ -47,15 +47,17 @@ Complex turned(Complex w, Real omega, Real h, int steps) {
     return w;
 }
 
-/// Takes steps, and compares: q is the sum of shapes times amplitudes, the same for p.
+/// A shape that oscillates.
 struct Mode {
     std::vector<Real> shape;
     Real omega;
     Complex start;  ///< of q + i p/omega
 };
 
+/// The sum of modes after some steps, each of few iterations: with the right factors the second
+/// correction of linear equations is one of rounding.
 template <int stages, class Stepper>
-void check_modes(Stepper stepper, const std::vector<Mode>& modes, double h) {
+void check_modes(Stepper stepper, const std::vector<Mode>& modes, double h, int most_iterations) {
     constexpr int steps = 20;
     const std::size_t n = modes.front().shape.size();
     const auto at = [&](int step) {
@@ -75,7 +77,7 @@ void check_modes(Stepper stepper, const std::vector<Mode>& modes, double h) {
     for (int step = 0; step < steps; ++step) {
         const hvi::Status status = stepper.step(x, h);
         REQUIRE(status.ok());
-        CHECK(status.iterations < 15);
+        CHECK(status.iterations <= most_iterations);
     }
     const auto end = at(steps);
     Real size_p = 1;
@@ -235,8 +237,8 @@ TEST_CASE("a chain of linear springs, far beyond its fastest period") {
     for (const std::size_t n : {1U, 2U, 3U, 70U, 500U}) {
         CAPTURE(n);
         for (const double h : {0.01, 0.5, 50.0}) {
-            check_modes<2>(of_size<generated::Springs>(n), modes_of_springs(n), h);
-            check_modes<3>(of_size<generated::Springs3>(n), modes_of_springs(n), h);
+            check_modes<2>(of_size<generated::Springs>(n), modes_of_springs(n), h, 8);
+            check_modes<3>(of_size<generated::Springs3>(n), modes_of_springs(n), h, 8);
         }
     }
 }
@@ -245,8 +247,8 @@ TEST_CASE("a membrane of linear springs") {
     for (const std::size_t n : {1U, 2U, 3U, 9U, 20U}) {
         CAPTURE(n);
         for (const double h : {0.01, 0.5, 50.0}) {
-            check_modes<2>(of_size<generated::Membrane>(n), modes_of_membrane(n), h);
-            check_modes<3>(of_size<generated::Membrane3>(n), modes_of_membrane(n), h);
+            check_modes<2>(of_size<generated::Membrane>(n), modes_of_membrane(n), h, 8);
+            check_modes<3>(of_size<generated::Membrane3>(n), modes_of_membrane(n), h, 8);
         }
     }
 }
@@ -255,8 +257,8 @@ TEST_CASE("linear springs between all pairs") {
     for (const std::size_t n : {5U, 70U, 300U}) {
         CAPTURE(n);
         for (const double h : {0.01, 0.5, 5.0}) {
-            check_modes<2>(of_size<generated::AllPairs>(n), modes_of_pairs(n), h);
-            check_modes<3>(of_size<generated::AllPairs3>(n), modes_of_pairs(n), h);
+            check_modes<2>(of_size<generated::AllPairs>(n), modes_of_pairs(n), h, 12);
+            check_modes<3>(of_size<generated::AllPairs3>(n), modes_of_pairs(n), h, 12);
         }
     }
 }
