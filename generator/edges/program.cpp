@@ -19,8 +19,6 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr const char* header_name = "stepper.hpp";
-
 /// A statement for each parameter.
 std::string set_parameters(const System& system) {
     const NodeNames names = parameter_names(system);
@@ -78,10 +76,9 @@ EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Sce
         scene_stepper(method.method, scene,
                       {.solver = solver, .energy = true, .composition = method.composition});
     is_explicit_ = stepper.step.is_explicit();
-    build_ = builds.order({fill("edge.cpp.in", {{"header", header_name},
-                                                {"stepper", stepper.class_name},
-                                                {"set", set_parameters(stepper.system)}}),
-                           {{header_name, stepper.header}}});
+    build_ = builds.order(
+        program_around(stepper, "edge.cpp.in",
+                       {{"stepper", stepper.class_name}, {"set", set_parameters(stepper.system)}}));
 }
 
 EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method,
@@ -91,8 +88,7 @@ EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method
     EdgeProgram program;
     program.is_explicit_ = stepper.step.is_explicit();
     program.build_ = builds.order(
-        {fill("symplectic.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
-         {{header_name, stepper.header}}});
+        program_around(stepper, "symplectic.cpp.in", {{"stepper", stepper.class_name}}));
     return program;
 }
 
