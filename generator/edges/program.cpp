@@ -7,6 +7,7 @@
 #include <csignal>
 #include <memory>
 
+#include "generator/edges/dual_functions.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/text.hpp"
 #include "generator/exact/methods/galerkin_rule.hpp"
@@ -84,7 +85,8 @@ EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Sce
 EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method,
                                     const Scene& scene) {
     const SceneStepper stepper =
-        scene_stepper(method.method, scene, {.float128 = true, .composition = method.composition});
+        scene_stepper(method.method, with_dual_functions(scene),
+                      {.float128 = true, .composition = method.composition});
     EdgeProgram program;
     program.is_explicit_ = stepper.step.is_explicit();
     program.build_ = builds.order(
