@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tests/checkout.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/refusals.hpp"
 #include "tests/simulate/cache.hpp"
@@ -145,6 +146,30 @@ TEST_CASE("a report measures against a reference in long double") {
     CHECK(kind.rfind("gauss:10 in ", 0) == 0);
     const double error = scene.at("methods").at(1).at("points").at(0).at("error");
     CHECK(error == Approx(1e-4 / 720).epsilon(0.01));
+}
+
+TEST_CASE("steps with functions of two arguments are symplectic, by dual numbers") {
+    use_cache();
+    const Directory directory;
+    const Outcome result = hvi_gen({"report", in_checkout("tests/own/waves.toml"), "--edges",
+                                    "--methods", "gauss:2, symplectic-euler", "--steps", "1/10",
+                                    "--only", "rejections,symplecticity,json", "-o", "out"},
+                                   directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    const auto report = nlohmann::json::parse(contents(directory / "out/report.json"));
+    std::size_t defects = 0;
+    for (const auto& chapter : report.at("edges")) {
+        for (const auto& check : chapter.at("checks")) {
+            CHECK(check.at("scene") == "waves");
+            const bool is_defect = chapter.at("name") == "symplecticity";
+            if (!is_defect) continue;
+            const std::string seen = check.at("seen");
+            CHECK(std::stod(seen) < 1e-12);
+            ++defects;
+        }
+    }
+    CHECK(defects == 4);
 }
 
 TEST_CASE("a stepper is written by a scene and not by its headers") {
