@@ -6,9 +6,10 @@
 #                [SCENE name | SCENE file.toml | SEPARABLE] [NAME class] [OPTIONS option...])
 #
 # Makes the INTERFACE library `target`, or adds to it: what links it can #include "file.hpp", and
-# "potential.hpp" beside the file of a scene, which functions of its own stand in. The
-# methods and options are those of `hvi-gen stepper`; METHOD_FILE and the file of a scene are
-# relative to the directory of the caller. OPTIONS takes any others, as in OPTIONS --param w=2.
+# "potential.hpp" beside the file of a scene, which functions of its own stand in and which is not
+# called as HEADER. The methods and options are those of `hvi-gen stepper`; METHOD_FILE and the file
+# of a scene are relative to the directory of the caller. OPTIONS takes any others, as in OPTIONS
+# --param w=2.
 #
 # The program is hvi::hvi-gen, or the one that HVI_GEN_EXECUTABLE names: set it when you compile for
 # another machine.
