@@ -8,11 +8,15 @@
 #include <catch2/catch.hpp>
 #include <hvi/ensemble.hpp>
 #include <own/chain.hpp>
+#include <own/chain_fixed.hpp>
 #include <own/chain_gauss.hpp>
+#include <own/chain_newton.hpp>
 #include <own/closed.hpp>
 #include <own/closed_chain.hpp>
 #include <own/closed_composed.hpp>
 #include <own/closed_explicit.hpp>
+#include <own/closed_gauss.hpp>
+#include <own/closed_of_pairs.hpp>
 #include <own/closed_pairs.hpp>
 #include <own/closed_waves.hpp>
 #include <own/closed_wide.hpp>
@@ -23,6 +27,7 @@
 #include <own/in_lanes.hpp>
 #include <own/newton.hpp>
 #include <own/pairs.hpp>
+#include <own/pairs_newton.hpp>
 #include <own/taylor.hpp>
 #include <own/wavy.hpp>
 #include <own/wavy_lanes.hpp>
@@ -147,6 +152,8 @@ TEST_CASE("sums over springs and over pairs call a potential in a header") {
     const auto x = OwnChain::initial();
     CHECK(OwnChain().energy(x) == Approx(ClosedChain().energy(x)).epsilon(1e-13));
     CHECK(OwnPairs().energy(x) == Approx(ClosedPairs().energy(x)).epsilon(1e-13));
-    // Both methods tend to the same motion: of orders 2 and 4.
-    CHECK(distance(moved(OwnChainGauss(), 0.01, 50), moved(ClosedChain(), 0.0005, 1000)) < 1e-5);
+    CHECK(apart<OwnChainGauss, ClosedChainGauss>(0.05, 100) < 1000 * eps);
+    CHECK(apart<OwnChainFixed, ClosedChainGauss>(0.05, 100) < 1000 * eps);
+    CHECK(apart<OwnChainNewton, ClosedChainGauss>(0.05, 100) < 1000 * eps);
+    CHECK(apart<OwnPairsNewton, ClosedPairsGauss>(0.05, 100) < 1000 * eps);
 }
