@@ -211,3 +211,31 @@ TEST_CASE("what a scene with functions of its own is refused") {
     }
     CHECK(directory.names() == std::vector<std::string>{"below", "scene.toml"});
 }
+
+TEST_CASE("a scene of any size is refused what a small one is") {
+    const Directory directory;
+    write_scene(directory, potential);
+    const std::string chain =
+        "hamiltonian = \"sum(i=1..N, p[i]^2/2 + a*V(q[i]))\"\n"
+        "coordinates = \"q[1..N]\"\nmomenta = \"p[1..N]\"\n"
+        "functions = {V = {header = \"below/spring.hpp\", arguments = 1}}\n"
+        "definitions = {\"start[i]\" = \"V(i)\"}\nparameters = {N = 100, a = 1, m = [1, 2]}\n"
+        "initial = {\"q[i]\" = \"i/2\", \"p[i]\" = 0}\nrun = {method = \"stormer-verlet\"}\n";
+    const auto pointed = [&](const std::string& part, const std::string& other) {
+        std::string scene = chain;
+        scene.replace(scene.find(part), part.size(), other);
+        write(directory / "chain.toml", scene);
+        const Outcome outcome = hvi_gen({"stepper", "chain.toml"}, directory.path());
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        check_form(outcome.err);
+        CHECK(outcome.err.find("error: `V` cannot stand in ") == 0);
+        return pointed_at(outcome.err);
+    };
+    CHECK(pointed("a = 1", "a = \"2*V(1)\"") == "V(1)");
+    CHECK(pointed("[1, 2]", "[1, \"V(2)\"]") == "V(2)");
+    CHECK(pointed("\"i/2\"", "\"V(i)/2\"") == "V(i)");
+    CHECK(pointed("\"i/2\"", "\"start[i]/2\"") == "start[i]");
+    write(directory / "chain.toml", chain);
+    CHECK(hvi_gen({"stepper", "chain.toml"}, directory.path()).status == 0);
+}
