@@ -3,6 +3,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/hamiltonian/legendre.hpp"
+#include "generator/read/own_functions.hpp"
 #include "generator/render/equations.hpp"
 
 namespace hvi::gen {
@@ -39,6 +40,12 @@ std::string equations(const Method& method, const Function& function,
 
 void run(const SchemeOptions& options) {
     const auto [method, system] = read_system(options.method, options.system);
+    std::visit(
+        [](const auto& function) {
+            refuse_own_functions(function.expression, function.source,
+                                 "the exact equations of a step");
+        },
+        system);
     const auto write = [&, &read = method](const auto& function) {
         write_result(options.output, equations(read, function, options));
     };

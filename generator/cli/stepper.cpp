@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "generator/cli/advice.hpp"
@@ -41,7 +42,20 @@ std::string explanation(const SceneStepper& stepper) {
     return text;
 }
 
+/// NOTE: beside one another an #include would find the stepper in the header's place.
+void check_output(const StepperOptions& options, const OwnFunctions& own) {
+    if (!options.output) return;
+    for (const OwnFunction& function : own.functions) {
+        if (std::filesystem::path(function.header).filename() != options.output->filename())
+            continue;
+        throw InputError(fmt::format("the stepper would be called as the header of `{}`, {}",
+                                     function.name, function.header),
+                         function.place, "give the file of -o another name");
+    }
+}
+
 void write_scene(const StepperOptions& options, const MethodAndScene& wished) {
+    check_output(options, wished.scene.own);
     const SceneStepper stepper = scene_stepper(wished.method, wished.scene, options.wishes);
     if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
     write_result(options.output,
@@ -53,6 +67,7 @@ void write_scene(const StepperOptions& options, const MethodAndLargeScene& wishe
     if (options.dump)
         throw InputError("--dump is not built for more than 64 degrees of freedom",
                          options.dump->place);
+    check_output(options, wished.scene.own);
     const LoopStepper stepper = loop_stepper(wished.method, wished.scene, options.wishes);
     if (options.explain) std::fputs(dump(stepper.step).c_str(), stderr);
     write_result(options.output, stepper.header);

@@ -5,9 +5,11 @@
 #                METHOD name | BASIS text NODES text | METHOD_FILE file.toml
 #                [SCENE name | SCENE file.toml | SEPARABLE] [NAME class] [OPTIONS option...])
 #
-# Makes the INTERFACE library `target`, or adds to it: what links it can #include "file.hpp". The
-# methods and options are those of `hvi-gen stepper`; METHOD_FILE and the file of a scene are
-# relative to the directory of the caller. OPTIONS takes any others, as in OPTIONS --param w=2.
+# Makes the INTERFACE library `target`, or adds to it: what links it can #include "file.hpp", and
+# "potential.hpp" beside the file of a scene, which functions of its own stand in and which is not
+# called as HEADER. The methods and options are those of `hvi-gen stepper`; METHOD_FILE and the file
+# of a scene are relative to the directory of the caller. OPTIONS takes any others, as in OPTIONS
+# --param w=2.
 #
 # The program is hvi::hvi-gen, or the one that HVI_GEN_EXECUTABLE names: set it when you compile for
 # another machine.
@@ -74,6 +76,10 @@ function(hvi_generate)
     endif()
     target_sources(${arg_TARGET}
         INTERFACE FILE_SET HEADERS BASE_DIRS "${directory}" FILES "${header}")
+    if(arg_SCENE MATCHES "[.]toml$")
+        cmake_path(GET scene PARENT_PATH beside_scene)
+        target_include_directories(${arg_TARGET} INTERFACE "$<BUILD_INTERFACE:${beside_scene}>")
+    endif()
     # What links the target is compiled after the header is written, also in other directories.
     string(MAKE_C_IDENTIFIER "${arg_TARGET}_${arg_HEADER}" step)
     add_custom_target(${step} DEPENDS "${header}.written")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/edges/origin.hpp"
 
+#include "generator/expr/own_functions.hpp"
 #include "generator/hamiltonian/gradient.hpp"
 #include "generator/scene/start.hpp"
 #include "generator/support/error.hpp"
@@ -9,6 +10,7 @@ namespace hvi::gen {
 
 Origin origin_of(const Scene& scene) {
     if (!std::holds_alternative<Hamiltonian>(scene.mechanics)) return Origin::other;
+    if (own_call_in(hamiltonian_of(scene).expression) != nullptr) return Origin::other;
     SymbolValues values = parameter_values(scene);
     for (const auto* names : {&hamiltonian_of(scene).coordinates, &hamiltonian_of(scene).momenta})
         for (const std::string& name : *names) values[name] = Ball();

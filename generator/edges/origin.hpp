@@ -13,8 +13,8 @@ enum class Origin {
 };
 
 /// By the exact derivatives of H, in enclosures; of an H that depends on time, at t = 0; not known
-/// where the scene has a Lagrangian. Throws as
-/// gradient() and parameter_values() do.
+/// where the scene has a Lagrangian or functions of the user's own. Throws as gradient() and
+/// parameter_values() do.
 [[nodiscard]] Origin origin_of(const Scene& scene);
 
 }  // namespace hvi::gen

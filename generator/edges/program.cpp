@@ -7,6 +7,7 @@
 #include <csignal>
 #include <memory>
 
+#include "generator/edges/dual_functions.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/text.hpp"
 #include "generator/exact/methods/galerkin_rule.hpp"
@@ -18,8 +19,6 @@
 namespace hvi::gen {
 
 namespace {
-
-constexpr const char* header_name = "stepper.hpp";
 
 /// A statement for each parameter.
 std::string set_parameters(const System& system) {
@@ -78,21 +77,20 @@ EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Sce
         scene_stepper(method.method, scene,
                       {.solver = solver, .energy = true, .composition = method.composition});
     is_explicit_ = stepper.step.is_explicit();
-    build_ = builds.order({fill("edge.cpp.in", {{"header", header_name},
-                                                {"stepper", stepper.class_name},
-                                                {"set", set_parameters(stepper.system)}}),
-                           {{header_name, stepper.header}}});
+    build_ = builds.order(
+        program_around(stepper, "edge.cpp.in",
+                       {{"stepper", stepper.class_name}, {"set", set_parameters(stepper.system)}}));
 }
 
 EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method,
                                     const Scene& scene) {
     const SceneStepper stepper =
-        scene_stepper(method.method, scene, {.float128 = true, .composition = method.composition});
+        scene_stepper(method.method, with_dual_functions(scene),
+                      {.float128 = true, .composition = method.composition});
     EdgeProgram program;
     program.is_explicit_ = stepper.step.is_explicit();
     program.build_ = builds.order(
-        {fill("symplectic.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
-         {{header_name, stepper.header}}});
+        program_around(stepper, "symplectic.cpp.in", {{"stepper", stepper.class_name}}));
     return program;
 }
 

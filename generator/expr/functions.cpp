@@ -61,6 +61,16 @@ bool is_of_lists(std::string_view name) {
 
 bool is_function(std::string_view word) { return word == "if" || find_function(word) != nullptr; }
 
+bool is_choice(std::string_view name) {
+    const Function* const function = find_function(name);
+    return function != nullptr && function->nature == Nature::choice;
+}
+
+bool is_smooth(std::string_view name) {
+    const Function* const function = find_function(name);
+    return function == nullptr || function->is_smooth();
+}
+
 const Function* find_function(std::string_view name) {
     const auto* found = std::find_if(table.begin(), table.end(),
                                      [&](const Function& entry) { return entry.name == name; });

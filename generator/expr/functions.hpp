@@ -59,6 +59,13 @@ struct Function {
 /// Whether the word is that of a function in texts: a name of them, or `if`.
 [[nodiscard]] bool is_function(std::string_view word);
 
+/// Whether a function of expressions chooses from its arguments; none of the user's own does.
+[[nodiscard]] bool is_choice(std::string_view name);
+
+/// Whether a function has neither a kink nor a jump, nor chooses; those of the user's own are taken
+/// for smooth.
+[[nodiscard]] bool is_smooth(std::string_view name);
+
 /// The function of that name, or null.
 [[nodiscard]] const Function* find_function(std::string_view name);
 

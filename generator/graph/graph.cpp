@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/expr/functions.hpp"
+#include "generator/expr/own_functions.hpp"
 #include "generator/graph/pythagoras.hpp"
 #include "generator/graph/written.hpp"
 
@@ -65,6 +66,8 @@ Node Graph::insert(Computation computation) {
 }
 
 std::optional<Expression> Graph::folded(const Computation& computation) const {
+    const bool is_call = computation.operation == Operation::call;
+    if (is_call && is_own_function(computation.name)) { return {}; }
     std::vector<Expression> values;
     const auto add = [&](const SmallFraction& factor, Node node) {
         if (at(node).operation == Operation::constant) {
@@ -227,8 +230,9 @@ Scaled Graph::power(const Scaled& base, const Scaled& exponent) {
 Scaled Graph::call(const std::string& function, const std::vector<Scaled>& arguments) {
     if (function == "sqrt") { return half_power(arguments.front(), 1); }
     // NOTE: a choice is between its last two arguments.
-    const bool is_choice = find_function(function)->nature == Nature::choice;
-    if (is_choice && arguments.back() == *(arguments.end() - 2)) { return arguments.back(); }
+    if (is_choice(function) && arguments.back() == *(arguments.end() - 2)) {
+        return arguments.back();
+    }
     Computation computation;
     computation.operation = Operation::call;
     computation.name = function;
@@ -243,7 +247,7 @@ bool has_kinks(const Graph& graph, const std::vector<Scaled>& values) {
         const Computation& computation = graph.at(node);
         if (!is_needed[node] || !varies(computation.roles)) { continue; }
         const bool is_call = computation.operation == Operation::call;
-        if (is_call && !find_function(computation.name)->is_smooth()) { return true; }
+        if (is_call && !is_smooth(computation.name)) { return true; }
         for (const Scaled& term : computation.terms) { is_needed[term.node] = true; }
         for (const Node argument : computation.arguments) { is_needed[argument] = true; }
     }

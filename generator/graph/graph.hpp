@@ -35,7 +35,7 @@ enum class Operation {
     square_root,          ///< sqrt(a)
     inverse_square_root,  ///< 1/sqrt(a)
     power,                ///< a^b
-    call,                 ///< one of expr/functions.hpp, by its name
+    call,                 ///< one of expr/functions.hpp, or of the user's own, by its name
 };
 
 /// What an input is, and so what a node depends on.
@@ -104,8 +104,9 @@ public:
     /// a^(twice_exponent/2), by products of a, 1/a and sqrt(a).
     [[nodiscard]] Scaled half_power(const Scaled& a, long twice_exponent);
     [[nodiscard]] Scaled power(const Scaled& base, const Scaled& exponent);
-    /// Precondition: a function of expr/functions.hpp other than those of lists, and as many
-    /// arguments as it takes.
+    /// Precondition: a function of expr/functions.hpp other than those of lists, or one of the
+    /// user's own, and as many arguments as it takes. NOTE: one of the user's own is no constant,
+    /// whatever it is called of.
     [[nodiscard]] Scaled call(const std::string& function, const std::vector<Scaled>& arguments);
 
     /// What half_power() made this node of, for odd exponents.

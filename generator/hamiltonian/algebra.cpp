@@ -11,6 +11,7 @@
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/hamiltonian/ginac_functions.hpp"
 #include "generator/read/names.hpp"
+#include "generator/read/own_functions.hpp"
 #include "generator/scene/start.hpp"
 
 namespace hvi::gen {
@@ -154,6 +155,7 @@ private:
     }
 
     [[nodiscard]] ex call(const Expression& expression) const {
+        refuse_own_functions(expression, source_, "what is computed exactly");
         const GiNaC::exvector arguments = all(expression.arguments);
         if (expression.name == "sqrt") return raised_to(arguments[0], ex(1) / 2, expression);
         return real(applied(expression.name, arguments), expression);

@@ -105,7 +105,8 @@ struct LoopInvariant {
 /// numbers, and parameters.
 struct LoopSystem {
     std::string name, description;
-    Expression expression;  ///< H as it was written
+    Expression expression;                 ///< H as it was written
+    std::vector<std::string> own_headers;  ///< of functions of the user's own
     std::vector<LoopSize> sizes;
     std::vector<SystemParameter> parameters;  ///< without an index
     std::vector<LoopTable> tables;

@@ -67,6 +67,7 @@ struct System {
     std::vector<std::string> coordinates, momenta;
     std::vector<std::string> velocities;      ///< on the Lagrangian side
     std::vector<SystemParameter> parameters;  ///< in the order of the scene
+    std::vector<std::string> own_headers;     ///< of functions of the user's own
 
     Graph graph;
     std::vector<Node> q, conjugates;          ///< inputs, in the order of their names

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "generator/expr/functions.hpp"
+#include "generator/expr/own_functions.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/read/parse.hpp"
 
@@ -38,6 +39,7 @@ Scaled lowered(Graph& graph, std::string_view text, const std::vector<Scaled>& a
 /// The derivative of a function by its argument number k; `value` is what it is there.
 Scaled derivative(Graph& graph, const std::string& name, const std::vector<Scaled>& arguments,
                   const Scaled& value, std::size_t k) {
+    if (is_own_function(name)) { return graph.call(own_derivative(name, k), arguments); }
     const Function& function = *find_function(name);
     return lowered(graph, k == 0 ? function.derivative : function.by_second, arguments, value);
 }
@@ -94,7 +96,7 @@ private:
             give(power->base.node, graph_.product(share, of_half_power(*power)));
             return;
         }
-        if (is_choice(computation)) {
+        if (chooses(computation)) {
             hand_to_inputs(computation, share);
             return;
         }
@@ -111,9 +113,8 @@ private:
         }
     }
 
-    [[nodiscard]] static bool is_choice(const Computation& computation) {
-        return computation.operation == Operation::call &&
-               find_function(computation.name)->nature == Nature::choice;
+    [[nodiscard]] static bool chooses(const Computation& computation) {
+        return computation.operation == Operation::call && is_choice(computation.name);
     }
 
     /// Of a choice, the inputs get their shares at once, chosen as the value is. NOTE: 0 times the

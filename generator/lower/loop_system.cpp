@@ -13,6 +13,7 @@
 #include "generator/lower/lower.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
+#include "generator/read/own_functions.hpp"
 #include "generator/read/put_in.hpp"
 #include "generator/read/sizes.hpp"
 
@@ -159,6 +160,7 @@ void LoopLowering::declare_table(const IndexedValue& value, const ValueList& lis
     }
     for (const IndexedExpression& each : list.values) {
         Expression number = unrolled(each, {sizes_.begin(), sizes_.end()});
+        refuse_own_functions(number, each.source, "the value of a parameter");
         walk(number, [&](const Expression& part) {
             if (part.kind == Expression::Kind::symbol && !is_constant(part.name)) {
                 throw InputError("where there are more than 64 degrees of freedom, lists of "
@@ -190,6 +192,7 @@ void LoopLowering::declare_parameters() {
     resolve(numbers);
     for (Parameter& number : numbers) {
         const Scaled node = system_.graph.input(number.name, Role::parameter);
+        refuse_own_functions(number.value, number.source, "the value of a parameter");
         walk(number.value, [&](const Expression& part) {
             if (part.kind == Expression::Kind::symbol && !is_constant(part.name)) {
                 throw InputError(fmt::format("`{}` is no parameter", part.name),
@@ -422,7 +425,9 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
         }
         std::vector<Scaled> values;
         for (const IndexedExpression& each : list->values) {
-            values.push_back(this->value(definitions_.put_in(each).written, {}, each.source));
+            const Expression written = definitions_.put_in(each).written;
+            refuse_own_functions(written, each.source, "an initial value");
+            values.push_back(this->value(written, {}, each.source));
         }
         return {std::move(values)};
     }
@@ -438,6 +443,7 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
                          value.place, "give a rule for all indices: \"x[i]\" = \"sin(i)\"");
     }
     const IndexedExpression whole = definitions_.put_in(written);
+    refuse_own_functions(whole.written, whole.source, "an initial value");
     LoopTerm term{{}, whole.written};
     for (std::size_t d = 0; d < indices.size(); ++d) {
         term = within_loop(std::move(term), indices[d], family.ranges[d], taken_);
@@ -466,6 +472,7 @@ LoopSystem LoopLowering::operator()() {
     system_.name = written_.name;
     system_.description = written_.description;
     system_.expression = written_.function.written;
+    system_.own_headers = written_.own.includes();
     declare_sizes();
     declare_families(written_.coordinates, FamilyKind::coordinate);
     declare_families(written_.conjugates, FamilyKind::momentum);

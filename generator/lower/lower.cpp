@@ -5,6 +5,8 @@
 #include <charconv>
 #include <functional>
 
+#include "generator/expr/own_functions.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -32,6 +34,7 @@ bool is_variable(const Expression& expression) {
 /// Whether it is a number with more to it than sums, products and powers of numbers: one that is
 /// rounded once, as a whole.
 bool is_irrational_constant(const Expression& expression) {
+    if (own_call_in(expression) != nullptr) { return false; }
     return !contains(expression, is_variable) && contains(expression, [](const Expression& part) {
         return part.kind == Kind::call || part.kind == Kind::symbol;
     });

@@ -115,6 +115,7 @@ System system_of(const Scene& scene) {
     System& system = result.system;
     system.name = scene.name;
     system.description = scene.description;
+    system.own_headers = scene.own.includes();
     for (const Parameter& parameter : parameters) {
         system.parameters.push_back(
             {parameter.name, parameter.value, result.symbols.at(parameter.name).node});

@@ -76,6 +76,7 @@ std::string command(const OneStepMethod& method, const IndexedScene& scene,
 LoopStepper loop_stepper(const Method& wished, const IndexedScene& scene,
                          const StepperWishes& wishes) {
     check_wishes(wishes, whole(scene.function.source));
+    check_own_names(scene.own);
     OneStepMethod method{derive_any(wished), wishes.composition, wished.place};
     if (wishes.composition) { check_composition(*wishes.composition, method.base); }
     LoopSystem system = loop_system(scene);
@@ -91,7 +92,7 @@ LoopStepper loop_stepper(const Method& wished, const IndexedScene& scene,
         emit_loops(method, step, code,
                    {.class_name = name, .command = command(method, scene, wishes), .loops = &code});
     return {std::move(method), std::move(system), std::move(sites), std::move(step), name,
-            std::move(header)};
+            std::move(header), scene.own.headers};
 }
 
 }  // namespace hvi::gen

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/ir/one_step_method.hpp"
 #include "generator/ir/step.hpp"
@@ -21,6 +22,7 @@ struct LoopStepper {
     Step step;
     std::string class_name;
     std::string header;
+    std::vector<OwnHeader> own_headers;  ///< that it needs
 };
 
 /// Its size does not depend on those of the scene, which are parameters of the class. Throws

@@ -152,6 +152,7 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
                         .float128 = wishes.float128,
                         .action = wishes.action};
     check_members(scene, members);
+    check_own_names(scene.own);
     check_start(scene);
     check_lagrangian(scene);
     auto [method, curve] = derived(wished, wishes);

@@ -109,7 +109,7 @@ Expression ExpressionParser::number() {
 Expression ExpressionParser::name(const Token& name) {
     if (next_is(Kind::open)) return call(name);
     std::string symbol = text(name.range);
-    if (is_function(symbol))
+    if (is_function(symbol) || is_own(symbol))
         fail(name.range, fmt::format("`{}` is a function and wants an argument", symbol),
              fmt::format("write `{}(...)`", symbol));
     return located(Expression::symbol(std::move(symbol)), name.range.begin);
@@ -118,8 +118,7 @@ Expression ExpressionParser::name(const Token& name) {
 Expression ExpressionParser::call(const Token& name) {
     const std::string called = text(name.range);
     if (called == "if") return choice(name);
-    const Function* function = find_function(called);
-    if (function == nullptr) fail_unknown_function(name);
+    if (find_function(called) == nullptr && !is_own(called)) fail_unknown_function(name);
     const Token open = take();
     if (next_is(Kind::close))
         fail({name.range.begin, next().range.end}, fmt::format("`{}` wants an argument", called));
@@ -131,7 +130,7 @@ Expression ExpressionParser::call(const Token& name) {
     }
     take_close(open);
     Expression call = located(Expression::call(called, std::move(arguments)), name.range.begin);
-    check_argument_count(call, *function);
+    check_argument_count(call);
     return call;
 }
 
@@ -202,6 +201,7 @@ void ExpressionParser::fail_unknown_function(const Token& name) const {
         if (!is_if(function.name) && (is_list() || !is_of_lists(function.name)))
             names.push_back(function.name);
     names.push_back("if");
+    for (const auto& [own, count] : own_) names.push_back(own);
     fail(name.range, fmt::format("there is no function `{}`", called),
          is_reserved(called) ? product
                              : did_you_mean(called, names,
@@ -209,12 +209,12 @@ void ExpressionParser::fail_unknown_function(const Token& name) const {
                                                         fmt::join(names, ", "), product)));
 }
 
-void ExpressionParser::check_argument_count(const Expression& call,
-                                            const Function& function) const {
-    if (call.arguments.size() == function.arguments) return;
-    fail(call.range,
-         fmt::format("`{}` takes {} argument{}, not {}", function.name, function.arguments,
-                     function.arguments == 1 ? "" : "s", call.arguments.size()));
+void ExpressionParser::check_argument_count(const Expression& call) const {
+    const std::size_t wanted =
+        is_own(call.name) ? own_.at(call.name) : find_function(call.name)->arguments;
+    if (call.arguments.size() == wanted) return;
+    fail(call.range, fmt::format("`{}` takes {} argument{}, not {}", call.name, wanted,
+                                 wanted == 1 ? "" : "s", call.arguments.size()));
 }
 
 }  // namespace hvi::gen

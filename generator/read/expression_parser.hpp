@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <utility>
+
 #include "generator/expr/functions.hpp"
+#include "generator/expr/own_functions.hpp"
 #include "generator/read/token_reader.hpp"
 
 namespace hvi::gen {
 
 class ExpressionParser : protected TokenReader {
 public:
+    /// `own`: functions of the user's own that it may call.
     explicit ExpressionParser(std::shared_ptr<const Source> source, Range part,
-                              Indices indices = Indices::refused)
-        : TokenReader(std::move(source), part, indices) {}
+                              Indices indices = Indices::refused, OwnArguments own = {})
+        : TokenReader(std::move(source), part, indices), own_(std::move(own)) {}
     virtual ~ExpressionParser() = default;
 
     /// Reads one expression, which is the whole text.
@@ -21,6 +25,10 @@ protected:
     [[nodiscard]] Expression sum();
     /// What begins with this name, which is taken.
     [[nodiscard]] virtual Expression name(const Token& name);
+
+    [[nodiscard]] bool is_own(const std::string& function) const {
+        return own_.count(function) != 0;
+    }
 
     /// Whether a message may offer a function that can stand in lists only.
     [[nodiscard]] virtual bool is_list() const { return false; }
@@ -41,8 +49,9 @@ private:
     [[noreturn]] void fail_missing_operand() const;
     [[noreturn]] void fail_missing_operator() const;
     [[noreturn]] void fail_unknown_function(const Token& name) const;
-    void check_argument_count(const Expression& call, const Function& function) const;
+    void check_argument_count(const Expression& call) const;
 
+    OwnArguments own_;
     int nesting_ = 0;
 };
 

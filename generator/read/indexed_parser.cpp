@@ -64,6 +64,7 @@ std::string IndexedParser::index_name() {
         fail(token.range, fmt::format("there are more than {} indices here", most_indices));
     std::string name = text(token.range);
     check_parameter_name(name, place(token.range), "an index");
+    if (is_own(name)) fail(token.range, fmt::format("`{}` is a function of [functions]", name));
     if (indices_of_sums_.count(name) != 0)
         fail(token.range, fmt::format("`{}` is the index of a sum around this one", name),
              "take another letter");

@@ -13,8 +13,8 @@ namespace hvi::gen {
 
 class IndexedParser final : public ExpressionParser {
 public:
-    explicit IndexedParser(std::shared_ptr<const Source> source, Range part)
-        : ExpressionParser(std::move(source), part, Indices::allowed) {}
+    explicit IndexedParser(std::shared_ptr<const Source> source, Range part, OwnArguments own = {})
+        : ExpressionParser(std::move(source), part, Indices::allowed, std::move(own)) {}
 
     /// Reads a list of names, which is the whole text.
     [[nodiscard]] std::vector<Name> names();

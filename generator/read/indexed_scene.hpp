@@ -73,6 +73,7 @@ struct IndexedScene {
     IndexedExpression function;
     std::string origin;                    ///< as the command line has it
     std::vector<IndexedValue> parameters;  ///< no ValueRule among them
+    OwnFunctions own;
     std::vector<Definition> definitions;
     std::vector<NamedIndexed> invariants;
     ValueTable initial;

@@ -18,8 +18,9 @@ Expression parse_expression(std::shared_ptr<const Source> source, Range part) {
     return ExpressionParser(std::move(source), part).lone_expression();
 }
 
-IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source) {
-    Expression written = IndexedParser(source, whole(source).range).lone_expression();
+IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source,
+                                           const OwnArguments& own) {
+    Expression written = IndexedParser(source, whole(source).range, own).lone_expression();
     return {std::move(written), std::move(source)};
 }
 

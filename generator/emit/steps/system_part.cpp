@@ -161,7 +161,7 @@ std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
 
 SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitOptions& options) {
     SystemPart part;
-    part.include = "#include <array>\n#include <cmath>";
+    part.include = own_includes(options.system->own_headers) + "#include <array>\n#include <cmath>";
     if (options.wishes.evaluations) { part.include += "\n#include <cstdint>"; }
     // NOTE: explicit steppers have it as a part of their own.
     if (!step.is_explicit() && calls_more_math(*options.system, options.wishes)) {
@@ -207,7 +207,7 @@ std::string constructors_for_loops(const LoopCode& code, const std::string& clas
 SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitOptions& options) {
     const LoopCode& code = *options.loops;
     SystemPart part;
-    part.include = include_of_loops(code);
+    part.include = own_includes(code.system.own_headers) + include_of_loops(code);
     Writer purpose(0);
     purpose.comment(
         fmt::format("The scene {} of any size with {}, computed in Number: float, double or long "
@@ -237,6 +237,12 @@ SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitO
 }
 
 }  // namespace
+
+std::string own_includes(const std::vector<std::string>& headers) {
+    std::string lines;
+    for (const std::string& header : headers) { lines += fmt::format("#include \"{}\"\n", header); }
+    return lines.empty() ? lines : lines + "\n";
+}
 
 SystemPart system_part(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     if (options.system != nullptr) { return for_scene(method.provenance(), step, options); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/text/text.hpp"
@@ -24,6 +25,9 @@ struct SystemPart {
 
 [[nodiscard]] SystemPart system_part(const OneStepMethod& method, const Step& step,
                                      const EmitOptions& options);
+
+/// The lines that include headers with functions of the user's own.
+[[nodiscard]] std::string own_includes(const std::vector<std::string>& headers);
 
 /// The holes of the templates of headers that are called as these pieces are, but for `state`; the
 /// one for `class_name` is `name`.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "generator/expr/functions.hpp"
+#include "generator/expr/own_functions.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -156,9 +157,22 @@ private:
     /// as numbers side by side, and the library of C++ loses a NaN.
     [[nodiscard]] Code called(const Computation& computation) const {
         const std::string& name = computation.name;
-        if (find_function(name)->is_smooth()) { return call(name, computation); }
+        if (is_own_function(name)) { return of_user(computation); }
+        if (is_smooth(name)) { return call(name, computation); }
         const std::string function = !is_if(name) ? name : name == "if<" ? "if_less" : "if_at_most";
         return {fmt::format("hvi::math::{}<{}>({})", function, value_, arguments(computation))};
+    }
+
+    /// A template of the user's, of one number: by its type, so that a function of the same name
+    /// that C declares is not meant. Of numbers side by side each is computed alone.
+    [[nodiscard]] Code of_user(const Computation& computation) const {
+        const std::string function = fmt::format("::{}<Scalar>", computation.name);
+        if (value_ == "Scalar") {
+            return {fmt::format("{}({})", function, arguments(computation))};
+        }
+        return {fmt::format("hvi::detail::of_each<{}>([](const auto&... number) {{ return "
+                            "{}(number...); }}, {})",
+                            value_, function, arguments(computation))};
     }
 
     Writer& writer_;

@@ -97,9 +97,10 @@ bool calls_more_math(const System& system, const SceneWishes& wishes) {
     for (Node node = 0; node < system.graph.size(); ++node) {
         const Computation& computation = system.graph.at(node);
         if (computation.operation != Operation::call) { continue; }
-        const Function& function = *find_function(computation.name);
-        const bool is_of_runtime = wishes.float128 || !function.is_smooth();
-        if (is_of_runtime && function.runtime == Runtime::more_math) { return true; }
+        const Function* const function = find_function(computation.name);
+        if (function == nullptr) { continue; }
+        const bool is_of_runtime = wishes.float128 || !function->is_smooth();
+        if (is_of_runtime && function->runtime == Runtime::more_math) { return true; }
     }
     return false;
 }
@@ -172,6 +173,12 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
         writer.blank();
     }
     return writer.str();
+}
+
+void check_own_names(const OwnFunctions& own) {
+    for (const OwnFunction& function : own.functions) {
+        check_own_function_name(function.name, function.place);
+    }
 }
 
 void check_members(const Scene& scene, const SceneWishes& wishes) {

@@ -32,6 +32,9 @@ struct SceneWishes {
 /// Whether H calls what src/hvi/detail/numbers/more_math.hpp has.
 [[nodiscard]] bool calls_more_math(const System& system, const SceneWishes& wishes);
 
+/// Throws InputError where a function of the user's own cannot be one in C++.
+void check_own_names(const OwnFunctions& own);
+
 /// Throws InputError where an invariant that is asked for is called as something else that each
 /// stepper has, or is a word of C++.
 void check_members(const Scene& scene, const SceneWishes& wishes);

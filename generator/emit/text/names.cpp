@@ -180,6 +180,19 @@ void check_function_name(std::string_view name, const std::optional<Place>& plac
                   fmt::format("take another name, such as {}_value", name));
 }
 
+void check_own_function_name(std::string_view name, const std::optional<Place>& place) {
+    const std::string help = fmt::format("take another name, such as {}_of", name);
+    if (is_reserved(name)) {
+        throw InputError(fmt::format("'{}' is a name that C++ reserves", name), place, help);
+    }
+    bool means_more = is_keyword(name) || is_macro(name);
+    for (const std::string_view numbers : {"1", "2", "3", "4"}) {
+        means_more = means_more || is_macro(fmt::format("{}_{}", name, numbers));
+    }
+    if (!means_more) { return; }
+    throw InputError(fmt::format("'{}' means something of its own in C++", name), place, help);
+}
+
 std::string member_name(std::string_view name) {
     const bool is_free = !is_keyword(name) && !is_macro(name) && !names_type(name);
     return std::string(name) + (is_free ? "" : "_");

@@ -25,6 +25,11 @@ void check_class_name(std::string_view name, const std::optional<Place>& place);
 /// The same for a function that a stepper is to have besides its own.
 void check_function_name(std::string_view name, const std::optional<Place>& place);
 
+/// Throws InputError, pointing at `place`, unless `name` may be the name of a function of the
+/// user's own, outside of namespaces: no keyword, not reserved, and neither it nor `name` with the
+/// numbers of derivatives behind it, V_1, is a macro.
+void check_own_function_name(std::string_view name, const std::optional<Place>& place);
+
 /// `mu` -> `mu`, `class` -> `class_`, `M_PI` -> `M_PI_`: a name of the user as that of a member of
 /// a struct.
 [[nodiscard]] std::string member_name(std::string_view name);

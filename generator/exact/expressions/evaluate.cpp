@@ -10,6 +10,7 @@
 #include "generator/exact/numbers/number_value.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/expr/functions.hpp"
+#include "generator/expr/own_functions.hpp"
 
 namespace hvi::gen {
 
@@ -214,6 +215,12 @@ private:
             throw InputError("`" + expression.name + "` cannot stand here", place(expression));
         }
         if (is_if(expression.name)) return choice(expression);
+        if (is_own_function(expression.name)) {
+            throw InputError("`" + expression.name +
+                                 "` is a function of your own: it has no exact "
+                                 "value",
+                             place(expression));
+        }
         const Function& function = *find_function(expression.name);
         if (function.arguments == 2 || !function.is_smooth()) return of_numbers(expression);
         const ExactFunction argument = evaluate(expression.arguments.front());

@@ -36,6 +36,46 @@ template <class Number, std::size_t count, class F>
     return first;
 }
 
+/// How of_each() computes: one number, or several of which each is alone.
+template <class Value>
+struct Each {
+    template <class F, class... Values>
+    [[nodiscard]] static Value call(F f, const Values&... x) {
+        return f(x...);
+    }
+};
+
+template <class Number, std::size_t count>
+struct Each<Lanes<Number, count>> {
+    using Row = typename Lanes<Number, count>::Row;
+
+    template <class F, class... Values>
+    [[nodiscard]] static Lanes<Number, count> call(F f, const Values&... x) {
+        return rows(f, row(x)...);
+    }
+
+private:
+    [[nodiscard]] static Row row(const Lanes<Number, count>& x) {
+        Row result;
+        x.store(result);
+        return result;
+    }
+
+    template <class F, class... Rows>
+    [[nodiscard]] static Row rows(F f, const Rows&... x) {
+        Row result;
+        for (std::size_t i = 0; i < count; ++i) { result.set(i, f(x[i]...)); }
+        return result;
+    }
+};
+
+/// f(x, ...) in a Value, which is named where it is called, so that what is given in other types is
+/// converted: a function of numbers that knows nothing of numbers side by side.
+template <class Value, class F, class... Given>
+[[nodiscard]] Value of_each(F f, const Given&... x) {
+    return Each<Value>::call(f, Value(x)...);
+}
+
 }  // namespace detail
 
 // NOTE: functions of a register are found by its type. What comes out in a lane depends on that
