@@ -108,6 +108,12 @@ constexpr std::size_t most_unrolled = 64;
 /// not, and for more than 64 degrees of freedom, parameters or invariants.
 [[nodiscard]] Scene unrolled(const IndexedScene& scene);
 
+/// The scene that the command line names, as find_indexed_scene() finds it: unrolled, or as it is
+/// written where it has more degrees of freedom than are written out. Throws InputError as
+/// unrolled() does.
+[[nodiscard]] std::variant<Scene, IndexedScene>
+find_scene_of_any_size(const Given& name_or_file, const std::vector<Parameter>& values = {});
+
 /// What a scene of any size says besides its motion: names, parameters without an index, sizes, and
 /// what [run] asks for. Throws InputError as unrolled() does for these.
 [[nodiscard]] Scene without_motion(IndexedScene scene);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "generator/emit/text/text.hpp"
 #include "generator/support/error.hpp"
 
@@ -65,6 +67,12 @@ std::vector<NameBox> boxes(const std::vector<LoopFamily>& families,
     return result;
 }
 
+std::vector<std::string> conserved_names(const LoopSystem& system) {
+    std::vector<std::string> names{"energy"};
+    for (const LoopInvariant& invariant : system.invariants) names.push_back(invariant.name);
+    return names;
+}
+
 }  // namespace
 
 RunSubject run_subject(const SceneStepper& stepper) {
@@ -86,23 +94,15 @@ RunSubject run_subject(const LoopStepper& stepper) {
     const LoopSystem& system = stepper.system;
     std::map<std::string, long> sizes;
     for (const LoopSize& size : system.sizes) sizes[size.name] = size.value;
-    std::vector<std::string> conserved{"energy"};
-    for (const LoopInvariant& invariant : system.invariants) conserved.push_back(invariant.name);
     return {.scene = system.name,
             .description = system.description,
             .method = stepper.method.name(),
             .title = stepper.method.title(),
             .coordinates = boxes(system.coordinates, sizes),
             .momenta = boxes(system.momenta, sizes),
-            .conserved = conserved,
+            .conserved = conserved_names(system),
             .sizes = {sizes.begin(), sizes.end()},
-            .program = {fill("large_driver.cpp.in", {{"header", header_name},
-                                                     {"stepper", stepper.class_name},
-                                                     {"invariants", quoted(conserved)},
-                                                     {"count", std::to_string(conserved.size())},
-                                                     {"values", values(conserved)}}),
-                        {{header_name, stepper.header}},
-                        {}}};
+            .program = simulation_program(stepper)};
 }
 
 void check_simulation(const SceneStepper& stepper) {
@@ -123,6 +123,16 @@ StepperWishes simulation_wishes(Solver solver, std::optional<Composition> compos
 }
 
 ProgramText simulation_program(const SceneStepper& stepper) { return driver_program(stepper, {}); }
+
+ProgramText simulation_program(const LoopStepper& stepper) {
+    const std::vector<std::string> conserved = conserved_names(stepper.system);
+    return {fill("large_driver.cpp.in", {{"header", header_name},
+                                         {"stepper", stepper.class_name},
+                                         {"invariants", quoted(conserved)},
+                                         {"count", std::to_string(conserved.size())},
+                                         {"values", values(conserved)}}),
+            {{header_name, stepper.header}}};
+}
 
 ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
     const System& system = stepper.system;
@@ -149,12 +159,33 @@ ProgramText reference_program(const SceneStepper& stepper) {
             {{header_name, stepper.header}}};
 }
 
+ProgramText reference_program(const LoopStepper& stepper) {
+    return {
+        fill("large_reference.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
+        {{header_name, stepper.header}}};
+}
+
 ReferenceSolution find_reference(const std::filesystem::path& program, double until,
                                  std::int64_t count, double wanted, double seconds) {
     const Answers answers = ask(program, {fmt::format("{}", until), std::to_string(count),
                                           fmt::format("{}", wanted), fmt::format("{}", seconds)});
     return {static_cast<int>(answers.integer("bits")), answers.number("error"),
             answers.numbers("end")};
+}
+
+std::optional<WrittenReference> write_reference(const std::filesystem::path& program,
+                                                const std::filesystem::path& file, double until,
+                                                std::int64_t count, double wanted, double seconds) {
+    const Answers answers = ask(program,
+                                {fmt::format("{}", until), std::to_string(count),
+                                 fmt::format("{}", wanted), fmt::format("{}", seconds)},
+                                file);
+    if (!answers.has("error")) return {};
+    return WrittenReference{static_cast<int>(answers.integer("bits")), answers.number("error")};
+}
+
+void write_start(const std::filesystem::path& program, const std::filesystem::path& file) {
+    static_cast<void>(ask(program, {}, file));
 }
 
 Simulation run_simulation(const std::filesystem::path& program, const RunSubject& subject,
@@ -187,6 +218,19 @@ Measurement measure(const std::filesystem::path& program, const Steps& steps, do
                                      std::to_string(steps.count), fmt::format("{}", seconds)}));
 }
 
+Measurement measure(const std::filesystem::path& program, const Steps& steps, double seconds,
+                    double until, const std::filesystem::path& reference) {
+    return measurement(ask(program,
+                           {"measure", fmt::format("{}", steps.size), std::to_string(steps.count),
+                            fmt::format("{}", seconds), fmt::format("{}", until)},
+                           reference));
+}
+
+double pace(const std::filesystem::path& program, const Steps& steps) {
+    return ask(program, {"pace", fmt::format("{}", steps.size), std::to_string(steps.count)})
+        .number("seconds_of_step");
+}
+
 Measurement measurement(const Answers& answers) {
     Measurement result;
     result.status = answers.text("status");
@@ -194,8 +238,13 @@ Measurement measurement(const Answers& answers) {
     result.iterations = answers.integer("iterations");
     result.evaluations = answers.integer("evaluations");
     result.departures = answers.numbers("largest");
-    result.end = answers.numbers("end");
-    result.velocity = answers.numbers("velocity", answers.has("velocity") ? result.end.size() : 0);
+    if (answers.has("error")) {
+        result.end = DistanceOfEnd{answers.number("error")};
+    } else {
+        std::vector<double> state = answers.numbers("end");
+        const std::size_t velocities = answers.has("velocity") ? state.size() : 0;
+        result.end = EndOfRun{std::move(state), answers.numbers("velocity", velocities)};
+    }
     if (answers.has("seconds")) {
         result.seconds = answers.number("seconds");
         result.spread = answers.number("spread");

@@ -11,13 +11,12 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <driver/answer.hpp>
 #include <driver/columns.hpp>
 #include <driver/departure.hpp>
+#include <driver/steps.hpp>
 #include <driver/table.hpp>
 #include <hvi/integrate.hpp>
 #include <hvi/state.hpp>
@@ -29,34 +28,6 @@ enum class Watch {
     steps,  ///< after every step
     rows,   ///< where a row is written: they cost as much as a step does
 };
-
-/// What a program ends with that has not enough memory.
-inline constexpr int out_of_memory = 4;
-
-/// Whether a stepper takes many steps faster than one after the other.
-template <class Stepper, class = void>
-struct Advances : std::false_type {};
-template <class Stepper>
-struct Advances<Stepper, std::void_t<decltype(std::declval<Stepper&>().advance(
-                             std::declval<typename Stepper::State&>(), 0.0, std::int64_t(1)))>>
-    : std::true_type {};
-
-/// Takes so many steps, or as many as go well.
-template <class Stepper>
-Run take(Stepper& stepper, typename Stepper::State& x, double h, std::int64_t steps) {
-    if constexpr (Advances<Stepper>::value) {
-        return stepper.advance(x, h, steps);
-    } else {
-        Run run;
-        while (run.steps < steps) {
-            run.status = stepper.step(x, h);
-            run.iterations += run.status.iterations;
-            if (!run.ok()) { break; }
-            ++run.steps;
-        }
-        return run;
-    }
-}
 
 /// Seconds that a step takes where nobody looks on, over at most half a second; the start is where
 /// the run begins. Zero where no step can be taken.

@@ -48,7 +48,14 @@ TEST_CASE("values are given to parameters of the method and of the scene") {
 
 TEST_CASE("commands that write sums out say who does not") {
     check_refused({2, "plummer", {}}, {"scheme", "--method", "gauss:2", "plummer"});
-    check_refused({2, "plummer", {}}, {"report", "plummer"});
+}
+
+TEST_CASE("a report on a large scene refuses what is not built for it, by name") {
+    check_refused({2, "--peers", {}}, {"report", "plummer", "--peers"});
+    check_refused({2, "--edges", {}}, {"report", "--edges", "pendulum", "plummer"});
+    check_refused({2, "symplecticity,json", {}},
+                  {"report", "plummer", "--only", "symplecticity,json"});
+    check_refused({1, "0", {}}, {"report", "plummer", "--steps", "1/10, 0"});
 }
 
 TEST_CASE("what steppers of large scenes are not built for is refused, with its place") {
