@@ -149,13 +149,38 @@ void mark_incomplete(const fs::path& table, const Simulation& run) {
         throw EnvironmentError("cannot write " + table.string());
 }
 
+/// A directory for results; where nothing was left in it, at the end of its life it is gone again.
+class ResultDirectory {
+public:
+    explicit ResultDirectory(fs::path path) : path_(std::move(path)) {
+        std::error_code ignored;
+        for (fs::path each = path_; !each.empty() && !fs::exists(each, ignored);
+             each = each.parent_path())
+            missing_.push_back(each);
+        make_directory(path_);
+    }
+    ~ResultDirectory() {
+        std::error_code ignored;
+        for (const fs::path& each : missing_)
+            if (fs::is_empty(each, ignored)) fs::remove(each, ignored);
+    }
+    ResultDirectory(const ResultDirectory&) = delete;
+    ResultDirectory& operator=(const ResultDirectory&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+    std::vector<fs::path> missing_;  ///< before; the innermost first
+};
+
 /// Files that a run leaves, all of them whole. Without a directory there are none.
 class Results {
 public:
-    Results(std::optional<fs::path> directory) : directory_(std::move(directory)) {
-        if (!directory_) return;
-        make_directory(*directory_);
-        table_.emplace(*directory_);
+    explicit Results(const std::optional<fs::path>& directory) {
+        if (!directory) return;
+        directory_.emplace(*directory);
+        table_.emplace(*directory);
     }
 
     /// Where the table grows.
@@ -167,18 +192,18 @@ public:
         if (!directory_) return;
         const auto leaves = [&](RunFile file) { return options.files.contains(file); };
         if (!run.ok()) mark_incomplete(table_->path(), run);
-        if (leaves(RunFile::table)) table_->rename_to(*directory_ / table_name);
-        if (leaves(RunFile::summary)) write_file(*directory_ / summary_name, summary);
+        if (leaves(RunFile::table)) table_->rename_to(directory_->path() / table_name);
+        if (leaves(RunFile::summary)) write_file(directory_->path() / summary_name, summary);
         const fs::path table_file =
-            leaves(RunFile::table) ? *directory_ / table_name : table_->path();
+            leaves(RunFile::table) ? directory_->path() / table_name : table_->path();
         if (leaves(RunFile::picture))
-            write_file(*directory_ / picture_name,
+            write_file(directory_->path() / picture_name,
                        draw(picture(subject, asked, run, columns, table_file)));
     }
 
 private:
-    std::optional<fs::path> directory_;
-    std::optional<Unfinished> table_;
+    std::optional<ResultDirectory> directory_;
+    std::optional<Unfinished> table_;  // below: it is in the directory
 };
 
 std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& options) {

@@ -86,7 +86,11 @@ struct LoopStart {
         Scaled value;
         std::vector<std::size_t> accesses;  ///< that the value depends on, ascending
     };
-    std::variant<Rule, std::vector<Scaled>> values;
+    struct List {
+        std::vector<Scaled> values;
+        std::vector<std::size_t> accesses;  ///< as of a rule
+    };
+    std::variant<Rule, List> values;
 };
 
 /// A sum of sums with its name.

@@ -71,10 +71,11 @@ private:
                                      const std::shared_ptr<const Source>& source) const;
     void check_known(const Expression& part, const std::vector<Loop>& loops,
                      const std::shared_ptr<const Source>& source) const;
-    [[nodiscard]] std::vector<std::size_t> accesses_in(const Scaled& value) const;
+    [[nodiscard]] std::vector<std::size_t> accesses_in(const std::vector<Scaled>& values) const;
     void add_slopes(LoopSum& sum);
     [[nodiscard]] const LoopFamily& family(const Named& named) const;
 
+    [[nodiscard]] Scaled value_at_start(const LoopTerm& term, const IndexedExpression& whole);
     [[nodiscard]] LoopStart start(const LoopFamily& family);
     [[nodiscard]] LoopStart start(const LoopFamily& family, const IndexedValue& value);
 
@@ -386,8 +387,8 @@ std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
     return result;
 }
 
-std::vector<std::size_t> LoopLowering::accesses_in(const Scaled& value) const {
-    const Kernel whole = kernel(system_.graph, {value});
+std::vector<std::size_t> LoopLowering::accesses_in(const std::vector<Scaled>& values) const {
+    const Kernel whole = kernel(system_.graph, values);
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < system_.accesses.size(); ++k) {
         const Node node = system_.accesses[k].node;
@@ -397,7 +398,7 @@ std::vector<std::size_t> LoopLowering::accesses_in(const Scaled& value) const {
 }
 
 void LoopLowering::add_slopes(LoopSum& sum) {
-    sum.accesses = accesses_in(sum.value);
+    sum.accesses = accesses_in({sum.value});
     std::vector<Node> inputs;
     for (const std::size_t k : sum.accesses) { inputs.push_back(system_.accesses[k].node); }
     const std::vector<Scaled> slopes = gradient(system_.graph, sum.value, inputs);
@@ -411,6 +412,16 @@ void LoopLowering::add_slopes(LoopSum& sum) {
 
 // ---- where it begins ----
 
+/// `whole`: the expression that the term is made of.
+Scaled LoopLowering::value_at_start(const LoopTerm& term, const IndexedExpression& whole) {
+    const Scaled result = value(term.term, term.loops, whole.source);
+    if ((system_.graph.at(result.node).roles & of_state) != 0) {
+        throw InputError("an initial value cannot depend on a variable",
+                         Place{whole.source, whole.written.range});
+    }
+    return result;
+}
+
 LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& value) {
     if (const auto* list = std::get_if<ValueList>(&value.value)) {
         long count = 1;
@@ -422,11 +433,12 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
                                          count, list->values.size()),
                              value.place_of_value);
         }
-        std::vector<Scaled> values;
+        LoopStart::List result;
         for (const IndexedExpression& each : list->values) {
-            values.push_back(this->value(definitions_.put_in(each).written, {}, each.source));
+            result.values.push_back(value_at_start({{}, definitions_.put_in(each).written}, each));
         }
-        return {std::move(values)};
+        result.accesses = accesses_in(result.values);
+        return {std::move(result)};
     }
     const auto* rule = std::get_if<ValueRule>(&value.value);
     const IndexedExpression& written =
@@ -446,12 +458,8 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
     }
     LoopStart::Rule result;
     for (const Loop& loop : term.loops) { result.indices.push_back(loop.index); }
-    result.value = this->value(term.term, term.loops, whole.source);
-    if ((system_.graph.at(result.value.node).roles & of_state) != 0) {
-        throw InputError("an initial value cannot depend on a variable",
-                         Place{whole.source, whole.written.range});
-    }
-    result.accesses = accesses_in(result.value);
+    result.value = value_at_start(term, whole);
+    result.accesses = accesses_in({result.value});
     return {std::move(result)};
 }
 

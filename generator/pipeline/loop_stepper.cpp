@@ -29,6 +29,16 @@ void check_wishes(const StepperWishes& wishes, const Place& place) {
     refuse(wishes.solver == Solver::newton_taylor, "--solver newton-taylor");
 }
 
+DerivedMethod derived(const Method& wished) {
+    DerivedMethod method = derive_any(wished);
+    if (std::holds_alternative<GalerkinRule>(method)) {
+        throw InputError("methods with more nodes than functions are not built for more than 64 "
+                         "degrees of freedom",
+                         wished.place, "with as many functions as nodes they are");
+    }
+    return method;
+}
+
 std::string command(const OneStepMethod& method, const IndexedScene& scene,
                     const StepperWishes& wishes) {
     return "hvi-gen stepper " + method.provenance().origin + " " + scene.origin +
@@ -40,7 +50,7 @@ std::string command(const OneStepMethod& method, const IndexedScene& scene,
 LoopStepper loop_stepper(const Method& wished, const IndexedScene& scene,
                          const StepperWishes& wishes) {
     check_wishes(wishes, whole(scene.function.source));
-    OneStepMethod method{derive_any(wished), wishes.composition, wished.place};
+    OneStepMethod method{derived(wished), wishes.composition, wished.place};
     if (wishes.composition) { check_composition(*wishes.composition, method.base); }
     LoopSystem system = loop_system(scene);
     std::optional<SiteSystem> sites = site_system(system);

@@ -58,6 +58,32 @@ TEST_CASE("a report on a large scene refuses what is not built for it, by name")
     check_refused({1, "0", {}}, {"report", "plummer", "--steps", "1/10, 0"});
 }
 
+TEST_CASE("initial values of a list are looked at one by one") {
+    const Directory directory;
+    const auto check = [&](const std::string& value) {
+        std::string scene = springs;
+        std::string list = "x = [" + value;
+        for (int i = 1; i < 100; ++i) list += ", \"c[1]\"";
+        scene.replace(scene.find("\"x[i]\" = \"sin(i)\""), 17, list + "]");
+        scene.insert(scene.find("a = 2"), "c = [1, 2]\n");
+        write(directory / "listed.toml", scene);
+        const Outcome outcome =
+            hvi_gen({"stepper", "listed.toml", "--method", "gauss:2"}, directory.path());
+        INFO(outcome.err);
+        if (outcome.status == 0) return std::string("fine");
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        return pointed_at(outcome.err);
+    };
+    CHECK(check("\"c[2]\"") == "fine");
+    CHECK(check("\"c[3]\"") == "c[3]");
+    CHECK(check("\"p[1]\"") == "p[1]");
+    CHECK(check("\"2*x[2] + 1\"") == "2*x[2] + 1");
+    CHECK(check("\"d\"") == "d");
+    CHECK(check("\"i\"") == "i");
+}
+
 TEST_CASE("what steppers of large scenes are not built for is refused, with its place") {
     const Directory directory;
     const auto check = [&](int status, const std::string& place,
@@ -78,6 +104,7 @@ TEST_CASE("what steppers of large scenes are not built for is refused, with its 
     check(2, "a", {"--basis", "1, cos(a*tau)", "--nodes", "0, 1", "--param", "a=2"});
     check(2, "a", {"--method", "gauss:2", "--param", "a=1", "--param", "a=1"});
     check(2, "1..N", {"--method", "gauss:2", "--param", "N=0"});
+    check(2, "1, tau", {"--basis", "1, tau", "--nodes", "gauss:3"});
     check(2, "graph", {"--method", "gauss:2", "--dump", "graph"});
     for (const std::string flag : {"--dense", "--action", "--float128"}) {
         const std::string message =

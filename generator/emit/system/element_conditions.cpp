@@ -92,8 +92,9 @@ std::set<std::string> conditions_of_starts(const LoopSystem& system, const LoopN
         const LoopFamily& family = k < count ? system.coordinates[k] : system.momenta[k - count];
         const auto* rule = std::get_if<LoopStart::Rule>(&system.initial[k].values);
         if (rule == nullptr) {
-            const auto& list = std::get<std::vector<Scaled>>(system.initial[k].values);
-            lengths.insert(fmt::format("{} == {}", names.count(family), list.size()));
+            const auto& list = std::get<LoopStart::List>(system.initial[k].values);
+            lengths.insert(fmt::format("{} == {}", names.count(family), list.values.size()));
+            conditions.add(list.accesses, {});
             continue;
         }
         std::vector<Loop> loops;

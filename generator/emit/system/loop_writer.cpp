@@ -243,7 +243,7 @@ void LoopWriter::write_total(Writer& writer, const LoopSum& sum) {
 
 void LoopWriter::write_start(Writer& writer, const LoopFamily& family, std::string_view array,
                              const LoopStart& start) {
-    if (const auto* list = std::get_if<std::vector<Scaled>>(&start.values)) {
+    if (const auto* list = std::get_if<LoopStart::List>(&start.values)) {
         write_list(writer, family, array, *list);
     } else {
         write_rule(writer, family, array, std::get<LoopStart::Rule>(start.values));
@@ -264,10 +264,11 @@ std::string LoopWriter::place(const LoopFamily& family,
 }
 
 void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::string_view array,
-                            const std::vector<Scaled>& list) {
-    const Kernel all = kernel(system_.graph, list);
+                            const LoopStart::List& list) {
+    const Kernel all = kernel(system_.graph, list.values);
     writer.open("{{");
-    const auto results = write_code(writer, system_.graph, all, names_.given(all, {}), "hvi::math");
+    const NodeNames given = load(writer, list.accesses, all, {});
+    const auto results = write_code(writer, system_.graph, all, given, "hvi::math");
     writer.open("const Scalar values[] = {{");
     for (const std::string& result : results) { writer.line("{},", result); }
     writer.close("};");

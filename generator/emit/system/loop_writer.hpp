@@ -56,7 +56,7 @@ private:
     void write_body(Writer& writer, const LoopSum& sum, const std::vector<AccessSlope>& slopes);
     void write_lanes(Writer& writer, const LoopSum& sum, const std::vector<AccessSlope>& slopes);
     void write_list(Writer& writer, const LoopFamily& family, std::string_view array,
-                    const std::vector<Scaled>& list);
+                    const LoopStart::List& list);
     void write_rule(Writer& writer, const LoopFamily& family, std::string_view array,
                     const LoopStart::Rule& rule);
     [[nodiscard]] std::string place(const LoopFamily& family,
