@@ -39,6 +39,16 @@ std::string text_of(const std::string& name, const std::vector<ElementIndex>& in
     return fmt::format("{}[{}]", name, fmt::join(texts, ","));
 }
 
+NumbersInFile numbers_in(const ValueFile& file) { return {file.path, file.column.value_or("")}; }
+
+LoopFamily family_of(const std::string& name, const std::vector<std::size_t>& extents) {
+    LoopFamily family{name, {}};
+    for (const std::size_t extent : extents) {
+        family.ranges.push_back({{1}, {static_cast<long>(extent)}});
+    }
+    return family;
+}
+
 /// Where the kinds of what a summand depends on differ, it is another sum.
 constexpr Roles of_state =
     static_cast<Roles>(Role::coordinate) | static_cast<Roles>(Role::conjugate);
@@ -56,7 +66,8 @@ private:
     void check_pairs() const;
     void declare(const std::string& name, const Place& place);
     void declare_parameters();
-    void declare_table(const IndexedValue& value, const ValueList& list);
+    void declare_table(LoopTable table);
+    [[nodiscard]] LoopTable table(const std::string& name, const ValueList& list) const;
     void define();
 
     [[nodiscard]] std::vector<LoopSum> sums(const IndexedExpression& expression);
@@ -75,6 +86,7 @@ private:
     void add_slopes(LoopSum& sum);
     [[nodiscard]] const LoopFamily& family(const Named& named) const;
 
+    void check_count(const LoopFamily& family, std::size_t given, const Place& place) const;
     [[nodiscard]] Scaled value_at_start(const LoopTerm& term, const IndexedExpression& whole);
     [[nodiscard]] LoopStart start(const LoopFamily& family);
     [[nodiscard]] LoopStart start(const LoopFamily& family, const IndexedValue& value);
@@ -157,11 +169,8 @@ void LoopLowering::check_pairs() const {
 
 // ---- parameters ----
 
-void LoopLowering::declare_table(const IndexedValue& value, const ValueList& list) {
-    LoopTable table{{value.name, {}}, {}};
-    for (const std::size_t extent : list.extents) {
-        table.family.ranges.push_back({{1}, {static_cast<long>(extent)}});
-    }
+LoopTable LoopLowering::table(const std::string& name, const ValueList& list) const {
+    std::vector<Expression> values;
     for (const IndexedExpression& each : list.values) {
         Expression number = unrolled(each, {sizes_.begin(), sizes_.end()});
         walk(number, [&](const Expression& part) {
@@ -172,9 +181,13 @@ void LoopLowering::declare_table(const IndexedValue& value, const ValueList& lis
             }
             return true;
         });
-        table.values.push_back(std::move(number));
+        values.push_back(std::move(number));
     }
-    families_[value.name] = {FamilyKind::table, system_.tables.size()};
+    return {family_of(name, list.extents), std::move(values)};
+}
+
+void LoopLowering::declare_table(LoopTable table) {
+    families_[table.family.name] = {FamilyKind::table, system_.tables.size()};
     system_.tables.push_back(std::move(table));
 }
 
@@ -185,7 +198,11 @@ void LoopLowering::declare_parameters() {
         declare(value.name, value.place);
         if (sizes_.count(value.name) != 0) { continue; }
         if (const auto* list = std::get_if<ValueList>(&value.value)) {
-            declare_table(value, *list);
+            declare_table(table(value.name, *list));
+            continue;
+        }
+        if (const auto* file = std::get_if<ValueFile>(&value.value)) {
+            declare_table({family_of(value.name, file->extents), numbers_in(*file)});
             continue;
         }
         const auto& written = std::get<IndexedExpression>(value.value);
@@ -412,6 +429,18 @@ void LoopLowering::add_slopes(LoopSum& sum) {
 
 // ---- where it begins ----
 
+void LoopLowering::check_count(const LoopFamily& family, std::size_t given,
+                               const Place& place) const {
+    long wanted = 1;
+    for (const LoopRange& range : family.ranges) {
+        wanted *= range.last.at(sizes_) - range.first.at(sizes_) + 1;
+    }
+    if (static_cast<long>(given) == wanted) { return; }
+    throw InputError(fmt::format("`{}` has {} {}, and here are {} values", family.name, wanted,
+                                 wanted == 1 ? "index" : "indices", given),
+                     place);
+}
+
 /// `whole`: the expression that the term is made of.
 Scaled LoopLowering::value_at_start(const LoopTerm& term, const IndexedExpression& whole) {
     const Scaled result = value(term.term, term.loops, whole.source);
@@ -423,16 +452,12 @@ Scaled LoopLowering::value_at_start(const LoopTerm& term, const IndexedExpressio
 }
 
 LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& value) {
+    if (const auto* file = std::get_if<ValueFile>(&value.value)) {
+        check_count(family, count(*file), value.place_of_value);
+        return {numbers_in(*file)};
+    }
     if (const auto* list = std::get_if<ValueList>(&value.value)) {
-        long count = 1;
-        for (const LoopRange& range : family.ranges) {
-            count *= range.last.at(sizes_) - range.first.at(sizes_) + 1;
-        }
-        if (static_cast<long>(list->values.size()) != count) {
-            throw InputError(fmt::format("`{}` has {} indices, and here are {} values", family.name,
-                                         count, list->values.size()),
-                             value.place_of_value);
-        }
+        check_count(family, list->values.size(), value.place_of_value);
         LoopStart::List result;
         for (const IndexedExpression& each : list->values) {
             result.values.push_back(value_at_start({{}, definitions_.put_in(each).written}, each));
@@ -475,6 +500,7 @@ LoopSystem LoopLowering::operator()() {
     refuse_side();
     system_.name = written_.name;
     system_.description = written_.description;
+    system_.directory = written_.directory;
     system_.expression = written_.function.written;
     declare_sizes();
     declare_families(written_.coordinates, FamilyKind::coordinate);

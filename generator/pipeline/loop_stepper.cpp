@@ -50,6 +50,9 @@ std::string command(const OneStepMethod& method, const IndexedScene& scene,
 LoopStepper loop_stepper(const Method& wished, const IndexedScene& scene,
                          const StepperWishes& wishes) {
     check_wishes(wishes, whole(scene.function.source));
+    for (const NamedIndexed& invariant : scene.invariants) {
+        check_function_name(invariant.name, invariant.place_of_name);
+    }
     OneStepMethod method{derived(wished), wishes.composition, wished.place};
     if (wishes.composition) { check_composition(*wishes.composition, method.base); }
     LoopSystem system = loop_system(scene);

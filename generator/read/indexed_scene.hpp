@@ -29,6 +29,16 @@ struct ValueList {
     std::vector<std::size_t> extents;
 };
 
+/// Numbers of a file that stay there, as there are many of them.
+struct ValueFile {
+    std::string path;                   ///< as the scene has it
+    std::optional<std::string> column;  ///< of a CSV file
+    std::vector<std::size_t> extents;   ///< as of a ValueList
+};
+
+/// How many values there are.
+[[nodiscard]] std::size_t count(const ValueFile& file);
+
 /// The value for every index: `"x[i]" = "sin(i)"`.
 struct ValueRule {
     std::vector<std::string> indices;
@@ -38,7 +48,7 @@ struct ValueRule {
 /// What a name, or a name with an index, stands for.
 struct IndexedValue {
     std::string name;  ///< without an index
-    std::variant<IndexedExpression, ValueList, ValueRule> value;
+    std::variant<IndexedExpression, ValueList, ValueRule, ValueFile> value;
     Place place;           ///< of the name
     Place place_of_value;  ///< of all values
 };
@@ -72,6 +82,7 @@ struct IndexedScene {
     NameTexts conjugates;  ///< momenta, or velocities
     IndexedExpression function;
     std::string origin;                    ///< as the command line has it
+    std::filesystem::path directory;       ///< that paths of files are relative to
     std::vector<IndexedValue> parameters;  ///< no ValueRule among them
     std::vector<Definition> definitions;
     std::vector<NamedIndexed> invariants;

@@ -124,12 +124,25 @@ StepperWishes simulation_wishes(Solver solver, std::optional<Composition> compos
 
 ProgramText simulation_program(const SceneStepper& stepper) { return driver_program(stepper, {}); }
 
+namespace {
+
+/// NOTE: files are found from wherever the program is started.
+std::string parameters_of(const LoopStepper& stepper) {
+    if (!stepper.system.reads_files()) return "Stepper::Parameters{}";
+    const std::filesystem::path directory =
+        std::filesystem::absolute("." / stepper.system.directory);
+    return fmt::format("Stepper::read_parameters({})", text_literal(directory.string()));
+}
+
+}  // namespace
+
 ProgramText simulation_program(const LoopStepper& stepper) {
     const std::vector<std::string> conserved = conserved_names(stepper.system);
     return {fill("large_driver.cpp.in", {{"header", header_name},
                                          {"stepper", stepper.class_name},
                                          {"invariants", quoted(conserved)},
                                          {"count", std::to_string(conserved.size())},
+                                         {"parameters", parameters_of(stepper)},
                                          {"values", values(conserved)}}),
             {{header_name, stepper.header}}};
 }
@@ -160,9 +173,10 @@ ProgramText reference_program(const SceneStepper& stepper) {
 }
 
 ProgramText reference_program(const LoopStepper& stepper) {
-    return {
-        fill("large_reference.cpp.in", {{"header", header_name}, {"stepper", stepper.class_name}}),
-        {{header_name, stepper.header}}};
+    return {fill("large_reference.cpp.in", {{"header", header_name},
+                                            {"stepper", stepper.class_name},
+                                            {"parameters", parameters_of(stepper)}}),
+            {{header_name, stepper.header}}};
 }
 
 ReferenceSolution find_reference(const std::filesystem::path& program, double until,

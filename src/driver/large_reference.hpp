@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <new>
 
 #include <driver/answer.hpp>
 #include <driver/large_main.hpp>
@@ -43,13 +42,13 @@ int tell_reference(ReferenceWishes wishes, const char* path) {
 /// where the run ends into the file; or, as `program FILE`, where it begins.
 template <class Problem>
 int large_reference(int argc, char** argv) {
-    try {
-        ReferenceWishes wishes;
-        if (argc == 2) { return write_state(argv[1], Problem::initial()) ? 0 : 3; }
-        if (argc == 6 && wishes.read_words(argv + 1)) {
-            return tell_reference<Problem>(wishes, argv[5]);
-        }
-    } catch (const std::bad_alloc&) { return out_of_memory; }
+    ReferenceWishes wishes;
+    if (argc == 2) {
+        return guarded([&] { return write_state(argv[1], Problem::initial()) ? 0 : 3; });
+    }
+    if (argc == 6 && wishes.read_words(argv + 1)) {
+        return guarded([&] { return tell_reference<Problem>(wishes, argv[5]); });
+    }
     std::fprintf(stderr, "usage: %s UNTIL STEPS WANTED SECONDS FILE\n       %s FILE\n", argv[0],
                  argv[0]);
     return 2;

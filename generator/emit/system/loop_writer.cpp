@@ -245,8 +245,11 @@ void LoopWriter::write_start(Writer& writer, const LoopFamily& family, std::stri
                              const LoopStart& start) {
     if (const auto* list = std::get_if<LoopStart::List>(&start.values)) {
         write_list(writer, family, array, *list);
+    } else if (const auto* rule = std::get_if<LoopStart::Rule>(&start.values)) {
+        write_rule(writer, family, array, *rule);
     } else {
-        write_rule(writer, family, array, std::get<LoopStart::Rule>(start.values));
+        writer.line("std::copy(parameters.{0}.begin(), parameters.{0}.end(), {1} + {2});",
+                    member_of(family.name), array, first_place(family));
     }
 }
 
@@ -263,6 +266,14 @@ std::string LoopWriter::place(const LoopFamily& family,
     return text;
 }
 
+std::string LoopWriter::first_place(const LoopFamily& family) const {
+    std::vector<std::string> first;
+    for (const LoopRange& range : family.ranges) {
+        first.push_back("(" + names_.whole(range.first) + ")");
+    }
+    return place(family, first);
+}
+
 void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::string_view array,
                             const LoopStart::List& list) {
     const Kernel all = kernel(system_.graph, list.values);
@@ -272,11 +283,7 @@ void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::strin
     writer.open("const Scalar values[] = {{");
     for (const std::string& result : results) { writer.line("{},", result); }
     writer.close("};");
-    std::vector<std::string> first;
-    for (const LoopRange& range : family.ranges) {
-        first.push_back("(" + names_.whole(range.first) + ")");
-    }
-    writer.line("hvi::detail::put(values, {} + {});", array, place(family, first)).close();
+    writer.line("hvi::detail::put(values, {} + {});", array, first_place(family)).close();
 }
 
 void LoopWriter::write_rule(Writer& writer, const LoopFamily& family, std::string_view array,

@@ -61,6 +61,7 @@ private:
                     const LoopStart::Rule& rule);
     [[nodiscard]] std::string place(const LoopFamily& family,
                                     const std::vector<std::string>& indices) const;
+    [[nodiscard]] std::string first_place(const LoopFamily& family) const;
     void open_loop(Writer& writer, const Loop& loop) const;
     [[nodiscard]] bool goes_in_lanes(const LoopSum& sum) const;
     [[nodiscard]] bool depends(std::size_t access, const std::string& index) const;
