@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <system_error>
@@ -131,9 +132,10 @@ TrajectoryPicture picture(const RunSubject& subject, const Steps& asked, const S
     picture.title = subject.scene + ", " + subject.method + (run.ok() ? "" : " (incomplete)");
     picture.until = static_cast<double>(run.steps) * asked.size;
     picture.table = table;
+    // NOTE: from what begins as no number nothing departs.
     for (const Conserved& kept : run.conserved)
         for (const TableColumn& column : shown({name_box(kept.name)}, columns))
-            picture.kept.push_back({column, kept.start});
+            if (std::isfinite(kept.start)) picture.kept.push_back({column, kept.start});
     picture.columns = coordinates.empty() ? momenta : coordinates;
     picture.title_of_columns = coordinates.empty() ? "momenta" : "positions";
     picture.curves = curves_of(coordinates, momenta);
@@ -290,7 +292,9 @@ void run(const RunOptions& options) {
     if (!simulation.ok())
         throw MathError(
             fmt::format("the run stopped after {} of {} steps: {}", simulation.steps, steps.count,
-                        simulation.status),
+                        simulation.unfit.empty()
+                            ? simulation.status
+                            : simulation.unfit + " begins with no finite number"),
             {}, directory ? fmt::format("what there is of it is in {}", directory->string()) : "");
     if (options.files.contains(RunFile::summary)) write_standard_output(summary);
 }

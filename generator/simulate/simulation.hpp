@@ -36,6 +36,7 @@ struct Simulation {
     std::int64_t evaluations = 0;  ///< of dH/dq
     double seconds_of_step = 0;    ///< where nobody looks on; 0 where no step was taken
     std::vector<Conserved> conserved;
+    std::string unfit = {};  ///< a variable that begins with no finite number, where that ended it
 
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };

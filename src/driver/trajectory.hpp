@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -122,8 +123,18 @@ private:
         say("progress", static_cast<double>(taken_) / static_cast<double>(steps_));
     }
 
+    /// Says the number of a variable that begins with no finite number, where that is why no step
+    /// is made.
+    void tell_unfit() const {
+        const std::size_t n = x_.q.size();
+        std::size_t number = 0;
+        while (number < 2 * n && std::isfinite(value(number))) { ++number; }
+        if (number < 2 * n) { say("unfit", static_cast<std::int64_t>(number)); }
+    }
+
     void tell() const {
         say("status", status_.ok() ? "ok" : status_.message());
+        if (!status_.ok() && taken_ == 0) { tell_unfit(); }
         say("steps", taken_);
         say("rows", rows_);
         say("iterations", iterations_);

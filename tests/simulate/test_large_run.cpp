@@ -87,3 +87,59 @@ TEST_CASE("files that do not fit are refused, and nothing is written") {
     CHECK(refused(start(401, "1,1"), scene).find("`x` has 400 indices, and here are 401 values") !=
           std::string::npos);
 }
+
+namespace {
+
+/// Springs on a plane, of which one begins as `start` has it.
+std::string plane(const std::string& start, int n = 100) {
+    return "coordinates = \"u[0..N-1,0..N-1]\"\nmomenta = \"v[0..N-1,0..N-1]\"\n"
+           "hamiltonian = \"sum(i=0..N-1, j=0..N-1, (v[i,j]^2 + u[i,j]^2)/2)\"\n"
+           "[parameters]\nN = " +
+           std::to_string(n) + "\n[initial]\n\"u[i,j]\" = 1\n\"v[i,j]\" = \"" + start +
+           "\"\n[run]\nmethod = \"stormer-verlet\"\nstep = \"1/8\"\nuntil = 1\n";
+}
+
+Outcome run_plane(const Directory& directory, const std::string& scene) {
+    use_cache();
+    write(directory / "plane.toml", scene);
+    const Outcome outcome = hvi_gen({"run", "plane.toml", "-o", "out"}, directory.path());
+    INFO(outcome.err);
+    check_form(outcome.err);
+    CHECK(outcome.out.empty());
+    return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("one variable of many that begins with no number is named, and what there is is kept") {
+    const Directory directory;
+    // -inf at i = 99, j = 98 alone.
+    const Outcome outcome = run_plane(directory, plane("log(abs(i - 99) + abs(j - 98))"));
+    CHECK(outcome.status == 1);
+    CHECK(outcome.err.find("the run stopped after 0 of 8 steps: v[99,98] begins with no finite "
+                           "number") != std::string::npos);
+    CHECK(names_in(directory / "out") ==
+          std::vector<std::string>{"picture.svg", "summary.txt", "trajectory.csv"});
+    const auto rows = lines_of(contents(directory / "out/trajectory.csv"));
+    REQUIRE(rows.size() == 3);
+    CHECK(rows[1].substr(0, 2) == "0,");
+    CHECK(rows[2].find("# incomplete: ") == 0);
+}
+
+TEST_CASE("a state for which there is no memory: status 3, and nothing is left") {
+    const Directory directory;
+    const Outcome outcome = run_plane(directory, plane("0", 1000000));  // eight terabytes each
+    CHECK(outcome.status == 3);
+    CHECK(outcome.err.find("error: there is not enough memory for the run") == 0);
+    CHECK(directory.names() == std::vector<std::string>{"plane.toml"});
+}
+
+TEST_CASE("a scene without any variable is refused") {
+    const Directory directory;
+    for (const int n : {0, -5}) {
+        const Outcome outcome = run_plane(directory, plane("0", n));
+        CHECK(outcome.status == 2);
+        CHECK(pointed_at(outcome.err) == "0..N-1");
+        CHECK(directory.names() == std::vector<std::string>{"plane.toml"});
+    }
+}
