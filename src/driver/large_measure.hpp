@@ -62,7 +62,7 @@ std::int64_t tell_time_of_run(const LargeRun<Problem>& looked_at, double h, std:
     tell_time(seconds, [&] {
         return [&evaluations, stepper = Problem::stepper(), x = Problem::initial(), h,
                 steps]() mutable {
-            const bool is_ok = take(stepper, x, h, steps).ok();
+            const bool is_ok = detail::take(stepper, x, h, steps).ok();
             evaluations = static_cast<std::int64_t>(stepper.evaluations());
             return is_ok;
         };

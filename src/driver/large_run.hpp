@@ -10,7 +10,7 @@
 
 #include <driver/cost.hpp>
 #include <driver/departure.hpp>
-#include <driver/steps.hpp>
+#include <hvi/detail/trajectories/take.hpp>
 
 namespace hvi::driver {
 
@@ -30,7 +30,7 @@ public:
             const std::int64_t end =
                 steps_ / count * part + steps_ % count * part / count - outcome_.steps;
             const auto start = std::chrono::steady_clock::now();
-            const Run taken = take(stepper_, x_, h_, end);
+            const Run taken = detail::take(stepper_, x_, h_, end);
             seconds_ +=
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             outcome_.steps += taken.steps;

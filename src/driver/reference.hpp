@@ -12,8 +12,8 @@
 #include <utility>
 
 #include <driver/answer.hpp>
-#include <driver/steps.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/trajectories/take.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
@@ -78,7 +78,7 @@ private:
         Stepper stepper = Problem::stepper();
         State x = Problem::initial();
         const Scalar h = Scalar(wishes_.until) / static_cast<Scalar>(wishes_.steps);
-        if (!take(stepper, x, h, wishes_.steps).ok()) { return {}; }
+        if (!detail::take(stepper, x, h, wishes_.steps).ok()) { return {}; }
         return x;
     }
 

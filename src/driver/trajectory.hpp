@@ -17,8 +17,8 @@
 #include <driver/answer.hpp>
 #include <driver/columns.hpp>
 #include <driver/departure.hpp>
-#include <driver/steps.hpp>
 #include <driver/table.hpp>
+#include <hvi/detail/trajectories/take.hpp>
 #include <hvi/integrate.hpp>
 #include <hvi/state.hpp>
 
@@ -43,7 +43,7 @@ double seconds_of_step(double h, std::int64_t steps) {
     const auto start = Clock::now();
     auto now = start;
     while (taken < steps && now - start < enough) {
-        const Run run = take(stepper, x, h, std::min(batch, steps - taken));
+        const Run run = detail::take(stepper, x, h, std::min(batch, steps - taken));
         taken += run.steps;
         if (!run.ok()) { steps = taken; }
         now = Clock::now();
@@ -89,7 +89,7 @@ private:
 
     void advance() {
         const std::int64_t left = std::min(every_, steps_ - taken_);
-        const Run run = take(stepper_, x_, h_, watch == Watch::rows ? left : 1);
+        const Run run = detail::take(stepper_, x_, h_, watch == Watch::rows ? left : 1);
         status_ = run.status;
         iterations_ += run.iterations;
         taken_ += run.steps;

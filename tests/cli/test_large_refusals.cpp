@@ -106,6 +106,9 @@ TEST_CASE("what steppers of large scenes are not built for is refused, with its 
     check(2, "1..N", {"--method", "gauss:2", "--param", "N=0"});
     check(2, "1, tau", {"--basis", "1, tau", "--nodes", "gauss:3"});
     check(2, "graph", {"--method", "gauss:2", "--dump", "graph"});
+    CHECK(check(2, "sum(i=1..N, p[i]^2/2 + a*x[i]^2/2)",
+                {"--method", "gauss:2", "--lanes", "ensemble"})
+              .find("--lanes ensemble") != std::string::npos);
     for (const std::string flag : {"--dense", "--action", "--float128"}) {
         const std::string message =
             check(2, "sum(i=1..N, p[i]^2/2 + a*x[i]^2/2)", {"--method", "gauss:2", flag});

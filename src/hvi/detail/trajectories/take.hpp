@@ -8,7 +8,7 @@
 
 #include <hvi/integrate.hpp>
 
-namespace hvi::driver {
+namespace hvi::detail {
 
 /// Whether a stepper takes many steps faster than one after the other.
 template <class Stepper, class = void>
@@ -36,4 +36,4 @@ Run take(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar 
     }
 }
 
-}  // namespace hvi::driver
+}  // namespace hvi::detail
