@@ -54,6 +54,10 @@ using Roles = unsigned;
     return (roles & static_cast<unsigned>(role)) != 0;
 }
 
+/// Of what changes in a step but the time.
+inline constexpr Roles of_state =
+    static_cast<Roles>(Role::coordinate) | static_cast<Roles>(Role::conjugate);
+
 /// Whether something depends on variables, so that it is computed at every evaluation.
 [[nodiscard]] constexpr bool varies(Roles roles) {
     return (roles & ~static_cast<Roles>(Role::parameter)) != 0;

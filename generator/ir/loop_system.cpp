@@ -7,7 +7,8 @@ namespace hvi::gen {
 
 const LoopFamily& LoopSystem::family(const Access& access) const {
     switch (access.kind) {
-    case FamilyKind::coordinate: return coordinates.at(access.family);
+    case FamilyKind::coordinate:
+    case FamilyKind::direction: return coordinates.at(access.family);
     case FamilyKind::momentum: return momenta.at(access.family);
     case FamilyKind::table: break;
     }

@@ -44,7 +44,12 @@ struct ElementIndex {
     friend bool operator==(const ElementIndex&, const ElementIndex&) = default;
 };
 
-enum class FamilyKind { coordinate, momentum, table };
+enum class FamilyKind {
+    coordinate,
+    momentum,
+    table,
+    direction,  ///< what second derivatives are multiplied by, an element for each coordinate
+};
 
 /// An element of a family, which is an input of the graph.
 struct Access {

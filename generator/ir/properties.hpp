@@ -8,6 +8,14 @@
 
 namespace hvi::gen {
 
+/// How Newton's method solves with G = d2U/dq2, where the momenta of the stages are eliminated.
+enum class HessianForm {
+    dense,     ///< G is a matrix, and so is J
+    band,      ///< of a chain: entries are near the diagonal, in an order found at run time
+    sparse,    ///< each degree of freedom is coupled with few others
+    products,  ///< G is not kept: its products with vectors are computed
+};
+
 /// Of the H of a scene what its graph proves, see Structure; of that of a class of the user what he
 /// says. What is false may be true and not seen.
 struct SystemProperties {
@@ -19,6 +27,7 @@ struct SystemProperties {
     bool is_degenerate = false;          ///< a row of d2H/dp2 is zero
     bool joint_gradient_pays = false;    ///< dH/dq and dH/dp at once, for coupled stages
     std::size_t degrees_of_freedom = 0;  ///< 0: not known
+    HessianForm hessian = HessianForm::dense;
 };
 
 }  // namespace hvi::gen

@@ -186,6 +186,7 @@ struct VelocityStep {
     VelocityForm form;
     RoundedVelocityForm rounded;
     Iteration iteration;
+    HessianForm hessian = HessianForm::dense;  ///< for Newton's method
     /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
     std::optional<RealModes> modes;
 };

@@ -124,6 +124,18 @@ std::string lines(const RealModes& modes) {
     return result + '\n';
 }
 
+/// Of few degrees of freedom it is a matrix, and nothing is said.
+std::string line(HessianForm form) {
+    switch (form) {
+    case HessianForm::dense: return "";
+    case HessianForm::band: return "d2H/dq2: a band\n";
+    case HessianForm::sparse: return "d2H/dq2: sparse\n";
+    case HessianForm::products: return "d2H/dq2: products\n";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
 /// `0x3ffffd000001*2^-46`, or `none`.
 std::string text(const std::optional<Dyadic>& value) {
     if (!value) { return "none"; }
@@ -184,7 +196,7 @@ std::string lines(const PairStep& form) {
 std::string lines(const VelocityStep& form) {
     return "form: positions\n" + line("c", form.form.c) + lines("n", form.form.n) +
            lines("c", {form.rounded.c}) + lines("n", form.rounded.n) +
-           (form.modes ? lines(*form.modes) : "") + lines(form.iteration);
+           (form.modes ? lines(*form.modes) : "") + line(form.hessian) + lines(form.iteration);
 }
 
 std::string lines(const CurveExtrapolation& from) {

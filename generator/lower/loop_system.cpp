@@ -49,10 +49,6 @@ LoopFamily family_of(const std::string& name, const std::vector<std::size_t>& ex
     return family;
 }
 
-/// Where the kinds of what a summand depends on differ, it is another sum.
-constexpr Roles of_state =
-    static_cast<Roles>(Role::coordinate) | static_cast<Roles>(Role::conjugate);
-
 class LoopLowering {
 public:
     explicit LoopLowering(const IndexedScene& written) : written_(written) {}
@@ -372,7 +368,8 @@ std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
         switch (found->second.kind) {
         case FamilyKind::coordinate: return static_cast<Roles>(Role::coordinate);
         case FamilyKind::momentum: return static_cast<Roles>(Role::conjugate);
-        case FamilyKind::table: break;
+        case FamilyKind::table:
+        case FamilyKind::direction: break;
         }
         return 0;
     };
@@ -385,6 +382,7 @@ std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
     for (const LoopTerm& term : loop_terms(whole, {taken_, roles})) {
         const Scaled summand = value(term.term, term.loops, whole.source);
         if (summand.is_zero()) { continue; }
+        // NOTE: where the kinds of what a summand depends on differ, it is another sum.
         const Roles found = system_.graph.at(summand.node).roles & of_state;
         const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
             return group.loops == term.loops && group.roles == found;

@@ -119,7 +119,9 @@ Quadrature set_rule(Step& step, const GalerkinRule& rule) {
         return quadrature;
     }
     step.m.resize(step.positions.size());
-    step.form = VelocityStep{std::move(form), {}, {}, {}};
+    VelocityStep positions;
+    positions.form = std::move(form);
+    step.form = std::move(positions);
     step.blocks = std::move(order);
     return quadrature;
 }

@@ -274,7 +274,9 @@ void eliminate_momenta(Step& step) {
     const auto coupled =
         std::count_if(order.begin(), order.end(), [](const Block& block) { return block.coupled; });
     if (coupled != 1) { return; }
-    step.form = VelocityStep{std::move(form), {}, {}, {}};
+    VelocityStep positions;
+    positions.form = std::move(form);
+    step.form = std::move(positions);
     step.blocks = std::move(order);
     step.kept.velocity = false;
     step.decisions.push_back(
@@ -315,8 +317,8 @@ Solver solver_for(const StepWishes& wishes) {
 }
 
 bool may_tabulate(const SystemProperties& system, const StepWishes& wishes) {
-    return system.has_linear_map && solver_for(wishes) == Solver::automatic &&
-           !wishes.needs_slopes();
+    return system.has_linear_map && system.hessian == HessianForm::dense &&
+           solver_for(wishes) == Solver::automatic && !wishes.needs_slopes();
 }
 
 /// NOTE: the sums of (4.19) take one stage after the other.
@@ -352,7 +354,7 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
     } else if (system.kinetic_is_quadratic && !composition) {
         eliminate_momenta(step);
     }
-    set_solver(step, solver_for(wishes), system.joint_gradient_pays);
+    set_solver(step, solver_for(wishes), system);
     set_lanes(step, lanes_for(wishes));
     if (!composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
     return completed(std::move(step));
@@ -366,7 +368,7 @@ Step planned_as_curves(Step step, const OneStepMethod& method, const SystemPrope
     const auto* tableau = std::get_if<Tableau>(&method.base);
     if (tableau != nullptr) { step.partner = partner(*tableau); }
     if (system.depends_on_time) { set_times(step, std::get<GalerkinStep>(step.form).form.c); }
-    set_solver(step, solver_for(wishes), system.joint_gradient_pays);
+    set_solver(step, solver_for(wishes), system);
     return completed(std::move(step));
 }
 
@@ -393,7 +395,7 @@ Step planned_as_positions(Step step, const OneStepMethod& method, const Quadratu
     }
     set_kept(step);
     if (system.depends_on_time) { set_times(step, quadrature.c); }
-    set_solver(step, solver_for(wishes), system.joint_gradient_pays);
+    set_solver(step, solver_for(wishes), system);
     set_lanes(step, wishes.lanes);
     set_extrapolation(step, quadrature);
     return completed(std::move(step));

@@ -40,6 +40,31 @@ void set_modes(Step& step) {
          "at the start of a step all stages have the same second derivatives"});
 }
 
+bool has_factors(HessianForm hessian) {
+    return hessian == HessianForm::band || hessian == HessianForm::sparse;
+}
+
+/// How Newton's method goes with many degrees of freedom. NOTE: it has factors in the basis of
+/// modes alone.
+void set_hessian(Step& step, HessianForm hessian) {
+    auto* velocities = std::get_if<VelocityStep>(&step.form);
+    if (velocities == nullptr || !velocities->iteration.takes_newton()) { return; }
+    velocities->hessian = hessian;
+    if (has_factors(hessian) && !velocities->modes) {
+        velocities->hessian = HessianForm::products;
+        step.decisions.push_back({"Newton's method goes by products of second derivatives",
+                                  "the stages do not decouple, and are too many to factor"});
+    }
+}
+
+/// NOTE: where the equations are linear, one correction solves them, with factors that are kept as
+/// long as h is.
+Solver solver_of(const Step& step, Solver wished, const SystemProperties& system) {
+    const bool is_linear = system.has_linear_map && has_factors(system.hessian) &&
+                           std::holds_alternative<VelocityStep>(step.form);
+    return wished == Solver::automatic && is_linear ? Solver::newton : wished;
+}
+
 /// Where both slopes of a stage are unknown, they may be evaluated at the same Q and P.
 void set_joint_slopes(Step& step, bool joint_gradient_pays) {
     if (step.slopes != Slopes::one_by_one || !joint_gradient_pays) { return; }
@@ -62,17 +87,22 @@ Iteration* iteration_of(Step& step) {
     return pairs != nullptr && pairs->iteration ? &*pairs->iteration : nullptr;
 }
 
-void set_solver(Step& step, Solver wished, bool joint_gradient_pays) {
+void set_solver(Step& step, Solver wished, const SystemProperties& system) {
     Iteration* iteration = iteration_of(step);
     if (iteration == nullptr) { return; }
-    iteration->solver = wished;
-    if (wished == Solver::automatic) {
+    iteration->solver = solver_of(step, wished, system);
+    if (iteration->solver != wished) {
+        step.decisions.push_back({"Newton's method, which keeps its factors while h stays",
+                                  "H is quadratic: the equations are linear"});
+    }
+    if (iteration->solver == Solver::automatic) {
         step.decisions.push_back(
             {"fixed points, and Newton's method for steps on which they are slow",
              "how stiff H is depends on h and on the state"});
     }
-    set_joint_slopes(step, joint_gradient_pays);
+    set_joint_slopes(step, system.joint_gradient_pays);
     set_modes(step);
+    set_hessian(step, system.hessian);
 }
 
 }  // namespace hvi::gen

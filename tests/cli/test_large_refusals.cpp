@@ -104,7 +104,6 @@ TEST_CASE("what steppers of large scenes are not built for is refused, with its 
     check(2, "a", {"--basis", "1, cos(a*tau)", "--nodes", "0, 1", "--param", "a=2"});
     check(2, "a", {"--method", "gauss:2", "--param", "a=1", "--param", "a=1"});
     check(2, "1..N", {"--method", "gauss:2", "--param", "N=0"});
-    check(2, "1, tau", {"--basis", "1, tau", "--nodes", "gauss:3"});
     check(2, "graph", {"--method", "gauss:2", "--dump", "graph"});
     CHECK(check(2, "sum(i=1..N, p[i]^2/2 + a*x[i]^2/2)",
                 {"--method", "gauss:2", "--lanes", "ensemble"})

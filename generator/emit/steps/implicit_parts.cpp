@@ -25,6 +25,12 @@ NewtonPolicy newton_policy(const Step& step) {
     if (std::holds_alternative<PairStep>(step.form)) {
         return {"newton_pairs", "hvi::NewtonOfPairs"};
     }
+    switch (std::get<VelocityStep>(step.form).hessian) {
+    case HessianForm::dense: break;
+    case HessianForm::band: return {"newton_chains", "hvi::NewtonOfChains"};
+    case HessianForm::sparse: return {"newton_sparse", "hvi::NewtonOfSparse"};
+    case HessianForm::products: return {"newton_products", "hvi::NewtonOfProducts"};
+    }
     return {"newton_positions", "hvi::NewtonOfPositions"};
 }
 

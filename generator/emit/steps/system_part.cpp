@@ -191,8 +191,8 @@ std::string include_of_loops(const LoopCode& code) {
                        "#include <hvi/detail/loops/along.hpp>\n"
                        "#include <hvi/detail/loops/ranges.hpp>\n";
     text += include_of_files(code.system);
-    text += code.sites ? "#include <hvi/detail/loops/sites.hpp>\n"
-                       : "#include <hvi/detail/loops/chunks.hpp>\n";
+    if (code.scatters()) { text += "#include <hvi/detail/loops/chunks.hpp>\n"; }
+    if (code.sites) { text += "#include <hvi/detail/loops/sites.hpp>\n"; }
     return text;
 }
 
@@ -227,8 +227,10 @@ SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitO
     types.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
     types.line("using Place = std::ptrdiff_t;").blank();
     types.insert(loop_parameters_text(code.system)).blank();
-    types.insert(loop_system_text(code)).blank();
-    if (step.iteration() != nullptr) { types.line("using Solver = hvi::FixedPoint;").blank(); }
+    types.insert(loop_system_text(code, step)).blank();
+    if (step.iteration() != nullptr) {
+        types.line("using Solver = {};", solver_type(step)).blank();
+    }
     part.types = types.str();
     part.state = "hvi::State<Vector>";
     part.construct = constructors_for_loops(code, part.class_name);

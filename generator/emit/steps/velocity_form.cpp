@@ -296,6 +296,12 @@ std::string newton_of_positions(const Step& step, const VelocityStep& form,
     const SlopePoint start{"s.at.q", "", time_of_start(step, "s")};
     writer.line("void force_at_start(Vector& out) const {{ system.{}; }}",
                 force_call(step, start, "out"));
+    if (form.hessian == HessianForm::products) {
+        writer.comment("d2H/dq2 at Q, times v.", "/// ");
+        writer.line("void hessian_times(const Vector& Q, const Vector& v, Vector& out) const {{ "
+                    "system.d2Hdq2(Q, v, out); }}");
+        return writer.str();
+    }
     writer.line("template <class Matrix>");
     writer.line("void hessian_at_start(Matrix& out) const {{ system.{}; }}",
                 hessian_call(start, "out"));

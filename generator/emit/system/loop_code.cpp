@@ -50,13 +50,18 @@ std::vector<Derivative> derivatives(const LoopSystem& system, bool by_q) {
 
 class SystemClass {
 public:
-    explicit SystemClass(const LoopCode& code)
-        : code_(code), system_(code.system), names_(system_), loops_(system_, names_) {}
+    SystemClass(const LoopCode& code, const Step& step)
+        : code_(code),
+          step_(step),
+          system_(code.system),
+          names_(system_),
+          loops_(system_, names_) {}
 
     [[nodiscard]] std::string text() {
         // NOTE: the constructor comes last, as it computes what the others need.
         Writer functions(2);
         write_gradients(functions);
+        write_for_positions(functions);
         write_values(functions);
         write_begin(functions);
         Writer writer(1);
@@ -106,7 +111,7 @@ private:
     void write_scattered(Writer& writer, bool by_q) {
         const std::vector<Derivative> all = derivatives(system_, by_q);
         for (const Derivative& each : all) {
-            loops_.write_derivatives(writer, each.name, *each.sum, *each.slopes);
+            loops_.write_derivatives(writer, each.name, *each.sum, *each.slopes, "p");
             writer.blank();
         }
         const bool is_separable = system_.is_separable();
@@ -121,6 +126,50 @@ private:
             const std::string q = is_separable && !by_q ? "nullptr" : "q.data()";
             const std::string p = is_separable && by_q ? "nullptr" : "p.data()";
             loops_.call_derivatives(writer, each.name, *each.sum, q, p);
+        }
+        writer.close();
+    }
+
+    /// What steps ask for that solve for positions alone.
+    void write_for_positions(Writer& writer) {
+        if (!std::holds_alternative<VelocityStep>(step_.form)) { return; }
+        writer.blank().comment("d2H/dp2 v, which is constant.", "/// ");
+        writer.line("void inverse_mass(const Vector& v, Vector& out) const {{ dHdp(v, out); }}");
+        if (!code_.hessian) { return; }
+        if (std::get<VelocityStep>(step_.form).hessian == HessianForm::products) {
+            write_products(writer, *code_.hessian);
+        } else {
+            write_entries(writer, *code_.hessian);
+        }
+    }
+
+    void write_entries(Writer& writer, const LoopHessian& hessian) {
+        writer.blank().comment("Adds the entries i, j of d2H/dq2 by out.add(i, j, value).", "/// ");
+        writer.line("template <class Matrix>");
+        writer.open("void d2Hdq2([[maybe_unused]] const Vector& q_of, [[maybe_unused]] Matrix& "
+                    "out) const {{");
+        writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
+        for (const LoopEntries& entries : hessian.entries) {
+            loops_.write_entries(writer, entries);
+        }
+        writer.close();
+    }
+
+    void write_products(Writer& writer, const LoopHessian& hessian) {
+        std::size_t count = 0;
+        for (const LoopSum& sum : hessian.products) {
+            writer.blank();
+            loops_.write_derivatives(writer, fmt::format("add_product_{}", ++count), sum, sum.by_q,
+                                     "way");
+        }
+        writer.blank().line("/// out = d2H/dq2 way.");
+        writer.open("void d2Hdq2([[maybe_unused]] const Vector& q, [[maybe_unused]] const Vector& "
+                    "way, Vector& out) const {{");
+        writer.line("std::fill(out.begin(), out.end(), Scalar(0));");
+        count = 0;
+        for (const LoopSum& sum : hessian.products) {
+            loops_.call_derivatives(writer, fmt::format("add_product_{}", ++count), sum, "q.data()",
+                                    "way.data()");
         }
         writer.close();
     }
@@ -242,8 +291,11 @@ private:
 
     /// Whether sums over pairs are cut into chunks.
     [[nodiscard]] bool has_chunks() const {
-        return !code_.sites && std::any_of(system_.sums.begin(), system_.sums.end(),
-                                           [](const LoopSum& sum) { return sum.loops.size() > 1; });
+        const bool are_scattered =
+            !code_.sites || (code_.hessian && !code_.hessian->products.empty());
+        return are_scattered &&
+               std::any_of(system_.sums.begin(), system_.sums.end(),
+                           [](const LoopSum& sum) { return sum.loops.size() > 1; });
     }
 
     void write_data(Writer& writer) const {
@@ -281,6 +333,7 @@ private:
     }
 
     const LoopCode& code_;
+    const Step& step_;
     const LoopSystem& system_;
     LoopNames names_;
     LoopWriter loops_;
@@ -309,7 +362,9 @@ std::string loop_parameters_text(const LoopSystem& system) {
     return writer.close("};").str();
 }
 
-std::string loop_system_text(const LoopCode& code) { return SystemClass(code).text(); }
+std::string loop_system_text(const LoopCode& code, const Step& step) {
+    return SystemClass(code, step).text();
+}
 
 std::string loop_members_text(const LoopCode& code) {
     Writer writer(1);

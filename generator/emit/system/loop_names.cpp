@@ -25,7 +25,7 @@ LoopNames::LoopNames(const LoopSystem& system) : system_(system) {
     }
 }
 
-/// NOTE: other names in the code are q, p, out, e, k, V, h, x and t1, t2, ..., or end in an
+/// NOTE: other names in the code are q, p, way, out, e, k, V, h, x and t1, t2, ..., or end in an
 /// underscore.
 std::string LoopNames::index(const std::string& name) const {
     const bool is_free =
@@ -87,6 +87,7 @@ std::string LoopNames::array(const Access& access) const {
     switch (access.kind) {
     case FamilyKind::coordinate: return "q";
     case FamilyKind::momentum: return "p";
+    case FamilyKind::direction: return "way";
     case FamilyKind::table: break;
     }
     return member_of(system_.family(access).name) + "_values_.data()";

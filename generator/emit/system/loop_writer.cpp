@@ -168,12 +168,12 @@ void LoopWriter::write_lanes(Writer& writer, const LoopSum& sum,
 }
 
 void LoopWriter::write_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
-                                   const std::vector<AccessSlope>& slopes) {
+                                   const std::vector<AccessSlope>& slopes, std::string_view other) {
     const bool in_lanes = goes_in_lanes(sum);
     const bool is_only_loop = sum.loops.size() == 1;
-    writer.open("void {0}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* p, "
-                "Scalar* out{1}) const {{",
-                name,
+    writer.open("void {0}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* {1}, "
+                "Scalar* out{2}) const {{",
+                name, other,
                 sum.loops.empty() ? ""
                                   : fmt::format(", Place from, Place to"
                                                 "{}",
@@ -199,22 +199,40 @@ void LoopWriter::write_derivatives(Writer& writer, const std::string& name, cons
 }
 
 void LoopWriter::call_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
-                                  std::string_view q, std::string_view p) {
+                                  std::string_view q, std::string_view other) {
     if (sum.loops.empty()) {
-        writer.line("{}({}, {}, out.data());", name, q, p);
+        writer.line("{}({}, {}, out.data());", name, q, other);
         return;
     }
     const LoopRange& range = sum.loops.front().range;
     const std::string first = names_.whole(range.first);
     const std::string end = names_.whole(range.last + AffineForm{1});
     if (sum.loops.size() == 1) {
-        writer.line("{}({}, {}, out.data(), {}, {});", name, q, p, first, end);
+        writer.line("{}({}, {}, out.data(), {}, {});", name, q, other, first, end);
         return;
     }
     writer.line("hvi::detail::chunked(team_, {}, {}, out.data(), out.size(), memory_,", first, end);
     writer.open("    [&](Place from, Place to, Place "
                 "stride, Scalar* to_out) {{");
-    writer.line("{}({}, {}, to_out, from, to, stride);", name, q, p).close("});");
+    writer.line("{}({}, {}, to_out, from, to, stride);", name, q, other).close("});");
+}
+
+void LoopWriter::write_entries(Writer& writer, const LoopEntries& entries) {
+    std::vector<Scaled> results;
+    for (const LoopEntry& entry : entries.entries) { results.push_back(entry.value); }
+    const Kernel values = kernel(system_.graph, results);
+    if (entries.loops.empty()) { writer.open("{{"); }
+    for (const Loop& loop : entries.loops) { open_loop(writer, loop); }
+    const NodeNames given = load(writer, entries.accesses, values, entries.loops);
+    const auto texts = write_code(writer, system_.graph, values, given, "hvi::math");
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        const LoopEntry& entry = entries.entries[k];
+        writer.line("out.add({}, {}, Scalar({}));", names_.place(system_.accesses[entry.row]),
+                    names_.place(system_.accesses[entry.column]), texts[k]);
+    }
+    for (std::size_t l = 0; l < std::max<std::size_t>(entries.loops.size(), 1); ++l) {
+        writer.close();
+    }
 }
 
 void LoopWriter::write_total(Writer& writer, const LoopSum& sum) {

@@ -8,6 +8,7 @@
 
 #include "generator/emit/system/loop_names.hpp"
 #include "generator/emit/text/text.hpp"
+#include "generator/lower/loop_hessian.hpp"
 
 namespace hvi::gen {
 
@@ -18,13 +19,16 @@ public:
     LoopWriter(const LoopSystem& system, LoopNames& names) : system_(system), names_(names) {}
 
     /// A function that adds derivatives of a sum to `out`, for values of its first index from
-    /// `first` to `last`.
+    /// `first` to `last`. It looks at the array q, and at another one.
     void write_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
-                           const std::vector<AccessSlope>& slopes);
+                           const std::vector<AccessSlope>& slopes, std::string_view other);
 
-    /// The call of it for the whole sum.
+    /// The call of it for the whole sum, with these arrays.
     void call_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
-                          std::string_view q, std::string_view p);
+                          std::string_view q, std::string_view other);
+
+    /// Adds the entries of a matrix to `out`.
+    void write_entries(Writer& writer, const LoopEntries& entries);
 
     /// Adds a sum to `total`.
     void write_total(Writer& writer, const LoopSum& sum);

@@ -173,6 +173,7 @@ public:
 
     /// Whether J was, or should have been.
     [[nodiscard]] bool is_finite() const { return derivatives_.is_finite() && J_.is_finite(); }
+    [[nodiscard]] bool rounds_with_largest() const { return false; }
 
     /// NOTE: the corrected Lp_i are what the step adds up: see PairEquations.
     template <class Coupled>

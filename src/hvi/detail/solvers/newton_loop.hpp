@@ -19,6 +19,8 @@ namespace hvi::detail {
 ///     bool factorise(coupled);             factors of J at the present stages
 ///     void correct(coupled);               unknowns -= J^-1 residual, and sets coupled.s.change
 ///     bool is_finite();                    whether J was, or should have been
+///     bool rounds_with_largest();          whether no component of a correction is righter than
+///                                          the largest one
 ///
 /// both factorisations false where J is singular or not finite. The factors are kept over
 /// iterations and steps while the iteration contracts well. They are forgotten with the state that
@@ -101,9 +103,11 @@ private:
                       iteration);
     }
 
-    /// What the last correction changed, as a part of the values.
+    /// What the last correction changed, as a part of the values: of each component, or of the
+    /// largest where J is solved by products with it, whose rounding is that of the largest.
     template <class Coupled>
-    [[nodiscard]] static Scalar relative_change(const Coupled& coupled) {
+    [[nodiscard]] Scalar relative_change(const Coupled& coupled) const {
+        if (equations_.rounds_with_largest()) { return change_of_largest(coupled); }
         Scalar largest = 0;
         const auto look = [&](Scalar change, Scalar size) {
             if (change != 0) { largest = larger(largest, change / size); }
@@ -113,6 +117,22 @@ private:
             if constexpr (Coupled::has_p) { look(coupled.s.change.p[k], coupled.size_p(k)); }
         }
         return largest;
+    }
+
+    template <class Coupled>
+    [[nodiscard]] static Scalar change_of_largest(const Coupled& coupled) {
+        Scalar change = 0, size = 0;
+        for (IndexOf<Vector> k = 0; k < coupled.s.n; ++k) {
+            if constexpr (Coupled::has_q) {
+                change = larger(change, coupled.s.change.q[k]);
+                size = larger(size, coupled.size_q(k));
+            }
+            if constexpr (Coupled::has_p) {
+                change = larger(change, coupled.s.change.p[k]);
+                size = larger(size, coupled.size_p(k));
+            }
+        }
+        return change > 0 ? change / size : Scalar(0);
     }
 
     RoundOff<Vector> round_off_{rounding};

@@ -66,6 +66,7 @@ public:
 
     /// Whether J was, or should have been.
     [[nodiscard]] bool is_finite() const { return algebra_.is_finite(); }
+    [[nodiscard]] bool rounds_with_largest() const { return false; }
 
     /// L -= J^-1 (L - slopes at the stages of L).
     ///

@@ -8,40 +8,34 @@
 #include <hvi/detail/linear/dense.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/detail/solvers/newton_loop.hpp>
+#include <hvi/detail/solvers/position_unknowns.hpp>
 #include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi {
 namespace detail {
 
-/// The equations of a NewtonLoop whose unknowns are the scaled forces Lp_j of VelocityStages,
+/// The equations of a NewtonLoop for PositionUnknowns.
 ///
-///     Lp_j + h b_j dH/dq(Q_j) = 0,    Q_i = q + (e_q + (h c_i v + h sum_j n_ij K Lp_j)).
-///
-/// At the start of a step all stages have one matrix G of second derivatives, that at q, and
-/// J = 1 + h^2 (C x G K) with C_ij = b_i n_ij, which is similar to A A~. In the basis of its
-/// eigenvectors, known when the header was written, J falls apart into a system of n equations for
-/// each real eigenvalue and one of 2n for each pair of conjugate ones (Coupled::Modes). None is
-/// singular where G K has no negative eigenvalue and C has no real negative one, as that of Gauss
-/// and Lobatto methods. Where the iteration does not contract with these, each stage gets the
-/// matrix of its own place, and J is factored as a whole.
+/// At the start of a step all stages have one matrix G of second derivatives, that at q, and J's C
+/// is similar to A A~. In the basis of its eigenvectors, known when the header was written, J falls
+/// apart into a system of n equations for each real eigenvalue and one of 2n for each pair of
+/// conjugate ones (Coupled::Modes). None is singular where G K has no negative eigenvalue and C has
+/// no real negative one, as that of Gauss and Lobatto methods. Where the iteration does not
+/// contract with these, each stage gets the matrix of its own place, and J is factored as a whole.
 template <class Vector>
-class PositionEquations {
+class PositionEquations : PositionUnknowns<Vector> {
 public:
     template <class Coupled>
     [[nodiscard]] bool fit(const Coupled& coupled) {
-        if (slopes_.size() == r<Coupled> * static_cast<std::size_t>(coupled.s.n)) { return false; }
-        n_ = static_cast<std::size_t>(coupled.s.n);
+        if (!this->make_room(coupled)) { return false; }
         G_ = hGK_ = SquareMatrix<Scalar>(n_);
-        slopes_.resize(r<Coupled> * n_);
-        correction_.resize(r<Coupled> * n_);
         return true;
     }
 
     template <class Coupled>
     void begin(Coupled& coupled) {
-        slopes_.assign(slopes_.size(), Scalar(0));
-        put_slopes(coupled);
+        this->begin_at_rest(coupled);
         is_start_ = true;
     }
 
@@ -71,12 +65,12 @@ public:
 
     /// Whether J was, or should have been.
     [[nodiscard]] bool is_finite() const { return hGK_.is_finite(); }
+    [[nodiscard]] bool rounds_with_largest() const { return false; }
 
     /// Lp -= J^-1 (Lp + h b dH/dq).
     ///
     /// NOTE: first with dH/dq = g + G (Q - q) of the start: where h is not small against the
-    /// fastest period, q + h c v is no place for H to be evaluated at. And the corrected slopes are
-    /// what the step adds up: see PairEquations.
+    /// fastest period, q + h c v is no place for H to be evaluated at.
     template <class Coupled>
     void correct(Coupled& coupled) {
         if (is_start_) {
@@ -85,9 +79,7 @@ public:
             coupled.forces();
         }
         is_start_ = false;
-        for_each_unknown<Coupled>([&](std::size_t i, std::size_t j, std::size_t k) {
-            correction_[i] = slopes_[i] - coupled.s.force(j, k);
-        });
+        this->set_residual(coupled);
         if constexpr (Coupled::Modes::exist) {
             if (is_decoupled_) {
                 solve_modes<typename Coupled::Modes>();
@@ -97,33 +89,16 @@ public:
         } else {
             factors_.front().solve(correction_.data());
         }
-        for (std::size_t i = 0; i < slopes_.size(); ++i) { slopes_[i] -= correction_[i]; }
-        put_slopes(coupled);
+        this->subtract_correction(coupled);
     }
 
 private:
-    using Scalar = ScalarOf<Vector>;
+    using typename PositionUnknowns<Vector>::Scalar;
+    using PositionUnknowns<Vector>::correction_;
+    using PositionUnknowns<Vector>::n_;
 
     template <class Coupled>
-    static constexpr std::size_t r = Coupled::unknown.size();
-
-    /// Calls f(i, j, k) for component k of each unknown Lp_j, the unknown i.
-    template <class Coupled, class F>
-    void for_each_unknown(F f) {
-        std::size_t i = 0;
-        for (const std::size_t j : Coupled::unknown) {
-            for (std::size_t k = 0; k < n_; ++k) { f(i++, j, k); }
-        }
-    }
-
-    template <class Coupled>
-    void put_slopes(Coupled& coupled) {
-        for_each_unknown<Coupled>([&](std::size_t i, std::size_t j, std::size_t k) {
-            coupled.s.set_force(j, k, slopes_[i]);
-        });
-        coupled.drifts();
-        coupled.positions();
-    }
+    static constexpr std::size_t r = PositionUnknowns<Vector>::template r<Coupled>;
 
     template <class Coupled>
     void linear_forces(Coupled& coupled) {
@@ -158,7 +133,7 @@ private:
     template <class Coupled, class Set>
     [[nodiscard]] bool factorise_all(const Coupled& coupled, Set set) {
         const auto& s = coupled.s;
-        SquareMatrix<Scalar> J(slopes_.size());
+        SquareMatrix<Scalar> J(r<Coupled> * n_);
         J.set_identity();
         for (std::size_t row = 0; row < r<Coupled>; ++row) {
             const std::size_t j = Coupled::unknown[row];
@@ -204,33 +179,17 @@ private:
 
     template <class Modes>
     void solve_modes() {
-        transform(Modes::to);
+        this->transform(Modes::to, correction_);
         Scalar* mode = correction_.data();
         for (std::size_t m = 0; m < factors_.size(); ++m) {
             factors_[m].solve(mode);
             mode += m < Modes::real_ones ? n_ : 2 * n_;
         }
-        transform(Modes::from);
-    }
-
-    /// Multiplies what belongs to one component, for all stages, by a matrix.
-    template <std::size_t size>
-    void transform(const Scalar (&matrix)[size][size]) {
-        for (std::size_t k = 0; k < n_; ++k) {
-            Scalar old[size];
-            for (std::size_t i = 0; i < size; ++i) { old[i] = correction_[i * n_ + k]; }
-            for (std::size_t i = 0; i < size; ++i) {
-                Scalar sum = 0;
-                for (std::size_t j = 0; j < size; ++j) { sum += matrix[i][j] * old[j]; }
-                correction_[i * n_ + k] = sum;
-            }
-        }
+        this->transform(Modes::from, correction_);
     }
 
     SquareMatrix<Scalar> G_, hGK_;
     std::vector<Factors<Scalar>> factors_;  ///< of the modes, or one of all
-    std::vector<Scalar> slopes_, correction_;
-    std::size_t n_ = 0;
     bool is_start_ = false, is_decoupled_ = false;
 };
 
