@@ -81,7 +81,10 @@ public:
 
     /// One trajectory from each of these states.
     explicit Ensemble(const std::vector<Trajectory>& starts, const Parameters& parameters = {})
-        : stepper_(parameters), size_(starts.size()), trajectories_(starts) {}
+        : parameters_(parameters),
+          stepper_(parameters),
+          size_(starts.size()),
+          trajectories_(starts) {}
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -93,7 +96,7 @@ public:
     /// ended, the first of them; of the trajectories then some have been advanced, and some not.
     void advance(Scalar h, std::int64_t steps, unsigned threads = 0) {
         detail::in_parallel(trajectories_.pieces(), threads, [&] {
-            return [&, stepper = stepper_](std::size_t piece) mutable {
+            return [&, stepper = Stepper(parameters_)](std::size_t piece) mutable {
                 trajectories_.advance(piece, stepper, h, steps);
             };
         });
@@ -114,6 +117,7 @@ public:
     [[nodiscard]] const Stepper& stepper() const { return stepper_; }
 
 private:
+    Parameters parameters_;
     Stepper stepper_;
     std::size_t size_;
     Trajectories trajectories_;

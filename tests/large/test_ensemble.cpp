@@ -8,7 +8,9 @@
 #include <catch2/catch.hpp>
 #include <hvi/ensemble.hpp>
 #include <large/chain.hpp>
+#include <large/chain_gauss.hpp>
 #include <large/masses.hpp>
+#include <large/membrane.hpp>
 #include <large/toda.hpp>
 
 namespace {
@@ -73,7 +75,11 @@ TEST_CASE("an ensemble of a large scene has the bits of its trajectories alone")
     generated::Toda::Parameters toda;
     toda.N = 90;
     check_trajectories<generated::Toda>(toda);
+    generated::ChainGauss::Parameters of_gauss;
+    of_gauss.N = 90;
     check_trajectories<generated::Masses>({});
+    check_trajectories<generated::ChainGauss>(of_gauss);
+    check_trajectories<generated::Membrane>({});
 }
 
 TEST_CASE("a trajectory of a large scene that stops keeps its state, and others go on") {
