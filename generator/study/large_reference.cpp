@@ -41,6 +41,17 @@ Expression at_time(const Expression& solution, const Expression& time) {
     return with_arguments(solution, std::move(arguments));
 }
 
+/// Whether each variable has a solution.
+void check_complete(const IndexedScene& scene) {
+    const std::vector<IndexedValue>& solutions = scene.exact->values;
+    for (const IndexedValue& value : scene.initial.values) {
+        const auto has_name = [&](const IndexedValue& each) { return each.name == value.name; };
+        if (std::any_of(solutions.begin(), solutions.end(), has_name)) continue;
+        throw InputError(fmt::format("an exact solution is missing: that of `{}`", value.name),
+                         scene.exact->place);
+    }
+}
+
 /// The scene that begins where its exact solution is at that time.
 IndexedScene exact_at(IndexedScene scene, double until) {
     const auto source = std::make_shared<const Source>(Source{"until", exact_text(until)});
@@ -48,6 +59,7 @@ IndexedScene exact_at(IndexedScene scene, double until) {
     const auto put_in = [&](IndexedExpression& solution) {
         solution.written = at_time(solution.written, time);
     };
+    check_complete(scene);
     scene.initial = *scene.exact;
     for (Definition& definition : scene.definitions) put_in(definition.value);
     for (IndexedValue& value : scene.initial.values) {

@@ -37,13 +37,15 @@ double seconds_of_step(double h, std::int64_t steps) {
     using Clock = std::chrono::steady_clock;
     constexpr std::int64_t batch = watch == Watch::rows ? 8 : 256;
     constexpr std::chrono::milliseconds enough(500);
+    using Scalar = typename Problem::Stepper::Scalar;
     auto stepper = Problem::stepper();
     auto x = Problem::initial();
     std::int64_t taken = 0;
     const auto start = Clock::now();
     auto now = start;
     while (taken < steps && now - start < enough) {
-        const Run run = detail::take(stepper, x, h, std::min(batch, steps - taken));
+        const Run run =
+            detail::take(stepper, x, static_cast<Scalar>(h), std::min(batch, steps - taken));
         taken += run.steps;
         if (!run.ok()) { steps = taken; }
         now = Clock::now();

@@ -58,6 +58,26 @@ TEST_CASE("a report on a large scene refuses what is not built for it, by name")
     check_refused({1, "0", {}}, {"report", "plummer", "--steps", "1/10, 0"});
 }
 
+TEST_CASE("an exact solution of a large scene is looked at") {
+    const auto check = [](const std::string& exact) {
+        const Directory directory;
+        write(directory / "springs.toml",
+              springs + "[exact]\n" + exact +
+                  "\n[run]\nmethod = \"stormer-verlet\"\nstep = 1\nuntil = 2\n");
+        const Outcome outcome = hvi_gen({"report", "springs.toml", "-o", "out"}, directory.path());
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        return outcome.err;
+    };
+    const std::string x = "\"x[i]\" = \"cos(t)\"\n";
+    CHECK(check(x).find("an exact solution is missing: that of `p`") != std::string::npos);
+    CHECK(pointed_at(check(x + "\"p[i]\" = \"x[i]*t\"")) == "x[i]*t");
+    CHECK(pointed_at(check(x + "\"p[i]\" = \"s*t\"")) == "s");
+    CHECK(pointed_at(check(x + "\"p[i]\" = 0\n\"y[i]\" = 0")).find("y[i]") != std::string::npos);
+}
+
 TEST_CASE("initial values of a list are looked at one by one") {
     const Directory directory;
     const auto check = [&](const std::string& value) {
