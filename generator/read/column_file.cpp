@@ -18,6 +18,7 @@
 
 #include "generator/read/nearest.hpp"
 #include "generator/read/token.hpp"
+#include "generator/support/progress.hpp"
 
 namespace hvi::gen {
 
@@ -269,6 +270,7 @@ std::variant<ValueList, ValueFile> values_of_npy(const ColumnFile& file, std::if
 }  // namespace
 
 std::variant<ValueList, ValueFile> values_in(const ColumnFile& file) {
+    const Progress::Stage stage("reading files of numbers");
     std::error_code ignored;
     const auto status = std::filesystem::status(file.directory / file.path, ignored);
     if (status.type() == std::filesystem::file_type::not_found)

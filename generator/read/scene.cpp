@@ -111,7 +111,7 @@ Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values
                                      degrees_of_freedom(*large), most_unrolled),
                          whole(name_or_file),
                          "here sums are written out; `stepper`, `run` and `report` take scenes of "
-                         "any size");
+                         "any size, without --accuracy");
     }
     return std::get<Scene>(std::move(found));
 }
