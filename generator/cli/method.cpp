@@ -174,12 +174,10 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
 std::variant<MethodAndScene, MethodAndLargeScene>
 read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system) {
     if (!system.scene) return read_scene(options, system);
-    IndexedScene written = find_indexed_scene(system.scene, parameters_in(options.parameters));
-    if (degrees_of_freedom(written) > most_unrolled)
-        return completed(std::move(written), system.scene, options);
-    Scene scene = unrolled(written);
-    scene.place = whole(system.scene);
-    return completed(std::move(scene), options);
+    auto found = find_scene_of_any_size(system.scene, parameters_in(options.parameters));
+    if (auto* large = std::get_if<IndexedScene>(&found))
+        return completed(std::move(*large), system.scene, options);
+    return completed(std::get<Scene>(std::move(found)), options);
 }
 
 }  // namespace hvi::gen

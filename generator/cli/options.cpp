@@ -173,10 +173,20 @@ std::set<ReportItem> items_of_report(const Words& words) {
     return items;
 }
 
+std::optional<Place> place_of_edges(const Words& words) {
+    if (words.has("--edges")) return words.place("--edges");
+    const std::set<ReportItem> named = words.choices<ReportItem>("--only");
+    const bool is_named = std::any_of(named.begin(), named.end(), [](ReportItem item) {
+        return !is_file(item) && item != ReportItem::work;
+    });
+    return is_named ? std::optional(whole(words.value("--only"))) : std::nullopt;
+}
+
 ReportOptions report_options(const Words& words, const CommandLine& line) {
     ReportOptions options;
     options.scenes = words.texts("SCENE");
-    options.peers = words.has("--peers");
+    if (words.has("--peers")) options.peers = words.place("--peers");
+    options.edges = place_of_edges(words);
     options.method = method_beside_scene(words);
     options.methods = words.value("--methods");
     options.steps = words.value("--steps");

@@ -75,7 +75,8 @@ struct ReportOptions {
     Given methods;               ///< names between commas
     Given steps;                 ///< sizes between commas; chosen where there are none
     Given until;                 ///< in place of the scenes'
-    bool peers = false;          ///< integrators of other libraries too
+    std::optional<Place> peers;  ///< where integrators of other libraries are asked for too
+    std::optional<Place> edges;  ///< where any of these items are asked for by name
     std::set<ReportItem> items;  ///< work only where there are scenes
     std::optional<std::filesystem::path> output;  ///< a directory
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <variant>
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
@@ -10,6 +11,7 @@
 #include "generator/cli/words.hpp"
 #include "generator/edges/edges.hpp"
 #include "generator/edges/program.hpp"
+#include "generator/read/indexed_scene.hpp"
 #include "generator/report/render.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/study/study.hpp"
@@ -28,17 +30,40 @@ constexpr const char* usual_at_edges = "stormer-verlet, trig3, lobatto:3, gauss:
 
 /// A scene with the words of [run] that a report needs.
 struct Subject {
-    Scene scene;
-    double until;
-    std::int64_t first_count;
-    std::vector<double> steps;
+    std::variant<Scene, IndexedScene> scene;
+    double until = 0;
+    std::int64_t first_count = 0;
+    std::vector<double> steps = {};
 };
 
+/// What is not built for a scene whose sums stay loops.
+void check_large(const ReportOptions& options) {
+    const auto refuse = [](const std::optional<Place>& place, const char* what, const char* help) {
+        if (place)
+            throw InputError(fmt::format("{} not built for scenes of more than {} degrees of "
+                                         "freedom",
+                                         what, most_unrolled),
+                             *place, help);
+    };
+    refuse(options.peers, "integrators of other libraries are",
+           "without --peers it compares methods of ours");
+    refuse(options.edges, "stiff and extreme cases, and derivatives of steps, are",
+           "without SCENE they are those of scenes that come with the program");
+}
+
+std::string name_of(const Subject& subject) {
+    return std::visit([](const auto& scene) { return scene.name; }, subject.scene);
+}
+
 Subject subject(const Given& name, const ReportOptions& options) {
-    Scene scene = find_scene(name);
+    Subject result{find_scene_of_any_size(name)};
+    const auto* large = std::get_if<IndexedScene>(&result.scene);
+    if (large != nullptr) check_large(options);
+    Scene scene = large != nullptr ? without_motion(*large) : std::get<Scene>(result.scene);
+    scene.place = whole(name);
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
     const NamedExpression step = wish(scene, nullptr, scene.run.step, "step");
-    Subject result{scene, nearest_value(scene, until), 0, {}};
+    result.until = nearest_value(scene, until);
     result.first_count = std::max<std::int64_t>(1, steps_until(scene, step, until).count);
     if (!options.steps) return result;
     for (const auto& item : list_items(options.steps)) {
@@ -81,16 +106,30 @@ void find_peers(Builds& builds, StudyWishes& wishes, Report& report) {
     }
 }
 
+/// A sentence where errors of methods are hidden by that of the reference.
+void note_reference(Report& report, const SceneReport& scene) {
+    constexpr double rough = 1e-6;
+    if (scene.reference.error <= rough) return;
+    report.notes.push_back(fmt::format(
+        "the reference solution of {} is known to {:.1e} only: an earlier --until has a better one",
+        scene.name, scene.reference.error));
+}
+
 void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subjects,
                 StudyWishes wishes) {
     for (const Subject& subject : subjects) {
         wishes.steps = subject.steps;
         SceneReport& of_scene = report.scenes.emplace_back();
         try {
-            study(builds, subject.scene, subject.until, subject.first_count, wishes, of_scene,
-                  report.time_spent);
+            std::visit(
+                [&](const auto& scene) {
+                    study(builds, scene, subject.until, subject.first_count, wishes, of_scene,
+                          report.time_spent);
+                },
+                subject.scene);
+            note_reference(report, of_scene);
         } catch (const Error& error) {
-            report.incomplete = subject.scene.name + ": " + error.what();
+            report.incomplete = name_of(subject) + ": " + error.what();
             if (of_scene.curves.empty()) report.scenes.pop_back();
             throw;
         }
@@ -112,14 +151,17 @@ std::vector<std::string> all_scenes() {
     return names;
 }
 
-/// On the scenes of the report; where it has none, on some that come with the program.
+/// On the scenes of the report whose sums are written out; where it has no scene, on some that come
+/// with the program.
 void add_edges(Report& report, Builds& builds, const std::vector<ComposedMethod>& methods,
                const std::vector<Subject>& subjects, const std::set<ReportItem>& items) {
     // Each kind of stepper occurs, and a collision.
     const std::vector<std::string> various{"pendulum", "kepler", "henon-heiles", "nonseparable",
                                            "harmonic-oscillator"};
     std::vector<Scene> given;
-    for (const Subject& subject : subjects) given.push_back(subject.scene);
+    for (const Subject& subject : subjects)
+        if (const auto* scene = std::get_if<Scene>(&subject.scene)) given.push_back(*scene);
+    if (given.empty() && !subjects.empty()) return;
     const auto add = [&](ReportItem item, const std::string& name, auto chapter) {
         if (!items.contains(item)) return;
         const TimeSpent::Part part(report.time_spent, name);

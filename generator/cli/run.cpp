@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <system_error>
@@ -131,9 +132,10 @@ TrajectoryPicture picture(const RunSubject& subject, const Steps& asked, const S
     picture.title = subject.scene + ", " + subject.method + (run.ok() ? "" : " (incomplete)");
     picture.until = static_cast<double>(run.steps) * asked.size;
     picture.table = table;
+    // NOTE: from what begins as no number nothing departs.
     for (const Conserved& kept : run.conserved)
         for (const TableColumn& column : shown({name_box(kept.name)}, columns))
-            picture.kept.push_back({column, kept.start});
+            if (std::isfinite(kept.start)) picture.kept.push_back({column, kept.start});
     picture.columns = coordinates.empty() ? momenta : coordinates;
     picture.title_of_columns = coordinates.empty() ? "momenta" : "positions";
     picture.curves = curves_of(coordinates, momenta);
@@ -149,13 +151,38 @@ void mark_incomplete(const fs::path& table, const Simulation& run) {
         throw EnvironmentError("cannot write " + table.string());
 }
 
+/// A directory for results; where nothing was left in it, at the end of its life it is gone again.
+class ResultDirectory {
+public:
+    explicit ResultDirectory(fs::path path) : path_(std::move(path)) {
+        std::error_code ignored;
+        for (fs::path each = path_; !each.empty() && !fs::exists(each, ignored);
+             each = each.parent_path())
+            missing_.push_back(each);
+        make_directory(path_);
+    }
+    ~ResultDirectory() {
+        std::error_code ignored;
+        for (const fs::path& each : missing_)
+            if (fs::is_empty(each, ignored)) fs::remove(each, ignored);
+    }
+    ResultDirectory(const ResultDirectory&) = delete;
+    ResultDirectory& operator=(const ResultDirectory&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+    std::vector<fs::path> missing_;  ///< before; the innermost first
+};
+
 /// Files that a run leaves, all of them whole. Without a directory there are none.
 class Results {
 public:
-    Results(std::optional<fs::path> directory) : directory_(std::move(directory)) {
-        if (!directory_) return;
-        make_directory(*directory_);
-        table_.emplace(*directory_);
+    explicit Results(const std::optional<fs::path>& directory) {
+        if (!directory) return;
+        directory_.emplace(*directory);
+        table_.emplace(*directory);
     }
 
     /// Where the table grows.
@@ -167,18 +194,18 @@ public:
         if (!directory_) return;
         const auto leaves = [&](RunFile file) { return options.files.contains(file); };
         if (!run.ok()) mark_incomplete(table_->path(), run);
-        if (leaves(RunFile::table)) table_->rename_to(*directory_ / table_name);
-        if (leaves(RunFile::summary)) write_file(*directory_ / summary_name, summary);
+        if (leaves(RunFile::table)) table_->rename_to(directory_->path() / table_name);
+        if (leaves(RunFile::summary)) write_file(directory_->path() / summary_name, summary);
         const fs::path table_file =
-            leaves(RunFile::table) ? *directory_ / table_name : table_->path();
+            leaves(RunFile::table) ? directory_->path() / table_name : table_->path();
         if (leaves(RunFile::picture))
-            write_file(*directory_ / picture_name,
+            write_file(directory_->path() / picture_name,
                        draw(picture(subject, asked, run, columns, table_file)));
     }
 
 private:
-    std::optional<fs::path> directory_;
-    std::optional<Unfinished> table_;
+    std::optional<ResultDirectory> directory_;
+    std::optional<Unfinished> table_;  // below: it is in the directory
 };
 
 std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& options) {
@@ -265,7 +292,9 @@ void run(const RunOptions& options) {
     if (!simulation.ok())
         throw MathError(
             fmt::format("the run stopped after {} of {} steps: {}", simulation.steps, steps.count,
-                        simulation.status),
+                        simulation.unfit.empty()
+                            ? simulation.status
+                            : simulation.unfit + " begins with no finite number"),
             {}, directory ? fmt::format("what there is of it is in {}", directory->string()) : "");
     if (options.files.contains(RunFile::summary)) write_standard_output(summary);
 }

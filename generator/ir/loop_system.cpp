@@ -21,4 +21,12 @@ bool LoopSystem::is_separable() const {
     });
 }
 
+bool LoopSystem::reads_files() const {
+    const auto in_file = [](const auto& of) {
+        return std::holds_alternative<NumbersInFile>(of.values);
+    };
+    return std::any_of(tables.begin(), tables.end(), in_file) ||
+           std::any_of(initial.begin(), initial.end(), in_file);
+}
+
 }  // namespace hvi::gen

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -78,20 +79,31 @@ struct LoopSize {
     long value = 0;  ///< a default
 };
 
+/// Numbers that a program reads from a file.
+struct NumbersInFile {
+    std::string path;    ///< relative to the directory of the scene, or absolute
+    std::string column;  ///< of a CSV file; empty of an NPY file
+};
+
 /// Parameters with an index.
 struct LoopTable {
     LoopFamily family;
-    std::vector<Expression> values;  ///< defaults, without symbols
+    std::variant<std::vector<Expression>, NumbersInFile> values;  ///< defaults, without symbols
 };
 
-/// Where the elements of a family begin: the value for all indices, or one by one.
+/// Where the elements of a family begin: the value for all indices, or one by one, or as a file
+/// has them.
 struct LoopStart {
     struct Rule {
         std::vector<std::string> indices;
         Scaled value;
         std::vector<std::size_t> accesses;  ///< that the value depends on, ascending
     };
-    std::variant<Rule, std::vector<Scaled>> values;
+    struct List {
+        std::vector<Scaled> values;
+        std::vector<std::size_t> accesses;  ///< as of a rule
+    };
+    std::variant<Rule, List, NumbersInFile> values;
 };
 
 /// A sum of sums with its name.
@@ -105,6 +117,7 @@ struct LoopInvariant {
 /// numbers, and parameters.
 struct LoopSystem {
     std::string name, description;
+    std::filesystem::path directory;       ///< of the scene
     Expression expression;                 ///< H as it was written
     std::vector<std::string> own_headers;  ///< of functions of the user's own
     std::vector<LoopSize> sizes;
@@ -120,6 +133,8 @@ struct LoopSystem {
     [[nodiscard]] const LoopFamily& family(const Access& access) const;
     /// H = T(p) + U(q): no summand has both.
     [[nodiscard]] bool is_separable() const;
+    /// Whether numbers of it stand in files.
+    [[nodiscard]] bool reads_files() const;
 };
 
 }  // namespace hvi::gen

@@ -40,6 +40,16 @@ std::string text_of(const std::string& name, const std::vector<ElementIndex>& in
     return fmt::format("{}[{}]", name, fmt::join(texts, ","));
 }
 
+NumbersInFile numbers_in(const ValueFile& file) { return {file.path, file.column.value_or("")}; }
+
+LoopFamily family_of(const std::string& name, const std::vector<std::size_t>& extents) {
+    LoopFamily family{name, {}};
+    for (const std::size_t extent : extents) {
+        family.ranges.push_back({{1}, {static_cast<long>(extent)}});
+    }
+    return family;
+}
+
 class LoopLowering {
 public:
     explicit LoopLowering(const IndexedScene& written) : written_(written) {}
@@ -53,7 +63,8 @@ private:
     void check_pairs() const;
     void declare(const std::string& name, const Place& place);
     void declare_parameters();
-    void declare_table(const IndexedValue& value, const ValueList& list);
+    void declare_table(LoopTable table);
+    [[nodiscard]] LoopTable table(const std::string& name, const ValueList& list) const;
     void define();
 
     [[nodiscard]] std::vector<LoopSum> sums(const IndexedExpression& expression);
@@ -68,10 +79,12 @@ private:
                                      const std::shared_ptr<const Source>& source) const;
     void check_known(const Expression& part, const std::vector<Loop>& loops,
                      const std::shared_ptr<const Source>& source) const;
-    [[nodiscard]] std::vector<std::size_t> accesses_in(const Scaled& value) const;
+    [[nodiscard]] std::vector<std::size_t> accesses_in(const std::vector<Scaled>& values) const;
     void add_slopes(LoopSum& sum);
     [[nodiscard]] const LoopFamily& family(const Named& named) const;
 
+    void check_count(const LoopFamily& family, std::size_t given, const Place& place) const;
+    [[nodiscard]] Scaled value_at_start(const LoopTerm& term, const IndexedExpression& whole);
     [[nodiscard]] LoopStart start(const LoopFamily& family);
     [[nodiscard]] LoopStart start(const LoopFamily& family, const IndexedValue& value);
 
@@ -153,11 +166,8 @@ void LoopLowering::check_pairs() const {
 
 // ---- parameters ----
 
-void LoopLowering::declare_table(const IndexedValue& value, const ValueList& list) {
-    LoopTable table{{value.name, {}}, {}};
-    for (const std::size_t extent : list.extents) {
-        table.family.ranges.push_back({{1}, {static_cast<long>(extent)}});
-    }
+LoopTable LoopLowering::table(const std::string& name, const ValueList& list) const {
+    std::vector<Expression> values;
     for (const IndexedExpression& each : list.values) {
         Expression number = unrolled(each, {sizes_.begin(), sizes_.end()});
         refuse_own_functions(number, each.source, "the value of a parameter");
@@ -169,9 +179,13 @@ void LoopLowering::declare_table(const IndexedValue& value, const ValueList& lis
             }
             return true;
         });
-        table.values.push_back(std::move(number));
+        values.push_back(std::move(number));
     }
-    families_[value.name] = {FamilyKind::table, system_.tables.size()};
+    return {family_of(name, list.extents), std::move(values)};
+}
+
+void LoopLowering::declare_table(LoopTable table) {
+    families_[table.family.name] = {FamilyKind::table, system_.tables.size()};
     system_.tables.push_back(std::move(table));
 }
 
@@ -182,7 +196,11 @@ void LoopLowering::declare_parameters() {
         declare(value.name, value.place);
         if (sizes_.count(value.name) != 0) { continue; }
         if (const auto* list = std::get_if<ValueList>(&value.value)) {
-            declare_table(value, *list);
+            declare_table(table(value.name, *list));
+            continue;
+        }
+        if (const auto* file = std::get_if<ValueFile>(&value.value)) {
+            declare_table({family_of(value.name, file->extents), numbers_in(*file)});
             continue;
         }
         const auto& written = std::get<IndexedExpression>(value.value);
@@ -387,8 +405,8 @@ std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
     return result;
 }
 
-std::vector<std::size_t> LoopLowering::accesses_in(const Scaled& value) const {
-    const Kernel whole = kernel(system_.graph, {value});
+std::vector<std::size_t> LoopLowering::accesses_in(const std::vector<Scaled>& values) const {
+    const Kernel whole = kernel(system_.graph, values);
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < system_.accesses.size(); ++k) {
         const Node node = system_.accesses[k].node;
@@ -398,7 +416,7 @@ std::vector<std::size_t> LoopLowering::accesses_in(const Scaled& value) const {
 }
 
 void LoopLowering::add_slopes(LoopSum& sum) {
-    sum.accesses = accesses_in(sum.value);
+    sum.accesses = accesses_in({sum.value});
     std::vector<Node> inputs;
     for (const std::size_t k : sum.accesses) { inputs.push_back(system_.accesses[k].node); }
     const std::vector<Scaled> slopes = gradient(system_.graph, sum.value, inputs);
@@ -412,24 +430,43 @@ void LoopLowering::add_slopes(LoopSum& sum) {
 
 // ---- where it begins ----
 
+void LoopLowering::check_count(const LoopFamily& family, std::size_t given,
+                               const Place& place) const {
+    long wanted = 1;
+    for (const LoopRange& range : family.ranges) {
+        wanted *= range.last.at(sizes_) - range.first.at(sizes_) + 1;
+    }
+    if (static_cast<long>(given) == wanted) { return; }
+    throw InputError(fmt::format("`{}` has {} {}, and here are {} values", family.name, wanted,
+                                 wanted == 1 ? "index" : "indices", given),
+                     place);
+}
+
+/// `whole`: the expression that the term is made of.
+Scaled LoopLowering::value_at_start(const LoopTerm& term, const IndexedExpression& whole) {
+    const Scaled result = value(term.term, term.loops, whole.source);
+    if ((system_.graph.at(result.node).roles & of_state) != 0) {
+        throw InputError("an initial value cannot depend on a variable",
+                         Place{whole.source, whole.written.range});
+    }
+    return result;
+}
+
 LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& value) {
+    if (const auto* file = std::get_if<ValueFile>(&value.value)) {
+        check_count(family, count(*file), value.place_of_value);
+        return {numbers_in(*file)};
+    }
     if (const auto* list = std::get_if<ValueList>(&value.value)) {
-        long count = 1;
-        for (const LoopRange& range : family.ranges) {
-            count *= range.last.at(sizes_) - range.first.at(sizes_) + 1;
-        }
-        if (static_cast<long>(list->values.size()) != count) {
-            throw InputError(fmt::format("`{}` has {} indices, and here are {} values", family.name,
-                                         count, list->values.size()),
-                             value.place_of_value);
-        }
-        std::vector<Scaled> values;
+        check_count(family, list->values.size(), value.place_of_value);
+        LoopStart::List result;
         for (const IndexedExpression& each : list->values) {
             const Expression written = definitions_.put_in(each).written;
             refuse_own_functions(written, each.source, "an initial value");
-            values.push_back(this->value(written, {}, each.source));
+            result.values.push_back(value_at_start({{}, written}, each));
         }
-        return {std::move(values)};
+        result.accesses = accesses_in(result.values);
+        return {std::move(result)};
     }
     const auto* rule = std::get_if<ValueRule>(&value.value);
     const IndexedExpression& written =
@@ -450,12 +487,8 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
     }
     LoopStart::Rule result;
     for (const Loop& loop : term.loops) { result.indices.push_back(loop.index); }
-    result.value = this->value(term.term, term.loops, whole.source);
-    if ((system_.graph.at(result.value.node).roles & of_state) != 0) {
-        throw InputError("an initial value cannot depend on a variable",
-                         Place{whole.source, whole.written.range});
-    }
-    result.accesses = accesses_in(result.value);
+    result.value = value_at_start(term, whole);
+    result.accesses = accesses_in({result.value});
     return {std::move(result)};
 }
 
@@ -471,6 +504,7 @@ LoopSystem LoopLowering::operator()() {
     refuse_side();
     system_.name = written_.name;
     system_.description = written_.description;
+    system_.directory = written_.directory;
     system_.expression = written_.function.written;
     system_.own_headers = written_.own.includes();
     declare_sizes();

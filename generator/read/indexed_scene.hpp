@@ -29,6 +29,16 @@ struct ValueList {
     std::vector<std::size_t> extents;
 };
 
+/// Numbers of a file that stay there, as there are many of them.
+struct ValueFile {
+    std::string path;                   ///< as the scene has it
+    std::optional<std::string> column;  ///< of a CSV file
+    std::vector<std::size_t> extents;   ///< as of a ValueList
+};
+
+/// How many values there are.
+[[nodiscard]] std::size_t count(const ValueFile& file);
+
 /// The value for every index: `"x[i]" = "sin(i)"`.
 struct ValueRule {
     std::vector<std::string> indices;
@@ -38,7 +48,7 @@ struct ValueRule {
 /// What a name, or a name with an index, stands for.
 struct IndexedValue {
     std::string name;  ///< without an index
-    std::variant<IndexedExpression, ValueList, ValueRule> value;
+    std::variant<IndexedExpression, ValueList, ValueRule, ValueFile> value;
     Place place;           ///< of the name
     Place place_of_value;  ///< of all values
 };
@@ -72,6 +82,7 @@ struct IndexedScene {
     NameTexts conjugates;  ///< momenta, or velocities
     IndexedExpression function;
     std::string origin;                    ///< as the command line has it
+    std::filesystem::path directory;       ///< that paths of files are relative to
     std::vector<IndexedValue> parameters;  ///< no ValueRule among them
     OwnFunctions own;
     std::vector<Definition> definitions;
@@ -108,6 +119,12 @@ constexpr std::size_t most_unrolled = 64;
 /// no parameter of the result. Throws InputError where a word has no meaning or stands where it may
 /// not, and for more than 64 degrees of freedom, parameters or invariants.
 [[nodiscard]] Scene unrolled(const IndexedScene& scene);
+
+/// The scene that the command line names, as find_indexed_scene() finds it: unrolled, or as it is
+/// written where it has more degrees of freedom than are written out. Throws InputError as
+/// unrolled() does.
+[[nodiscard]] std::variant<Scene, IndexedScene>
+find_scene_of_any_size(const Given& name_or_file, const std::vector<Parameter>& values = {});
 
 /// What a scene of any size says besides its motion: names, parameters without an index, sizes, and
 /// what [run] asks for. Throws InputError as unrolled() does for these.

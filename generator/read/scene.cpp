@@ -95,17 +95,25 @@ IndexedScene find_indexed_scene(const Given& name_or_file, const std::vector<Par
     return written;
 }
 
-Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
-    const IndexedScene written = find_indexed_scene(name_or_file, values);
-    if (const std::size_t n = degrees_of_freedom(written); n > most_unrolled) {
-        throw InputError(
-            fmt::format("this scene has {} degrees of freedom, more than {}", n, most_unrolled),
-            whole(name_or_file),
-            "here sums are written out; `stepper` and `run` take scenes of any size");
-    }
+std::variant<Scene, IndexedScene> find_scene_of_any_size(const Given& name_or_file,
+                                                         const std::vector<Parameter>& values) {
+    IndexedScene written = find_indexed_scene(name_or_file, values);
+    if (degrees_of_freedom(written) > most_unrolled) return written;
     Scene scene = unrolled(written);
     scene.place = whole(name_or_file);
     return scene;
+}
+
+Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
+    auto found = find_scene_of_any_size(name_or_file, values);
+    if (const auto* large = std::get_if<IndexedScene>(&found)) {
+        throw InputError(fmt::format("this scene has {} degrees of freedom, more than {}",
+                                     degrees_of_freedom(*large), most_unrolled),
+                         whole(name_or_file),
+                         "here sums are written out; `stepper`, `run` and `report` take scenes of "
+                         "any size, without --accuracy");
+    }
+    return std::get<Scene>(std::move(found));
 }
 
 std::vector<SceneEntry> scenes() {

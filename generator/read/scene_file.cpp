@@ -62,6 +62,9 @@ private:
     void read_mechanics(IndexedScene& scene) const;
     [[nodiscard]] IndexedValue value(const Entry& entry) const;
     [[nodiscard]] RuleName rule_name(const toml::key& key) const;
+    [[nodiscard]] std::filesystem::path directory() const {
+        return std::filesystem::path(source_.name).parent_path();
+    }
     [[nodiscard]] ColumnFile column_file(const toml::table& table) const;
     [[nodiscard]] ValueList list(const toml::array& array) const;
     void append(ValueList& list, const toml::array& array, std::size_t depth) const;
@@ -171,6 +174,7 @@ void SceneReader::read_mechanics(IndexedScene& scene) const {
                                       : names("momenta", "[\"px\", \"py\"]");
     scene.function = expression(node);
     scene.origin = quoted_file_name(source_.name);
+    scene.directory = directory();
 }
 
 /// `x`, or the indices in `"u[i,j]"`, which are names. NOTE: `x[1]` is one name.
@@ -193,7 +197,8 @@ IndexedValue SceneReader::value(const Entry& entry) const {
     IndexedValue result{std::move(name.stem), {}, file_.place(key->source()), file_.place(*node)};
     const auto* array = node->as_array();
     if (const auto* table = node->as_table())
-        result.value = values_in(column_file(*table));
+        std::visit([&](auto&& values) { result.value = std::forward<decltype(values)>(values); },
+                   values_in(column_file(*table)));
     else if (!name.indices.empty())
         result.value = ValueRule{std::move(name.indices), expression(*node)};
     else if (array != nullptr)
@@ -216,8 +221,7 @@ ColumnFile SceneReader::column_file(const toml::table& table) const {
     if (!path)
         throw InputError("there is no file", file_.place(table),
                          "write {file = \"start.csv\", column = \"x\"}");
-    return {std::filesystem::path(source_.name).parent_path() / *path, text("column"),
-            file_.place(table)};
+    return {directory(), *path, text("column"), file_.place(table)};
 }
 
 ValueList SceneReader::list(const toml::array& array) const {

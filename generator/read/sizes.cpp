@@ -61,8 +61,8 @@ void insert_structural(const ValueTable& table, NameSet& names) {
         } else if (const auto* rule = std::get_if<ValueRule>(&value.value)) {
             insert_structural(rule->value.written, {rule->indices.begin(), rule->indices.end()},
                               names);
-        } else {
-            for (const IndexedExpression& each : std::get<ValueList>(value.value).values) {
+        } else if (const auto* list = std::get_if<ValueList>(&value.value)) {
+            for (const IndexedExpression& each : list->values) {
                 insert_structural(each.written, {}, names);
             }
         }

@@ -238,19 +238,31 @@ std::optional<std::size_t> columns_before(const std::vector<ColumnBox>& columns,
 
 namespace {
 
+/// That with this number, from 0 on.
+std::string name_at(const NameBox& box, std::size_t number) {
+    Index index(box.ranges.size());
+    for (std::size_t d = index.size(); d-- > 0; number /= length(box.ranges[d])) {
+        index[d] = box.ranges[d].first + static_cast<long>(number % length(box.ranges[d]));
+    }
+    return indexed_name(box.stem, index);
+}
+
 /// The names of a box, at most so many.
 void append_names(std::vector<std::string>& names, const NameBox& box, std::size_t most) {
     for (std::size_t k = 0; k < std::min(count(box), most); ++k) {
-        Index index(box.ranges.size());
-        std::size_t rest = k;
-        for (std::size_t d = index.size(); d-- > 0; rest /= length(box.ranges[d])) {
-            index[d] = box.ranges[d].first + static_cast<long>(rest % length(box.ranges[d]));
-        }
-        names.push_back(indexed_name(box.stem, index));
+        names.push_back(name_at(box, k));
     }
 }
 
 }  // namespace
+
+std::string name_at(const std::vector<NameBox>& boxes, std::size_t number) {
+    for (const NameBox& box : boxes) {
+        if (number < count(box)) { return name_at(box, number); }
+        number -= count(box);
+    }
+    return {};
+}
 
 std::vector<std::string> names_in(const std::vector<NameBox>& boxes,
                                   const std::vector<ColumnBox>& columns) {

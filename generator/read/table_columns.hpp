@@ -50,6 +50,10 @@ named_columns(const Given& list, const std::vector<NameBox>& all, const WholeNum
 [[nodiscard]] std::optional<std::size_t> columns_before(const std::vector<ColumnBox>& columns,
                                                         const std::string& name);
 
+/// The name with a number among all that are in the boxes, from 0 on; empty where there are not so
+/// many.
+[[nodiscard]] std::string name_at(const std::vector<NameBox>& boxes, std::size_t number);
+
 /// Names in the boxes, in their order: all of a box with at most 64, of others those that are
 /// columns, at most 64 of each.
 [[nodiscard]] std::vector<std::string> names_in(const std::vector<NameBox>& boxes,

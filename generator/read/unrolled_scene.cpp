@@ -71,6 +71,10 @@ std::vector<std::size_t> extents(const std::vector<Index>& indices) {
                      value.place_of_value, "write the values for all indices as a list");
 }
 
+[[noreturn]] void refuse_parameters(const Place& place) {
+    throw InputError(fmt::format("there are more than {} parameters", most_parameters), place);
+}
+
 class SceneUnrolling {
 public:
     explicit SceneUnrolling(const IndexedScene& written)
@@ -178,10 +182,7 @@ void SceneUnrolling::check_words(const Expression& expression,
 void SceneUnrolling::add_parameter(std::vector<Parameter>& list, const IndexedValue& value,
                                    std::string name, const IndexedExpression& written) {
     words_.declare({name, value.place}, "a parameter");
-    if (list.size() == most_parameters) {
-        throw InputError(fmt::format("there are more than {} parameters", most_parameters),
-                         value.place);
-    }
+    if (list.size() == most_parameters) { refuse_parameters(value.place); }
     list.push_back({std::move(name), unrolled(written, sizes_), value.place, written.source});
 }
 
@@ -196,6 +197,7 @@ std::vector<Parameter> SceneUnrolling::parameters() {
         if (const auto* one = std::get_if<IndexedExpression>(&value.value)) {
             add_parameter(list, value, value.name, *one);
         } else {
+            if (std::holds_alternative<ValueFile>(value.value)) { refuse_parameters(value.place); }
             const auto& several = std::get<ValueList>(value.value);
             for (std::size_t k = 0; k < several.values.size(); ++k) {
                 add_parameter(list, value, indexed_name(value.name, index_of_value(several, k)),
@@ -316,6 +318,9 @@ void SceneUnrolling::add_values(Values& found, const IndexedValue& value, const 
         if (has_index) { refuse_count(value, indices.size(), 1); }
         found.emplace(value.name, expression(value.name, *one, rules));
     } else if (has_index) {
+        if (const auto* file = std::get_if<ValueFile>(&value.value)) {
+            refuse_count(value, indices.size(), count(*file));
+        }
         add_list(found, value, std::get<ValueList>(value.value), indices, rules);
     } else {
         throw InputError("a text or a number is wanted here", value.place_of_value,
@@ -382,7 +387,8 @@ Scene unrolled(const IndexedScene& scene) { return SceneUnrolling(scene)(); }
 
 Scene without_motion(IndexedScene scene) {
     std::erase_if(scene.parameters, [](const IndexedValue& parameter) {
-        return std::holds_alternative<ValueList>(parameter.value);
+        return std::holds_alternative<ValueList>(parameter.value) ||
+               std::holds_alternative<ValueFile>(parameter.value);
     });
     return SceneUnrolling(scene).without_motion();
 }
@@ -418,6 +424,10 @@ bool assign(IndexedScene& scene, const Parameter& parameter) {
             if (parameter.name != stem) { return false; }
             *one = given;
             return true;
+        }
+        if (std::holds_alternative<ValueFile>(value.value)) {
+            throw InputError(fmt::format("the values of `{}` stand in a file", stem),
+                             parameter.place, "change them there");
         }
         auto& list = std::get<ValueList>(value.value);
         for (std::size_t k = 0; k < list.values.size(); ++k) {

@@ -16,6 +16,7 @@ namespace {
 // Exit statuses of drivers.
 constexpr int cannot_write = 3;
 constexpr int out_of_memory = 4;
+constexpr int cannot_read = 5;
 
 }  // namespace
 
@@ -86,6 +87,7 @@ Answers ask(const std::filesystem::path& program, std::vector<std::string> words
         throw EnvironmentError("cannot write " + file.string());
     if (ended.status == out_of_memory)
         throw EnvironmentError("there is not enough memory for the run");
+    if (ended.status == cannot_read) throw EnvironmentError(answers.text("unreadable"));
     if (ended.status > 128)
         throw EnvironmentError(
             fmt::format("a compiled program was ended by signal {}", ended.status - 128));

@@ -81,6 +81,12 @@ std::vector<NameBox> boxes(const std::vector<LoopFamily>& families,
     return result;
 }
 
+std::vector<std::string> conserved_names(const LoopSystem& system) {
+    std::vector<std::string> names{"energy"};
+    for (const LoopInvariant& invariant : system.invariants) names.push_back(invariant.name);
+    return names;
+}
+
 }  // namespace
 
 RunSubject run_subject(const SceneStepper& stepper) {
@@ -102,22 +108,15 @@ RunSubject run_subject(const LoopStepper& stepper) {
     const LoopSystem& system = stepper.system;
     std::map<std::string, long> sizes;
     for (const LoopSize& size : system.sizes) sizes[size.name] = size.value;
-    std::vector<std::string> conserved{"energy"};
-    for (const LoopInvariant& invariant : system.invariants) conserved.push_back(invariant.name);
     return {.scene = system.name,
             .description = system.description,
             .method = stepper.method.name(),
             .title = stepper.method.title(),
             .coordinates = boxes(system.coordinates, sizes),
             .momenta = boxes(system.momenta, sizes),
-            .conserved = conserved,
+            .conserved = conserved_names(system),
             .sizes = {sizes.begin(), sizes.end()},
-            .program = program_around(stepper.header, stepper.own_headers, "large_driver.cpp.in",
-                                      {{"stepper", stepper.class_name},
-                                       {"invariants", quoted(conserved)},
-                                       {"count", std::to_string(conserved.size())},
-                                       {"values", values(conserved)}},
-                                      {})};
+            .program = simulation_program(stepper)};
 }
 
 void check_simulation(const SceneStepper& stepper) {
@@ -138,6 +137,32 @@ StepperWishes simulation_wishes(Solver solver, std::optional<Composition> compos
 }
 
 ProgramText simulation_program(const SceneStepper& stepper) { return driver_program(stepper, {}); }
+
+namespace {
+
+ProgramText program_around(const LoopStepper& stepper, std::string_view main, const Holes& holes) {
+    return program_around(stepper.header, stepper.own_headers, main, holes, {});
+}
+
+/// NOTE: files are found from wherever the program is started.
+std::string parameters_of(const LoopStepper& stepper) {
+    if (!stepper.system.reads_files()) return "Stepper::Parameters{}";
+    const std::filesystem::path directory =
+        std::filesystem::absolute("." / stepper.system.directory);
+    return fmt::format("Stepper::read_parameters({})", text_literal(directory.string()));
+}
+
+}  // namespace
+
+ProgramText simulation_program(const LoopStepper& stepper) {
+    const std::vector<std::string> conserved = conserved_names(stepper.system);
+    return program_around(stepper, "large_driver.cpp.in",
+                          {{"stepper", stepper.class_name},
+                           {"invariants", quoted(conserved)},
+                           {"count", std::to_string(conserved.size())},
+                           {"parameters", parameters_of(stepper)},
+                           {"values", values(conserved)}});
+}
 
 ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
     const System& system = stepper.system;
@@ -165,12 +190,33 @@ ProgramText reference_program(const SceneStepper& stepper) {
                            {"number", has_own ? "long double" : "hvi::math::Widest"}});
 }
 
+ProgramText reference_program(const LoopStepper& stepper) {
+    return program_around(
+        stepper, "large_reference.cpp.in",
+        {{"stepper", stepper.class_name}, {"parameters", parameters_of(stepper)}});
+}
+
 ReferenceSolution find_reference(const std::filesystem::path& program, double until,
                                  std::int64_t count, double wanted, double seconds) {
     const Answers answers = ask(program, {fmt::format("{}", until), std::to_string(count),
                                           fmt::format("{}", wanted), fmt::format("{}", seconds)});
     return {static_cast<int>(answers.integer("bits")), answers.number("error"),
             answers.numbers("end")};
+}
+
+std::optional<WrittenReference> write_reference(const std::filesystem::path& program,
+                                                const std::filesystem::path& file, double until,
+                                                std::int64_t count, double wanted, double seconds) {
+    const Answers answers = ask(program,
+                                {fmt::format("{}", until), std::to_string(count),
+                                 fmt::format("{}", wanted), fmt::format("{}", seconds)},
+                                file);
+    if (!answers.has("error")) return {};
+    return WrittenReference{static_cast<int>(answers.integer("bits")), answers.number("error")};
+}
+
+void write_start(const std::filesystem::path& program, const std::filesystem::path& file) {
+    static_cast<void>(ask(program, {}, file));
 }
 
 Simulation run_simulation(const std::filesystem::path& program, const RunSubject& subject,
@@ -195,12 +241,28 @@ Simulation run_simulation(const std::filesystem::path& program, const RunSubject
                last = answers.numbers("last", names.size());
     for (std::size_t i = 0; i < names.size(); ++i)
         run.conserved.push_back({names[i], start[i], largest[i], last[i]});
+    if (answers.has("unfit"))
+        run.unfit =
+            name_at(column_names(subject), static_cast<std::size_t>(answers.integer("unfit")));
     return run;
 }
 
 Measurement measure(const std::filesystem::path& program, const Steps& steps, double seconds) {
     return measurement(ask(program, {"measure", fmt::format("{}", steps.size),
                                      std::to_string(steps.count), fmt::format("{}", seconds)}));
+}
+
+Measurement measure(const std::filesystem::path& program, const Steps& steps, double seconds,
+                    double until, const std::filesystem::path& reference) {
+    return measurement(ask(program,
+                           {"measure", fmt::format("{}", steps.size), std::to_string(steps.count),
+                            fmt::format("{}", seconds), fmt::format("{}", until)},
+                           reference));
+}
+
+double pace(const std::filesystem::path& program, const Steps& steps) {
+    return ask(program, {"pace", fmt::format("{}", steps.size), std::to_string(steps.count)})
+        .number("seconds_of_step");
 }
 
 Measurement measurement(const Answers& answers) {
@@ -210,8 +272,13 @@ Measurement measurement(const Answers& answers) {
     result.iterations = answers.integer("iterations");
     result.evaluations = answers.integer("evaluations");
     result.departures = answers.numbers("largest");
-    result.end = answers.numbers("end");
-    result.velocity = answers.numbers("velocity", answers.has("velocity") ? result.end.size() : 0);
+    if (answers.has("error")) {
+        result.end = DistanceOfEnd{answers.number("error")};
+    } else {
+        std::vector<double> state = answers.numbers("end");
+        const std::size_t velocities = answers.has("velocity") ? state.size() : 0;
+        result.end = EndOfRun{std::move(state), answers.numbers("velocity", velocities)};
+    }
     if (answers.has("seconds")) {
         result.seconds = answers.number("seconds");
         result.spread = answers.number("spread");

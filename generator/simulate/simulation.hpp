@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "generator/emit/text/text.hpp"
@@ -36,6 +38,7 @@ struct Simulation {
     std::int64_t evaluations = 0;  ///< of dH/dq
     double seconds_of_step = 0;    ///< where nobody looks on; 0 where no step was taken
     std::vector<Conserved> conserved;
+    std::string unfit = {};  ///< a variable that begins with no finite number, where that ended it
 
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
@@ -93,12 +96,18 @@ struct Driver {
     std::vector<std::string> libraries = {};  ///< that it is linked with
 };
 
+/// The same of a scene of any size.
+[[nodiscard]] ProgramText simulation_program(const LoopStepper& stepper);
+
 /// The same with another driver.
 [[nodiscard]] ProgramText driver_program(const SceneStepper& stepper, const Driver& driver);
 
 /// The program of find_reference(), in the widest numbers that there are, or, with functions of the
 /// user's own, in long double. Precondition: `stepper` is made with float128.
 [[nodiscard]] ProgramText reference_program(const SceneStepper& stepper);
+
+/// The program of write_reference() and write_start().
+[[nodiscard]] ProgramText reference_program(const LoopStepper& stepper);
 
 /// A solution in more digits than a double has, at its end.
 struct ReferenceSolution {
@@ -112,6 +121,22 @@ struct ReferenceSolution {
 [[nodiscard]] ReferenceSolution find_reference(const std::filesystem::path& program, double until,
                                                std::int64_t count, double wanted, double seconds);
 
+/// What is known of a solution whose end is in a file.
+struct WrittenReference {
+    int bits = 0;
+    double error = 0;
+};
+
+/// As find_reference() does, but that the end is written into a file, where there is one, and that
+/// the steps at first are as large as the time asks for. Throws as ask() does.
+[[nodiscard]] std::optional<WrittenReference> write_reference(const std::filesystem::path& program,
+                                                              const std::filesystem::path& file,
+                                                              double until, std::int64_t count,
+                                                              double wanted, double seconds);
+
+/// Writes where the scene begins into the file. Throws as ask() does.
+void write_start(const std::filesystem::path& program, const std::filesystem::path& file);
+
 /// Runs the compiled program, which writes the table into a file. `on_progress` gets the part of it
 /// that is done. Throws as ask() does.
 [[nodiscard]] Simulation run_simulation(const std::filesystem::path& program,
@@ -120,6 +145,18 @@ struct ReferenceSolution {
                                         const std::filesystem::path& table,
                                         const std::function<void(double)>& on_progress);
 
+/// Where the last good step of a run ended.
+struct EndOfRun {
+    std::vector<double> state;     ///< coordinates and momenta
+    std::vector<double> velocity;  ///< their derivatives there, to some digits; empty where the
+                                   ///< last step was made to end at the time that was wished for
+};
+
+/// The same, relative to a reference that the program has looked at.
+struct DistanceOfEnd {
+    double relative = 0;
+};
+
 /// Where a run ends and what it costs.
 struct Measurement {
     std::string status;              ///< as of a Simulation
@@ -127,11 +164,9 @@ struct Measurement {
     std::int64_t iterations = 0;     ///< of the solver
     std::int64_t evaluations = 0;    ///< of dH/dq
     std::vector<double> departures;  ///< the largest, of what is conserved
-    std::vector<double> end;         ///< coordinates and momenta where the last good step ended
-    std::vector<double> velocity;    ///< their derivatives there, to some digits; empty where the
-                                     ///< last step was made to end at the time that was wished for
-    double seconds = 0;              ///< the median of repetitions; 0 where none was timed
-    double spread = 0;               ///< the middle half of these, as a part of the median
+    std::variant<EndOfRun, DistanceOfEnd> end;
+    double seconds = 0;  ///< the median of repetitions; 0 where none was timed
+    double spread = 0;   ///< the middle half of these, as a part of the median; NaN of one alone
 
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
@@ -143,6 +178,15 @@ struct Measurement {
 /// never for 0. Throws as ask() does.
 [[nodiscard]] Measurement measure(const std::filesystem::path& program, const Steps& steps,
                                   double seconds);
+
+/// The same of a scene of any size, whose end is compared with that in a file, of the time `until`.
+[[nodiscard]] Measurement measure(const std::filesystem::path& program, const Steps& steps,
+                                  double seconds, double until,
+                                  const std::filesystem::path& reference);
+
+/// Seconds of a step of that size of a scene of any size, over so many steps at most; 0 where none
+/// can be taken. Throws as ask() does.
+[[nodiscard]] double pace(const std::filesystem::path& program, const Steps& steps);
 
 /// The largest departures of what is conserved, in parts of a run.
 struct DepartureSamples {

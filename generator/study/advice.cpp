@@ -47,7 +47,7 @@ public:
     Race(Course course, double accuracy, const std::vector<Contender>& contenders)
         : course_(std::move(course)), accuracy_(accuracy) {
         for (const Contender& contender : contenders) {
-            curves_.push_back({contender.stepper.method.title(), contender.order, false, {}, {}});
+            curves_.push_back({contender.title, contender.order, false, {}, {}});
             measures_.push_back(measured(contender, course_.until));
         }
     }
@@ -155,9 +155,7 @@ constexpr double part_of_accuracy = 1e-2;
 Reference reference_in_double(const Contender& contender, const AdviceWishes& wishes) {
     constexpr int most_halvings = 12;
     const MeasureSteps measure = measured(contender, wishes.until);
-    Course course{{contender.stepper.method.title() + " in 53 bits",
-                   std::numeric_limits<double>::infinity(),
-                   {}},
+    Course course{{contender.title + " in 53 bits", std::numeric_limits<double>::infinity(), {}},
                   wishes.until,
                   wishes.first_count,
                   {},
@@ -168,7 +166,7 @@ Reference reference_in_double(const Contender& contender, const AdviceWishes& wi
         const Measurement run = measure(count, 0);
         if (!run.ok()) continue;
         if (!found.state.empty()) found.error = work_point(course, run).error;
-        found.state = run.end;
+        found.state = std::get<EndOfRun>(run.end).state;
         if (found.error <= part_of_accuracy * wishes.accuracy) break;
     }
     return found;
@@ -212,7 +210,7 @@ Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     for (const Candidate& candidate : result.candidates)
         contenders.push_back(contender(builds, candidate.method, scene, candidate.solver));
     for (const Contender& contender : contenders) {
-        show("compiling " + contender.stepper.method.title());
+        show("compiling " + contender.title);
         static_cast<void>(built(contender.build));
     }
     show("reference");

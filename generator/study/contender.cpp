@@ -25,6 +25,11 @@ int order_of(const Tableau& tableau) { return orders(tableau, highest_order).gen
 /// For a quadratic kinetic energy; for other H it is at most this.
 int order_of(const GalerkinRule& rule) { return nystrom_order(rule, highest_order).order; }
 
+int order_of(const OneStepMethod& method) {
+    const auto of_base = [](const auto& base) { return order_of(base); };
+    return composed_order(std::visit(of_base, method.base), method.composition);
+}
+
 constexpr const char* reference_method = "gauss:10";
 
 }  // namespace
@@ -35,14 +40,18 @@ bool has_exact_states(const Scene& scene) {
 
 Contender contender(Builds& builds, const ComposedMethod& method, const Scene& scene,
                     Solver solver) {
-    SceneStepper stepper =
+    const SceneStepper stepper =
         scene_stepper(method.method, scene, simulation_wishes(solver, method.composition));
     check_simulation(stepper);
-    const auto order_of_base = [](const auto& base) { return order_of(base); };
-    const int order =
-        composed_order(std::visit(order_of_base, stepper.method.base), method.composition);
-    Build build = builds.order(simulation_program(stepper));
-    return {std::move(stepper), order, std::move(build)};
+    return {stepper.method.title(), order_of(stepper.method),
+            builds.order(simulation_program(stepper))};
+}
+
+Contender contender(Builds& builds, const ComposedMethod& method, const IndexedScene& scene) {
+    const LoopStepper stepper = loop_stepper(
+        method.method, scene, simulation_wishes(Solver::automatic, method.composition));
+    return {stepper.method.title(), order_of(stepper.method),
+            builds.order(simulation_program(stepper))};
 }
 
 MeasureSteps measured(const Contender& contender, double until) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/program/builds.hpp"
+#include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
 #include "generator/study/work.hpp"
 
@@ -13,7 +15,7 @@ namespace hvi::gen {
 
 /// A method on a scene, ready to run.
 struct Contender {
-    SceneStepper stepper;
+    std::string title;
     int order;
     Build build;
 };
@@ -21,6 +23,10 @@ struct Contender {
 /// Throws what scene_stepper() does.
 [[nodiscard]] Contender contender(Builds& builds, const ComposedMethod& method, const Scene& scene,
                                   Solver solver);
+
+/// The same on a scene of any size. Throws what loop_stepper() does.
+[[nodiscard]] Contender contender(Builds& builds, const ComposedMethod& method,
+                                  const IndexedScene& scene);
 
 /// Measures its runs, until the time of the course.
 [[nodiscard]] MeasureSteps measured(const Contender& contender, double until);

@@ -16,7 +16,7 @@ struct WorkPoint {
     double error = 0;  ///< distance of (q, p) from the reference, relative where that is not 0
     double energy_error = 0;  ///< the largest on the way; NaN where the energy is not conserved
     double seconds = 0;       ///< the median of repetitions in the fastest round; 0: none was timed
-    double spread = 0;        ///< the middle half of these, as a part of the median
+    double spread = 0;  ///< the middle half of these, as a part of the median; NaN of one alone
     std::int64_t evaluations = 0;  ///< of dH/dq
     double iterations = 0;         ///< of the solver, a step
     std::string status;            ///< `ok`, or why the run stopped
@@ -44,7 +44,8 @@ struct WorkCurve {
 struct Reference {
     std::string kind;           ///< `exact`, of the scene; else the numbers it was computed in
     double error = 0;           ///< of itself, as an estimate; 0 for exact
-    std::vector<double> state;  ///< coordinates, then momenta, at the end
+    std::vector<double> state;  ///< coordinates, then momenta, at the end; empty of scenes of any
+                                ///< size, whose programs compare the ends of their runs themselves
 };
 
 struct SceneReport {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/study/study.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
 #include "generator/simulate/simulation.hpp"
 #include "generator/study/contender.hpp"
 #include "generator/study/departures.hpp"
+#include "generator/study/large_reference.hpp"
 #include "generator/study/peers.hpp"
 #include "generator/study/work.hpp"
 #include "generator/support/bar.hpp"
@@ -45,9 +51,27 @@ Programs programs(Builds& builds, const Scene& scene, const StudyWishes& wishes)
     return all;
 }
 
-WorkCurve curve(const Contender& contender, const Course& course) {
-    WorkCurve curve{contender.stepper.method.title(), contender.order, false, {}, {}};
-    curve.points = work_points(course, measured(contender, course.until));
+/// The same of a scene of any size.
+struct LargePrograms {
+    LargeReference reference;
+    std::vector<Contender> contenders;
+
+    LargePrograms(Builds& builds, const IndexedScene& scene, double until,
+                  const std::vector<ComposedMethod>& methods)
+        : reference(builds, scene, until) {
+        for (const ComposedMethod& method : methods)
+            contenders.push_back(contender(builds, method, scene));
+    }
+
+    void wait() const {
+        reference.wait();
+        for (const Contender& contender : contenders) static_cast<void>(built(contender.build));
+    }
+};
+
+WorkCurve curve(const Contender& contender, const Course& course, const MeasureSteps& measure) {
+    WorkCurve curve{contender.title, contender.order, false, {}, {}};
+    curve.points = work_points(course, measure);
     curve.departures = departures(course, curve.points, [&](const WorkPoint& point) {
         const Steps steps{course.until / static_cast<double>(point.steps), point.steps};
         return sample_departures(built(contender.build), steps, departure_parts);
@@ -55,55 +79,112 @@ WorkCurve curve(const Contender& contender, const Course& course) {
     return curve;
 }
 
+/// Not more steps to begin a search with than a run may have that is not too long.
+std::int64_t affordable(const Contender& contender, const Course& course) {
+    const auto count = static_cast<double>(course.first_count);
+    const Steps steps{course.until / count, std::min<std::int64_t>(course.first_count, 8)};
+    const double each = pace(built(contender.build), steps);
+    if (each * count <= course.longest_run) return course.first_count;
+    return std::max<std::int64_t>(1, std::llround(course.longest_run / each));
+}
+
+/// The study of one scene as it goes on.
+class Study {
+public:
+    Study(SceneReport& report, TimeSpent& time_spent, std::size_t parts)
+        : report_(report), time_spent_(time_spent), parts_(static_cast<double>(parts)) {}
+
+    /// What is done while the result lives.
+    [[nodiscard]] TimeSpent::Part begin(const std::string& what) {
+        bar_.show(done_++ / parts_, report_.name + ": " + what);
+        return TimeSpent::Part(time_spent_, what);
+    }
+
+    void run(const Contender& contender, const Course& course, const MeasureSteps& measure) {
+        const auto part = begin("running " + contender.title);
+        add(curve(contender, course, measure), [measure](const WorkPoint& point, double seconds) {
+            return measure(point.steps, seconds);
+        });
+    }
+
+    void run(const Team& team, const SceneStepper& stepper, const Course& course) {
+        const auto part = begin("running " + team.library.name);
+        for (PeerCurve& peer : peer_curves(built(team.build), team.library, stepper, course))
+            add(std::move(peer.curve), std::move(peer.again));
+    }
+
+    void run_again() {
+        for (int round = 0; round < more_rounds; ++round) {
+            const auto part = begin("running all once more");
+            for (std::size_t i = 0; i < again_.size(); ++i)
+                time_again(report_.curves[i].points, again_[i]);
+        }
+    }
+
+private:
+    void add(WorkCurve curve, MeasureAgain again) {
+        report_.curves.push_back(std::move(curve));
+        again_.push_back(std::move(again));
+    }
+
+    SceneReport& report_;
+    TimeSpent& time_spent_;
+    double parts_, done_ = 0;
+    std::vector<MeasureAgain> again_;  // of each curve
+    Bar bar_;
+};
+
+constexpr std::size_t other_parts = 3 + more_rounds;  // than runs of one method, or library
+
 }  // namespace
 
 void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
     report = {scene.name, scene.description, until, {}, {}};
-    Bar bar;
-    const auto parts =
-        static_cast<double>(wishes.methods.size() + wishes.libraries.size() + 2 + more_rounds);
-    double done = 0;
-    const auto begin = [&](const std::string& what) {
-        bar.show(done++ / parts, scene.name + ": " + what);
-        return TimeSpent::Part(time_spent, what);
-    };
+    Study study(report, time_spent, wishes.methods.size() + wishes.libraries.size() + other_parts);
     const Programs all = [&] {
-        const auto part = begin("deriving and writing steppers");
+        const auto part = study.begin("deriving and writing steppers");
         return programs(builds, scene, wishes);
     }();
     {
-        const auto part = begin("compiling");
+        const auto part = study.begin("compiling");
         all.wait();
     }
     {
-        const auto part = begin("reference");
+        const auto part = study.begin("reference");
         report.reference = reference(all.reference, scene, until, first_count, 1e-18);
     }
     const Course course{report.reference, until, first_count, wishes.steps,
                         !system_of(scene).time.has_value()};
-    std::vector<MeasureAgain> again;  // of each curve
-    for (const Contender& contender : all.contenders) {
-        const auto part = begin("running " + contender.stepper.method.title());
-        report.curves.push_back(curve(contender, course));
-        again.push_back(
-            [measure = measured(contender, until)](const WorkPoint& point, double seconds) {
-                return measure(point.steps, seconds);
-            });
+    for (const Contender& contender : all.contenders)
+        study.run(contender, course, measured(contender, until));
+    for (const Team& team : all.teams) study.run(team, *all.for_peers, course);
+    study.run_again();
+}
+
+void study(Builds& builds, const IndexedScene& scene, double until, std::int64_t first_count,
+           const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
+    report = {scene.name, scene.description, until, {}, {}};
+    Study study(report, time_spent, wishes.methods.size() + other_parts);
+    const auto all = [&] {
+        const auto part = study.begin("deriving and writing steppers");
+        return std::make_unique<LargePrograms>(builds, scene, until, wishes.methods);
+    }();
+    {
+        const auto part = study.begin("compiling");
+        all->wait();
     }
-    for (const Team& team : all.teams) {
-        const auto part = begin("running " + team.library.name);
-        for (PeerCurve& peer :
-             peer_curves(built(team.build), team.library, *all.for_peers, course)) {
-            report.curves.push_back(std::move(peer.curve));
-            again.push_back(std::move(peer.again));
-        }
+    {
+        const auto part = study.begin("reference");
+        report.reference = all->reference.compute(first_count);
     }
-    for (int round = 0; round < more_rounds; ++round) {
-        const auto part = begin("running all once more");
-        for (std::size_t i = 0; i < again.size(); ++i)
-            time_again(report.curves[i].points, again[i]);
+    for (const Contender& contender : all->contenders) {
+        Course course{report.reference, until, first_count, wishes.steps};
+        course.longest_run = longest_of_large_search;
+        course.first_count = affordable(contender, course);
+        study.run(contender, course, all->reference.measured(contender.build));
     }
+    study.run_again();
 }
 
 }  // namespace hvi::gen

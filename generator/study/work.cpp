@@ -17,14 +17,14 @@ constexpr std::size_t points_of_curve = 8;
 
 /// NOTE: so many steps of the double h end a little beside the time that the reference is of,
 /// which would show where the rest is small.
-double error_of(const Course& course, const Measurement& run) {
-    const auto count = static_cast<double>(run.steps);
+double error_of(const Course& course, const EndOfRun& run, std::int64_t steps) {
+    const auto count = static_cast<double>(steps);
     const double late = std::fma(count, course.until / count, -course.until);
     double sum = 0, size = 0;
-    for (std::size_t k = 0; k < run.end.size(); ++k) {
+    for (std::size_t k = 0; k < run.state.size(); ++k) {
         const double there = course.reference.state[k];
         const double moved = run.velocity.empty() ? 0 : late * run.velocity[k];
-        const double difference = run.end[k] - there - moved;
+        const double difference = run.state[k] - there - moved;
         sum += difference * difference;
         size += there * there;
     }
@@ -66,7 +66,7 @@ struct Range {
     std::int64_t least, most;
 };
 
-Range useful_range(Runs& runs, std::int64_t first) {
+Range useful_range(Runs& runs, std::int64_t first, double longest) {
     constexpr double coarse = 1e-2, fine = 1e-8;
     constexpr std::int64_t most_steps = 100'000'000;
     const auto is_good = [&](std::int64_t count) {
@@ -74,12 +74,11 @@ Range useful_range(Runs& runs, std::int64_t first) {
         return point.ok() && point.error < coarse;
     };
     Range range{first, first};
-    while (!is_good(range.most) && range.most < most_steps &&
-           runs.seconds_of_last() < longest_of_search)
+    while (!is_good(range.most) && range.most < most_steps && runs.seconds_of_last() < longest)
         range.most *= 2;
     range.least = range.most;
     while (range.least > 1 && is_good(range.least)) range.least /= 2;
-    while (2 * range.most < most_steps && runs.seconds_of_last() < longest_of_search) {
+    while (2 * range.most < most_steps && runs.seconds_of_last() < longest) {
         const double before = runs.with(range.most).error;
         const double after = runs.with(2 * range.most).error;
         range.most *= 2;
@@ -111,7 +110,8 @@ std::vector<std::int64_t> counts_of(const std::vector<double>& steps, double unt
 }  // namespace
 
 WorkPoint work_point(const Course& course, const Measurement& run) {
-    if ((run.ok() && run.end.size() != course.reference.state.size()) ||
+    const auto* end = std::get_if<EndOfRun>(&run.end);
+    if ((run.ok() && end != nullptr && end->state.size() != course.reference.state.size()) ||
         (course.keeps_energy && run.departures.empty()))
         throw EnvironmentError("a compiled program does not answer as it should: it says too few "
                                "numbers, or too many");
@@ -121,7 +121,9 @@ WorkPoint work_point(const Course& course, const Measurement& run) {
     point.h = run.steps > 0 ? course.until / steps : 0;
     point.steps = run.steps;
     point.status = run.status;
-    point.error = run.ok() ? error_of(course, run) : nothing;
+    point.error = !run.ok()        ? nothing
+                  : end != nullptr ? error_of(course, *end, run.steps)
+                                   : std::get<DistanceOfEnd>(run.end).relative;
     point.energy_error = course.keeps_energy ? run.departures.at(0) : nothing;
     point.seconds = run.seconds;
     point.spread = run.spread;
@@ -142,9 +144,10 @@ WorkPoint work_point(const Course& course, const MeasureSteps& measure, std::int
 std::vector<WorkPoint> work_points(const Course& course, const MeasureSteps& measure) {
     Runs runs(course, measure);
     std::vector<WorkPoint> points;
-    for (const std::int64_t count : course.steps.empty()
-                                        ? spread_out(useful_range(runs, course.first_count))
-                                        : counts_of(course.steps, course.until))
+    for (const std::int64_t count :
+         course.steps.empty()
+             ? spread_out(useful_range(runs, course.first_count, course.longest_run))
+             : counts_of(course.steps, course.until))
         points.push_back(runs.timed(count));
     return points;
 }

@@ -11,17 +11,20 @@
 
 namespace hvi::gen {
 
+constexpr double longest_of_search = 0.5;
+constexpr double longest_of_large_search = 2;  // of scenes of any size
+
 /// What runs are compared by.
 struct Course {
     Reference reference;
     double until = 0;
-    std::int64_t first_count = 1;  ///< steps to begin a search with
-    std::vector<double> steps;     ///< sizes that are wished for; empty: found by search
-    bool keeps_energy = true;      ///< the exact motion does
+    std::int64_t first_count = 1;            ///< steps to begin a search with
+    std::vector<double> steps;               ///< sizes that are wished for; empty: found by search
+    bool keeps_energy = true;                ///< the exact motion does
+    double longest_run = longest_of_search;  ///< seconds: no more work is looked for after it
 };
 
 constexpr double seconds_of_timing = 0.05;  // of each point, in each round
-constexpr double longest_of_search = 0.5;   // seconds: no more work is looked for after such a run
 
 [[nodiscard]] WorkPoint work_point(const Course& course, const Measurement& run);
 

@@ -26,9 +26,9 @@ struct Outcome {
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
 
-/// Says it, with what became of the invariants and where the run ended.
-template <class Problem, class State>
-void tell(const Outcome& outcome, const Invariants<Problem>& invariants, const State& x) {
+/// Says it, with what became of the invariants.
+template <class Problem>
+void tell(const Outcome& outcome, const Invariants<Problem>& invariants) {
     say("status", outcome.status);
     say("steps", outcome.steps);
     say("iterations", outcome.iterations);
@@ -36,6 +36,12 @@ void tell(const Outcome& outcome, const Invariants<Problem>& invariants, const S
     for (const Departure& departure : invariants.departures()) {
         say("largest", departure.largest);
     }
+}
+
+/// The same, and where the run ended.
+template <class Problem, class State>
+void tell(const Outcome& outcome, const Invariants<Problem>& invariants, const State& x) {
+    tell(outcome, invariants);
     for (const auto& q : x.q) { say("end", q); }
     for (const auto& p : x.p) { say("end", p); }
 }

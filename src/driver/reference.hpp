@@ -9,43 +9,63 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
-#include <string_view>
-#include <vector>
+#include <utility>
 
 #include <driver/answer.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/trajectories/take.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
 
-/// Halves steps until the end no longer moves. `Stepper` computes in numbers with more digits than
-/// double.
-template <class Stepper>
+/// How a reference is looked for: to begin with so many steps, and to end when halving them moves
+/// the end by no more than `wanted`, or time is up.
+struct ReferenceWishes {
+    double until = 0;
+    std::int64_t steps = 0;
+    double wanted = 0, seconds = 0;
+
+    /// False where these are no such words: UNTIL STEPS WANTED SECONDS.
+    [[nodiscard]] bool read_words(char** words) {
+        return read(words[0], until) && read(words[1], steps) && read(words[2], wanted) &&
+               read(words[3], seconds) && steps >= 1;
+    }
+};
+
+/// Halves steps until the end no longer moves. The Stepper of `Problem` computes in numbers with
+/// more digits than double.
+template <class Problem>
 class ReferenceRun {
 public:
+    using Stepper = typename Problem::Stepper;
     using Scalar = typename Stepper::Scalar;
     using State = typename Stepper::State;
 
-    ReferenceRun(double until, std::int64_t steps, double wanted, double seconds)
-        : until_(until), steps_(steps), wanted_(wanted), seconds_(seconds) {}
+    /// The end, where there was a run that came to it, and how far that is from the end with steps
+    /// of twice the size.
+    struct Found {
+        std::optional<State> end;
+        double error;
+    };
 
-    /// Says where it ends, and how far that is from the end with steps of twice the size.
-    void run() {
+    explicit ReferenceRun(const ReferenceWishes& wishes) : wishes_(wishes) {}
+
+    [[nodiscard]] Found run() {
         const auto start = std::chrono::steady_clock::now();
         std::optional<State> coarse = end();
         for (int failures = coarse ? 0 : 1;;) {
             const auto before = std::chrono::steady_clock::now();
-            steps_ *= 2;
-            const std::optional<State> fine = end();
+            wishes_.steps *= 2;
+            std::optional<State> fine = end();
             const auto now = std::chrono::steady_clock::now();
             const double error = coarse && fine ? distance(*coarse, *fine) : infinite;
             const std::chrono::duration<double> taken = now - start, last = now - before;
             failures += fine ? 0 : 1;
-            if (error <= wanted_ || failures > most_failures ||
-                taken.count() + 2 * last.count() > seconds_) {
-                return tell(fine, error);
+            if (error <= wishes_.wanted || failures > most_failures ||
+                taken.count() + 2 * last.count() > wishes_.seconds) {
+                return {std::move(fine), error};
             }
-            coarse = fine;
+            coarse = std::move(fine);
         }
     }
 
@@ -55,12 +75,10 @@ private:
 
     /// Empty where a step fails.
     [[nodiscard]] std::optional<State> end() const {
-        Stepper stepper{typename Stepper::Parameters{}};
-        State x = Stepper::initial();
-        const Scalar h = Scalar(until_) / static_cast<Scalar>(steps_);
-        for (std::int64_t i = 0; i < steps_; ++i) {
-            if (!stepper.step(x, h).ok()) { return {}; }
-        }
+        Stepper stepper = Problem::stepper();
+        State x = Problem::initial();
+        const Scalar h = Scalar(wishes_.until) / static_cast<Scalar>(wishes_.steps);
+        if (!detail::take(stepper, x, h, wishes_.steps).ok()) { return {}; }
         return x;
     }
 
@@ -78,32 +96,32 @@ private:
         return std::sqrt(static_cast<double>(size > 0 ? sum / size : sum));
     }
 
-    void tell(const std::optional<State>& x, double error) const {
-        say("bits", static_cast<std::int64_t>(detail::bits<Scalar>));
-        say("steps", steps_);
-        say("error", error);
-        if (!x) { return; }
-        for (const auto& q : x->q) { say("end", static_cast<double>(q)); }
-        for (const auto& p : x->p) { say("end", static_cast<double>(p)); }
-    }
-
-    double until_;
-    std::int64_t steps_;
-    double wanted_, seconds_;
+    ReferenceWishes wishes_;
 };
 
-/// The main() of a program that is called as `program UNTIL STEPS WANTED SECONDS`: it begins with
-/// so many steps, and ends when halving them moves the end by no more than WANTED, or time is up.
+/// A scene that a Stepper is made for.
+template <class S>
+struct SceneOf {
+    using Stepper = S;
+    static Stepper stepper() { return Stepper{typename Stepper::Parameters{}}; }
+    static typename Stepper::State initial() { return Stepper::initial(); }
+};
+
+/// The main() of a program that is called as `program UNTIL STEPS WANTED SECONDS`, and says where
+/// the run ends.
 template <class Stepper>
 int reference(int argc, char** argv) {
-    double until = 0, wanted = 0, seconds = 0;
-    std::int64_t steps = 0;
-    if (argc != 5 || !read(argv[1], until) || !read(argv[2], steps) || !read(argv[3], wanted) ||
-        !read(argv[4], seconds) || steps < 1) {
+    ReferenceWishes wishes;
+    if (argc != 5 || !wishes.read_words(argv + 1)) {
         std::fprintf(stderr, "usage: %s UNTIL STEPS WANTED SECONDS\n", argv[0]);
         return 2;
     }
-    ReferenceRun<Stepper>(until, steps, wanted, seconds).run();
+    const auto found = ReferenceRun<SceneOf<Stepper>>(wishes).run();
+    say("bits", static_cast<std::int64_t>(detail::bits<typename Stepper::Scalar>));
+    say("error", found.error);
+    if (!found.end) { return 0; }
+    for (const auto& q : found.end->q) { say("end", static_cast<double>(q)); }
+    for (const auto& p : found.end->p) { say("end", static_cast<double>(p)); }
     return 0;
 }
 

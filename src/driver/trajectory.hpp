@@ -7,18 +7,18 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <driver/answer.hpp>
 #include <driver/columns.hpp>
 #include <driver/departure.hpp>
 #include <driver/table.hpp>
+#include <hvi/detail/trajectories/take.hpp>
 #include <hvi/integrate.hpp>
 #include <hvi/state.hpp>
 
@@ -30,34 +30,6 @@ enum class Watch {
     rows,   ///< where a row is written: they cost as much as a step does
 };
 
-/// What a program ends with that has not enough memory.
-inline constexpr int out_of_memory = 4;
-
-/// Whether a stepper takes many steps faster than one after the other.
-template <class Stepper, class = void>
-struct Advances : std::false_type {};
-template <class Stepper>
-struct Advances<Stepper, std::void_t<decltype(std::declval<Stepper&>().advance(
-                             std::declval<typename Stepper::State&>(), 0.0, std::int64_t(1)))>>
-    : std::true_type {};
-
-/// Takes so many steps, or as many as go well.
-template <class Stepper>
-Run take(Stepper& stepper, typename Stepper::State& x, double h, std::int64_t steps) {
-    if constexpr (Advances<Stepper>::value) {
-        return stepper.advance(x, h, steps);
-    } else {
-        Run run;
-        while (run.steps < steps) {
-            run.status = stepper.step(x, h);
-            run.iterations += run.status.iterations;
-            if (!run.ok()) { break; }
-            ++run.steps;
-        }
-        return run;
-    }
-}
-
 /// Seconds that a step takes where nobody looks on, over at most half a second; the start is where
 /// the run begins. Zero where no step can be taken.
 template <class Problem, Watch watch>
@@ -65,13 +37,15 @@ double seconds_of_step(double h, std::int64_t steps) {
     using Clock = std::chrono::steady_clock;
     constexpr std::int64_t batch = watch == Watch::rows ? 8 : 256;
     constexpr std::chrono::milliseconds enough(500);
+    using Scalar = typename Problem::Stepper::Scalar;
     auto stepper = Problem::stepper();
     auto x = Problem::initial();
     std::int64_t taken = 0;
     const auto start = Clock::now();
     auto now = start;
     while (taken < steps && now - start < enough) {
-        const Run run = take(stepper, x, h, std::min(batch, steps - taken));
+        const Run run =
+            detail::take(stepper, x, static_cast<Scalar>(h), std::min(batch, steps - taken));
         taken += run.steps;
         if (!run.ok()) { steps = taken; }
         now = Clock::now();
@@ -117,7 +91,7 @@ private:
 
     void advance() {
         const std::int64_t left = std::min(every_, steps_ - taken_);
-        const Run run = take(stepper_, x_, h_, watch == Watch::rows ? left : 1);
+        const Run run = detail::take(stepper_, x_, h_, watch == Watch::rows ? left : 1);
         status_ = run.status;
         iterations_ += run.iterations;
         taken_ += run.steps;
@@ -151,8 +125,18 @@ private:
         say("progress", static_cast<double>(taken_) / static_cast<double>(steps_));
     }
 
+    /// Says the number of a variable that begins with no finite number, where that is why no step
+    /// is made.
+    void tell_unfit() const {
+        const std::size_t n = x_.q.size();
+        std::size_t number = 0;
+        while (number < 2 * n && std::isfinite(value(number))) { ++number; }
+        if (number < 2 * n) { say("unfit", static_cast<std::int64_t>(number)); }
+    }
+
     void tell() const {
         say("status", status_.ok() ? "ok" : status_.message());
+        if (!status_.ok() && taken_ == 0) { tell_unfit(); }
         say("steps", taken_);
         say("rows", rows_);
         say("iterations", iterations_);

@@ -48,7 +48,60 @@ TEST_CASE("values are given to parameters of the method and of the scene") {
 
 TEST_CASE("commands that write sums out say who does not") {
     check_refused({2, "plummer", {}}, {"scheme", "--method", "gauss:2", "plummer"});
-    check_refused({2, "plummer", {}}, {"report", "plummer"});
+}
+
+TEST_CASE("a report on a large scene refuses what is not built for it, by name") {
+    check_refused({2, "--peers", {}}, {"report", "plummer", "--peers"});
+    check_refused({2, "--edges", {}}, {"report", "--edges", "pendulum", "plummer"});
+    check_refused({2, "symplecticity,json", {}},
+                  {"report", "plummer", "--only", "symplecticity,json"});
+    check_refused({1, "0", {}}, {"report", "plummer", "--steps", "1/10, 0"});
+}
+
+TEST_CASE("an exact solution of a large scene is looked at") {
+    const auto check = [](const std::string& exact) {
+        const Directory directory;
+        write(directory / "springs.toml",
+              springs + "[exact]\n" + exact +
+                  "\n[run]\nmethod = \"stormer-verlet\"\nstep = 1\nuntil = 2\n");
+        const Outcome outcome = hvi_gen({"report", "springs.toml", "-o", "out"}, directory.path());
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        return outcome.err;
+    };
+    const std::string x = "\"x[i]\" = \"cos(t)\"\n";
+    CHECK(check(x).find("an exact solution is missing: that of `p`") != std::string::npos);
+    CHECK(pointed_at(check(x + "\"p[i]\" = \"x[i]*t\"")) == "x[i]*t");
+    CHECK(pointed_at(check(x + "\"p[i]\" = \"s*t\"")) == "s");
+    CHECK(pointed_at(check(x + "\"p[i]\" = 0\n\"y[i]\" = 0")).find("y[i]") != std::string::npos);
+}
+
+TEST_CASE("initial values of a list are looked at one by one") {
+    const Directory directory;
+    const auto check = [&](const std::string& value) {
+        std::string scene = springs;
+        std::string list = "x = [" + value;
+        for (int i = 1; i < 100; ++i) list += ", \"c[1]\"";
+        scene.replace(scene.find("\"x[i]\" = \"sin(i)\""), 17, list + "]");
+        scene.insert(scene.find("a = 2"), "c = [1, 2]\n");
+        write(directory / "listed.toml", scene);
+        const Outcome outcome =
+            hvi_gen({"stepper", "listed.toml", "--method", "gauss:2"}, directory.path());
+        INFO(outcome.err);
+        if (outcome.status == 0) return std::string("fine");
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        return pointed_at(outcome.err);
+    };
+    CHECK(check("\"c[2]\"") == "fine");
+    CHECK(check("\"c[3]\"") == "c[3]");
+    CHECK(check("\"p[1]\"") == "p[1]");
+    CHECK(check("\"2*x[2] + 1\"") == "2*x[2] + 1");
+    CHECK(check("\"d\"") == "d");
+    CHECK(check("\"i\"") == "i");
 }
 
 TEST_CASE("what steppers of large scenes are not built for is refused, with its place") {
@@ -72,6 +125,9 @@ TEST_CASE("what steppers of large scenes are not built for is refused, with its 
     check(2, "a", {"--method", "gauss:2", "--param", "a=1", "--param", "a=1"});
     check(2, "1..N", {"--method", "gauss:2", "--param", "N=0"});
     check(2, "graph", {"--method", "gauss:2", "--dump", "graph"});
+    CHECK(check(2, "sum(i=1..N, p[i]^2/2 + a*x[i]^2/2)",
+                {"--method", "gauss:2", "--lanes", "ensemble"})
+              .find("--lanes ensemble") != std::string::npos);
     for (const std::string flag : {"--dense", "--action", "--float128"}) {
         const std::string message =
             check(2, "sum(i=1..N, p[i]^2/2 + a*x[i]^2/2)", {"--method", "gauss:2", flag});

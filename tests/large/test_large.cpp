@@ -249,6 +249,15 @@ TEST_CASE("a scene may begin with a list, which fits its size or is refused") {
         CHECK(x.q[i] == listed[(i + 1) % 3]);
         CHECK(x.p[i] == Approx(k / 70).epsilon(1e-15));
     }
+    parameters.c = {3.5, -1};
+    const State other = generated::Listed::initial(parameters);
+    REQUIRE(other.q.size() == 70);
+    CHECK(other.q[0] == 7);
+    CHECK(other.q[3] == -0.5);
+    CHECK(other.q[1] == x.q[1]);
+    parameters.c.resize(1);
+    CHECK(generated::Listed::initial(parameters).q.empty());
+    parameters.c.resize(2);
     for (const std::ptrdiff_t n : {0, 69, 71}) {
         parameters.N = n;
         CHECK(generated::Listed::initial(parameters).q.empty());

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/read/indexed_scene.hpp"
 #include "tests/read/scenes.hpp"
 #include "tests/read/scratch.hpp"
 
@@ -19,12 +20,14 @@ public:
         std::ofstream(scratch_.path / name, std::ios::binary) << bytes;
     }
 
-    [[nodiscard]] Scene scene(const std::string& values) const {
+    [[nodiscard]] Scene scene(const std::string& values) const { return unrolled(indexed(values)); }
+
+    [[nodiscard]] IndexedScene indexed(const std::string& values) const {
         write("s.toml", "coordinates = \"x[1..2,1..2]\"\nmomenta = \"p[1..2,1..2]\"\n"
                         "hamiltonian = \"sum(i=1..2, j=1..2, p[i,j]^2/2 + k*x[i,j])\"\n"
                         "[parameters]\nk = 1\n[initial]\n\"p[i,j]\" = 0\nx = " +
                             values + "\n");
-        return scene_from_file(scratch_.path / "s.toml");
+        return indexed_scene_from_file(scratch_.path / "s.toml");
     }
 
     [[nodiscard]] Names lines(const std::string& values) const {
@@ -137,4 +140,57 @@ TEST_CASE("what is wrong with an NPY file is said") {
         CHECK(says(good.substr(0, length)).find("no NPY file") != std::string::npos);
     for (std::size_t length = 6; length < good.size(); ++length)
         CHECK(says(good.substr(0, length)) != "");
+}
+
+namespace {
+
+/// What a file of values in [initial] is read as.
+IndexedValue value_in(const Files& files, const std::string& values) {
+    return files.indexed(values).initial.values.back();
+}
+
+/// `x`, and so many rows.
+std::string csv(std::size_t count, const std::string& last = "0.5") {
+    std::string text = "x\n";
+    for (std::size_t k = 1; k < count; ++k) text += std::to_string(k) + "\n";
+    return text + last + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("many values stay in their file") {
+    const Files files;
+    files.write("a.csv", csv(256, "pi"));
+    CHECK(std::get<ValueList>(value_in(files, x_of_csv).value).values.size() == 256);
+    files.write("a.csv", csv(257));
+    const IndexedValue many = value_in(files, x_of_csv);
+    const auto& file = std::get<ValueFile>(many.value);
+    CHECK(file.path == "a.csv");
+    CHECK(file.column == "x");
+    CHECK(file.extents == std::vector<std::size_t>{257});
+    CHECK(files.refused(x_of_csv).what == "`x` has 4 indices, and here are 257 values");
+    std::string data;
+    for (int k = 0; k < 257; ++k) data += little_endian(0x3ff0000000000000, 8);
+    for (const std::string shape : {"(257,)", "(1, 257)"}) {
+        files.write("a.npy", npy("<f8", shape, data));
+        CHECK(count(std::get<ValueFile>(value_in(files, all_of_npy).value)) == 257);
+    }
+    files.write("a.npy",
+                npy("<f8", "(257,)", data.substr(8) + little_endian(0x7ff8000000000000, 8)));
+    CHECK(files.refused(all_of_npy).what == "a.npy: `nan` is not a finite number");
+}
+
+TEST_CASE("each of many values is a number") {
+    const Files files;
+    for (const std::string text : {"pi", "1/2", "nan", "inf", "1e999", "", "0x10", "1 2"}) {
+        files.write("a.csv", csv(300, text));
+        const Refusal last = files.refused(x_of_csv);
+        CHECK(last.status == 2);
+        if (text.empty()) continue;  // a blank line
+        CHECK(last.what == "`" + text + "` is not a finite number");
+        CHECK(last.marked == "[" + text + "]");
+        CHECK(last.name.find("a.csv:301") != std::string::npos);
+        files.write("a.csv", "x\n" + text + csv(299).substr(1));
+        CHECK(files.refused(x_of_csv).name.find("a.csv:2") != std::string::npos);
+    }
 }

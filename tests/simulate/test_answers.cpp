@@ -83,3 +83,19 @@ TEST_CASE("programs that say nothing, or anything: status 3") {
     INFO(right.err);
     CHECK(right.status == 0);
 }
+
+TEST_CASE("a run that fails leaves no directory that was not there before") {
+    const PretendedCompiler compiler("exit 1");
+    for (const char* output : {"a/b/out", "out/"}) {
+        const Outcome outcome =
+            compiler.run("exec $hvi_gen run scene.toml -o " + std::string(output));
+        INFO(outcome.err);
+        CHECK(outcome.status == 3);
+    }
+    CHECK(!std::filesystem::exists(compiler.directory / "a"));
+    CHECK(!std::filesystem::exists(compiler.directory / "out"));
+    std::filesystem::create_directory(compiler.directory / "kept");
+    CHECK(compiler.run("exec $hvi_gen run scene.toml -o kept/new").status == 3);
+    CHECK(compiler.run("exec $hvi_gen run scene.toml -o kept").status == 3);
+    CHECK(names_in(compiler.directory / "kept").empty());
+}

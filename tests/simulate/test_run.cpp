@@ -321,7 +321,7 @@ TEST_CASE("an interrupted run leaves nothing half written") {
                                       directory.path());
     CHECK(interrupted.status == 130);
     CHECK(interrupted.out.empty());
-    CHECK(std::filesystem::is_empty(directory / "out"));
+    CHECK(!std::filesystem::exists(directory / "out"));
 }
 
 TEST_CASE("whatever ends a run ends the compiler too, and leaves nothing") {

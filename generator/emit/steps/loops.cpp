@@ -7,6 +7,7 @@
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
+#include "generator/emit/system/loop_files.hpp"
 #include "generator/ir/equal.hpp"
 #include "src/hvi/version.hpp"
 
@@ -45,7 +46,8 @@ std::string emit_sites(const OneStepMethod& method, const Step& step, const Expl
                        const LoopCode& code, const EmitOptions& options) {
     const SystemPart part = system_part(method, step, options);
     const std::vector<Move> all = moves(step);
-    const std::string include = own_includes(code.system.own_headers) +
+    const std::string include = include_of_files(code.system) +
+                                own_includes(code.system.own_headers) +
                                 "#include <hvi/detail/coefficients/rounded.hpp>\n"
                                 "#include <hvi/detail/lanes/lane_math.hpp>\n"
                                 "#include <hvi/detail/loops/along.hpp>\n"

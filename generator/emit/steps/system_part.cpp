@@ -5,6 +5,7 @@
 
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
+#include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/text/names.hpp"
 
 namespace hvi::gen {
@@ -189,6 +190,7 @@ std::string include_of_loops(const LoopCode& code) {
                        "#include <hvi/detail/lanes/lane_math.hpp>\n"
                        "#include <hvi/detail/loops/along.hpp>\n"
                        "#include <hvi/detail/loops/ranges.hpp>\n";
+    text += include_of_files(code.system);
     if (code.scatters()) { text += "#include <hvi/detail/loops/chunks.hpp>\n"; }
     if (code.sites) { text += "#include <hvi/detail/loops/sites.hpp>\n"; }
     return text;

@@ -90,12 +90,13 @@ std::set<std::string> conditions_of_starts(const LoopSystem& system, const LoopN
     const std::size_t count = system.coordinates.size();
     for (std::size_t k = 0; k < system.initial.size(); ++k) {
         const LoopFamily& family = k < count ? system.coordinates[k] : system.momenta[k - count];
-        const auto* rule = std::get_if<LoopStart::Rule>(&system.initial[k].values);
-        if (rule == nullptr) {
-            const auto& list = std::get<std::vector<Scaled>>(system.initial[k].values);
-            lengths.insert(fmt::format("{} == {}", names.count(family), list.size()));
+        if (std::holds_alternative<NumbersInFile>(system.initial[k].values)) { continue; }
+        if (const auto* list = std::get_if<LoopStart::List>(&system.initial[k].values)) {
+            lengths.insert(fmt::format("{} == {}", names.count(family), list->values.size()));
+            conditions.add(list->accesses, {});
             continue;
         }
+        const auto* rule = std::get_if<LoopStart::Rule>(&system.initial[k].values);
         std::vector<Loop> loops;
         for (std::size_t d = 0; d < rule->indices.size(); ++d) {
             loops.push_back({rule->indices[d], family.ranges[d]});

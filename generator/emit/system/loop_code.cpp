@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "generator/emit/system/element_conditions.hpp"
+#include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/loop_names.hpp"
 #include "generator/emit/system/loop_writer.hpp"
 #include "generator/emit/system/scene_code.hpp"
@@ -195,11 +196,13 @@ private:
 
     void write_begin(Writer& writer) {
         writer.blank().line("/// Where the scene begins; empty where lists do not fit.");
-        writer.open("void begin(Vector& q_of, Vector& p_of) const {{");
+        writer.open("void begin({}Vector& q_of, Vector& p_of) const {{",
+                    begins_in_file(system_) ? "const Parameters& parameters, " : "");
         writer.line("q_of.clear();").line("p_of.clear();");
         for (const std::string& condition : conditions_of_starts(system_, names_)) {
             writer.line("if (!({})) {{ return; }}", condition);
         }
+        write_conditions_of_files(writer, system_, names_);
         for (const char letter : {'q', 'p'}) {
             writer.line("{}_of.assign(size_, Scalar(0));", letter);
             writer.line("[[maybe_unused]] Scalar* const {0} = {0}_of.data();", letter);
@@ -238,8 +241,10 @@ private:
     void write_fits(Writer& writer) const {
         for (const LoopTable& table : system_.tables) {
             if (table.family.ranges.size() == 1) { continue; }
+            long count = 1;
+            for (const LoopRange& range : table.family.ranges) { count *= range.last.constant; }
             writer.line("fits_ = fits_ && {}_values_.size() == {};", member_of(table.family.name),
-                        table.values.size());
+                        count);
         }
         for (const std::string& condition : conditions_of_sums(system_, names_)) {
             writer.line("fits_ = fits_ && {};", condition);
@@ -347,10 +352,13 @@ std::string loop_parameters_text(const LoopSystem& system) {
                     initializer(parameter.value), parameter.name, to_text(parameter.value));
     }
     for (const LoopTable& table : system.tables) {
+        const auto* values = std::get_if<std::vector<Expression>>(&table.values);
+        if (values == nullptr) { continue; }
         writer.open("std::vector<Scalar> {}{{", member_of(table.family.name));
-        for (const Expression& value : table.values) { writer.line("{},", initializer(value)); }
+        for (const Expression& value : *values) { writer.line("{},", initializer(value)); }
         writer.close("};");
     }
+    write_numbers_in_files(writer, system);
     return writer.close("};").str();
 }
 
@@ -360,10 +368,12 @@ std::string loop_system_text(const LoopCode& code, const Step& step) {
 
 std::string loop_members_text(const LoopCode& code) {
     Writer writer(1);
+    write_reading(writer, code.system);
     writer.line("/// Where the scene begins; empty where a list does not fit its sizes.");
     writer.open("[[nodiscard]] static State initial(const Parameters& parameters) {{")
         .line("State x;")
-        .line("System(parameters).begin(x.q, x.p);")
+        .line("System(parameters).begin({}x.q, x.p);",
+              begins_in_file(code.system) ? "parameters, " : "")
         .line("return x;")
         .close();
     writer.line("[[nodiscard]] static State initial() {{ return initial(Parameters{{}}); }}");

@@ -261,10 +261,13 @@ void LoopWriter::write_total(Writer& writer, const LoopSum& sum) {
 
 void LoopWriter::write_start(Writer& writer, const LoopFamily& family, std::string_view array,
                              const LoopStart& start) {
-    if (const auto* list = std::get_if<std::vector<Scaled>>(&start.values)) {
+    if (const auto* list = std::get_if<LoopStart::List>(&start.values)) {
         write_list(writer, family, array, *list);
+    } else if (const auto* rule = std::get_if<LoopStart::Rule>(&start.values)) {
+        write_rule(writer, family, array, *rule);
     } else {
-        write_rule(writer, family, array, std::get<LoopStart::Rule>(start.values));
+        writer.line("std::copy(parameters.{0}.begin(), parameters.{0}.end(), {1} + {2});",
+                    member_of(family.name), array, first_place(family));
     }
 }
 
@@ -281,19 +284,24 @@ std::string LoopWriter::place(const LoopFamily& family,
     return text;
 }
 
-void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::string_view array,
-                            const std::vector<Scaled>& list) {
-    const Kernel all = kernel(system_.graph, list);
-    writer.open("{{");
-    const auto results = write_code(writer, system_.graph, all, names_.given(all, {}), "hvi::math");
-    writer.open("const Scalar values[] = {{");
-    for (const std::string& result : results) { writer.line("{},", result); }
-    writer.close("};");
+std::string LoopWriter::first_place(const LoopFamily& family) const {
     std::vector<std::string> first;
     for (const LoopRange& range : family.ranges) {
         first.push_back("(" + names_.whole(range.first) + ")");
     }
-    writer.line("hvi::detail::put(values, {} + {});", array, place(family, first)).close();
+    return place(family, first);
+}
+
+void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::string_view array,
+                            const LoopStart::List& list) {
+    const Kernel all = kernel(system_.graph, list.values);
+    writer.open("{{");
+    const NodeNames given = load(writer, list.accesses, all, {});
+    const auto results = write_code(writer, system_.graph, all, given, "hvi::math");
+    writer.open("const Scalar values[] = {{");
+    for (const std::string& result : results) { writer.line("{},", result); }
+    writer.close("};");
+    writer.line("hvi::detail::put(values, {} + {});", array, first_place(family)).close();
 }
 
 void LoopWriter::write_rule(Writer& writer, const LoopFamily& family, std::string_view array,

@@ -60,11 +60,12 @@ private:
     void write_body(Writer& writer, const LoopSum& sum, const std::vector<AccessSlope>& slopes);
     void write_lanes(Writer& writer, const LoopSum& sum, const std::vector<AccessSlope>& slopes);
     void write_list(Writer& writer, const LoopFamily& family, std::string_view array,
-                    const std::vector<Scaled>& list);
+                    const LoopStart::List& list);
     void write_rule(Writer& writer, const LoopFamily& family, std::string_view array,
                     const LoopStart::Rule& rule);
     [[nodiscard]] std::string place(const LoopFamily& family,
                                     const std::vector<std::string>& indices) const;
+    [[nodiscard]] std::string first_place(const LoopFamily& family) const;
     void open_loop(Writer& writer, const Loop& loop) const;
     [[nodiscard]] bool goes_in_lanes(const LoopSum& sum) const;
     [[nodiscard]] bool depends(std::size_t access, const std::string& index) const;

@@ -69,18 +69,28 @@ constexpr std::array<std::string_view, 7> taken_by_coefficients{
 };
 
 /// The same where a scene has functions of its own.
-constexpr std::array<std::string_view, 41> taken_by_scenes{
-    "dHdq",        "dHdp",        "d2Hdq2",      "d2Hdqdp",
-    "d2Hdp2",      "energy",      "evaluations", "initial",
-    "begin",       "Parameters",  "position",    "curve",
-    "curve_rates", "curve_terms", "c",           "n",
-    "q",           "p",           "t",           "x",
-    "h",           "clock_",      "stages",      "inverse_mass",
-    "quadratic",   "Map",         "Number",      "Numbers",
-    "N_lanes",     "m_lanes",     "mt_lanes",    "cn_lanes",
-    "sums_",       "gradient",    "N_before",    "N_before_lanes",
-    "W_before_",   "Lq_before_",  "Lp_before_",  "has_slopes_before_",
-    "weights_",
+constexpr std::array<std::string_view, 42> taken_by_scenes{
+    "dHdq",        "dHdp",
+    "d2Hdq2",      "d2Hdqdp",
+    "d2Hdp2",      "energy",
+    "evaluations", "initial",
+    "begin",       "Parameters",
+    "position",    "curve",
+    "curve_rates", "curve_terms",
+    "c",           "n",
+    "q",           "p",
+    "t",           "x",
+    "h",           "clock_",
+    "stages",      "inverse_mass",
+    "quadratic",   "Map",
+    "Number",      "Numbers",
+    "N_lanes",     "m_lanes",
+    "mt_lanes",    "cn_lanes",
+    "sums_",       "gradient",
+    "N_before",    "N_before_lanes",
+    "W_before_",   "Lq_before_",
+    "Lp_before_",  "has_slopes_before_",
+    "weights_",    "read_parameters",
 };
 
 /// The same where it has an action.

@@ -208,6 +208,16 @@ std::string_view embedded_template(std::string_view name) {
     return {};
 }
 
+std::string text_literal(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        const bool is_plain = ' ' <= c && c <= '~' && c != '"' && c != '\\' && c != '?';
+        result +=
+            is_plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    }
+    return result + '"';
+}
+
 std::string fill(std::string_view template_name, const Holes& holes) {
     const Template source = parse(embedded_template(template_name));
     std::set<std::string_view> used;

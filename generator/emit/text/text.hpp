@@ -70,6 +70,9 @@ private:
 [[nodiscard]] std::string literal(double value);
 [[nodiscard]] std::string literal(float value);
 
+/// A text as C++ writes it, in quotes.
+[[nodiscard]] std::string text_literal(std::string_view text);
+
 using Holes = std::map<std::string_view, std::string>;
 
 /// The embedded template with each `@hole@` filled. A value of several lines keeps the indentation

@@ -1,0 +1,57 @@
+// A solution that runs of a scene of any size are measured against.
+// SPDX-License-Identifier: MIT
+//
+// For `Problem` see main.hpp; its Stepper computes in numbers with more digits than double.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+
+#include <driver/answer.hpp>
+#include <driver/large_main.hpp>
+#include <driver/reference.hpp>
+#include <driver/state_file.hpp>
+#include <driver/trajectory.hpp>
+
+namespace hvi::driver {
+
+/// As many steps to begin with as leave time for twice as many.
+template <class Problem>
+[[nodiscard]] std::int64_t affordable(const ReferenceWishes& wishes) {
+    const double h = wishes.until / static_cast<double>(wishes.steps);
+    const double each = seconds_of_step<Problem, Watch::rows>(h, std::min(wishes.steps, {8}));
+    const double most = std::floor(wishes.seconds / 4 / each);
+    return most < static_cast<double>(wishes.steps) ? std::max<std::int64_t>(1, std::llround(most))
+                                                    : wishes.steps;
+}
+
+/// Writes the end into a file. The statuses are those of large_main().
+template <class Problem>
+int tell_reference(ReferenceWishes wishes, const char* path) {
+    wishes.steps = affordable<Problem>(wishes);
+    const auto found = ReferenceRun<Problem>(wishes).run();
+    if (found.end && !write_state(path, *found.end)) { return 3; }
+    say("bits", static_cast<std::int64_t>(detail::bits<typename Problem::Stepper::Scalar>));
+    if (found.end) { say("error", found.error); }
+    return 0;
+}
+
+/// The main() of a program that is called as `program UNTIL STEPS WANTED SECONDS FILE`, and writes
+/// where the run ends into the file; or, as `program FILE`, where it begins.
+template <class Problem>
+int large_reference(int argc, char** argv) {
+    ReferenceWishes wishes;
+    if (argc == 2) {
+        return guarded([&] { return write_state(argv[1], Problem::initial()) ? 0 : 3; });
+    }
+    if (argc == 6 && wishes.read_words(argv + 1)) {
+        return guarded([&] { return tell_reference<Problem>(wishes, argv[5]); });
+    }
+    std::fprintf(stderr, "usage: %s UNTIL STEPS WANTED SECONDS FILE\n       %s FILE\n", argv[0],
+                 argv[0]);
+    return 2;
+}
+
+}  // namespace hvi::driver
