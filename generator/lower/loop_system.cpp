@@ -424,7 +424,7 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
         }
         std::vector<Scaled> values;
         for (const IndexedExpression& each : list->values) {
-            values.push_back(this->value(definitions_.put_in(each).written, {}, each.source));
+            values.push_back(this->value(without_sums(definitions_.put_in(each)), {}, each.source));
         }
         return {std::move(values)};
     }
@@ -440,7 +440,7 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
                          value.place, "give a rule for all indices: \"x[i]\" = \"sin(i)\"");
     }
     const IndexedExpression whole = definitions_.put_in(written);
-    LoopTerm term{{}, whole.written};
+    LoopTerm term{{}, without_sums(whole)};
     for (std::size_t d = 0; d < indices.size(); ++d) {
         term = within_loop(std::move(term), indices[d], family.ranges[d], taken_);
     }

@@ -294,9 +294,10 @@ std::string loop_parameters_text(const LoopSystem& system) {
                     initializer(parameter.value), parameter.name, to_text(parameter.value));
     }
     for (const LoopTable& table : system.tables) {
-        writer.open("std::vector<Scalar> {}{{", member_of(table.family.name));
+        writer.open("std::vector<Scalar> {} = hvi::detail::listed<Scalar>({{",
+                    member_of(table.family.name));
         for (const Expression& value : table.values) { writer.line("{},", initializer(value)); }
-        writer.close("};");
+        writer.close("});");
     }
     return writer.close("};").str();
 }
