@@ -27,7 +27,7 @@ int large_main(int argc, char** argv) {
             return out_of_memory;
         }
     }
-    std::fprintf(stderr, "usage: trajectory H STEPS EVERY COLUMNS FILE\n");
+    std::fprintf(stderr, "usage: trajectory H STEPS (EVERY COLUMNS FILE)...\n");
     return 2;
 }
 
