@@ -12,6 +12,7 @@ ${CXX:-c++} -std=c++17 -O3 -march=native -I src -I "$data" examples/fpu_recurren
     -o "$data/fpu_recurrence" -pthread
 "$data/fpu_recurrence" "$data/fpu-31.csv"
 "$data/fpu_recurrence" "$data/fpu-1023.csv" 1023 4 0.25 7600
+"$data/fpu_recurrence" "$data/fpu-1024.csv" 1024 1 0.5 43000 0.25
 
 "$hvi_gen" run sine-gordon --step 1/20 --until 100 -o "$data/line"
 "$hvi_gen" run sine-gordon-plane --until 200 -o "$data/plane"

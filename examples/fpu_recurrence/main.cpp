@@ -1,7 +1,7 @@
 // Fermi, Pasta, Ulam & Tsingou's chain: its energy leaves the mode that it begins in, and comes
 // back. SPDX-License-Identifier: MIT
 //
-//     fpu_recurrence FILE [N] [MODE] [AMPLITUDE] [PERIODS]
+//     fpu_recurrence FILE [N] [MODE] [AMPLITUDE] [PERIODS] [STEP]
 //
 // writes the energies E_k = (P_k^2 + w_k^2 Q_k^2)/2 of MODE and of its multiples, as parts of the
 // energy of the chain, over the time in periods of MODE, and says when most was back.
@@ -79,7 +79,7 @@ struct Recurrence {
 struct Wishes {
     Chain::Parameters parameters;
     std::size_t mode;
-    double periods;
+    double periods, step;
 };
 
 void write_names(std::FILE* table, std::size_t first_mode) {
@@ -91,7 +91,7 @@ void write_names(std::FILE* table, std::size_t first_mode) {
 /// Writes the table. False where a step fails.
 bool run(const Wishes& wishes, std::FILE* table, Recurrence& recurrence) {
     constexpr int rows = 2000;
-    constexpr double h = 0.1;
+    const double h = wishes.step;
     Chain chain{wishes.parameters};
     Chain::State x = Chain::initial(wishes.parameters);
     const Modes modes(x.q.size(), wishes.mode);
@@ -125,11 +125,11 @@ std::optional<Wishes> wishes_of(const std::vector<const char*>& words) {
     parameters.N = whole(2, 31);
     parameters.amplitude = number(4, 1);
     const int mode = whole(3, 1);
-    const double periods = number(5, 160);
-    const bool is_right =
-        words.size() >= 2 && words.size() <= 6 && mode >= 1 && mode <= parameters.N && periods > 0;
+    const double periods = number(5, 160), step = number(6, 0.1);
+    const bool is_right = words.size() >= 2 && words.size() <= 7 && mode >= 1 &&
+                          mode <= parameters.N && periods > 0 && step > 0;
     if (!is_right) { return {}; }
-    return Wishes{parameters, static_cast<std::size_t>(mode), periods};
+    return Wishes{parameters, static_cast<std::size_t>(mode), periods, step};
 }
 
 }  // namespace
@@ -137,7 +137,8 @@ std::optional<Wishes> wishes_of(const std::vector<const char*>& words) {
 int main(int argc, char** argv) {
     const auto wishes = wishes_of({argv, argv + argc});
     if (!wishes) {
-        std::fprintf(stderr, "usage: fpu_recurrence FILE [N] [MODE] [AMPLITUDE] [PERIODS]\n");
+        std::fprintf(stderr,
+                     "usage: fpu_recurrence FILE [N] [MODE] [AMPLITUDE] [PERIODS] [STEP]\n");
         return 2;
     }
     std::FILE* table = std::fopen(argv[1], "w");
