@@ -1,5 +1,5 @@
-// Fermi, Pasta, Ulam & Tsingou's chain: its energy leaves the mode that it begins in, and comes
-// back. SPDX-License-Identifier: MIT
+// The chain of Fermi, Pasta, Ulam & Tsingou: its energy leaves a mode, and comes back.
+// SPDX-License-Identifier: MIT
 //
 //     fpu_recurrence FILE [N] [MODE] [AMPLITUDE] [PERIODS] [STEP]
 //
