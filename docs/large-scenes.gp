@@ -1,6 +1,6 @@
 # Draws the pictures of docs/large-scenes.md from the data of docs/large-scenes.sh, which calls it.
 # SPDX-License-Identifier: GPL-2.0-or-later
-set terminal svg size 760,360 dynamic font "sans-serif,13" background "white"
+set terminal svg size 860,380 dynamic font "sans-serif,13" background "white"
 set grid linecolor rgb "#d8d8d8"
 set border linecolor rgb "#505050"
 set style line 1 linecolor rgb "#00508c" linewidth 1.5
@@ -12,12 +12,12 @@ set style line 5 linecolor rgb "#646464" linewidth 1.5
 set output "docs/pictures/fpu-recurrence.svg"
 set datafile separator comma
 set yrange [0:1]
-set multiplot layout 1,2 margins 0.08,0.97,0.29,0.92 spacing 0.05,0
+set multiplot layout 1,3 margins 0.07,0.97,0.3,0.92 spacing 0.04,0
 set xlabel "periods of mode 1"
 set ylabel "part of the energy"
 set xtics 40
 set title "31 masses" offset 0,-0.6
-set key below maxrows 2 Left reverse samplen 2
+set key below maxrows 3 Left reverse samplen 2
 plot for [k=1:5] "build/large-scenes/fpu-31.csv" skip 1 every 4 using 1:k+1 with lines linestyle k \
     title sprintf("mode %d", k)
 unset ylabel
@@ -27,6 +27,11 @@ set xtics 2000
 set title "1023 masses" offset 0,-0.6
 plot for [k=1:5] "build/large-scenes/fpu-1023.csv" skip 1 every 4 using 1:k+1 with lines linestyle k \
     title sprintf("mode %d", 4*k)
+set xlabel "periods of mode 1"
+set xtics 20000
+set title "1024 masses" offset 0,-0.6
+plot for [k=1:5] "build/large-scenes/fpu-1024.csv" skip 1 every 4 using 1:k+1 with lines linestyle k \
+    title sprintf("mode %d", k)
 unset multiplot
 
 set output "docs/pictures/droplet.svg"
