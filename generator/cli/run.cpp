@@ -11,8 +11,8 @@
 #include "generator/cli/advice.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
+#include "generator/cli/run_picture.hpp"
 #include "generator/cli/run_wishes.hpp"
-#include "generator/draw/trajectory.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/simulate/simulation.hpp"
@@ -110,38 +110,6 @@ std::string summary(const RunSubject& subject, const Steps& asked, const Simulat
     return text;
 }
 
-/// Those of the names that are columns, at most 64. The first column of the table is the time.
-std::vector<TableColumn> shown(const std::vector<NameBox>& names,
-                               const std::vector<ColumnBox>& columns) {
-    constexpr std::size_t most = 64;
-    std::vector<TableColumn> result;
-    for (const std::string& name : names_in(names, columns)) {
-        if (result.size() == most) break;
-        if (const auto before = columns_before(columns, name))
-            result.push_back({*before + 2, name});
-    }
-    return result;
-}
-
-/// NOTE: it shows what the table has.
-TrajectoryPicture picture(const RunSubject& subject, const Steps& asked, const Simulation& run,
-                          const std::vector<ColumnBox>& columns, const fs::path& table) {
-    const auto coordinates = shown(subject.coordinates, columns);
-    const auto momenta = shown(subject.momenta, columns);
-    TrajectoryPicture picture;
-    picture.title = subject.scene + ", " + subject.method + (run.ok() ? "" : " (incomplete)");
-    picture.until = static_cast<double>(run.steps) * asked.size;
-    picture.table = table;
-    // NOTE: from what begins as no number nothing departs.
-    for (const Conserved& kept : run.conserved)
-        for (const TableColumn& column : shown({name_box(kept.name)}, columns))
-            if (std::isfinite(kept.start)) picture.kept.push_back({column, kept.start});
-    picture.columns = coordinates.empty() ? momenta : coordinates;
-    picture.title_of_columns = coordinates.empty() ? "momenta" : "positions";
-    picture.curves = curves_of(coordinates, momenta);
-    return picture;
-}
-
 /// Says in the table itself that it is not whole.
 void mark_incomplete(const fs::path& table, const Simulation& run) {
     std::FILE* file = std::fopen(table.c_str(), "ab");
@@ -188,24 +156,29 @@ public:
     /// Where the table grows.
     [[nodiscard]] fs::path table() const { return table_ ? table_->path() : "/dev/null"; }
 
+    /// Where a table of the picture grows. Precondition: there is a directory.
+    [[nodiscard]] fs::path table_of_picture() {
+        return table_of_picture_.emplace(directory_->path()).path();
+    }
+
     void keep(const RunSubject& subject, const Steps& asked, const Simulation& run,
-              const std::vector<ColumnBox>& columns, const RunOptions& options,
-              const std::string& summary) {
+              RunTables tables, const RunOptions& options, const std::string& summary) {
         if (!directory_) return;
         const auto leaves = [&](RunFile file) { return options.files.contains(file); };
         if (!run.ok()) mark_incomplete(table_->path(), run);
-        if (leaves(RunFile::table)) table_->rename_to(directory_->path() / table_name);
+        if (leaves(RunFile::table)) {
+            tables.own.file = directory_->path() / table_name;
+            table_->rename_to(tables.own.file);
+        }
         if (leaves(RunFile::summary)) write_file(directory_->path() / summary_name, summary);
-        const fs::path table_file =
-            leaves(RunFile::table) ? directory_->path() / table_name : table_->path();
         if (leaves(RunFile::picture))
             write_file(directory_->path() / picture_name,
-                       draw(picture(subject, asked, run, columns, table_file)));
+                       draw(picture(subject, asked, run, tables)));
     }
 
 private:
     std::optional<ResultDirectory> directory_;
-    std::optional<Unfinished> table_;  // below: it is in the directory
+    std::optional<Unfinished> table_, table_of_picture_;  // below: they are in the directory
 };
 
 std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& options) {
@@ -216,11 +189,12 @@ std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& o
 }
 
 Simulation simulate(const fs::path& program, const RunSubject& subject, const Steps& steps,
-                    const std::vector<ColumnBox>& columns, const fs::path& table) {
-    const std::int64_t every = std::max<std::int64_t>(1, (steps.count + most_rows - 1) / most_rows);
+                    const RunTables& tables) {
     Bar bar;
     Pace pace(static_cast<double>(steps.count), "steps");
-    return run_simulation(program, subject, steps, {every, columns}, table,
+    std::vector<TableWishes> all{tables.own};
+    if (tables.of_picture) all.push_back(tables.of_picture->table);
+    return run_simulation(program, subject, steps, all,
                           [&](double part) { bar.show(part, pace.at(part, Pace::Clock::now())); });
 }
 
@@ -274,6 +248,17 @@ WishedRun any_run(const RunOptions& options) {
                       read_scene_of_any_size(options.method, options.system));
 }
 
+/// NOTE: the picture shows the columns that were asked for, where some were.
+RunTables wished_tables(const RunSubject& subject, const Steps& steps, const RunOptions& options,
+                        const std::vector<ColumnBox>& columns, Results& results) {
+    const std::int64_t every = std::max<std::int64_t>(1, (steps.count + most_rows - 1) / most_rows);
+    RunTables tables{{every, columns, results.table()}, {}};
+    if (options.files.contains(RunFile::picture) && !options.columns)
+        tables.of_picture = picture_table(subject.coordinates, steps, every);
+    if (tables.of_picture) tables.of_picture->table.file = results.table_of_picture();
+    return tables;
+}
+
 }  // namespace
 
 void run(const RunOptions& options) {
@@ -286,9 +271,10 @@ void run(const RunOptions& options) {
     const fs::path program = built(builds.order(subject.program));
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     Results results(directory);
-    const Simulation simulation = simulate(program, subject, steps, columns, results.table());
+    const RunTables tables = wished_tables(subject, steps, options, columns, results);
+    const Simulation simulation = simulate(program, subject, steps, tables);
     const std::string summary = hvi::gen::summary(subject, steps, simulation);
-    results.keep(subject, steps, simulation, columns, options, summary);
+    results.keep(subject, steps, simulation, tables, options, summary);
     if (!simulation.ok())
         throw MathError(
             fmt::format("the run stopped after {} of {} steps: {}", simulation.steps, steps.count,

@@ -29,6 +29,11 @@ set style line 5 linecolor rgb '#646464' linewidth 1.2 dashtype '..-'
 set grid linecolor rgb '#d8d8d8'
 set border linecolor rgb '#505050'
 )";
+// From dark to light, for all eyes: five colours of matplotlib's viridis.
+constexpr const char* palette = R"(
+set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')
+set format cb '%g'
+)";
 constexpr std::size_t style_count = 5;
 constexpr std::size_t time_column = 1;
 
@@ -39,18 +44,21 @@ struct Line {
     std::string name;
 };
 
+std::string quoted_name(const std::filesystem::path& table) {
+    return gnuplot_quoted(table.filename().string());
+}
+
 /// NOTE: what is no finite number is not drawn.
-std::string plot(const TrajectoryPicture& picture, const std::vector<Line>& lines) {
+std::string plot(const std::filesystem::path& table, const std::vector<Line>& lines) {
     std::string text = lines.size() == 1
                            ? "set key off\nplot"
                            : "set key outside right center samplen 2 font ',11'\nplot";
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Line& line = lines[i];
-        text +=
-            fmt::format("{} {} skip 1 using (column({})):(column({})-({:.17g})) with lines "
-                        "linestyle {} title {}",
-                        i == 0 ? "" : ",", gnuplot_quoted(picture.table.filename().string()),
-                        line.x, line.y, line.less, i % style_count + 1, gnuplot_label(line.name));
+        text += fmt::format("{} {} skip 1 using (column({})):(column({})-({:.17g})) with lines "
+                            "linestyle {} title {}",
+                            i == 0 ? "" : ",", quoted_name(table), line.x, line.y, line.less,
+                            i % style_count + 1, gnuplot_label(line.name));
     }
     return text + "\n";
 }
@@ -95,28 +103,86 @@ std::string over_time(const TrajectoryPicture& picture, double width) {
         std::vector<Line> lines;
         for (const TableColumn& column : picture.columns)
             lines.push_back({time_column, column.number, 0, column.name});
-        return script + panel({0, 0, width, top}, picture.title_of_columns) + plot(picture, lines);
+        return script + panel({0, 0, width, top}, picture.title_of_columns) +
+               plot(picture.table, lines);
     }
     script += "set format y '%.1e'\nset ytics nomirror autofreq\n";
     const bool has_more = picture.kept.size() > 1;
     const auto first = departures(picture, 0, 1);
     script += panel({0, has_more ? top / 2 : 0, width, has_more ? top / 2 : top}, title_of(first)) +
-              plot(picture, first);
+              plot(picture.table, first);
     if (!has_more) return script;
     const auto others = departures(picture, 1, picture.kept.size());
-    return script + panel({0, 0, width, top / 2}, title_of(others)) + plot(picture, others);
+    return script + panel({0, 0, width, top / 2}, title_of(others)) + plot(picture.table, others);
 }
 
-std::string in_space(const TrajectoryPicture& picture, double begin) {
+/// A part of the picture beside what is kept, and what comes before all parts.
+struct Beside {
+    double width = 0;
+    std::string before, script;
+};
+
+Beside beside(const TrajectoryPicture&, const TableCurves& view) {
+    if (view.curves.empty()) return {};
+    constexpr double width = 0.45;
     std::vector<Line> lines;
-    for (const auto& [x, y] : picture.curves)
+    for (const auto& [x, y] : view.curves)
         lines.push_back({x.number, y.number, 0, y.name + " over " + x.name});
-    const auto& [x, y] = picture.curves.front();
-    return fmt::format(
-               "set autoscale x\nset format y '%g'\nset xtics autofreq\nset xlabel {} offset "
-               "0,0.6\nset ylabel {}\n",
-               gnuplot_label(x.name), gnuplot_label(y.name)) +
-           panel({begin, 0, 1 - begin, top}, y.name + " over " + x.name) + plot(picture, lines);
+    const auto& [x, y] = view.curves.front();
+    const std::string axes =
+        fmt::format("set autoscale x\nset format y '%g'\nset xtics autofreq\nset xlabel {} offset "
+                    "0,0.6\nset ylabel {}\n",
+                    gnuplot_label(x.name), gnuplot_label(y.name));
+    return {width, "",
+            axes + panel({1 - width, 0, width, top}, y.name + " over " + x.name) +
+                plot(view.table, lines)};
+}
+
+/// Of a panel with an image.
+std::string image_axes(const std::string& x, const std::string& y) {
+    return fmt::format("set autoscale fix\nset format y '%g'\nset ytics autofreq\nset xlabel {} "
+                       "offset 0,0.6\nset ylabel {}\nset key off\n",
+                       gnuplot_label(x), gnuplot_label(y));
+}
+
+/// The value of an index, of which `number` says how many are before it.
+std::string value_of(const ShownIndex& index, const std::string& number) {
+    return fmt::format("({}*{}+{})", number, index.stride, index.first);
+}
+
+/// NOTE: gnuplot counts the columns of a matrix from 0 on, which here is the time.
+Beside beside(const TrajectoryPicture& picture, const PlacesInTime& view) {
+    constexpr double width = 0.55;
+    return {width, palette,
+            image_axes("t", "i") + fmt::format("set xtics {}\n", ticks_until(picture.until)) +
+                panel({1 - width, 0, width, top}, view.name + "[i] over t") +
+                fmt::format("plot {} skip 1 matrix every 1:1:1:0:{}:{} using ($2*{:.17g}):{}:3 "
+                            "with image\n",
+                            quoted_name(view.table), view.places.count, view.rows - 1,
+                            view.time_of_row, value_of(view.places, "($1-1)"))};
+}
+
+/// NOTE: gnuplot makes an image of a matrix, or of a list of places and values, which a row of the
+/// table becomes; not of a row.
+Beside beside(const TrajectoryPicture& picture, const FieldAtEnds& view) {
+    constexpr double width = 0.4;
+    const std::size_t fast = view.second.count;
+    Beside result{width, palette,
+                  "set datafile separator whitespace\nset size ratio -1\n" + image_axes("i", "j") +
+                      "set xtics autofreq\n"};
+    for (const int row : {0, 1}) {
+        result.before +=
+            fmt::format("set table $field{0}\nplot {1} skip 1 matrix every 1:1:1:{0}:{2}:{0} using "
+                        "{3}:{4}:3 with table\nunset table\n",
+                        row, quoted_name(view.table), view.first.count * fast,
+                        value_of(view.first, fmt::format("int(($1-1)/{})", fast)),
+                        value_of(view.second, fmt::format("(int($1-1)%{})", fast)));
+        result.script +=
+            panel({1 - width, row == 0 ? top / 2 : 0, width, top / 2},
+                  fmt::format("{}[i,j] at t = {:.10g}", view.name, row == 0 ? 0 : picture.until)) +
+            fmt::format("plot $field{} using 1:2:3 with image\n", row);
+    }
+    return result;
 }
 
 std::string stem(const std::string& name) { return name.substr(0, name.find('[')); }
@@ -124,12 +190,12 @@ std::string stem(const std::string& name) { return name.substr(0, name.find('[')
 }  // namespace
 
 std::string draw(const TrajectoryPicture& picture) {
-    const bool has_curves = !picture.curves.empty();
-    const double middle = has_curves ? 0.55 : 1;
+    const Beside part =
+        std::visit([&](const auto& view) { return beside(picture, view); }, picture.view);
     const std::string script =
-        line_styles + fmt::format("set multiplot title {}\n", gnuplot_label(picture.title)) +
-        over_time(picture, middle) + (has_curves ? in_space(picture, middle) : "") +
-        "unset multiplot\n";
+        line_styles + part.before +
+        fmt::format("set multiplot title {}\n", gnuplot_label(picture.title)) +
+        over_time(picture, 1 - part.width) + part.script + "unset multiplot\n";
     // NOTE: in its directory, whose name may have in it what no script can quote.
     return gnuplot_svg(script, picture_width, picture_height,
                        picture.table.has_parent_path() ? picture.table.parent_path() : ".");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace hvi::gen {
@@ -19,6 +20,39 @@ struct TableColumn {
 /// Columns, one against the other.
 using TableCurve = std::pair<TableColumn, TableColumn>;
 
+/// Curves in the plane, of columns of a table; or none.
+struct TableCurves {
+    std::filesystem::path table;
+    std::vector<TableCurve> curves;
+};
+
+/// The values of an index that are shown: the first one, and others that are `stride` apart.
+struct ShownIndex {
+    long first = 1, stride = 1;
+    std::size_t count = 0;
+};
+
+/// A row of places over time, as an image: the columns of a table behind the time. Preconditions:
+/// at least two places and two rows.
+struct PlacesInTime {
+    std::filesystem::path table;
+    std::string name;
+    ShownIndex places;
+    std::size_t rows;    ///< that are shown, the first ones
+    double time_of_row;  ///< from one row to the next
+};
+
+/// A field in the plane at the start and at the end, as images: a table of two rows, in which the
+/// second index runs fastest. Precondition: at least two values of each index.
+struct FieldAtEnds {
+    std::filesystem::path table;
+    std::string name;
+    ShownIndex first, second;
+};
+
+/// Where a run goes.
+using View = std::variant<TableCurves, PlacesInTime, FieldAtEnds>;
+
 struct TrajectoryPicture {
     /// A column and its value in the first row, from which it should not depart.
     struct Kept {
@@ -27,12 +61,13 @@ struct TrajectoryPicture {
     };
 
     std::string title;
-    double until = 0;             ///< the last time
-    std::filesystem::path table;  ///< a row of names, and rows of numbers, the first one the time
+    double until = 0;  ///< the last time
+    /// A row of names, and rows of numbers, the first one the time. Other tables are beside it.
+    std::filesystem::path table;
     std::vector<Kept> kept;
     std::vector<TableColumn> columns;  ///< shown over time where nothing is kept
     std::string title_of_columns = "positions";
-    std::vector<TableCurve> curves;  ///< or none
+    View view;
 };
 
 /// As SVG. Throws as gnuplot_svg() does.

@@ -461,9 +461,9 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
         check_count(family, list->values.size(), value.place_of_value);
         LoopStart::List result;
         for (const IndexedExpression& each : list->values) {
-            const Expression written = definitions_.put_in(each).written;
-            refuse_own_functions(written, each.source, "an initial value");
-            result.values.push_back(value_at_start({{}, written}, each));
+            const IndexedExpression put = definitions_.put_in(each);
+            refuse_own_functions(put.written, each.source, "an initial value");
+            result.values.push_back(value_at_start({{}, without_sums(put)}, each));
         }
         result.accesses = accesses_in(result.values);
         return {std::move(result)};
@@ -481,7 +481,7 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
     }
     const IndexedExpression whole = definitions_.put_in(written);
     refuse_own_functions(whole.written, whole.source, "an initial value");
-    LoopTerm term{{}, whole.written};
+    LoopTerm term{{}, without_sums(whole)};
     for (std::size_t d = 0; d < indices.size(); ++d) {
         term = within_loop(std::move(term), indices[d], family.ranges[d], taken_);
     }

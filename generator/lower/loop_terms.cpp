@@ -115,19 +115,8 @@ private:
     void add(const Expression& expression, const Expressions& factors,
              const std::vector<Loop>& loops) {
         Expressions all = factors;
-        all.push_back(has_sum(expression) ? written_out(expression) : expression);
-        refuse_sums(all.back());
+        all.push_back(without_sums({expression, source_}));
         terms.push_back({loops, Expression::product(std::move(all))});
-    }
-
-    void refuse_sums(const Expression& expression) const {
-        walk(expression, [&](const Expression& part) {
-            if (part.kind != Expression::Kind::sum_over) { return true; }
-            throw InputError("a sum inside a function is built only for at most 16 terms, with "
-                             "numbers for its bounds, where there are more than 64 degrees of "
-                             "freedom",
-                             Place{source_, part.range});
-        });
     }
 
     void split_sum(const Expression& sum, const Expressions& factors,
@@ -198,6 +187,18 @@ LoopTerm within_loop(LoopTerm term, const std::string& index, LoopRange range,
     if (name != index) { term.term = with_symbol(term.term, index, Expression::symbol(name)); }
     term.loops.push_back({std::move(name), std::move(range)});
     return term;
+}
+
+Expression without_sums(const IndexedExpression& expression) {
+    if (!has_sum(expression.written)) { return expression.written; }
+    Expression result = written_out(expression.written);
+    walk(result, [&](const Expression& part) {
+        if (part.kind != Expression::Kind::sum_over) { return true; }
+        throw InputError("a sum inside a function is built only for at most 16 terms, with numbers "
+                         "for its bounds, where there are more than 64 degrees of freedom",
+                         Place{expression.source, part.range});
+    });
+    return result;
 }
 
 std::vector<LoopTerm> loop_terms(const IndexedExpression& expression, const TermNames& names) {

@@ -23,6 +23,10 @@ struct LoopTerm {
 [[nodiscard]] LoopTerm within_loop(LoopTerm term, const std::string& index, LoopRange range,
                                    const std::set<std::string>& taken);
 
+/// The expression with its sums written out. Throws InputError for one of more than 16 terms, or
+/// with bounds that are no numbers.
+[[nodiscard]] Expression without_sums(const IndexedExpression& expression);
+
 /// What names mean where sums are taken apart.
 struct TermNames {
     std::set<std::string> taken;  ///< that no index may have; it gets another then

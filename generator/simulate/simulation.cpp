@@ -218,16 +218,28 @@ std::optional<WrittenReference> write_reference(const std::filesystem::path& pro
 void write_start(const std::filesystem::path& program, const std::filesystem::path& file) {
     static_cast<void>(ask(program, {}, file));
 }
+namespace {
+
+Answers ask_for_tables(const std::filesystem::path& program, const Steps& steps,
+                       const std::vector<TableWishes>& tables,
+                       const std::function<void(double)>& on_progress) {
+    std::vector<std::string> words{"trajectory", fmt::format("{}", steps.size),
+                                   std::to_string(steps.count)};
+    std::filesystem::path last;
+    for (const TableWishes& table : tables) {
+        if (!last.empty()) words.push_back(last.string());
+        words.insert(words.end(), {std::to_string(table.every), text(table.columns)});
+        last = table.file;
+    }
+    return ask(program, words, last, on_progress);
+}
+
+}  // namespace
 
 Simulation run_simulation(const std::filesystem::path& program, const RunSubject& subject,
-                          const Steps& steps, const TableWishes& wishes,
-                          const std::filesystem::path& table,
+                          const Steps& steps, const std::vector<TableWishes>& tables,
                           const std::function<void(double)>& on_progress) {
-    const Answers answers =
-        ask(program,
-            {"trajectory", fmt::format("{}", steps.size), std::to_string(steps.count),
-             std::to_string(wishes.every), text(wishes.columns)},
-            table, on_progress);
+    const Answers answers = ask_for_tables(program, steps, tables, on_progress);
     Simulation run{answers.text("status"),
                    answers.integer("steps"),
                    answers.integer("rows"),

@@ -33,7 +33,7 @@ struct Conserved {
 struct Simulation {
     std::string status;            ///< `ok`, or why it stopped early
     std::int64_t steps = 0;        ///< taken
-    std::int64_t rows = 0;         ///< of the table, without the names
+    std::int64_t rows = 0;         ///< of the first table, without the names
     std::int64_t iterations = 0;   ///< of the solver
     std::int64_t evaluations = 0;  ///< of dH/dq
     double seconds_of_step = 0;    ///< where nobody looks on; 0 where no step was taken
@@ -66,10 +66,11 @@ struct RunSubject {
 /// What can be a column of the table of a run: coordinates, momenta, and what it keeps.
 [[nodiscard]] std::vector<NameBox> column_names(const RunSubject& subject);
 
-/// The table of a run.
+/// A table of a run.
 struct TableWishes {
     std::int64_t every = 1;          ///< one row in so many steps, and the last
     std::vector<ColumnBox> columns;  ///< behind the time; of column_names()
+    std::filesystem::path file;
 };
 
 /// A program made of a template with the hole `header`, and of these others, that includes the
@@ -137,12 +138,11 @@ struct WrittenReference {
 /// Writes where the scene begins into the file. Throws as ask() does.
 void write_start(const std::filesystem::path& program, const std::filesystem::path& file);
 
-/// Runs the compiled program, which writes the table into a file. `on_progress` gets the part of it
-/// that is done. Throws as ask() does.
+/// Runs the compiled program, which writes the tables, at least one. `on_progress` gets the part of
+/// it that is done. Throws as ask() does.
 [[nodiscard]] Simulation run_simulation(const std::filesystem::path& program,
                                         const RunSubject& subject, const Steps& steps,
-                                        const TableWishes& wishes,
-                                        const std::filesystem::path& table,
+                                        const std::vector<TableWishes>& tables,
                                         const std::function<void(double)>& on_progress);
 
 /// Where the last good step of a run ended.

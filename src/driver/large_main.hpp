@@ -41,7 +41,7 @@ int large_main(int argc, char** argv) {
         return command == "pace" ? large_pace<Problem>(words) : 2;
     });
     if (status == 2) {
-        std::fprintf(stderr, "usage: trajectory H STEPS EVERY COLUMNS FILE\n"
+        std::fprintf(stderr, "usage: trajectory H STEPS (EVERY COLUMNS FILE)...\n"
                              "       measure H STEPS SECONDS UNTIL FILE\n"
                              "       departures H STEPS SAMPLES\n"
                              "       pace H STEPS\n");

@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
     if (command == "measure") { status = measure<Problem>(words); }
     if (command == "departures") { status = departures<Problem>(words); }
     if (status == 2) {
-        std::fprintf(stderr, "usage: trajectory H STEPS EVERY COLUMNS FILE\n"
+        std::fprintf(stderr, "usage: trajectory H STEPS (EVERY COLUMNS FILE)...\n"
                              "       measure H STEPS SECONDS\n"
                              "       departures H STEPS SAMPLES\n");
     }

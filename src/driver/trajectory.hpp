@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,17 +56,14 @@ double seconds_of_step(double h, std::int64_t steps) {
                : std::chrono::duration<double>(now - start).count() / static_cast<double>(taken);
 }
 
-/// The run, a step of which is one row in `every`; the last row is where it ends.
-template <class Problem, Watch watch>
-class Trajectory {
+/// Some numbers of a run, a step of which is one row in `every`; the last row is where it ends.
+class Rows {
 public:
-    Trajectory(double h, std::int64_t steps, std::int64_t every, const char* path)
-        : h_(h), steps_(steps), every_(every), table_(path) {}
+    Rows(std::int64_t every, const char* path) : every_(every), table_(path) {}
 
     /// Chooses the columns behind the time, as columns.hpp has them: coordinates, momenta and
-    /// invariants are numbered in this order. False where there are no such columns.
-    [[nodiscard]] bool choose(std::string_view columns) {
-        const std::size_t count = 2 * x_.q.size() + invariants_.count;
+    /// invariants are numbered in this order. False where there are no such columns, of so many.
+    [[nodiscard]] bool choose(std::string_view columns, std::size_t count) {
         bool are_there = true;
         table_.cell("t");
         const bool is_right = for_each_column(columns, [&](std::string_view name, auto number) {
@@ -77,30 +75,78 @@ public:
         return is_right && are_there;
     }
 
-    /// Says what became of it. False where the table could not be written. Precondition: choose().
+    [[nodiscard]] bool good() const { return table_.good(); }
+    [[nodiscard]] std::int64_t count() const { return count_; }
+
+    [[nodiscard]] bool has_row(std::int64_t taken) const { return taken % every_ == 0; }
+
+    /// How many steps there are to the next row.
+    [[nodiscard]] std::int64_t ahead(std::int64_t taken) const { return every_ - taken % every_; }
+
+    /// Writes the row of so many steps, once, where there is one. It is made of value(number).
+    template <class Value>
+    void see(std::int64_t taken, bool is_end, double time, Value value) {
+        if (taken == last_ || !(has_row(taken) || is_end)) { return; }
+        last_ = taken;
+        table_.cell(time);
+        for (const std::size_t number : numbers_) { table_.cell(value(number)); }
+        table_.end_row();
+        ++count_;
+    }
+
+    [[nodiscard]] bool close() { return table_.close(); }
+
+private:
+    std::int64_t every_;
+    Table table_;
+    std::vector<std::size_t> numbers_;  // of the columns
+    std::int64_t count_ = 0, last_ = -1;
+};
+
+/// The run, and what is written of it.
+template <class Problem, Watch watch>
+class Trajectory {
+public:
+    Trajectory(double h, std::int64_t steps) : h_(h), steps_(steps) {}
+
+    /// One more table, a row in `every` steps. False where there are no such columns: see Rows.
+    [[nodiscard]] bool add(std::int64_t every, std::string_view columns, const char* path) {
+        tables_.emplace_back(every, path);
+        return tables_.back().choose(columns, 2 * x_.q.size() + invariants_.count);
+    }
+
+    /// Says what became of it. False where a table could not be written. Precondition: there is
+    /// one.
     [[nodiscard]] bool run() {
-        row();
-        while (taken_ < steps_ && status_.ok() && table_.good()) { advance(); }
-        if (taken_ % every_ != 0) { row(); }
+        write(false);
+        while (taken_ < steps_ && status_.ok() && are_good()) { advance(); }
+        write(true);
         tell();
-        return table_.close();
+        bool are_whole = true;
+        for (Rows& table : tables_) { are_whole = table.close() && are_whole; }
+        return are_whole;
     }
 
 private:
     using Stepper = typename Problem::Stepper;
 
+    /// To the next row of a table, where these are looked at alone.
     void advance() {
-        const std::int64_t left = std::min(every_, steps_ - taken_);
-        const Run run = detail::take(stepper_, x_, h_, watch == Watch::rows ? left : 1);
+        std::int64_t ahead = steps_ - taken_;
+        for (const Rows& table : tables_) { ahead = std::min(ahead, table.ahead(taken_)); }
+        const Run run = detail::take(stepper_, x_, h_, watch == Watch::rows ? ahead : 1);
         status_ = run.status;
         iterations_ += run.iterations;
         taken_ += run.steps;
         if (run.steps == 0) { return; }
         invariants_.see(stepper_, x_);
-        if (taken_ % every_ == 0) {
-            row();
-            tell_progress();
-        }
+        write(false);
+        if (tables_.front().has_row(taken_)) { tell_progress(); }
+    }
+
+    [[nodiscard]] bool are_good() const {
+        return std::all_of(tables_.begin(), tables_.end(),
+                           [](const Rows& table) { return table.good(); });
     }
 
     [[nodiscard]] double value(std::size_t number) const {
@@ -110,11 +156,11 @@ private:
         return invariants_.values()[number - 2 * n];
     }
 
-    void row() {
-        table_.cell(static_cast<double>(taken_) * h_);
-        for (const std::size_t number : numbers_) { table_.cell(value(number)); }
-        table_.end_row();
-        ++rows_;
+    void write(bool is_end) {
+        for (Rows& table : tables_) {
+            table.see(taken_, is_end, static_cast<double>(taken_) * h_,
+                      [this](std::size_t number) { return value(number); });
+        }
     }
 
     /// Ten times a second.
@@ -138,7 +184,7 @@ private:
         say("status", status_.ok() ? "ok" : status_.message());
         if (!status_.ok() && taken_ == 0) { tell_unfit(); }
         say("steps", taken_);
-        say("rows", rows_);
+        say("rows", tables_.front().count());
         say("iterations", iterations_);
         say("evaluations", static_cast<std::int64_t>(stepper_.evaluations()));
         for (const Departure& departure : invariants_.departures()) {
@@ -149,28 +195,33 @@ private:
     }
 
     double h_;
-    std::int64_t steps_, every_;
-    Table table_;
-    std::vector<std::size_t> numbers_;  // of the columns
+    std::int64_t steps_;
+    std::deque<Rows> tables_;
     Stepper stepper_ = Problem::stepper();
     typename Stepper::State x_ = Problem::initial();
     Status status_;
-    std::int64_t taken_ = 0, rows_ = 0, iterations_ = 0;
+    std::int64_t taken_ = 0, iterations_ = 0;
     Invariants<Problem> invariants_{stepper_, x_};
     std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now();
 };
 
-/// The command `trajectory H STEPS EVERY COLUMNS FILE`. The status of its end is 0 also where a
-/// step failed, 2 where this is not how it was called, 3 where the file cannot be written.
+/// The command `trajectory H STEPS EVERY COLUMNS FILE`, the last three for each of its tables. The
+/// status of its end is 0 also where a step failed, 2 where this is not how it was called, 3 where
+/// a file cannot be written.
 template <class Problem, Watch watch = Watch::steps>
 int trajectory(const std::vector<std::string_view>& words) {
     double h = 0;
     std::int64_t steps = 0, every = 0;
-    const bool is_right = words.size() == 5 && read(words[0], h) && read(words[1], steps) &&
-                          read(words[2], every) && steps >= 0 && every >= 1;
+    const bool is_right = words.size() >= 5 && words.size() % 3 == 2 && read(words[0], h) &&
+                          read(words[1], steps) && steps >= 0;
     if (!is_right) { return 2; }
-    Trajectory<Problem, watch> trajectory(h, steps, every, std::string(words[4]).c_str());
-    if (!trajectory.choose(words[3])) { return 2; }
+    Trajectory<Problem, watch> trajectory(h, steps);
+    for (std::size_t k = 2; k < words.size(); k += 3) {
+        const bool is_table =
+            read(words[k], every) && every >= 1 &&
+            trajectory.add(every, words[k + 1], std::string(words[k + 2]).c_str());
+        if (!is_table) { return 2; }
+    }
     say("seconds_of_step", seconds_of_step<Problem, watch>(h, steps));
     return trajectory.run() ? 0 : 3;
 }

@@ -28,6 +28,7 @@ inline Dual chain(Dual x, Real value, Real derivative) { return {value, derivati
 
 inline Dual call(const std::string& name, Dual x) {
     const Real v = x.value;
+    if (name == "cbrt") return chain(x, std::cbrt(v), std::cbrt(v) / (3 * v));
     if (name == "sqrt") return chain(x, std::sqrt(v), 1 / (2 * std::sqrt(v)));
     if (name == "exp") return chain(x, std::exp(v), std::exp(v));
     if (name == "log") return chain(x, std::log(v), 1 / v);
@@ -80,7 +81,10 @@ inline Dual evaluate(const Expression& expression, const Point& point) {
         return chain(x, 1 / x.value, -1 / (x.value * x.value));
     }
     case What::power: return power(argument(0), argument(1));
-    case What::call: return call(expression.name, argument(0));
+    case What::call:
+        if (expression.name == "if<")
+            return argument(argument(0).value < argument(1).value ? 2 : 3);
+        return call(expression.name, argument(0));
     case What::element:
     case What::sum_over: break;  // of texts with indices alone
     }

@@ -94,22 +94,32 @@ Vector on_ring(const Vector& u, const std::function<Real(Real, Real, Real)>& for
     return forces;
 }
 
-/// Forces between bodies of mass m each; `q` are all x, then all y, and so on.
-Vector gravity(const Vector& q, std::size_t bodies, Real m, Real eps) {
+/// Forces between bodies, `slope` being twice the derivative of their potential by the square of
+/// their distance; `q` are all x, then all y, and so on.
+Vector pair_forces(const Vector& q, std::size_t bodies,
+                   const std::function<Real(Real square)>& slope) {
     Vector forces(q.size());
     for (std::size_t i = 0; i < bodies; ++i) {
         for (std::size_t j = 0; j < bodies; ++j) {
             if (i == j) { continue; }
-            Real square = eps * eps;
+            Real square = 0;
             for (std::size_t k = 0; k < q.size(); k += bodies) {
                 square += (q[k + i] - q[k + j]) * (q[k + i] - q[k + j]);
             }
             for (std::size_t k = 0; k < q.size(); k += bodies) {
-                forces[k + i] += m * m * (q[k + j] - q[k + i]) / (square * std::sqrt(square));
+                forces[k + i] += slope(square) * (q[k + j] - q[k + i]);
             }
         }
     }
     return forces;
+}
+
+/// Between bodies of mass m each.
+Vector gravity(const Vector& q, std::size_t bodies, Real m, Real eps) {
+    return pair_forces(q, bodies, [&](Real square) {
+        const Real softened = square + eps * eps;
+        return m * m / (softened * std::sqrt(softened));
+    });
 }
 
 }  // namespace
@@ -157,22 +167,26 @@ TEST_CASE("rings") {
     }
 }
 
-TEST_CASE("a field on a torus") {
+TEST_CASE("fields on a torus") {
     constexpr std::size_t n = 4;
-    SmallScene scene("phi4-plane", n);
-    scene.go_anywhere();
-    const Vector u = scene.q();
-    const auto at = [&](std::size_t i, std::size_t j) { return u[i % n * n + j % n]; };
-    const Real a = 8;
-    Vector forces;
-    for (std::size_t i = n; i < 2 * n; ++i) {
-        for (std::size_t j = n; j < 2 * n; ++j) {
-            const Real around = at(i - 1, j) + at(i + 1, j) + at(i, j - 1) + at(i, j + 1);
-            forces.push_back((around - 4 * at(i, j)) / (a * a) + at(i, j) -
-                             at(i, j) * at(i, j) * at(i, j));
+    for (const char* name : {"phi4-plane", "sine-gordon-plane"}) {
+        SmallScene scene(name, n);
+        scene.go_anywhere();
+        const Vector u = scene.q();
+        const auto at = [&](std::size_t i, std::size_t j) { return u[i % n * n + j % n]; };
+        const bool is_sine = std::string(name) == "sine-gordon-plane";
+        const Real a = 8;
+        Vector forces;
+        for (std::size_t i = n; i < 2 * n; ++i) {
+            for (std::size_t j = n; j < 2 * n; ++j) {
+                const Real here = at(i, j);
+                const Real around = at(i - 1, j) + at(i + 1, j) + at(i, j - 1) + at(i, j + 1);
+                forces.push_back((around - 4 * here) / (a * a) +
+                                 (is_sine ? -std::sin(here) : here - here * here * here));
+            }
         }
+        scene.check_motion(forces);
     }
-    scene.check_motion(forces);
 }
 
 TEST_CASE("bodies") {
@@ -191,6 +205,25 @@ TEST_CASE("bodies") {
         forces[6 + i] -= m * q[6 + i] / (r * r * r);
     }
     ring.check_motion(forces, m);
+}
+
+TEST_CASE("atoms") {
+    const auto slope = [](Real s) { return 4 * (3 * std::pow(s, -4) - 6 * std::pow(s, -7)); };
+    SmallScene cluster("lennard-jones-38", 5);
+    cluster.go_anywhere();
+    cluster.check_motion(
+        pair_forces(cluster.q(), 5, [&](Real square) { return 2 * slope(square); }));
+
+    const Real cut = 6.25L, curvature = 4 * (42 * std::pow(cut, -8) - 12 * std::pow(cut, -5));
+    std::size_t near = 0, far = 0;
+    SmallScene droplet("droplet", 6);
+    droplet.go_anywhere();
+    droplet.check_motion(pair_forces(droplet.q(), 6, [&](Real square) {
+        ++(square < cut ? near : far);
+        return square < cut ? 2 * (slope(square) - slope(cut) - curvature * (square - cut)) : 0;
+    }));
+    CHECK(near > 0);
+    CHECK(far > 0);
 }
 
 TEST_CASE("Maxwell's ring turns as a whole") {

@@ -170,7 +170,7 @@ TEST_CASE("the scenes that come with the program are read") {
          "100",
          "theta2 = pi/4"}};
     std::vector<SceneEntry> entries = scenes();
-    CHECK(entries.size() == 22);
+    CHECK(entries.size() == 25);
     const auto is_large = [](const SceneEntry& entry) { return entry.degrees_of_freedom > 64; };
     entries.erase(std::remove_if(entries.begin(), entries.end(), is_large), entries.end());
     REQUIRE(entries.size() == all.size());
@@ -210,8 +210,9 @@ TEST_CASE("large scenes that come with the program") {
         CHECK(small.description == entry.description);
         CHECK(small.run.method->text == "stormer-verlet");
     }
-    CHECK(found == Names{"fpu-chain 1024", "phi4-chain 400", "phi4-plane 4096", "plummer 3000",
-                         "ring-of-bodies 200", "sine-gordon 400", "toda-ring 1000"});
+    CHECK(found == Names{"droplet 3000", "fpu-chain 1024", "lennard-jones-38 114", "phi4-chain 400",
+                         "phi4-plane 4096", "plummer 3000", "ring-of-bodies 200", "sine-gordon 400",
+                         "sine-gordon-plane 16384", "toda-ring 1000"});
 }
 
 TEST_CASE("a scene is found by name, or by file") {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,17 +10,11 @@
 #include "tests/cli/program.hpp"
 #include "tests/simulate/cache.hpp"
 #include "tests/simulate/pretended.hpp"
+#include "tests/simulate/table.hpp"
 
 using namespace hvi::test;
 
 namespace {
-
-std::vector<double> numbers_of(const std::string& row) {
-    std::vector<double> numbers;
-    std::istringstream stream(row);
-    for (std::string cell; std::getline(stream, cell, ',');) numbers.push_back(std::stod(cell));
-    return numbers;
-}
 
 /// A compiler that notes how it is called.
 std::string noting_compiler(const Directory& directory) {

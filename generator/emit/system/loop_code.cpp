@@ -354,9 +354,10 @@ std::string loop_parameters_text(const LoopSystem& system) {
     for (const LoopTable& table : system.tables) {
         const auto* values = std::get_if<std::vector<Expression>>(&table.values);
         if (values == nullptr) { continue; }
-        writer.open("std::vector<Scalar> {}{{", member_of(table.family.name));
+        writer.open("std::vector<Scalar> {} = hvi::detail::listed<Scalar>({{",
+                    member_of(table.family.name));
         for (const Expression& value : *values) { writer.line("{},", initializer(value)); }
-        writer.close("};");
+        writer.close("});");
     }
     write_numbers_in_files(writer, system);
     return writer.close("};").str();

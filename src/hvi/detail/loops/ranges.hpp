@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
+#include <vector>
 
 #include <hvi/detail/loops/stretch.hpp>
 
@@ -21,9 +23,18 @@ namespace hvi::detail {
     return rest < 0 ? rest + n : rest;
 }
 
+// NOTE: what follows is called and not inlined. Where g++ 12.2 sees what it copies, it may write
+// 1, 1, 1, 1 for 1, 1, 0, 0 on processors with AVX-512, its bug 108599.
+
+/// These values, as a list of Parameters.
+template <class Scalar>
+[[nodiscard, gnu::noinline]] std::vector<Scalar> listed(std::initializer_list<Scalar> values) {
+    return values;
+}
+
 /// Gives to[0], to[1], ... these values.
 template <class Scalar, std::size_t count>
-void put(const Scalar (&values)[count], Scalar* to) {
+[[gnu::noinline]] void put(const Scalar (&values)[count], Scalar* to) {
     std::copy_n(values, count, to);
 }
 
