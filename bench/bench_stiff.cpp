@@ -13,8 +13,8 @@
 #include <cstdio>
 #include <iterator>
 
-#include <hvi/generated/stiff/chain_gauss_2.hpp>
-#include <hvi/generated/stiff/chain_gauss_4.hpp>
+#include <stiff/chain_gauss_2.hpp>
+#include <stiff/chain_gauss_4.hpp>
 
 namespace {
 

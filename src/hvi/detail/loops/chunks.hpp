@@ -22,8 +22,8 @@ namespace hvi::detail {
 
 /// out[0], ..., out[size - 1] += what part(from, to, stride, Scalar* out) adds there for the outer
 /// indices from, from + stride, ... < to. Chunks interleave, so that they take equally long where
-/// inner loops become shorter or longer. How many there are depends on `last - first` and `size` alone, and
-/// they are added in their order: the bits are the same for any number of threads.
+/// inner loops become shorter or longer. How many there are depends on `last - first` and `size`
+/// alone, and they are added in their order: the bits are the same for any number of threads.
 ///
 /// `memory` is kept from call to call, by each caller its own, and grows to a vector for each
 /// chunk. Precondition: part throws nothing. Throws std::bad_alloc, before anything is added.

@@ -30,16 +30,17 @@ public:
         if constexpr (dimension == 1) {
             units_ = inside.length(0);
             reach_ = System::reach[0];
-            length_ = smallest;
         } else {
             units_ = sites.inside_rows();
             for (std::size_t i = 0; i + 1 < dimension; ++i) {
                 reach_ = reach_ * inside.length(i) + System::reach[i];
             }
-            length_ = smallest / std::max<Place>(1, inside.length(dimension - 1)) + 1;
         }
+        // NOTE: a power of two, so that two, four or eight threads have as much to do each.
+        Place count = 1;
+        while (count < most && 2 * count * smallest <= sites.count()) { count *= 2; }
         // NOTE: seams take another sweep.
-        length_ = std::max(length_, 8 * reach_);
+        length_ = std::max({(units_ + count - 1) / count, 8 * reach_, Place{1}});
     }
 
     [[nodiscard]] const Sites<dimension>& sites() const { return sites_; }
@@ -70,7 +71,7 @@ public:
     }
 
 private:
-    static constexpr Place smallest = 4096;
+    static constexpr Place smallest = 8192, most = 64;
 
     Sites<dimension> sites_;
     Place units_ = 0;

@@ -147,21 +147,30 @@ private:
     Box<dimension> all_, inside_;
 };
 
-/// How many sites are computed at once: more than one where registers hold them.
+/// How many sites go into a register: more than one where there are registers for them.
 template <class Scalar>
-inline constexpr std::size_t sites_at_once = register_width<Scalar, 8>() == 1 ? 1 : 8;
+inline constexpr std::size_t sites_in_register = register_width<Scalar, 8>();
 
+template <class Scalar, std::size_t count>
+using SitesAtOnce = std::conditional_t<count == 1, Scalar, Lanes<Scalar, count>>;
+
+/// What is computed at once. NOTE: two registers, of which one computes while the other waits.
 template <class Scalar>
 using SiteLanes =
-    std::conditional_t<sites_at_once<Scalar> == 1, Scalar, Lanes<Scalar, sites_at_once<Scalar>>>;
+    SitesAtOnce<Scalar, sites_in_register<Scalar> == 1 ? 1 : 2 * sites_in_register<Scalar>>;
 
 /// Calls f(Stretch<V>(), e, k) for stretches that make up the part: as many as possible of
-/// SiteLanes, then single numbers.
+/// SiteLanes, then half of these, then single numbers.
 template <class Scalar, std::size_t dimension, class F>
 HVI_INLINE_IN_LANES inline void for_each_stretch(RowPart<dimension> part, F&& f) {
     using Wide = Stretch<SiteLanes<Scalar>>;
     for (; part.count >= Wide::count; part.skip(Wide::count)) { f(Wide(), part.at, part.k); }
     if constexpr (Wide::count > 1) {
+        using Half = Stretch<SitesAtOnce<Scalar, sites_in_register<Scalar>>>;
+        if (part.count >= Half::count) {
+            f(Half(), part.at, part.k);
+            part.skip(Half::count);
+        }
         for (; part.count > 0; part.skip(1)) { f(Stretch<Scalar>(), part.at, part.k); }
     }
 }

@@ -16,16 +16,66 @@
 
 namespace hvi::detail {
 
+/// Pieces from first to end - 1, which some thread begins with.
+class alignas(64) Share {
+public:
+    /// Precondition: end < 2^32.
+    void set(std::size_t first, std::size_t end) {
+        has_owner_ = false;
+        few_ = (end - first) / 8;
+        left_ = packed(first, end);
+    }
+
+    /// Its thread is there, and will not leave before nothing is left.
+    void begin() { has_owner_ = true; }
+
+    /// For the thread whose share it is. False where nothing is left.
+    [[nodiscard]] bool take_first(std::size_t& piece) {
+        std::uint64_t left = left_;
+        do {
+            if (first_of(left) == end_of(left)) { return false; }
+            piece = first_of(left);
+        } while (!left_.compare_exchange_weak(left, packed(piece + 1, end_of(left))));
+        return true;
+    }
+
+    /// For another thread. False also where few are left of one whose thread is there: it is about
+    /// to take them, and has them in its cache.
+    [[nodiscard]] bool take_last(std::size_t& piece) {
+        const std::size_t few = has_owner_ ? few_ : 0;
+        std::uint64_t left = left_;
+        do {
+            if (end_of(left) - first_of(left) <= few) { return false; }
+            piece = end_of(left) - 1;
+        } while (!left_.compare_exchange_weak(left, packed(first_of(left), piece)));
+        return true;
+    }
+
+private:
+    static std::uint64_t packed(std::size_t first, std::size_t end) {
+        return std::uint64_t{first} << 32 | end;
+    }
+    static std::size_t first_of(std::uint64_t left) { return left >> 32; }
+    static std::size_t end_of(std::uint64_t left) { return left & 0xffffffff; }
+
+    std::atomic<std::uint64_t> left_{0};
+    std::atomic<bool> has_owner_{false};
+    std::size_t few_ = 0;
+};
+
 /// The threads of a team besides the one that calls run(). They wait for the next run a little
 /// while without letting go of their processors, then by yielding, then asleep.
+///
+/// Each thread begins with a share of the pieces that is the same run after run, so that what it
+/// has in its cache is what it needs again, and then helps the others with theirs.
 class Crew {
 public:
-    /// Where not so many threads can start there are fewer.
-    explicit Crew(std::size_t members) {
+    /// Where not so many threads can start there are fewer. Throws std::bad_alloc.
+    explicit Crew(std::size_t members) : shares_(members + 1) {
         try {
             members_.reserve(members);
             while (members_.size() < members) {
-                members_.emplace_back([this] { serve(); });
+                members_.emplace_back([this, share = members_.size() + 1] { serve(share); });
             }
         } catch (const std::exception&) {}  // std::system_error or std::bad_alloc
     }
@@ -43,10 +93,11 @@ public:
     void run(std::size_t pieces, F& f) {
         call_ = [](void* of, std::size_t piece) { (*static_cast<F*>(of))(piece); };
         f_ = const_cast<void*>(static_cast<const void*>(std::addressof(f)));
-        pieces_ = pieces;
-        next_ = 0;
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            shares_[k].set(pieces * k / shares_.size(), pieces * (k + 1) / shares_.size());
+        }
         open(++runs_);
-        work();
+        work(0);
         // Who has come in by now is waited for, and who comes later finds a closed door: a member
         // that the system keeps from running delays nobody.
         door_ = closed;
@@ -64,11 +115,18 @@ private:
         }
     }
 
-    void work() {
-        for (std::size_t i = next_++; i < pieces_; i = next_++) { call_(f_, i); }
+    /// Its own share, and then what others leave.
+    void work(std::size_t own) {
+        std::size_t piece = 0;
+        shares_[own].begin();
+        while (shares_[own].take_first(piece)) { call_(f_, piece); }
+        for (std::size_t k = 1; k < shares_.size(); ++k) {
+            Share& other = shares_[(own + k) % shares_.size()];
+            while (other.take_last(piece)) { call_(f_, piece); }
+        }
     }
 
-    void serve() {
+    void serve(std::size_t own) {
         std::uint64_t last = closed;
         const auto is_called = [&] {
             const std::uint64_t door = door_;
@@ -80,7 +138,7 @@ private:
             // seen closed here.
             ++inside_;
             last = door_;
-            if (last != closed && last != leaving) { work(); }
+            if (last != closed && last != leaving) { work(own); }
             --inside_;
             if (last == leaving) { return; }
         }
@@ -109,9 +167,8 @@ private:
 
     void (*call_)(void*, std::size_t) = nullptr;
     void* f_ = nullptr;
-    std::size_t pieces_ = 0;
     std::uint64_t runs_ = closed;
-    alignas(64) std::atomic<std::size_t> next_{0};
+    std::vector<Share> shares_;                            ///< the first is that of run()
     alignas(64) std::atomic<std::uint64_t> door_{closed};  ///< which run it is open for
     std::atomic<int> inside_{0}, asleep_{0};
     std::mutex mutex_;
