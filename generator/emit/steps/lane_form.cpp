@@ -94,7 +94,7 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
     ImplicitParts parts;
     parts.runtime = {"detail/lanes/velocity_lanes"};
     parts.steps = steps_of_lanes(
-        step, {"system_.dHdp(s_.at.p, s_.velocity);", "s_.drift_freely(cn_lanes);"}, "cn_lanes");
+        step, {"system_.dHdp(s_.at.p, s_.free_path);", "s_.drift_freely(cn_lanes);"}, "cn_lanes");
     parts.constants = constants.str();
     parts.predict = velocity_predict_text(step, form.iteration);
     parts.coupled = fill_part(

@@ -21,7 +21,7 @@ void for_components(Writer& writer, std::string_view s, const auto& lines) {
     writer.close();
 }
 
-/// h c_i v + sum_j n_ij W_j, of `hv` = h v.
+/// c_i hv + sum_j n_ij W_j.
 std::string increment(const VelocityForm& form, std::size_t i, std::string_view s) {
     Increment sum;
     sum.add(form.c[i], fmt::format("c[{}]", i), "hv");
@@ -46,7 +46,7 @@ std::string positions_text(const VelocityForm& form, const std::vector<std::size
     for_components(writer, "s", [&] {
         writer.line("const Scalar q = s.at.q[k];");
         writer.line("const Scalar e_q = s.remainder.q[k];");
-        writer.line("const Scalar hv = s.h * s.velocity[k];");
+        writer.line("const Scalar hv = s.free_path[k];");
         std::string change;
         for (const std::size_t i : Q) {
             writer.line("const Scalar Q_{} = {};", i + 1,
@@ -139,7 +139,7 @@ std::string coupled_velocities(const Step& step, const VelocityStep& form) {
     const Block& block = coupled_block(step);
     const std::vector<std::size_t> Q = block.of(Kind::Q);
     // NOTE: a stage may be near 0 where q is not, and moves by what q is rounded to.
-    std::string size = "hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.h * s.velocity[k])";
+    std::string size = "hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.free_path[k])";
     for (const std::string_view letter : {"Q", "W"}) {
         for (const std::size_t i : Q) {
             size += fmt::format(" + hvi::detail::abs(s.{}[{}][k])", letter, i);
@@ -159,10 +159,10 @@ std::string coupled_velocities(const Step& step, const VelocityStep& form) {
 
 // ---- step() ----
 
-/// h v + sum_j (1 - c_j) W_j.
+/// hv + sum_j (1 - c_j) W_j.
 std::string increment_of_step(const VelocityForm& form) {
     Increment sum;
-    sum.add(1, "", "s_.h * s_.velocity[k]");
+    sum.add(1, "", "s_.free_path[k]");
     for (std::size_t j = 0; j < form.c.size(); ++j) {
         sum.add(Number(1) - form.c[j], fmt::format("(1 - c[{}])", j),
                 fmt::format("s_.W[{}][k]", j));
@@ -191,7 +191,7 @@ bool evaluate_position(Writer& writer, const Step& step, const VelocityForm& for
     case Place::inner: break;
     }
     for_components(writer, "s_", [&] {
-        writer.line("const Scalar hv = s_.h * s_.velocity[k];");
+        writer.line("const Scalar hv = s_.free_path[k];");
         writer.line("s_.Q[{}][k] = {};", i,
                     moved("s_.at.q[k]", "s_.remainder.q[k]", increment(form, i, "s_")));
     });
@@ -211,7 +211,8 @@ void evaluate_force(Writer& writer, const Step& step, std::size_t i) {
 
 std::string steps_of_velocities(const Step& step, const VelocityStep& form) {
     Writer writer(2);
-    writer.line("s_.weigh(b);").line("system_.dHdp(s_.at.p, s_.velocity);");
+    writer.line("s_.weigh(b);").line("system_.dHdp(s_.at.p, s_.free_path);");
+    writer.line("s_.set_free_path();");
     if (step.kept.force) {
         writer.open("if (!s_.continues) {{")
             .line("hvi::detail::fit(force_, s_.n);")

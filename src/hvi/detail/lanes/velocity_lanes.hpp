@@ -41,8 +41,8 @@ struct VelocityLanes : StepMemory<Vector> {
     static constexpr std::size_t dimension = fixed_size<Vector>();
 
     LaneRows<Scalar, stages, dimension> Q{}, Lp{}, W{};
-    LaneRows<Scalar, stages, dimension> drifted{};  ///< e_q + h c_i v
-    Vector velocity{};                              ///< v
+    LaneRows<Scalar, stages, dimension> drifted{};  ///< e_q + c_i hv
+    Vector free_path{};                             ///< v, and then hv; see drift_freely()
     Row hb{};                                       ///< h b_j; see weigh()
 
     /// Sets hb.
@@ -52,11 +52,14 @@ struct VelocityLanes : StepMemory<Vector> {
         weighed_ = this->h;
     }
 
-    /// Sets `drifted`.
+    /// From v to hv, rounded once as VelocityStages has it, and sets `drifted`.
     void drift_freely(const Table& table) {
         for (std::size_t k = 0; k < dimension; ++k) {
-            const Scalar hv = this->h * detail::at(velocity, k);
-            (detail::at(this->remainder.q, k) + Lane(table.c) * hv).store(drifted[k]);
+            detail::at(free_path, k) = this->h * detail::at(free_path, k);
+        }
+        for (std::size_t k = 0; k < dimension; ++k) {
+            (detail::at(this->remainder.q, k) + Lane(table.c) * detail::at(free_path, k))
+                .store(drifted[k]);
         }
     }
 
@@ -75,7 +78,7 @@ struct VelocityLanes : StepMemory<Vector> {
         detail::extrapolate(W, N, before...);
     }
 
-    /// Q_i = q + (e_q + h c_i v + sum_j n_ij W_j).
+    /// Q_i = q + (e_q + c_i hv + sum_j n_ij W_j).
     [[gnu::always_inline]] void positions(const Table& table) {
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane place =
@@ -112,17 +115,16 @@ struct VelocityLanes : StepMemory<Vector> {
         }
     }
 
-    /// h v + sum_j (1 - c_j) W_j.
+    /// hv + sum_j (1 - c_j) W_j.
     [[nodiscard]] Scalar increment_q(const Table& table, std::size_t k) const {
-        return this->h * detail::at(velocity, k) + sum_of_lanes(Lane(table.left) * Lane(W[k]));
+        return detail::at(free_path, k) + sum_of_lanes(Lane(table.left) * Lane(W[k]));
     }
 
     /// What the rounding of component k of Q is to be compared with.
     ///
     /// NOTE: a stage may be near 0 where q is not, and moves by what q is rounded to.
     [[nodiscard]] Scalar size_q(std::size_t k) const {
-        return detail::abs(detail::at(this->at.q, k)) +
-               detail::abs(this->h * detail::at(velocity, k)) +
+        return detail::abs(detail::at(this->at.q, k)) + detail::abs(detail::at(free_path, k)) +
                sum(abs(Lane(Q[k])) + abs(Lane(W[k])));
     }
 

@@ -145,23 +145,23 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
     using typename Base::Values;
 
     Slopes Q{}, Lp{}, W{};
-    Slopes drifted{};  ///< e_q + h c_i v
-    Rows velocity{};   ///< v
+    Slopes drifted{};  ///< e_q + c_i hv
+    Rows free_path{};  ///< hv, rounded once as VelocityStages has it
 
-    /// Sets `velocity`.
+    /// Sets `free_path`.
     template <class System>
     void begin_drift(const System& system) {
         Values v;
         system.dHdp(load(this->p), v);
-        store(v, velocity);
+        for (Lane& component : v) { component = this->h * component; }
+        store(v, free_path);
     }
 
     /// Sets `drifted`.
     void drift_freely(const Scalar (&c)[stages]) {
         for (std::size_t i = 0; i < stages; ++i) {
             for (std::size_t k = 0; k < dimension; ++k) {
-                const Lane hv = this->h * Lane(velocity[k]);
-                (Lane(this->remainder_q[k]) + c[i] * hv).store(drifted[i][k]);
+                (Lane(this->remainder_q[k]) + c[i] * Lane(free_path[k])).store(drifted[i][k]);
             }
         }
     }
@@ -183,7 +183,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
     /// Starting values of those of the last step.
     void extrapolate(const Scalar (&N)[stages][stages]) { Base::extrapolate(W, N); }
 
-    /// Q_i = q + (e_q + h c_i v + sum_j n_ij W_j).
+    /// Q_i = q + (e_q + c_i hv + sum_j n_ij W_j).
     void positions(const Scalar (&n)[stages][stages]) {
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane from(this->q[k]);
@@ -214,7 +214,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// q grows by h v + sum_j (1 - c_j) W_j, p by sum_j Lp_j.
+    /// q grows by hv + sum_j (1 - c_j) W_j, p by sum_j Lp_j.
     template <class Outcome>
     [[nodiscard]] const LaneStatus& advance(typename Base::State& x, const Outcome& outcome,
                                             const Scalar (&c)[stages]) {
@@ -226,7 +226,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
                 sum_q = sum_q + (1 - c[j]) * Lane(W[j][k]);
                 sum_p = sum_p + Lane(Lp[j][k]);
             }
-            by_q[k] = this->h * Lane(velocity[k]) + sum_q;
+            by_q[k] = Lane(free_path[k]) + sum_q;
             by_p[k] = sum_p;
         }
         return this->end(x, outcome, by_q, by_p);
@@ -234,7 +234,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
 
     /// What the rounding of component k of Q is to be compared with; see VelocityLanes.
     [[nodiscard]] Lane size_q(std::size_t k) const {
-        Lane size = abs(Lane(this->q[k])) + abs(this->h * Lane(velocity[k]));
+        Lane size = abs(Lane(this->q[k])) + abs(Lane(free_path[k]));
         for (std::size_t i = 0; i < stages; ++i) {
             size = size + (abs(Lane(Q[i][k])) + abs(Lane(W[i][k])));
         }
