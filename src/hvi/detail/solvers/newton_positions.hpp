@@ -36,7 +36,6 @@ public:
     template <class Coupled>
     void begin(Coupled& coupled) {
         this->begin_at_rest(coupled);
-        is_start_ = true;
     }
 
     template <class Coupled>
@@ -67,52 +66,31 @@ public:
     [[nodiscard]] bool is_finite() const { return hGK_.is_finite(); }
     [[nodiscard]] bool rounds_with_largest() const { return false; }
 
-    /// Lp -= J^-1 (Lp + h b dH/dq).
-    ///
-    /// NOTE: first with dH/dq = g + G (Q - q) of the start: where h is not small against the
-    /// fastest period, q + h c v is no place for H to be evaluated at.
+    /// See PositionUnknowns.
     template <class Coupled>
     void correct(Coupled& coupled) {
-        if (is_start_) {
-            linear_forces(coupled);
-        } else {
-            coupled.forces();
-        }
-        is_start_ = false;
-        this->set_residual(coupled);
-        if constexpr (Coupled::Modes::exist) {
-            if (is_decoupled_) {
-                solve_modes<typename Coupled::Modes>();
-            } else {
-                factors_.front().solve(correction_.data());
-            }
-        } else {
-            factors_.front().solve(correction_.data());
-        }
-        this->subtract_correction(coupled);
+        this->correct_by(
+            coupled, [&](const Vector& v, Vector& out) { multiply_by_G(v, out); },
+            [&](std::vector<Scalar>& x) {
+                if constexpr (Coupled::Modes::exist) {
+                    if (is_decoupled_) { return solve_modes<typename Coupled::Modes>(x); }
+                }
+                factors_.front().solve(x.data());
+            });
     }
 
 private:
     using typename PositionUnknowns<Vector>::Scalar;
-    using PositionUnknowns<Vector>::correction_;
     using PositionUnknowns<Vector>::n_;
 
     template <class Coupled>
     static constexpr std::size_t r = PositionUnknowns<Vector>::template r<Coupled>;
 
-    template <class Coupled>
-    void linear_forces(Coupled& coupled) {
-        auto& s = coupled.s;
-        coupled.force_at_start(s.slope);
-        for (const std::size_t j : Coupled::unknown) {
-            const Vector& Q = s.position(j);
-            for (std::size_t k = 0; k < n_; ++k) {
-                Scalar force = at(s.slope, k);
-                for (std::size_t l = 0; l < n_; ++l) {
-                    force += G_(k, l) * (at(Q, l) - at(s.at.q, l));
-                }
-                s.set_force(j, k, -s.hb[j] * force);
-            }
+    void multiply_by_G(const Vector& v, Vector& out) const {
+        for (std::size_t k = 0; k < n_; ++k) {
+            Scalar sum = 0;
+            for (std::size_t l = 0; l < n_; ++l) { sum += G_(k, l) * at(v, l); }
+            at(out, k) = sum;
         }
     }
 
@@ -178,19 +156,19 @@ private:
     }
 
     template <class Modes>
-    void solve_modes() {
-        this->transform(Modes::to, correction_);
-        Scalar* mode = correction_.data();
+    void solve_modes(std::vector<Scalar>& x) {
+        this->transform(Modes::to, x);
+        Scalar* mode = x.data();
         for (std::size_t m = 0; m < factors_.size(); ++m) {
             factors_[m].solve(mode);
             mode += m < Modes::real_ones ? n_ : 2 * n_;
         }
-        this->transform(Modes::from, correction_);
+        this->transform(Modes::from, x);
     }
 
     SquareMatrix<Scalar> G_, hGK_;
     std::vector<Factors<Scalar>> factors_;  ///< of the modes, or one of all
-    bool is_start_ = false, is_decoupled_ = false;
+    bool is_decoupled_ = false;
 };
 
 }  // namespace detail

@@ -91,7 +91,6 @@ public:
     template <class Coupled>
     void begin(Coupled& coupled) {
         this->begin_at_rest(coupled);
-        is_start_ = true;
     }
 
     template <class Coupled>
@@ -121,36 +120,28 @@ public:
 
     [[nodiscard]] bool rounds_with_largest() const { return has_own_; }
 
-    /// Lp -= J^-1 (Lp + h b dH/dq). NOTE: first with dH/dq = g + G (Q - q) of the start, as in
-    /// PositionEquations.
+    /// See PositionUnknowns.
     template <class Coupled>
     void correct(Coupled& coupled) {
-        if (is_start_) {
-            linear_forces(coupled);
-        } else {
-            coupled.forces();
-        }
-        is_start_ = false;
-        this->set_residual(coupled);
         const auto by_factors = [&](std::vector<Scalar>& x) {
             solve_modes<typename Coupled::Modes>(x);
         };
-        if (has_own_) {
-            products_.solve(
-                coupled, correction_,
-                [&](std::size_t j, const Vector& v, Vector& out) {
-                    multiply(own_[row_of<Coupled>(j)], v, out);
-                },
-                by_factors);
-        } else {
-            by_factors(correction_);
-        }
-        this->subtract_correction(coupled);
+        const auto own = [&](std::size_t j, const Vector& v, Vector& out) {
+            multiply(own_[row_of<Coupled>(j)], v, out);
+        };
+        this->correct_by(
+            coupled, [&](const Vector& v, Vector& out) { multiply(start_, v, out); },
+            [&](std::vector<Scalar>& x) {
+                if (has_own_) {
+                    products_.solve(coupled, x, own, by_factors);
+                } else {
+                    by_factors(x);
+                }
+            });
     }
 
 private:
     using typename PositionUnknowns<Vector>::Scalar;
-    using PositionUnknowns<Vector>::correction_;
     using PositionUnknowns<Vector>::n_;
     using Complex = std::complex<Scalar>;
     using Order = typename FactorsOf<Scalar>::Order;
@@ -167,21 +158,6 @@ private:
 
     static void multiply(const SparseMatrix<Scalar>& G, const Vector& v, Vector& out) {
         for (std::size_t k = 0; k < G.size(); ++k) { out[k] = G.times(k, v); }
-    }
-
-    template <class Coupled>
-    void linear_forces(Coupled& coupled) {
-        auto& s = coupled.s;
-        coupled.force_at_start(s.slope);
-        Vector& way = way_;
-        way.resize(n_);
-        for (const std::size_t j : Coupled::unknown) {
-            const Vector& Q = s.position(j);
-            for (std::size_t k = 0; k < n_; ++k) { way[k] = Q[k] - s.at.q[k]; }
-            for (std::size_t k = 0; k < n_; ++k) {
-                s.set_force(j, k, -s.hb[j] * (s.slope[k] + start_.times(k, way)));
-            }
-        }
     }
 
     /// NOTE: h G K and then h times the eigenvalue, as h^2 may be beyond the range of numbers. And
@@ -243,13 +219,13 @@ private:
     SparseMatrix<Scalar> start_, hGK_;       ///< G at the start of a step, and h G K
     std::vector<SparseMatrix<Scalar>> own_;  ///< G of each unknown
     Order order_;
-    Vector K_{}, way_{};
+    Vector K_{};
     // NOTE: those of Eigen cannot be moved.
     std::deque<FactorsOf<Scalar>> real_;
     std::deque<FactorsOf<Complex>> complex_;
     std::vector<Complex> pair_;
     ProductsWithJacobian<Vector> products_;
-    bool is_start_ = false, has_own_ = false;
+    bool has_own_ = false;
 };
 
 // ---- without factors ----
@@ -267,7 +243,6 @@ public:
     template <class Coupled>
     void begin(Coupled& coupled) {
         this->begin_at_rest(coupled);
-        is_start_ = true;
     }
 
     template <class Coupled>
@@ -287,49 +262,28 @@ public:
     [[nodiscard]] bool is_finite() const { return true; }
     [[nodiscard]] bool rounds_with_largest() const { return true; }
 
-    /// Lp -= J^-1 (Lp + h b dH/dq), and first as in FactoredEquations.
+    /// See PositionUnknowns.
     template <class Coupled>
     void correct(Coupled& coupled) {
-        if (is_start_) {
-            linear_forces(coupled);
-        } else {
-            coupled.forces();
-        }
-        is_start_ = false;
-        this->set_residual(coupled);
-        products_.solve(
-            coupled, this->correction_,
-            [&](std::size_t j, const Vector& v, Vector& out) {
-                coupled.hessian_times(places_.size() == 1 ? places_.front() : places_[j], v, out);
-            },
-            [](const std::vector<Scalar>&) {});
-        this->subtract_correction(coupled);
+        this->correct_by(
+            coupled,
+            [&](const Vector& v, Vector& out) { coupled.hessian_times(places_.front(), v, out); },
+            [&](std::vector<Scalar>& x) {
+                products_.solve(
+                    coupled, x,
+                    [&](std::size_t j, const Vector& v, Vector& out) {
+                        coupled.hessian_times(places_.size() == 1 ? places_.front() : places_[j], v,
+                                              out);
+                    },
+                    [](const std::vector<Scalar>&) {});
+            });
     }
 
 private:
     using typename PositionUnknowns<Vector>::Scalar;
-    using PositionUnknowns<Vector>::n_;
-
-    template <class Coupled>
-    void linear_forces(Coupled& coupled) {
-        auto& s = coupled.s;
-        coupled.force_at_start(s.slope);
-        way_.resize(n_);
-        bend_.resize(n_);
-        for (const std::size_t j : Coupled::unknown) {
-            const Vector& Q = s.position(j);
-            for (std::size_t k = 0; k < n_; ++k) { way_[k] = Q[k] - s.at.q[k]; }
-            coupled.hessian_times(places_.front(), way_, bend_);
-            for (std::size_t k = 0; k < n_; ++k) {
-                s.set_force(j, k, -s.hb[j] * (s.slope[k] + bend_[k]));
-            }
-        }
-    }
 
     std::vector<Vector> places_;  ///< where second derivatives are taken: of all, or one by one
-    Vector way_{}, bend_{};
     ProductsWithJacobian<Vector> products_;
-    bool is_start_ = false;
 };
 
 }  // namespace hvi::detail

@@ -40,19 +40,26 @@ protected:
     void begin_at_rest(Coupled& coupled) {
         slopes_.assign(slopes_.size(), Scalar(0));
         put_slopes(coupled);
+        is_start_ = true;
     }
 
-    /// Lp + h b dH/dq, of the forces that the stages have.
-    template <class Coupled>
-    void set_residual(const Coupled& coupled) {
+    /// Lp -= J^-1 (Lp + h b dH/dq); `solve(x)` replaces x by J^-1 x.
+    ///
+    /// NOTE: first with dH/dq = g + G (Q - q) of the start, G v being what `times(v, out)` puts
+    /// out: where h is not small against the fastest period, q + h c v is no place for H to be
+    /// evaluated at. And the corrected slopes are what the step adds up: see PairEquations.
+    template <class Coupled, class Times, class Solve>
+    void correct_by(Coupled& coupled, Times&& times, Solve&& solve) {
+        if (is_start_) {
+            linear_forces(coupled, times);
+        } else {
+            coupled.forces();
+        }
+        is_start_ = false;
         for_each_unknown<Coupled>([&](std::size_t i, std::size_t j, std::size_t k) {
             correction_[i] = slopes_[i] - coupled.s.force(j, k);
         });
-    }
-
-    /// NOTE: the corrected slopes are what the step adds up: see PairEquations.
-    template <class Coupled>
-    void subtract_correction(Coupled& coupled) {
+        solve(correction_);
         for (std::size_t i = 0; i < slopes_.size(); ++i) { slopes_[i] -= correction_[i]; }
         put_slopes(coupled);
     }
@@ -80,7 +87,6 @@ protected:
         }
     }
 
-    std::vector<Scalar> slopes_, correction_;  ///< component k of stage j at j n + k
     std::size_t n_ = 0;
 
 private:
@@ -92,6 +98,26 @@ private:
         coupled.drifts();
         coupled.positions();
     }
+
+    template <class Coupled, class Times>
+    void linear_forces(Coupled& coupled, Times& times) {
+        auto& s = coupled.s;
+        coupled.force_at_start(s.slope);
+        detail::fit(way_, s.n);
+        detail::fit(bend_, s.n);
+        for (const std::size_t j : Coupled::unknown) {
+            const Vector& Q = s.position(j);
+            for (IndexOf<Vector> k = 0; k < s.n; ++k) { way_[k] = Q[k] - s.at.q[k]; }
+            times(way_, bend_);
+            for (std::size_t k = 0; k < n_; ++k) {
+                s.set_force(j, k, -s.hb[j] * (at(s.slope, k) + at(bend_, k)));
+            }
+        }
+    }
+
+    std::vector<Scalar> slopes_, correction_;  ///< component k of stage j at j n + k
+    Vector way_{}, bend_{};
+    bool is_start_ = false;
 };
 
 }  // namespace hvi::detail
