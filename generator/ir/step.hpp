@@ -218,6 +218,7 @@ enum class Layout {
     one,           ///< nothing: a number is a number
     stages,        ///< all stages of a step: see hvi::Lanes
     trajectories,  ///< trajectories: see hvi::Trajectories
+    components,    ///< components of vectors of any size
 };
 
 /// A choice, and why.
@@ -258,7 +259,9 @@ struct Step {
     [[nodiscard]] std::size_t coupled_blocks() const;
     /// Null where no equations are iterated.
     [[nodiscard]] const Iteration* iteration() const;
-    [[nodiscard]] bool has_lanes() const { return layout != Layout::one; }
+    [[nodiscard]] bool has_lanes() const {
+        return layout == Layout::stages || layout == Layout::trajectories;
+    }
     /// Evaluations of dH/dq and of dH/dp in a step that needs no solver, kept ones not counted.
     [[nodiscard]] std::size_t forces_evaluated() const;
     [[nodiscard]] std::size_t velocities_evaluated() const;

@@ -168,6 +168,7 @@ LoopSum product_of(LoopSystem& system, const LoopSum& sum) {
 
 SystemProperties properties(LoopSystem& system, const std::optional<SiteSystem>& sites) {
     SystemProperties result;
+    result.has_any_size = true;
     result.degrees_of_freedom = degrees_of_freedom(system);
     result.is_separable = system.is_separable();
     if (!result.is_separable) { return result; }

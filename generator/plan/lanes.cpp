@@ -50,7 +50,12 @@ std::string obstacle_to_ensemble(const Step& step) {
     return obstacle_in_stages(step);
 }
 
-void set_lanes(Step& step, Lanes wished) {
+void set_lanes(Step& step, Lanes wished, bool has_any_size) {
+    if (has_any_size && std::holds_alternative<VelocityStep>(step.form)) {
+        step.layout = Layout::components;
+        step.decisions.push_back(
+            {"the components of vectors are computed side by side", "there are many of them"});
+    }
     if (wished == Lanes::ensemble && obstacle_to_ensemble(step).empty()) {
         step.layout = Layout::trajectories;
         step.decisions.push_back(

@@ -12,8 +12,9 @@ namespace hvi::gen {
 /// Why trajectories cannot; empty where they can.
 [[nodiscard]] std::string obstacle_to_ensemble(const Step& step);
 
-/// Decides it from what is wished for and what can be had; see the obstacles.
-/// Precondition: the solver is decided.
-void set_lanes(Step& step, Lanes wished);
+/// Decides it from what is wished for and what can be had; see the obstacles. Of vectors of any
+/// size that are components, where positions alone are solved for. Precondition: the solver is
+/// decided.
+void set_lanes(Step& step, Lanes wished, bool has_any_size);
 
 }  // namespace hvi::gen

@@ -183,7 +183,7 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
 // ---- a scene with loops ----
 
 /// NOTE: explicit steppers include of hvi what they have in copies too.
-std::string include_of_loops(const LoopCode& code) {
+std::string include_of_loops(const LoopCode& code, const Step& step) {
     std::string text = "#include <algorithm>\n#include <array>\n#include <cstdint>\n"
                        "#include <limits>\n#include <type_traits>\n#include <vector>\n\n"
                        "#include <hvi/detail/coefficients/rounded.hpp>\n"
@@ -193,6 +193,9 @@ std::string include_of_loops(const LoopCode& code) {
     text += include_of_files(code.system);
     if (code.scatters()) { text += "#include <hvi/detail/loops/chunks.hpp>\n"; }
     if (code.sites) { text += "#include <hvi/detail/loops/sites.hpp>\n"; }
+    if (step.layout == Layout::components) {
+        text += "#include <hvi/detail/loops/stage_sweeps.hpp>\n";
+    }
     return text;
 }
 
@@ -209,7 +212,7 @@ std::string constructors_for_loops(const LoopCode& code, const std::string& clas
 SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitOptions& options) {
     const LoopCode& code = *options.loops;
     SystemPart part;
-    part.include = own_includes(code.system.own_headers) + include_of_loops(code);
+    part.include = own_includes(code.system.own_headers) + include_of_loops(code, step);
     Writer purpose(0);
     purpose.comment(
         fmt::format("The scene {} of any size with {}, computed in Number: float, double or long "

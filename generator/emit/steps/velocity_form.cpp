@@ -1,5 +1,7 @@
 // Stage equations of positions alone.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/increments.hpp"
@@ -41,8 +43,24 @@ const Block& coupled_block(const Step& step) {
     return step.blocks.front();
 }
 
-std::string positions_text(const VelocityForm& form, const std::vector<std::size_t>& Q) {
+/// Whether the stages that are solved for need the W of all. NOTE: a W that is not needed may have
+/// been left by a step that failed.
+bool needs_all(const VelocityForm& form, const std::vector<std::size_t>& Q) {
+    return std::all_of(Q.begin(), Q.end(), [&](std::size_t i) {
+        return std::none_of(form.n[i].begin(), form.n[i].end(),
+                            [](const Number& entry) { return equal(entry, 0); });
+    });
+}
+
+std::string positions_text(const Step& step, const VelocityForm& form,
+                           const std::vector<std::size_t>& Q) {
     Writer writer(2);
+    if (step.layout == Layout::components && needs_all(form, Q)) {
+        return writer
+            .line("hvi::detail::move_stages(s, c, n, std::array<std::size_t, {}>{{{{{}}}}});",
+                  Q.size(), fmt::join(Q, ", "))
+            .str();
+    }
     for_components(writer, "s", [&] {
         writer.line("const Scalar q = s.at.q[k];");
         writer.line("const Scalar e_q = s.remainder.q[k];");
@@ -77,6 +95,12 @@ void write_force(Writer& writer, std::size_t i, std::string_view s, std::string_
 
 std::string forces_text(const Step& step, const std::vector<std::size_t>& Lp) {
     Writer writer(2);
+    if (step.layout == Layout::components) {
+        for (const std::size_t i : Lp) {
+            writer.line("system.kick_stage(s.Q[{0}], s.hb[{0}], s.h, s.Lp[{0}], s.W[{0}]);", i);
+        }
+        return writer.str();
+    }
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
     for (const std::size_t i : Lp) {
         const SlopePoint at{fmt::format("s.Q[{}]", i), "",
@@ -149,7 +173,7 @@ std::string coupled_velocities(const Step& step, const VelocityStep& form) {
         "coupled_positions.hpp.in",
         {{"unknowns", unknowns(block)},
          {"member", clock_reference(step)},
-         {"positions", positions_text(form.form, Q)},
+         {"positions", positions_text(step, form.form, Q)},
          {"forces", forces_text(step, block.of(Kind::Lp))},
          {"size", Writer(2).line("return {};", size).str()},
          {"more", more_text(step, form, Q)},

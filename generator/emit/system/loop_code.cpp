@@ -135,12 +135,27 @@ private:
         if (!std::holds_alternative<VelocityStep>(step_.form)) { return; }
         writer.blank().comment("d2H/dp2 v, which is constant.", "/// ");
         writer.line("void inverse_mass(const Vector& v, Vector& out) const {{ dHdp(v, out); }}");
+        write_kick_of_stage(writer);
         if (!code_.hessian) { return; }
         if (std::get<VelocityStep>(step_.form).hessian == HessianForm::products) {
             write_products(writer, *code_.hessian);
         } else {
             write_entries(writer, *code_.hessian);
         }
+    }
+
+    void write_kick_of_stage(Writer& writer) const {
+        writer.blank().comment("Lp = -hb dH/dq(Q) and W = h d2H/dp2 Lp.", "/// ");
+        writer.open("void kick_stage(const Vector& Q, const Scalar& hb, const Scalar& h, Vector& "
+                    "Lp, Vector& W) const {{");
+        if (code_.sites) {
+            count_evaluation(writer);
+            writer.line("hvi::detail::kick_stage(*this, Q, hb, h, Lp, W);");
+        } else {
+            writer.line("dHdq(Q, Lp);").line("hvi::detail::scale(Lp, -hb);");
+            writer.line("inverse_mass(Lp, W);").line("hvi::detail::scale(W, h);");
+        }
+        writer.close();
     }
 
     void write_entries(Writer& writer, const LoopHessian& hessian) {
