@@ -15,7 +15,8 @@ namespace hvi::detail {
 template <class Scalar>
 class PlainSums {
 public:
-    static constexpr std::size_t vectors = 0;  ///< of remainders
+    static constexpr std::size_t vectors = 0;    ///< of remainders
+    static constexpr std::size_t registers = 2;  ///< of sites at once
 
     explicit PlainSums(Scalar*) {}
 
@@ -33,6 +34,8 @@ template <class Scalar>
 class CompensatedSums {
 public:
     static constexpr std::size_t vectors = 1;
+    // NOTE: of two, g++ 12 puts the parts of sums into memory, and takes four times as long.
+    static constexpr std::size_t registers = 1;
 
     /// `remainders` are as many as the vector has numbers.
     explicit CompensatedSums(Scalar* remainders) : remainders_(remainders) {}

@@ -101,7 +101,7 @@ public:
 
 private:
     static constexpr std::size_t components = System::components;
-    using Wide = SiteLanes<Scalar>;
+    using Wide = SiteLanes<Scalar, Sums::registers>;
     static constexpr Place width = Stretch<Wide>::count;
 
     template <class V>
@@ -152,17 +152,19 @@ private:
 
     void kick(const Part& part) const {
         const SiteSweeps on = *this;
-        for_each_stretch<Scalar>(part, [&](auto stretch, Place e, const Site<dimension>& k) {
-            Values<ValueOf<decltype(stretch)>> p;
-            on.kick(e, k, p);
-        });
+        for_each_stretch<Scalar, Sums::registers>(
+            part, [&](auto stretch, Place e, const Site<dimension>& k) {
+                Values<ValueOf<decltype(stretch)>> p;
+                on.kick(e, k, p);
+            });
     }
 
     void drift(const Part& part) const {
         const SiteSweeps on = *this;
-        for_each_stretch<Scalar>(part, [&](auto stretch, Place e, const Site<dimension>& k) {
-            on.template drift<ValueOf<decltype(stretch)>>(e, k);
-        });
+        for_each_stretch<Scalar, Sums::registers>(
+            part, [&](auto stretch, Place e, const Site<dimension>& k) {
+                on.template drift<ValueOf<decltype(stretch)>>(e, k);
+            });
     }
 
     /// The positions of a stretch stay in registers until the next one has been kicked, which is as

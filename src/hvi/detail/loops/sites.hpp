@@ -154,22 +154,22 @@ inline constexpr std::size_t sites_in_register = register_width<Scalar, 8>();
 template <class Scalar, std::size_t count>
 using SitesAtOnce = std::conditional_t<count == 1, Scalar, Lanes<Scalar, count>>;
 
-/// What is computed at once. NOTE: two registers, of which one computes while the other waits.
-template <class Scalar>
+/// What is computed at once. NOTE: of two registers one computes while the other waits.
+template <class Scalar, std::size_t registers = 2>
 using SiteLanes =
-    SitesAtOnce<Scalar, sites_in_register<Scalar> == 1 ? 1 : 2 * sites_in_register<Scalar>>;
+    SitesAtOnce<Scalar, sites_in_register<Scalar> == 1 ? 1 : registers * sites_in_register<Scalar>>;
 
 /// Calls f(Stretch<V>(), e, k) for stretches that make up the part: as many as possible of
-/// SiteLanes, then half of these, then single numbers.
-template <class Scalar, std::size_t dimension, class F>
+/// SiteLanes, then one register, then single numbers.
+template <class Scalar, std::size_t registers = 2, std::size_t dimension, class F>
 HVI_INLINE_IN_LANES inline void for_each_stretch(RowPart<dimension> part, F&& f) {
-    using Wide = Stretch<SiteLanes<Scalar>>;
+    using Wide = Stretch<SiteLanes<Scalar, registers>>;
     for (; part.count >= Wide::count; part.skip(Wide::count)) { f(Wide(), part.at, part.k); }
     if constexpr (Wide::count > 1) {
-        using Half = Stretch<SitesAtOnce<Scalar, sites_in_register<Scalar>>>;
-        if (part.count >= Half::count) {
-            f(Half(), part.at, part.k);
-            part.skip(Half::count);
+        using One = Stretch<SiteLanes<Scalar, 1>>;
+        if (registers > 1 && part.count >= One::count) {
+            f(One(), part.at, part.k);
+            part.skip(One::count);
         }
         for (; part.count > 0; part.skip(1)) { f(Stretch<Scalar>(), part.at, part.k); }
     }
