@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -296,6 +297,20 @@ TEST_CASE("products of second derivatives have the bits of any number of threads
         CHECK(x.q[i] == Approx(z.q[i]).epsilon(1e-12));
         CHECK(x.p[i] == Approx(z.p[i]).epsilon(1e-12).margin(1e-12));
     }
+}
+
+TEMPLATE_TEST_CASE("a copy of a stepper goes on where the other is, and needs it no more", "",
+                   generated::Springs, generated::Membrane, generated::AllPairs) {
+    std::optional<TestType> first(TestType{});
+    State x = TestType::initial();
+    REQUIRE(first->step(x, 0.5).ok());
+    TestType second(*first);
+    State y = x;
+    REQUIRE(first->step(x, 0.5).ok());
+    first.reset();
+    REQUIRE(second.step(y, 0.5).ok());
+    CHECK(x.q == y.q);
+    CHECK(x.p == y.p);
 }
 
 TEST_CASE("more nodes than functions: two functions at Gauss' three nodes are of order 4") {

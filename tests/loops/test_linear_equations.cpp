@@ -66,7 +66,7 @@ void check_solves(const Matrix& M, Number factor) {
     FactorsOf<Number> factors;
     REQUIRE(factors.compute(M, factor, order));
     std::vector<Number> x = right_side<Number>(M.size());
-    factors.solve(x.data());
+    factors.solve(x.data(), order);
     CHECK(residual(M, factor, x) < 1e-11);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("equations are solved by products with the matrix") {
             ++products;
             apply(v, out);
         },
-        [&](std::vector<double>& v) { factors.solve(v.data()); }));
+        [&](std::vector<double>& v) { factors.solve(v.data(), order); }));
     CHECK(residual(M, factor, x) < 1e-10);
     CHECK(products <= 2);  // and one for the residual
 

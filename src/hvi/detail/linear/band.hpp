@@ -100,12 +100,10 @@ class BandFactors {
 public:
     using Order = NarrowOrder;
 
-    /// False where the matrix is singular, or not finite. Allocates when its size changes. `order`
-    /// is kept by reference.
+    /// False where the matrix is singular, or not finite. Allocates when its size changes.
     template <class Scalar>
     [[nodiscard]] bool compute(const SparseMatrix<Scalar>& matrix, const Number& factor,
                                const NarrowOrder& order) {
-        order_ = &order;
         n_ = order.size();
         w_ = order.width();
         entries_.assign(n_ * (3 * w_ + 1), Number(0));
@@ -121,9 +119,9 @@ public:
         return true;
     }
 
-    /// Replaces the right side b by the solution.
-    void solve(Number* b) {
-        for (std::size_t i = 0; i < n_; ++i) { sorted_[(*order_)[i]] = b[i]; }
+    /// Replaces the right side b by the solution. Precondition: the order is that of compute().
+    void solve(Number* b, const NarrowOrder& order) {
+        for (std::size_t i = 0; i < n_; ++i) { sorted_[order[i]] = b[i]; }
         Number* const x = sorted_.data();
         for (std::size_t k = 0; k < n_; ++k) {
             std::swap(x[k], x[pivots_[k]]);
@@ -135,7 +133,7 @@ public:
             }
             x[k] = product(at(k, k), x[k]);
         }
-        for (std::size_t i = 0; i < n_; ++i) { b[i] = x[(*order_)[i]]; }
+        for (std::size_t i = 0; i < n_; ++i) { b[i] = x[order[i]]; }
     }
 
 private:
@@ -170,7 +168,6 @@ private:
         return true;
     }
 
-    const NarrowOrder* order_ = nullptr;
     std::size_t n_ = 0, w_ = 0;
     std::vector<Number> entries_, sorted_;
     std::vector<std::size_t> pivots_;

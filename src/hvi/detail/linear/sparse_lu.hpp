@@ -27,6 +27,16 @@ class SparseLuFactors {
 public:
     using Order = OrderOfEigen;
 
+    SparseLuFactors() = default;
+    ~SparseLuFactors() = default;
+    /// NOTE: factors of Eigen have no copies; those of the same matrix have the same bits.
+    SparseLuFactors(const SparseLuFactors& other) { *this = other; }
+    SparseLuFactors& operator=(const SparseLuFactors& other) {
+        matrix_ = other.matrix_;
+        if (matrix_.rows() > 0) { factors_.compute(matrix_); }
+        return *this;
+    }
+
     /// False where the matrix is singular, or not finite.
     template <class Scalar>
     [[nodiscard]] bool compute(const SparseMatrix<Scalar>& matrix, const Number& factor,
@@ -47,7 +57,7 @@ public:
     }
 
     /// Replaces the right side b by the solution.
-    void solve(Number* b) {
+    void solve(Number* b, const OrderOfEigen&) {
         Eigen::Map<Eigen::Matrix<Number, Eigen::Dynamic, 1>> x(b, matrix_.rows());
         x = factors_.solve(x).eval();
     }

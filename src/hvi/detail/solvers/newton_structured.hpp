@@ -5,7 +5,6 @@
 #include <array>
 #include <complex>
 #include <cstddef>
-#include <deque>
 #include <vector>
 
 #include <hvi/detail/linear/gmres.hpp>
@@ -193,7 +192,7 @@ private:
         Scalar* mode = x.data();
         if constexpr (Modes::real_ones > 0) {
             for (FactorsOf<Scalar>& factors : real_) {
-                factors.solve(mode);
+                factors.solve(mode, order_);
                 mode += n_;
             }
         }
@@ -209,7 +208,7 @@ private:
     void solve_pair(FactorsOf<Complex>& factors, Scalar* real, Scalar* imaginary) {
         pair_.resize(n_);
         for (std::size_t k = 0; k < n_; ++k) { pair_[k] = Complex(real[k], imaginary[k]); }
-        factors.solve(pair_.data());
+        factors.solve(pair_.data(), order_);
         for (std::size_t k = 0; k < n_; ++k) {
             real[k] = pair_[k].real();
             imaginary[k] = pair_[k].imag();
@@ -220,9 +219,8 @@ private:
     std::vector<SparseMatrix<Scalar>> own_;  ///< G of each unknown
     Order order_;
     Vector K_{};
-    // NOTE: those of Eigen cannot be moved.
-    std::deque<FactorsOf<Scalar>> real_;
-    std::deque<FactorsOf<Complex>> complex_;
+    std::vector<FactorsOf<Scalar>> real_;
+    std::vector<FactorsOf<Complex>> complex_;
     std::vector<Complex> pair_;
     ProductsWithJacobian<Vector> products_;
     bool has_own_ = false;
