@@ -53,6 +53,8 @@ public:
         pole,                 ///< the method does not exist at this parameter, or very near it
         zero_weight,          ///< a weight is zero at this parameter, or very near it
         parameter_too_large,  ///< the coefficients are not computed so far out
+        not_a_rotation,       ///< a matrix of the state is none
+        outside_chart,        ///< a body turns by 2 pi or more in the step: try a smaller h
     };
 
     constexpr Status() = default;
@@ -75,6 +77,9 @@ public:
         case Code::zero_weight:
             return "a weight of the method is zero at, or very near, this value of the parameter";
         case Code::parameter_too_large: return "the parameter of the method is too large";
+        case Code::not_a_rotation: return "a matrix of the state is not a rotation";
+        case Code::outside_chart:
+            return "a body turns by a whole turn or more in a step: try a smaller step";
         }
         return "unknown status";
     }

@@ -1,0 +1,164 @@
+// The natural chart of SO(3) at a rotation R_0.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <hvi/detail/groups/entire_functions.hpp>
+#include <hvi/detail/groups/space.hpp>
+
+namespace hvi::detail {
+
+/// A point xi of the natural chart of SO(3) (Leok & Zhang, 5.4): R = R_0 exp(hat xi), where hat xi
+/// is the matrix of v -> xi x v. With x = |xi| and c_k of x^2, see AngleFunctions,
+///
+///     exp(hat xi) = 1 + c_1 hat xi + c_2 hat xi^2,
+///     T = dexp_{-xi} = 1 - c_2 hat xi + c_3 hat xi^2,
+///
+/// and a velocity xi' of the chart is the angular velocity T xi' of the body. The momentum of the
+/// chart is pi = T^T L, L being the angular momentum in the body. T is regular for x < 2 pi.
+///
+/// Vectors Omega = dH/dL and D, the derivative of H by rotations R exp(hat eta) of the body, give
+///
+///     w = dH/dpi = T^-1 Omega,       g = dH/dxi = T^T D - df/dxi for f = L . T(xi) w,
+///
+/// since L = T^-T pi moves with xi when pi stays: L . dT w is what H gains from dL.
+template <class Scalar>
+class ChartPoint {
+public:
+    using Vector = Vector3<Scalar>;
+
+    /// At the centre R_0.
+    ChartPoint() : ChartPoint(Vector{}) {}
+    explicit ChartPoint(const Vector& xi)
+        : xi_(xi),
+          y_(dot(xi, xi)),
+          c_(angle_functions(y_)),
+          inverse_((c_.c3 - Scalar(2) * c_.c4) / (Scalar(2) * c_.c2)) {}
+
+    [[nodiscard]] const Vector& xi() const { return xi_; }
+    /// The square of the angle that it is turned by.
+    [[nodiscard]] Scalar square_of_angle() const { return y_; }
+
+    /// exp(hat xi) v - v
+    [[nodiscard]] Vector turned_by(const Vector& v) const {
+        const Vector u = cross(xi_, v);
+        return c_.c1 * u + c_.c2 * cross(xi_, u);
+    }
+    /// exp(hat xi) v
+    [[nodiscard]] Vector turned(const Vector& v) const { return v + turned_by(v); }
+    /// exp(-hat xi) v
+    [[nodiscard]] Vector turned_back(const Vector& v) const {
+        const Vector u = cross(xi_, v);
+        return v - c_.c1 * u + c_.c2 * cross(xi_, u);
+    }
+    /// exp(hat xi) - 1
+    [[nodiscard]] Matrix3<Scalar> turn() const {
+        return matrix([this](const Vector& v) { return turned_by(v); });
+    }
+
+    [[nodiscard]] Vector T(const Vector& v) const {
+        const Vector u = cross(xi_, v);
+        return v - c_.c2 * u + c_.c3 * cross(xi_, u);
+    }
+    [[nodiscard]] Vector T_transposed(const Vector& v) const {
+        const Vector u = cross(xi_, v);
+        return v + c_.c2 * u + c_.c3 * cross(xi_, u);
+    }
+    /// T^-1 v. NOTE: c_2 is 0 at an angle of 2 pi.
+    [[nodiscard]] Vector T_inverse(const Vector& v) const {
+        const Vector u = cross(xi_, v);
+        return v + Scalar(0.5) * u + inverse_ * cross(xi_, u);
+    }
+    /// T^-T v
+    [[nodiscard]] Vector T_inverse_transposed(const Vector& v) const {
+        const Vector u = cross(xi_, v);
+        return v - Scalar(0.5) * u + inverse_ * cross(xi_, u);
+    }
+
+    /// The gradient of L . T(xi) w by xi.
+    [[nodiscard]] Vector gradient(const Vector& L, const Vector& w) const {
+        const Vector k = cross(w, L);
+        const Scalar u = dot(xi_, k), a = dot(L, xi_), b = dot(w, xi_), c = dot(L, w);
+        const Scalar along =
+            slope_of_c3() * (a * b - y_ * c) - slope_of_c2() * u - Scalar(2) * c_.c3 * c;
+        return (c_.c3 * b) * L + (c_.c3 * a) * w - c_.c2 * k + along * xi_;
+    }
+
+    // ---- what Newton's method asks for ----
+
+    /// The matrix of d(T w) by xi.
+    [[nodiscard]] Matrix3<Scalar> derivative_of_T(const Vector& w) const {
+        return derivative_of_T(w, Scalar(1));
+    }
+    /// The matrix of d(T^T L) by xi. NOTE: T^T is T at -xi.
+    [[nodiscard]] Matrix3<Scalar> derivative_of_T_transposed(const Vector& L) const {
+        return derivative_of_T(L, Scalar(-1));
+    }
+    /// The second derivatives of L . T(xi) w by xi.
+    [[nodiscard]] Matrix3<Scalar> hessian(const Vector& L, const Vector& w) const {
+        const Vector k = cross(w, L);
+        const Scalar u = dot(xi_, k), a = dot(L, xi_), b = dot(w, xi_), c = dot(L, w);
+        const Scalar v = a * b - y_ * c;
+        const Vector by_v = b * L + a * w - (Scalar(2) * c) * xi_;
+        // Those of c_2 and c_3 are slope + xi xi^T second.
+        const Scalar second_of_c2 = Scalar(8) * c_.c6 - Scalar(5) * c_.c5 + c_.c4;
+        const Scalar second_of_c3 = Scalar(15) * c_.c7 - Scalar(7) * c_.c6 + c_.c5;
+        const Scalar twice = v * second_of_c3 - u * second_of_c2;
+        const Scalar diagonal = v * slope_of_c3() - u * slope_of_c2() - Scalar(2) * c_.c3 * c;
+        Matrix3<Scalar> result{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) {
+                result[3 * i + j] = twice * xi_[i] * xi_[j] + c_.c3 * (L[i] * w[j] + w[i] * L[j]) +
+                                    slope_of_c3() * (xi_[i] * by_v[j] + by_v[i] * xi_[j]) -
+                                    slope_of_c2() * (xi_[i] * k[j] + k[i] * xi_[j]) +
+                                    (i == j ? diagonal : Scalar(0));
+            }
+        }
+        return result;
+    }
+
+    /// The matrix whose columns are map(e_1), map(e_2), map(e_3).
+    template <class Map>
+    [[nodiscard]] static Matrix3<Scalar> matrix(Map map) {
+        Matrix3<Scalar> result{};
+        for (std::size_t j = 0; j < 3; ++j) {
+            Vector unit{};
+            unit[j] = Scalar(1);
+            const Vector column = map(unit);
+            for (std::size_t i = 0; i < 3; ++i) { result[3 * i + j] = column[i]; }
+        }
+        return result;
+    }
+
+private:
+    /// dc_k by xi is xi times these.
+    [[nodiscard]] Scalar slope_of_c2() const { return Scalar(2) * c_.c4 - c_.c3; }
+    [[nodiscard]] Scalar slope_of_c3() const { return Scalar(3) * c_.c5 - c_.c4; }
+
+    [[nodiscard]] Matrix3<Scalar> derivative_of_T(const Vector& w, const Scalar& sign) const {
+        const Vector u = cross(xi_, w), uu = cross(xi_, u);
+        const Scalar b = dot(w, xi_);
+        const Vector along = slope_of_c3() * uu - (sign * slope_of_c2()) * u;
+        Matrix3<Scalar> result{};
+        for (std::size_t j = 0; j < 3; ++j) {
+            Vector unit{};
+            unit[j] = Scalar(1);
+            const Vector turn = cross(unit, w);
+            for (std::size_t i = 0; i < 3; ++i) {
+                result[3 * i + j] =
+                    along[i] * xi_[j] - sign * c_.c2 * turn[i] +
+                    c_.c3 * (xi_[i] * w[j] - Scalar(2) * xi_[j] * w[i] + (i == j ? b : Scalar(0)));
+            }
+        }
+        return result;
+    }
+
+    Vector xi_;
+    Scalar y_;
+    AngleFunctions<Scalar> c_;
+    Scalar inverse_;  ///< T^-1 = 1 + hat xi/2 + this hat xi^2: (1 - (x/2) cot(x/2))/x^2
+};
+
+}  // namespace hvi::detail

@@ -1,0 +1,123 @@
+// What a stepper with rotations remembers from one step to the next.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <hvi/detail/groups/chart.hpp>
+#include <hvi/detail/groups/chart_space.hpp>
+#include <hvi/detail/groups/orthogonal.hpp>
+#include <hvi/detail/numbers/compensated.hpp>
+#include <hvi/detail/stages/moved.hpp>
+#include <hvi/detail/stages/system.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi::detail {
+
+/// Where the step begins, afterwards where it ended, and what rounding cut off from the sums so
+/// far: of coordinates and momenta, of the rotations, and of the angular momenta in space, R L.
+///
+/// NOTE: these are what a step adds to. L = R^T (R L) is computed from them anew at the end of each
+/// step, so that its rounding does not add up, and the R L of a free body keep their bits. As for
+/// StepMemory, a state that is not, bit for bit, where the last step ended begins without memory.
+template <class Space>
+class ChartMemory {
+public:
+    using Scalar = typename Space::Scalar;
+    using Vector = typename Space::Vector;
+    using Spins = std::array<Vector3<Scalar>, Space::rotations>;
+
+    ChartState<Space> at;         ///< of L what is in the body
+    ChartState<Space> remainder;  ///< of L what is cut off from `spins`
+    Spins spins{};                ///< R L, in space
+    std::size_t n = Space::degrees_of_freedom;
+    Scalar h = 0;
+    Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
+    bool continues = false;  ///< the step begins, bit for bit, where the last one ended
+
+    /// Prepares a step of size h from x. Precondition: h != 0.
+    [[nodiscard]] Status begin(const ChartState<Space>& x, Scalar step_size) {
+        if (!sums_are_exact_) { return Status(Status::Code::unsafe_arithmetic); }
+        if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
+        continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
+        h_before = continues ? h : Scalar(0);
+        h = step_size;
+        ended_ = false;
+        if (continues) { return {}; }
+        if (!is_finite_state(x)) { return Status(Status::Code::not_finite); }
+        at = x;
+        remainder = {};
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
+            const Matrix3<Scalar> R = Space::rotation(at.q, r);
+            if (!is_rotation(R)) { return Status(Status::Code::not_a_rotation); }
+            spins[r] = times(R, Space::part(at.p, r));
+        }
+        return {};
+    }
+
+    /// The rotation R_0 exp(hat xi), and what it has in digits behind its last ones.
+    [[nodiscard]] Matrix3<Scalar> rotated(std::size_t r, const ChartPoint<Scalar>& xi) const {
+        Matrix3<Scalar> R = Space::rotation(at.q, r);
+        const Matrix3<Scalar> change = product(R, xi.turn());
+        const Matrix3<Scalar> rest = Space::rotation(remainder.q, r);
+        for (std::size_t k = 0; k < 9; ++k) { R[k] = moved(R[k], rest[k] + change[k]); }
+        return R;
+    }
+
+    /// R exp(hat xi) for the rotation R that the last step began with.
+    [[nodiscard]] Matrix3<Scalar> rotated_from_start(std::size_t r,
+                                                     const ChartPoint<Scalar>& xi) const {
+        Matrix3<Scalar> R = start_[r];
+        const Matrix3<Scalar> change = product(R, xi.turn());
+        for (std::size_t k = 0; k < 9; ++k) { R[k] = moved(R[k], change[k]); }
+        return R;
+    }
+
+    /// Adds the increments of coordinates and momenta.
+    void advance_flat(std::size_t k, const Scalar& by_q, const Scalar& by_p) {
+        move(at.q[k], remainder.q[k], by_q);
+        move(at.p[k], remainder.p[k], by_p);
+    }
+
+    /// Turns the body by exp(hat xi) where `by_spin` is added to R L.
+    void advance_rotation(std::size_t r, const ChartPoint<Scalar>& xi,
+                          const Vector3<Scalar>& by_spin) {
+        constexpr std::size_t n_q = Space::coordinates;
+        start_[r] = Space::rotation(at.q, r);
+        const Matrix3<Scalar> change = product(start_[r], xi.turn());
+        const Matrix3<Scalar> way = way_to_rotation(rotated(r, xi));
+        for (std::size_t k = 0; k < 9; ++k) {
+            const std::size_t i = n_q + 9 * r + k;
+            move(at.q[i], remainder.q[i], change[k] + way[k]);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            move(spins[r][k], remainder.p[n_q + 3 * r + k], by_spin[k]);
+        }
+        Space::set_part(at.p, r, transposed_times(Space::rotation(at.q, r), spins[r]));
+    }
+
+    /// Ends the step: x becomes `at`, unless that is not finite.
+    [[nodiscard]] Status end(ChartState<Space>& x, int iterations) {
+        if (!is_finite_state(at)) { return Status(Status::Code::not_finite, iterations); }
+        x = at;
+        ended_ = true;
+        return Status(Status::Code::ok, iterations);
+    }
+
+    void forget() { ended_ = false; }
+
+    /// Whether `at`, `h` and the slopes are those of a step that went well.
+    [[nodiscard]] bool has_ended() const { return ended_; }
+
+private:
+    [[nodiscard]] static bool is_finite_state(const ChartState<Space>& x) {
+        return finite(x.q, x.q) && finite(x.p, x.p);
+    }
+
+    std::array<Matrix3<Scalar>, Space::rotations> start_{};  ///< of the last step
+    bool ended_ = false;                                     ///< `at` is where a step ended well
+    bool sums_are_exact_ = sums_are_exact<Scalar>();
+};
+
+}  // namespace hvi::detail

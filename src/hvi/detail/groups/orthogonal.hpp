@@ -1,0 +1,48 @@
+// How near a matrix is to a rotation, and the way back.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include <hvi/detail/groups/space.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
+
+namespace hvi::detail {
+
+/// R^T R - 1, which is symmetric.
+template <class Scalar>
+[[nodiscard]] constexpr Matrix3<Scalar> orthogonality_defect(const Matrix3<Scalar>& R) {
+    Matrix3<Scalar> E{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            E[3 * i + j] =
+                R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j] - Scalar(i == j ? 1 : 0);
+            E[3 * j + i] = E[3 * i + j];
+        }
+    }
+    return E;
+}
+
+/// -R E/2, for E = R^T R - 1: R plus this is orthogonal but for E^2. It commutes with rotations
+/// from the left, as an equivariant step must, and E being symmetric it turns R by no more than
+/// E^2.
+template <class Scalar>
+[[nodiscard]] constexpr Matrix3<Scalar> way_to_rotation(const Matrix3<Scalar>& R) {
+    Matrix3<Scalar> way = product(R, orthogonality_defect(R));
+    for (Scalar& entry : way) { entry = Scalar(-0.5) * entry; }
+    return way;
+}
+
+/// Whether R is a rotation to half of the digits, beside its largest entry: of dual numbers the
+/// derivatives may be large.
+template <class Scalar>
+[[nodiscard]] bool is_rotation(const Matrix3<Scalar>& R) {
+    Scalar most = 1;
+    for (const Scalar& entry : R) { most = larger(most, abs(entry)); }
+    most *= power_of_two<Scalar>(-bits<Scalar> / 2);
+    bool is_near = determinant(R) > 0;
+    for (const Scalar& entry : orthogonality_defect(R)) { is_near = is_near && abs(entry) <= most; }
+    return is_near;
+}
+
+}  // namespace hvi::detail
