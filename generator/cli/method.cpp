@@ -67,6 +67,7 @@ MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& s
         return {std::move(method), std::move(hamiltonian)};
     }
     Scene scene = find_scene(system.scene, parameters);
+    refuse_rotations(function_of(scene), "`scheme`");
     check_together(method, scene);
     for (Parameter& parameter : parameters) set_parameter(method, scene, std::move(parameter));
     return {std::move(method), std::move(scene.mechanics)};

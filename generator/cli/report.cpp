@@ -61,6 +61,7 @@ Subject subject(const Given& name, const ReportOptions& options) {
     if (large != nullptr) check_large(options);
     Scene scene = large != nullptr ? without_motion(*large) : std::get<Scene>(result.scene);
     scene.place = whole(name);
+    if (options.peers) refuse_rotations(function_of(scene), "a comparison with other libraries");
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
     const NamedExpression step = wish(scene, nullptr, scene.run.step, "step");
     result.until = nearest_value(scene, until);

@@ -10,6 +10,7 @@ namespace hvi::gen {
 
 Origin origin_of(const Scene& scene) {
     if (!std::holds_alternative<Hamiltonian>(scene.mechanics)) return Origin::other;
+    if (!hamiltonian_of(scene).rotations.empty()) return Origin::singular;
     if (own_call_in(hamiltonian_of(scene).expression) != nullptr) return Origin::other;
     SymbolValues values = parameter_values(scene);
     for (const auto* names : {&hamiltonian_of(scene).coordinates, &hamiltonian_of(scene).momenta})

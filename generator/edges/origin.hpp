@@ -8,7 +8,7 @@ namespace hvi::gen {
 
 enum class Origin {
     rest,      ///< dH/dq and dH/dp are zero
-    singular,  ///< one of them is no number: a collision
+    singular,  ///< one of them is no number: a collision; or a matrix of zeros is no rotation
     other,     ///< neither, or it is not known
 };
 

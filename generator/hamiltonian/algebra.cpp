@@ -207,8 +207,18 @@ std::string padded(std::size_t number) {
 
 }  // namespace
 
+namespace {
+
+/// NOTE: entries of a rotation are no coordinates of their own.
+const Hamiltonian& without_rotations(const Hamiltonian& hamiltonian) {
+    refuse_rotations(hamiltonian, "what is computed exactly");
+    return hamiltonian;
+}
+
+}  // namespace
+
 Algebra::Algebra(const Hamiltonian& hamiltonian)
-    : Algebra(hamiltonian.expression, hamiltonian.source, hamiltonian.parameters,
+    : Algebra(without_rotations(hamiltonian).expression, hamiltonian.source, hamiltonian.parameters,
               hvi::gen::variables(hamiltonian)) {}
 
 Algebra::Algebra(const Lagrangian& lagrangian)

@@ -27,6 +27,7 @@ struct SystemProperties {
     bool is_degenerate = false;          ///< a row of d2H/dp2 is zero
     bool joint_gradient_pays = false;    ///< dH/dq and dH/dp at once, for coupled stages
     std::size_t degrees_of_freedom = 0;  ///< 0: not known
+    std::size_t rotations = 0;           ///< of them, with three each
     bool has_any_size = false;           ///< they are as many as a state has
     HessianForm hessian = HessianForm::dense;
 };

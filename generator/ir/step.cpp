@@ -27,6 +27,7 @@ const Iteration* Step::iteration() const {
         return pairs->iteration ? &*pairs->iteration : nullptr;
     }
     if (const auto* galerkin = std::get_if<GalerkinStep>(&form)) { return &galerkin->iteration; }
+    if (const auto* charts = std::get_if<ChartStep>(&form)) { return &charts->iteration; }
     const auto* velocities = std::get_if<VelocityStep>(&form);
     return velocities == nullptr ? nullptr : &velocities->iteration;
 }

@@ -133,7 +133,7 @@ enum class Solver {
     of_user,        ///< an argument of the class
     fixed_point,    ///< hvi::FixedPoint
     newton,         ///< hvi::NewtonOfPositions where momenta are eliminated, NewtonOfCurves for the
-                    ///< general Galerkin form, else NewtonOfPairs
+                    ///< general Galerkin form, NewtonOfCharts for rotations, else NewtonOfPairs
     newton_taylor,  ///< hvi::NewtonTaylor
     automatic,      ///< hvi::Automatic: fixed points while they contract, else Newton's method
 };
@@ -213,6 +213,14 @@ struct GalerkinStep {
     bool has_adjoint = false;
 };
 
+/// The stages of (4.18) in the natural chart of SO(3) at the rotations that the step begins with
+/// (Section 5.4), and of coordinates as they are; all of them are solved for at once, with the
+/// momenta of the charts. See hvi::detail::ChartStages.
+struct ChartStep {
+    Iteration iteration;
+    RoundedCoefficients coefficients = {};
+};
+
 /// What the lanes of the processor hold.
 enum class Layout {
     one,           ///< nothing: a number is a number
@@ -247,7 +255,7 @@ struct Step {
     std::vector<Block> blocks;  ///< each needs only what stands before it
     KeptSlopes kept;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free
-    std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep, GalerkinStep> form;
+    std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep, GalerkinStep, ChartStep> form;
     Layout layout = Layout::one;
     std::vector<Decision> decisions;
 

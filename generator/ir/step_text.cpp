@@ -212,6 +212,10 @@ std::string lines(const GalerkinStep& form) {
     return result + line_of_steps(form.steps) + (form.has_adjoint ? "of the adjoint too\n" : "");
 }
 
+std::string lines(const ChartStep& form) {
+    return "form: natural charts\n" + lines(form.coefficients) + lines(form.iteration);
+}
+
 }  // namespace
 
 std::string dump(const Step& step) {

@@ -186,6 +186,16 @@ void verify_form(const Step& step, const PairStep& form) {
     verify_order(step);
 }
 
+void verify_form(const Step& step, const ChartStep& form) {
+    const std::size_t s = step.positions.size();
+    HVI_CHECK(step.slopes == Slopes::joint && step.layout == Layout::one);
+    HVI_CHECK(step.momenta.size() == s && !step.kept.any() && !step.from_parameter);
+    HVI_CHECK(step.blocks.size() == 1 && step.coupled_blocks() == 1);
+    verify_rounded(step, form.coefficients);
+    verify_iteration(step, form.iteration);
+    verify_order(step);
+}
+
 void verify_form(const Step& step, const VelocityStep& form) {
     const std::size_t r = step.positions.size();
     HVI_CHECK(step.is_separable() && step.coupled_blocks() == 1 && !step.kept.velocity);

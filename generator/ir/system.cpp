@@ -19,7 +19,7 @@ bool is_degenerate(const Hessian& hessian) {
 
 std::vector<std::size_t> System::cyclic_coordinates() const {
     std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < by_q.size(); ++i) {
+    for (std::size_t i = 0; i < flat_coordinates(); ++i) {
         if (by_q[i].is_zero()) { result.push_back(i); }
     }
     return result;

@@ -57,6 +57,11 @@ struct SystemValue {
     Scaled value;
 };
 
+/// A rotation from body to space, and its angular momentum in the body, by their names.
+struct SystemRotation {
+    std::string rotation, momentum;
+};
+
 /// H(q, p) or L(q, v), its variables, its derivatives, and what else a scene has. What they have in
 /// common is one node. The conjugates are the momenta, or on the Lagrangian side the velocities;
 /// there the momenta are names alone.
@@ -65,22 +70,28 @@ struct System {
     Side side = Side::hamiltonian;
     Expression expression;  ///< of the function, as it was written
     std::vector<std::string> coordinates, momenta;
-    std::vector<std::string> velocities;      ///< on the Lagrangian side
+    std::vector<SystemRotation> rotations;  ///< their entries are the last of these, nine and three
+    std::vector<std::string> velocities;    ///< on the Lagrangian side
     std::vector<SystemParameter> parameters;  ///< in the order of the scene
     std::vector<std::string> own_headers;     ///< of functions of the user's own
 
     Graph graph;
-    std::vector<Node> q, conjugates;          ///< inputs, in the order of their names
-    std::optional<Node> time;                 ///< the input t, where the function depends on it
-    Scaled function;                          ///< H or L
-    Scaled energy;                            ///< H, or v dL/dv - L
-    std::vector<Scaled> by_q, by_conjugates;  ///< the first derivatives
-    Hessian hessian;
+    std::vector<Node> q, conjugates;  ///< inputs, in the order of their names
+    std::optional<Node> time;         ///< the input t, where the function depends on it
+    Scaled function;                  ///< H or L
+    Scaled energy;                    ///< H, or v dL/dv - L
+    /// The first derivatives, by each degree of freedom: of a rotation those by turns of the body;
+    /// see by_turns().
+    std::vector<Scaled> by_q, by_conjugates;
+    Hessian hessian;                      ///< the same; of rotations the block qq is not symmetric
     Structure structure;                  ///< of H
     std::vector<SystemValue> initial;     ///< of coordinates, then of conjugates; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
 
-    [[nodiscard]] std::size_t degrees_of_freedom() const { return q.size(); }
+    /// NOTE: a rotation has three, and nine q.
+    [[nodiscard]] std::size_t degrees_of_freedom() const { return conjugates.size(); }
+    /// Those that are not of rotations.
+    [[nodiscard]] std::size_t flat_coordinates() const { return q.size() - 9 * rotations.size(); }
     /// The q_i that do not occur in the function, so that p_i stays.
     [[nodiscard]] std::vector<std::size_t> cyclic_coordinates() const;
     /// `p` or `v` as the scene names them.

@@ -79,9 +79,20 @@ std::string found(const System& system) {
     return result;
 }
 
+/// What derivatives are by: coordinates, and turns of bodies, `R~1`.
+std::vector<std::string> names_of_degrees(const System& system) {
+    std::vector<std::string> names(system.coordinates.begin(),
+                                   system.coordinates.begin() +
+                                       static_cast<std::ptrdiff_t>(system.flat_coordinates()));
+    for (const SystemRotation& rotation : system.rotations) {
+        for (const char* axis : {"~1", "~2", "~3"}) { names.push_back(rotation.rotation + axis); }
+    }
+    return names;
+}
+
 std::string derivatives(const System& system) {
     const std::string f(1, system.function_letter());
-    const std::vector<std::string>& q = system.coordinates;
+    const std::vector<std::string> q = names_of_degrees(system);
     const std::vector<std::string>& y = system.conjugate_names();
     std::string result = line(f, text(system.function));
     for (std::size_t i = 0; i < q.size(); ++i) {
@@ -111,6 +122,9 @@ std::string dump(const System& system) {
     result += line("coordinates", names(system.coordinates));
     result += line("momenta", names(system.momenta));
     if (system.side == Side::lagrangian) { result += line("velocities", names(system.velocities)); }
+    for (const SystemRotation& rotation : system.rotations) {
+        result += line("rotation", rotation.rotation + ", " + rotation.momentum);
+    }
     for (const SystemParameter& parameter : system.parameters) {
         result += line("parameter " + parameter.name, to_text(parameter.value));
     }

@@ -48,10 +48,11 @@ void verify(const Graph& graph, const std::vector<SystemValue>& values) {
 
 void verify_variables(const System& system) {
     const std::size_t n = system.degrees_of_freedom();
-    HVI_CHECK(system.conjugates.size() == n);
-    HVI_CHECK(system.coordinates.size() == n && system.momenta.size() == n);
+    HVI_CHECK(system.q.size() == n + 6 * system.rotations.size());
+    HVI_CHECK(system.rotations.empty() || system.side == Side::hamiltonian);
+    HVI_CHECK(system.coordinates.size() == system.q.size() && system.momenta.size() == n);
     HVI_CHECK(system.conjugate_names().size() == n && system.energy.node < system.graph.size());
-    HVI_CHECK(system.initial.empty() || system.initial.size() == 2 * n);
+    HVI_CHECK(system.initial.empty() || system.initial.size() == system.q.size() + n);
     for (const SystemParameter& parameter : system.parameters) {
         HVI_CHECK(system.graph.at(parameter.node).operation == Operation::input);
     }
@@ -67,7 +68,7 @@ void verify(const System& system) {
     verify_variables(system);
     verify(graph, system.by_q, n);
     verify(graph, system.by_conjugates, n);
-    verify(graph, system.hessian.qq, n, true);
+    verify(graph, system.hessian.qq, n, system.rotations.empty());
     verify(graph, system.hessian.mixed, n, false);
     verify(graph, system.hessian.conjugates, n, true);
     verify(graph, system.initial);

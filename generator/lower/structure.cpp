@@ -7,6 +7,7 @@
 
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/turns.hpp"
 
 namespace hvi::gen {
 
@@ -91,7 +92,7 @@ Hessian hessian(System& system) {
     Hessian second;
     Graph& graph = system.graph;
     for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {
-        second.qq.push_back(gradient(graph, system.by_q[i], system.q));
+        second.qq.push_back(by_turns(system, gradient(graph, system.by_q[i], system.q)));
         second.mixed.push_back(gradient(graph, system.by_q[i], system.conjugates));
         second.conjugates.push_back(gradient(graph, system.by_conjugates[i], system.conjugates));
     }

@@ -8,6 +8,7 @@
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/lower/structure.hpp"
+#include "generator/lower/turns.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -29,12 +30,15 @@ void add_gradient(System& system) {
     variables.insert(variables.end(), system.conjugates.begin(), system.conjugates.end());
     const std::vector<Scaled> slopes = gradient(system.graph, system.function, variables);
     const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(system.q.size());
-    system.by_q.assign(slopes.begin(), middle);
+    system.by_q = by_turns(system, {slopes.begin(), middle});
     system.by_conjugates.assign(middle, slopes.end());
 }
 
 void set_variables(System& system, const Hamiltonian& hamiltonian) {
     system.momenta = hamiltonian.momenta;
+    for (const RotationNames& names : hamiltonian.rotations) {
+        system.rotations.push_back({names.rotation, names.momentum});
+    }
 }
 
 void set_variables(System& system, const Lagrangian& lagrangian) {
@@ -76,8 +80,10 @@ NamedSystem named_system(const Function& function, const std::vector<std::string
     system.function = lower(system.graph, function.expression, result.symbols, function.source);
     add_gradient(system);
     system.hessian = hessian(system);
-    // NOTE: no step for an L takes anything of that.
-    if (system.side == Side::hamiltonian) { system.structure = structure(system); }
+    // NOTE: no step for an L, or of rotations, takes anything of that.
+    if (system.side == Side::hamiltonian && system.rotations.empty()) {
+        system.structure = structure(system);
+    }
     system.energy = energy(system);
     return result;
 }
@@ -133,9 +139,10 @@ SystemProperties properties(const System& system, const GradientKernels& gradien
         .depends_on_time = system.time.has_value(),
         .kinetic_is_quadratic = system.structure.kinetic_is_quadratic,
         .has_linear_map = system.structure.has_linear_map,
-        .is_degenerate = is_degenerate(system.hessian),
+        .is_degenerate = system.rotations.empty() && is_degenerate(system.hessian),
         .joint_gradient_pays = joint_gradient_pays(system, gradients),
         .degrees_of_freedom = system.degrees_of_freedom(),
+        .rotations = system.rotations.size(),
     };
 }
 

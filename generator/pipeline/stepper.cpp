@@ -153,6 +153,7 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
                         .action = wishes.action};
     check_members(scene, members);
     check_own_names(scene.own);
+    if (wishes.action) { refuse_rotations(function_of(scene), "--action"); }
     check_start(scene);
     check_lagrangian(scene);
     auto [method, curve] = derived(wished, wishes);

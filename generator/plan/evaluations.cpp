@@ -30,7 +30,7 @@ SecondDerivatives second_derivatives(const System& system, const Step& step) {
     const bool has_conjugates = !std::holds_alternative<VelocityStep>(step.form);
     if (has_conjugates) { result.conjugates = block(graph, hessian.conjugates, true); }
     if (!step.iteration()->takes_newton()) { return result; }
-    result.qq = block(graph, hessian.qq, true);
+    result.qq = block(graph, hessian.qq, system.rotations.empty());
     if (has_conjugates && !step.is_separable()) {
         result.mixed = block(graph, hessian.mixed, false);
     }

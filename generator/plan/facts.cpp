@@ -42,6 +42,10 @@ std::string kind_of_lagrangian(const System& system) {
 std::string kind_of(const System& system) {
     const Structure& found = system.structure;
     if (system.side == Side::lagrangian) { return kind_of_lagrangian(system); }
+    if (!system.rotations.empty()) {
+        return fmt::format("H is of {}, with three degrees of freedom each",
+                           counted(system.rotations.size(), "rotation"));
+    }
     if (found.is_quadratic) { return "H is quadratic: Hamilton's equations are linear"; }
     if (found.is_linear_in_p && found.is_linear_in_q) { return "H is linear in q and in p"; }
     if (found.is_linear_in_p) { return "H is linear in p: it has no Lagrangian"; }
@@ -114,7 +118,8 @@ std::vector<std::string> facts(const System& system) {
 std::vector<std::string> costs(const System& system, const Step& step,
                                const Evaluations& evaluations) {
     const std::size_t n = system.degrees_of_freedom();
-    const std::size_t unknowns = n * step.unknowns();
+    // NOTE: the momenta of charts at the end of the step are solved for, too.
+    const std::size_t unknowns = n * step.unknowns() + 3 * system.rotations.size();
     if (const auto* map = std::get_if<TabulatedStep>(&step.form)) {
         return {cost_of_map(n, map->as == TabulatedStep::As::shears,
                             has_linear_part(system.structure))};

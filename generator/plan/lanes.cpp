@@ -10,6 +10,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr auto of_curves = "the velocities of the curve are solved for";
+constexpr auto of_charts = "rotations move in charts, one stage after the other";
 
 /// NOTE: two equal stages are one, and have another weight in Q than in P.
 bool all_are_solved_for(const std::vector<StageValue>& values) {
@@ -33,6 +34,7 @@ std::string obstacle_to_stage_lanes(const Step& step) {
     if (step.is_explicit()) { return "each stage of an explicit method needs the one before"; }
     if (step.from_parameter) { return "the coefficients depend on a parameter"; }
     if (std::holds_alternative<GalerkinStep>(step.form)) { return of_curves; }
+    if (std::holds_alternative<ChartStep>(step.form)) { return of_charts; }
     const Solver solver = step.iteration()->solver;
     if (solver != Solver::fixed_point && solver != Solver::automatic) {
         return "they are built for fixed points, and for these and Newton's method in turn";
@@ -46,6 +48,7 @@ std::string obstacle_to_ensemble(const Step& step) {
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return "they have no curve"; }
     if (std::holds_alternative<GalerkinStep>(step.form)) { return of_curves; }
+    if (std::holds_alternative<ChartStep>(step.form)) { return of_charts; }
     if (iteration->solver != Solver::fixed_point) { return "they are iterated by fixed points"; }
     return obstacle_in_stages(step);
 }

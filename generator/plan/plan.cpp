@@ -7,6 +7,7 @@
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/equal.hpp"
+#include "generator/plan/chart_step.hpp"
 #include "generator/plan/free_parameter.hpp"
 #include "generator/plan/galerkin_step.hpp"
 #include "generator/plan/general_form.hpp"
@@ -300,6 +301,7 @@ void round_coefficients(const Step& step, TabulatedStep& form) {
     std::visit([&](auto& tables) { round_tables(step, tables); }, form.tables);
 }
 void round_coefficients(const Step& step, PairStep& form) { form.coefficients = rounded(step); }
+void round_coefficients(const Step& step, ChartStep& form) { form.coefficients = rounded(step); }
 void round_coefficients(const Step&, VelocityStep& form) { form.rounded = rounded(form.form); }
 void round_coefficients(const Step&, GalerkinStep& form) { form.rounded = rounded(form.form); }
 
@@ -324,11 +326,25 @@ bool may_tabulate(const SystemProperties& system, const StepWishes& wishes) {
 /// NOTE: the sums of (4.19) take one stage after the other.
 Lanes lanes_for(const StepWishes& wishes) { return wishes.action ? Lanes::none : wishes.lanes; }
 
+/// In the charts of rotations. Precondition: the stages are set.
+Step planned_in_charts(Step step, const Tableau& tableau, const OneStepMethod& method,
+                       const SystemProperties& system, const StepWishes& wishes) {
+    check_no_parameter(method);
+    set_charts(step);
+    if (system.depends_on_time) { set_times(step, position_times(step)); }
+    set_solver(step, solver_for(wishes), system);
+    if (!method.composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
+    return completed(std::move(step));
+}
+
 Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemProperties& system,
              const StepWishes& wishes) {
     const std::optional<Composition>& composition = method.composition;
     Step step;
-    step.slopes = system.is_separable ? Slopes::of_parts : Slopes::one_by_one;
+    const bool has_charts = system.rotations > 0;
+    step.slopes = has_charts            ? Slopes::joint
+                  : system.is_separable ? Slopes::of_parts
+                                        : Slopes::one_by_one;
     step.partner = partner(tableau);
     WeightedStages stages = weighted_stages(tableau);
     if (composition) {
@@ -338,6 +354,7 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
                                               composition->order, composition->name)});
     }
     set_stages(step, stages);
+    if (has_charts) { return planned_in_charts(std::move(step), tableau, method, system, wishes); }
     set_places(step);
     set_blocks(step);
     set_sums(step, method, wishes);
@@ -404,6 +421,7 @@ Step planned_as_positions(Step step, const OneStepMethod& method, const Quadratu
 Step planned(const GalerkinRule& rule, const OneStepMethod& method, const SystemProperties& system,
              const StepWishes& wishes) {
     check_no_parameter(method);
+    check_no_rotations(method.place, system);
     check_general_form(method.place, system);
     const bool is_nystrom = system.kinetic_is_quadratic && !method.composition && !wishes.action;
     Step step;

@@ -83,6 +83,7 @@ void set_joint_slopes(Step& step, bool joint_gradient_pays) {
 Iteration* iteration_of(Step& step) {
     if (auto* velocities = std::get_if<VelocityStep>(&step.form)) { return &velocities->iteration; }
     if (auto* galerkin = std::get_if<GalerkinStep>(&step.form)) { return &galerkin->iteration; }
+    if (auto* charts = std::get_if<ChartStep>(&step.form)) { return &charts->iteration; }
     auto* pairs = std::get_if<PairStep>(&step.form);
     return pairs != nullptr && pairs->iteration ? &*pairs->iteration : nullptr;
 }

@@ -125,6 +125,44 @@ Vocabulary declared_variables(const NameList& coordinates, const NameList& conju
     return vocabulary;
 }
 
+namespace {
+
+void declare_rotations(Vocabulary& vocabulary, const VariableNames& names) {
+    const NameList &R = names.rotations, &L = names.angular_momenta;
+    if (R.names.size() != L.names.size())
+        throw InputError(fmt::format("{} rotation{} and {} angular moment{}", R.names.size(),
+                                     R.names.size() == 1 ? "" : "s", L.names.size(),
+                                     L.names.size() == 1 ? "um" : "a"),
+                         L.names.empty() ? R.place : L.place,
+                         "each rotation has an angular momentum of its own");
+    const auto declare = [&](const NameList& list, std::string_view subject, auto parts) {
+        for (const DeclaredName& name : list.names)
+            for (const std::string& part : parts(name.name))
+                vocabulary.declare({part, name.place}, subject);
+    };
+    declare(R, "a rotation", entries_of);
+    declare(L, "an angular momentum", components_of);
+}
+
+}  // namespace
+
+Vocabulary declared_variables(const VariableNames& names) {
+    Vocabulary vocabulary = declared_variables(names.coordinates, names.conjugates);
+    declare_rotations(vocabulary, names);
+    if (names.coordinates.names.size() + 3 * names.rotations.names.size() > most_degrees_of_freedom)
+        throw InputError(fmt::format("there are more than {} degrees of freedom, of which a "
+                                     "rotation has three",
+                                     most_degrees_of_freedom),
+                         names.rotations.place);
+    return vocabulary;
+}
+
+void refuse_rotations(const MechanicalFunction& function, std::string_view what) {
+    if (function.rotations.empty()) return;
+    throw InputError(fmt::format("{} is not built for scenes with rotations", what),
+                     whole(function.source), "`stepper`, `run` and `report` take these");
+}
+
 std::vector<std::string> texts(const NameList& list) {
     std::vector<std::string> names;
     for (const DeclaredName& declared : list.names) names.push_back(declared.name);
@@ -160,13 +198,20 @@ void check_functions(const Expression& expression, const std::shared_ptr<const S
 }
 
 Hamiltonian hamiltonian_of(Expression expression, std::shared_ptr<const Source> source,
-                           const NameList& coordinates, const NameList& momenta) {
-    const Vocabulary variables = declared_variables(coordinates, momenta);
+                           const VariableNames& names) {
+    const Vocabulary variables = declared_variables(names);
     Hamiltonian H;
     H.source = std::move(source);
     H.expression = std::move(expression);
-    H.coordinates = texts(coordinates);
-    H.momenta = texts(momenta);
+    H.coordinates = texts(names.coordinates);
+    H.momenta = texts(names.conjugates);
+    for (std::size_t k = 0; k < names.rotations.names.size(); ++k) {
+        H.rotations.push_back({names.rotations.names[k].name, names.angular_momenta.names[k].name});
+        for (const std::string& name : entries_of(H.rotations.back().rotation))
+            H.coordinates.push_back(name);
+        for (const std::string& name : components_of(H.rotations.back().momentum))
+            H.momenta.push_back(name);
+    }
     check_words_of(H.expression, H.source, variables, "a Hamiltonian");
     return H;
 }
@@ -186,8 +231,8 @@ Hamiltonian hamiltonian_from_text(std::shared_ptr<const Source> expression,
         refuse_sizes(coordinates_of_H, known);
         const NameList momenta_of_H = unrolled(of_p, known);
         refuse_sizes(momenta_of_H, known);
-        H = hamiltonian_of(unrolled(written, known), written.source, coordinates_of_H,
-                           momenta_of_H);
+        H = hamiltonian_of(unrolled(written, known), written.source,
+                           {coordinates_of_H, momenta_of_H});
         H.sizes = std::move(known);
         origin += fmt::format(" --coordinates \"{}\" --momenta \"{}\"",
                               fmt::join(H.coordinates, ", "), fmt::join(H.momenta, ", "));

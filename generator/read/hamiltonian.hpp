@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/read/method.hpp"
+#include "generator/read/rotations.hpp"
 #include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
@@ -23,16 +24,27 @@ struct MechanicalFunction {
     std::shared_ptr<const Source>
         source;  ///< its text: the ranges in `expression` are ranges there
     std::vector<std::string> coordinates;
+    std::vector<RotationNames> rotations;  ///< whose entries are the last of the variables
     std::vector<Parameter> parameters;  ///< each a symbol of it that is no variable, no name twice
     WholeNumbers sizes;                 ///< structural parameters: numbers in all that stands here
     std::string origin;  ///< as the command line has it, without parameters; one line of ASCII
 
-    [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }
+    /// NOTE: a rotation has nine entries.
+    [[nodiscard]] std::size_t degrees_of_freedom() const {
+        return coordinates.size() - 6 * rotations.size();
+    }
 };
 
-/// H(q, p) or H(q, p, t).
+/// H(q, p) or H(q, p, t), and of rotations H(q, R, p, L).
 struct Hamiltonian : MechanicalFunction {
-    std::vector<std::string> momenta;  ///< momenta[i] belongs to coordinates[i]
+    /// momenta[i] belongs to coordinates[i], up to the entries of rotations.
+    std::vector<std::string> momenta;
+};
+
+/// Variables in pairs: coordinates and momenta, rotations and angular momenta.
+struct VariableNames {
+    NameList coordinates, conjugates;
+    NameList rotations = {}, angular_momenta = {};  ///< without the indices of their entries
 };
 
 /// The Hamiltonian of `--hamiltonian`, `--coordinates` and `--momenta`. Without the last two its
@@ -49,7 +61,7 @@ hamiltonian_from_text(std::shared_ptr<const Source> expression,
 /// `origin` is left empty.
 [[nodiscard]] Hamiltonian hamiltonian_of(Expression expression,
                                          std::shared_ptr<const Source> source,
-                                         const NameList& coordinates, const NameList& momenta);
+                                         const VariableNames& names);
 
 /// What the variables are called that belong to the coordinates.
 struct ConjugateWords {
@@ -62,6 +74,12 @@ constexpr ConjugateWords words_of_momenta{"a momentum", "momentum", "momenta"};
 /// for too many, and where coordinates and the variables that belong to them are no pairs.
 [[nodiscard]] Vocabulary declared_variables(const NameList& coordinates, const NameList& conjugate,
                                             const ConjugateWords& words = words_of_momenta);
+
+/// The same of all of them, with the entries of rotations.
+[[nodiscard]] Vocabulary declared_variables(const VariableNames& names);
+
+/// Throws InputError where the function has rotations. `what` is what is not built for these.
+void refuse_rotations(const MechanicalFunction& function, std::string_view what);
 
 /// Without their places.
 [[nodiscard]] std::vector<std::string> texts(const NameList& list);

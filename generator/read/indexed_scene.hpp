@@ -36,6 +36,12 @@ struct ValueFile {
     std::vector<std::size_t> extents;   ///< as of a ValueList
 };
 
+/// A rotation: nine entries row by row, of `identity`, of an axis and an angle, of a quaternion or
+/// as they are written.
+struct RotationValue {
+    std::vector<IndexedExpression> entries;
+};
+
 /// How many values there are.
 [[nodiscard]] std::size_t count(const ValueFile& file);
 
@@ -48,7 +54,7 @@ struct ValueRule {
 /// What a name, or a name with an index, stands for.
 struct IndexedValue {
     std::string name;  ///< without an index
-    std::variant<IndexedExpression, ValueList, ValueRule, ValueFile> value;
+    std::variant<IndexedExpression, ValueList, ValueRule, ValueFile, RotationValue> value;
     Place place;           ///< of the name
     Place place_of_value;  ///< of all values
 };
@@ -79,11 +85,12 @@ struct IndexedScene {
     std::string name, description;
     Side side = Side::hamiltonian;  ///< which of the two `function` is
     NameTexts coordinates;
-    NameTexts conjugates;  ///< momenta, or velocities
+    NameTexts conjugates;                  ///< momenta, or velocities
+    NameTexts rotations, angular_momenta;  ///< empty where there are none
     IndexedExpression function;
     std::string origin;                    ///< as the command line has it
     std::filesystem::path directory;       ///< that paths of files are relative to
-    std::vector<IndexedValue> parameters;  ///< no ValueRule among them
+    std::vector<IndexedValue> parameters;  ///< no ValueRule and no RotationValue among them
     OwnFunctions own;
     std::vector<Definition> definitions;
     std::vector<NamedIndexed> invariants;

@@ -98,7 +98,13 @@ IndexedScene find_indexed_scene(const Given& name_or_file, const std::vector<Par
 std::variant<Scene, IndexedScene> find_scene_of_any_size(const Given& name_or_file,
                                                          const std::vector<Parameter>& values) {
     IndexedScene written = find_indexed_scene(name_or_file, values);
-    if (degrees_of_freedom(written) > most_unrolled) return written;
+    const std::size_t degrees = degrees_of_freedom(written);
+    if (degrees > most_unrolled && !written.rotations.texts.empty())
+        throw InputError(fmt::format("this scene has {} degrees of freedom, and with rotations {} "
+                                     "are the most",
+                                     degrees, most_unrolled),
+                         written.rotations.place, "a rotation has three");
+    if (degrees > most_unrolled) return written;
     Scene scene = unrolled(written);
     scene.place = whole(name_or_file);
     return scene;

@@ -59,7 +59,13 @@ private:
     void check_absent(std::string_view key, std::string_view other, std::string_view fault,
                       std::string_view help) const;
     void check_mechanics() const;
-    void read_mechanics(IndexedScene& scene) const;
+    void read_mechanics(IndexedScene& scene);
+    void read_variables(IndexedScene& scene) const;
+    [[nodiscard]] bool is_of_rotation(std::string_view name) const;
+    [[nodiscard]] RotationValue rotation(const toml::node& node) const;
+    [[nodiscard]] std::vector<Expression> parts(const toml::table& table, std::string_view key,
+                                                std::size_t count) const;
+    [[nodiscard]] Expression part(const toml::node& node, const Place& whole) const;
     [[nodiscard]] IndexedValue value(const Entry& entry) const;
     [[nodiscard]] RuleName rule_name(const toml::key& key) const;
     [[nodiscard]] std::filesystem::path directory() const {
@@ -80,6 +86,7 @@ private:
     const Source& source_;
     TomlFile file_;
     OwnArguments own_;
+    std::vector<std::string> rotations_;  ///< their names without indices
 };
 
 const toml::node& SceneReader::required(std::string_view key, std::string_view example) const {
@@ -162,16 +169,38 @@ void SceneReader::check_mechanics() const {
     }
 }
 
-void SceneReader::read_mechanics(IndexedScene& scene) const {
+/// NOTE: a body that only turns has rotations alone.
+void SceneReader::read_variables(IndexedScene& scene) const {
+    const bool has_lagrangian = file_.table().contains("lagrangian");
+    const bool has_rotations = file_.table().contains("rotations");
+    if (has_lagrangian && has_rotations)
+        check_absent("rotations", "lagrangian", "stands beside",
+                     "rotations are built for Hamiltonians: H(q, R, p, L)");
+    if (has_rotations) {
+        scene.rotations = names("rotations", "[\"R\"]");
+        scene.angular_momenta = names("angular_momenta", "[\"L\"]");
+    } else {
+        check_absent("angular_momenta", "rotations", "stands without",
+                     "write rotations = [\"R\"] too");
+    }
+    const bool only_turns = has_rotations && !file_.table().contains("coordinates") &&
+                            !file_.table().contains("momenta");
+    if (only_turns) return;
+    scene.coordinates = names("coordinates", "[\"x\", \"y\"]");
+    scene.conjugates = has_lagrangian ? names("velocities", "[\"vx\", \"vy\"]")
+                                      : names("momenta", "[\"px\", \"py\"]");
+}
+
+void SceneReader::read_mechanics(IndexedScene& scene) {
     check_mechanics();
     const bool has_lagrangian = file_.table().contains("lagrangian");
     scene.side = has_lagrangian ? Side::lagrangian : Side::hamiltonian;
     const toml::node& node =
         has_lagrangian ? *file_.table().get("lagrangian")
                        : required("hamiltonian", "a line such as hamiltonian = \"p^2/2 - cos(q)\"");
-    scene.coordinates = names("coordinates", "[\"x\", \"y\"]");
-    scene.conjugates = has_lagrangian ? names("velocities", "[\"vx\", \"vy\"]")
-                                      : names("momenta", "[\"px\", \"py\"]");
+    read_variables(scene);
+    for (const NameTexts::Text& text : scene.rotations.texts)
+        for (const Name& name : text.names) rotations_.push_back(name.stem);
     scene.function = expression(node);
     scene.origin = quoted_file_name(source_.name);
     scene.directory = directory();
@@ -191,12 +220,71 @@ RuleName SceneReader::rule_name(const toml::key& key) const {
     return parse_rule_name(place.source, place.range);
 }
 
+/// Whether it is one, or one of several: `R`, `R[2]`.
+bool SceneReader::is_of_rotation(std::string_view name) const {
+    return contains(rotations_, std::string(without_index(name)));
+}
+
+/// A piece of a value that is composed of several, as if all of it stood where the value stands.
+/// NOTE: an expression has one source, and pieces stand in texts of their own.
+Expression SceneReader::part(const toml::node& node, const Place& whole) const {
+    const auto move = [&](auto& self, Expression& moved) -> void {
+        moved.range = whole.range;
+        for (Expression& argument : moved.arguments) self(self, argument);
+    };
+    Expression result = expression(node).written;
+    move(move, result);
+    return result;
+}
+
+std::vector<Expression> SceneReader::parts(const toml::table& table, std::string_view key,
+                                           std::size_t count) const {
+    const toml::node* node = table.get(key);
+    const auto* array = node == nullptr ? nullptr : node->as_array();
+    if (array == nullptr || array->size() != count)
+        throw InputError(fmt::format("`{}` is a list of {} numbers", key, count),
+                         file_.place(node == nullptr ? table : *node));
+    std::vector<Expression> result;
+    for (const toml::node& each : *array) result.push_back(part(each, file_.place(table)));
+    return result;
+}
+
+/// `"identity"`, `{axis = [0, 0, 1], angle = "pi/3"}`, `{quaternion = [1, 0, 0, 0]}`
+RotationValue SceneReader::rotation(const toml::node& node) const {
+    constexpr const char* help = "write \"identity\", nine numbers row by row, {axis = [0, 0, 1], "
+                                 "angle = \"pi/3\"} or {quaternion = [1, 0, 0, 0]}";
+    std::vector<Expression> entries;
+    if (const auto* table = node.as_table()) {
+        file_.check_keys(*table, "rotation", {"axis", "angle", "quaternion"});
+        if (table->contains("quaternion") == (table->contains("axis") || table->contains("angle")))
+            throw InputError("a rotation has an axis and an angle, or a quaternion",
+                             file_.place(node), help);
+        if (table->contains("quaternion")) {
+            entries = turn_of_quaternion(parts(*table, "quaternion", 4));
+        } else {
+            const toml::node* angle = table->get("angle");
+            if (angle == nullptr) throw InputError("the angle is missing", file_.place(node), help);
+            entries = turn_about(parts(*table, "axis", 3), part(*angle, file_.place(node)));
+        }
+    } else if (!node.is_string() || file_.text(node) != "identity") {
+        throw InputError("this is no rotation", file_.place(node), help);
+    } else {
+        entries = identity_rotation();
+    }
+    RotationValue value;
+    for (Expression& entry : entries)
+        value.entries.push_back({std::move(entry), file_.place(node).source});
+    return value;
+}
+
 IndexedValue SceneReader::value(const Entry& entry) const {
     const auto& [key, node] = entry;
     RuleName name = rule_name(*key);
     IndexedValue result{std::move(name.stem), {}, file_.place(key->source()), file_.place(*node)};
     const auto* array = node->as_array();
-    if (const auto* table = node->as_table())
+    if (is_of_rotation(result.name) && array == nullptr && name.indices.empty())
+        result.value = rotation(*node);
+    else if (const auto* table = node->as_table())
         std::visit([&](auto&& values) { result.value = std::forward<decltype(values)>(values); },
                    values_in(column_file(*table)));
     else if (!name.indices.empty())
@@ -317,7 +405,8 @@ void SceneReader::check_apart(const IndexedScene& scene) const {
     const auto check = [&](std::string_view name, const Place& place) {
         hvi::gen::check_apart(scene.own, name, place);
     };
-    for (const NameTexts* names : {&scene.coordinates, &scene.conjugates})
+    for (const NameTexts* names :
+         {&scene.coordinates, &scene.conjugates, &scene.rotations, &scene.angular_momenta})
         for (const NameTexts::Text& text : names->texts)
             for (const Name& name : text.names) check(name.stem, {text.source, name.range});
     for (const IndexedValue& parameter : scene.parameters) check(parameter.name, parameter.place);
@@ -340,13 +429,27 @@ std::vector<Definition> SceneReader::definitions() const {
     return list;
 }
 
+/// NOTE: of a vector each component is one: J_1, J_2, ...
 std::vector<NamedIndexed> SceneReader::invariants() const {
     std::vector<NamedIndexed> list;
     const toml::table* table = section("invariants", "momentum = \"px1 + px2\"");
     if (table == nullptr) return list;
+    const auto add = [&](std::string name, const toml::node& node, const toml::key& key) {
+        list.push_back(named(std::move(name), node));
+        list.back().place_of_name = file_.place(key.source());
+    };
     for (const auto& [key, node] : in_order(*table)) {
-        list.push_back(named(std::string(key->str()), *node));
-        list.back().place_of_name = file_.place(key->source());
+        const std::string name(key->str());
+        const auto* vector = node->as_array();
+        if (vector == nullptr) {
+            add(name, *node, *key);
+            continue;
+        }
+        if (vector->empty())
+            throw InputError("the list is empty", file_.place(*node),
+                             "write the components of a vector");
+        for (std::size_t k = 0; k < vector->size(); ++k)
+            add(fmt::format("{}_{}", name, k + 1), *vector->get(k), *key);
     }
     return list;
 }
@@ -376,9 +479,9 @@ IndexedRun SceneReader::run() const {
 
 IndexedScene SceneReader::read() {
     file_.check_keys(file_.table(), "scene",
-                     {"name", "description", "coordinates", "momenta", "velocities", "hamiltonian",
-                      "lagrangian", "parameters", "functions", "definitions", "invariants",
-                      "initial", "exact", "run"});
+                     {"name", "description", "coordinates", "momenta", "velocities", "rotations",
+                      "angular_momenta", "hamiltonian", "lagrangian", "parameters", "functions",
+                      "definitions", "invariants", "initial", "exact", "run"});
     IndexedScene scene;
     scene.name = file_.name();
     if (scene.name.empty()) scene.name = name_of_file(source_.name);

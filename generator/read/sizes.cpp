@@ -65,6 +65,10 @@ void insert_structural(const ValueTable& table, NameSet& names) {
             for (const IndexedExpression& each : list->values) {
                 insert_structural(each.written, {}, names);
             }
+        } else if (const auto* rotation = std::get_if<RotationValue>(&value.value)) {
+            for (const IndexedExpression& each : rotation->entries) {
+                insert_structural(each.written, {}, names);
+            }
         }
     }
 }
@@ -73,6 +77,8 @@ NameSet structural_names(const IndexedScene& scene) {
     NameSet names;
     insert_structural(scene.coordinates, names);
     insert_structural(scene.conjugates, names);
+    insert_structural(scene.rotations, names);
+    insert_structural(scene.angular_momenta, names);
     insert_structural(scene.function.written, {}, names);
     for (const Definition& definition : scene.definitions) {
         insert_structural(definition.value.written,

@@ -84,7 +84,7 @@ public:
     [[nodiscard]] Scene without_motion();
 
 private:
-    void declare_variables(const NameList& coordinates, const NameList& conjugates);
+    void declare_variables(const VariableNames& names);
     void define();
     void set_mechanics(Scene& scene);
 
@@ -107,6 +107,8 @@ private:
                   const std::vector<Index>& indices, const SceneRules& rules);
     void add_rule(Values& found, const IndexedValue& value, const ValueRule& rule,
                   const std::vector<Index>& indices, const SceneRules& rules);
+    void add_rotation(Values& found, const IndexedValue& value, const RotationValue& rotation,
+                      const SceneRules& rules);
     [[noreturn]] void refuse_variable(const std::string& name, const Place& place) const;
     [[nodiscard]] RunWishes run();
 
@@ -114,16 +116,16 @@ private:
     WholeNumbers sizes_;
     Definitions definitions_;
     std::vector<std::string> variables_;
+    std::vector<RotationNames> rotations_;
     Vocabulary words_;  ///< variables, then parameters too
     std::size_t word_count_ = 0;
 };
 
-void SceneUnrolling::declare_variables(const NameList& coordinates, const NameList& conjugates) {
+void SceneUnrolling::declare_variables(const VariableNames& names) {
     const bool has_velocities = written_.side == Side::lagrangian;
-    words_ = declared_variables(coordinates, conjugates,
-                                has_velocities ? words_of_velocities : words_of_momenta);
-    variables_ = texts(coordinates);
-    for (const std::string& name : texts(conjugates)) { variables_.push_back(name); }
+    words_ = has_velocities
+                 ? declared_variables(names.coordinates, names.conjugates, words_of_velocities)
+                 : declared_variables(names);
 }
 
 /// The definitions, each with those above it put in.
@@ -215,9 +217,10 @@ std::vector<Parameter> SceneUnrolling::parameters() {
 // ---- H, or L ----
 
 void SceneUnrolling::set_mechanics(Scene& scene) {
-    const NameList coordinates = unrolled(written_.coordinates, sizes_);
-    const NameList conjugates = unrolled(written_.conjugates, sizes_);
-    declare_variables(coordinates, conjugates);
+    const VariableNames names{
+        unrolled(written_.coordinates, sizes_), unrolled(written_.conjugates, sizes_),
+        unrolled(written_.rotations, sizes_), unrolled(written_.angular_momenta, sizes_)};
+    declare_variables(names);
     scene.parameters = parameters();
     define();
     const std::shared_ptr<const Source>& source = written_.function.source;
@@ -226,10 +229,13 @@ void SceneUnrolling::set_mechanics(Scene& scene) {
         expression("", written_.function, is_lagrangian ? lagrangian_rules : hamiltonian_rules)
             .expression;
     if (is_lagrangian) {
-        scene.mechanics = lagrangian_of(std::move(function), source, coordinates, conjugates);
+        scene.mechanics =
+            lagrangian_of(std::move(function), source, names.coordinates, names.conjugates);
     } else {
-        scene.mechanics = hamiltonian_of(std::move(function), source, coordinates, conjugates);
+        scene.mechanics = hamiltonian_of(std::move(function), source, names);
     }
+    variables_ = variables(scene);
+    rotations_ = function_of(scene).rotations;
     function_of(scene).origin = written_.origin;
     function_of(scene).sizes = sizes_;
 }
@@ -302,8 +308,34 @@ void SceneUnrolling::add_rule(Values& found, const IndexedValue& value, const Va
     }
 }
 
+/// Of R, or of all rotations R[1], R[2], ..., or of one of them.
+void SceneUnrolling::add_rotation(Values& found, const IndexedValue& value,
+                                  const RotationValue& rotation, const SceneRules& rules) {
+    bool is_known = false;
+    for (const RotationNames& names : rotations_) {
+        const bool is_one = names.rotation == value.name;
+        if (!is_one && without_index(names.rotation) != value.name) { continue; }
+        is_known = true;
+        const std::vector<std::string> entries = entries_of(names.rotation);
+        for (std::size_t k = 0; k < entries.size(); ++k) {
+            const bool is_new =
+                found.emplace(entries[k], expression(entries[k], rotation.entries[k], rules))
+                    .second;
+            if (!is_new) {
+                throw InputError(fmt::format("`{}` is given values twice", names.rotation),
+                                 value.place);
+            }
+        }
+    }
+    if (!is_known) { refuse_variable(value.name, value.place); }
+}
+
 /// The value of a variable, or those of x[1], x[2], ... by ascending index.
 void SceneUnrolling::add_values(Values& found, const IndexedValue& value, const SceneRules& rules) {
+    if (const auto* rotation = std::get_if<RotationValue>(&value.value)) {
+        add_rotation(found, value, *rotation, rules);
+        return;
+    }
     const std::vector<Index> indices = words_.indices(value.name);
     if (indices.empty() || words_.is("a parameter", value.name)) {
         refuse_variable(value.name, value.place);
@@ -393,11 +425,12 @@ Scene without_motion(IndexedScene scene) {
     return SceneUnrolling(scene).without_motion();
 }
 
-std::size_t degrees_of_freedom(const IndexedScene& scene) {
+namespace {
+
+std::size_t count(const NameTexts& names, const WholeNumbers& known) {
     constexpr std::size_t most_in_family = 1'000'000'000'000;
-    const WholeNumbers known = sizes(scene);
     std::size_t total = 0;
-    for (const NameTexts::Text& text : scene.coordinates.texts) {
+    for (const NameTexts::Text& text : names.texts) {
         for (const Name& name : text.names) {
             std::size_t count = 1;
             for (const IndexBounds& bounds : name.bounds) {
@@ -413,6 +446,13 @@ std::size_t degrees_of_freedom(const IndexedScene& scene) {
         }
     }
     return total;
+}
+
+}  // namespace
+
+std::size_t degrees_of_freedom(const IndexedScene& scene) {
+    const WholeNumbers known = sizes(scene);
+    return count(scene.coordinates, known) + 3 * count(scene.rotations, known);
 }
 
 bool assign(IndexedScene& scene, const Parameter& parameter) {

@@ -3,6 +3,7 @@
 
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/functions/division_by_zero.hpp"
+#include "generator/scene/rotation_start.hpp"
 
 namespace hvi::gen {
 
@@ -79,6 +80,7 @@ void check_start(const Scene& scene) {
         throw MathError(std::string("where the scene begins there is ") + error.what(),
                         error.place(), "mend the initial data, or the values of parameters");
     }
+    check_rotations(scene, start);
     for (const NamedExpression& initial : scene.initial)
         check_range(start.at(initial.name), initial.name, initial.place);
 }

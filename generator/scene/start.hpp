@@ -20,8 +20,8 @@ namespace hvi::gen {
 /// Throws as exact_value() does, and MathError, with its place, where the value of a parameter or
 /// an initial value is provably beyond the range of coefficients, or an initial value, or H or an
 /// invariant at the start, is provably no real number: the root of a negative number, a division by
-/// a mass of zero, two bodies at one place. Looks at parameters alone where the scene has no
-/// initial data.
+/// a mass of zero, two bodies at one place; and as check_rotations() does. Looks at parameters
+/// alone where the scene has no initial data.
 void check_start(const Scene& scene);
 
 /// Coordinates, then momenta or velocities, of the scene's [exact] at a time, good to the last bit

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <driver/answer.hpp>
+#include <driver/flat.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
@@ -22,7 +23,8 @@ namespace hvi::driver {
 /// it is that of the scene.
 template <class Problem>
 struct EdgeWords {
-    using State = typename Problem::Stepper::State;
+    using Stepper = typename Problem::Stepper;
+    using State = typename Stepper::State;
 
     double h = 0;
     std::int64_t steps = 0;
@@ -31,53 +33,53 @@ struct EdgeWords {
 
     /// False where this is not what they are.
     [[nodiscard]] bool read(const std::vector<std::string_view>& words) {
-        const std::size_t n = x.q.size();
+        std::vector<double> state = numbers<Stepper>(x);
         if (words.size() < 2 || !driver::read(words[0], h) || !driver::read(words[1], steps)) {
             return false;
         }
         for (std::size_t i = 2; i < words.size(); ++i) {
             double value = 0;
             if (!driver::read(words[i], value)) { return false; }
-            const std::size_t k = i - 2;
-            if (k < n) {
-                x.q[k] = value;
-            } else if (k < 2 * n) {
-                x.p[k - n] = value;
+            if (i - 2 < state.size()) {
+                state[i - 2] = value;
             } else {
                 values.push_back(value);
             }
         }
-        return steps >= 0 && (words.size() == 2 || words.size() >= 2 + 2 * n);
+        set_numbers<Stepper>(x, state);
+        return steps >= 0 && (words.size() == 2 || words.size() >= 2 + state.size());
     }
 };
 
 /// Whether they hold the same bits, also of zeros and of what is no number.
-template <class State>
-[[nodiscard]] bool same_bits(const State& x, const State& y) {
-    return std::memcmp(x.q.data(), y.q.data(), sizeof x.q) == 0 &&
-           std::memcmp(x.p.data(), y.p.data(), sizeof x.p) == 0;
+[[nodiscard]] inline bool same_bits(const std::vector<double>& x, const std::vector<double>& y) {
+    return std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
 }
 
 template <class Problem>
 class EdgeSteps {
 public:
-    using State = typename Problem::Stepper::State;
+    using Stepper = typename Problem::Stepper;
+    using State = typename EdgeWords<Problem>::State;
 
     explicit EdgeSteps(const EdgeWords<Problem>& words)
-        : stepper_(Problem::stepper(words.values)), x_(words.x), energy_(stepper_.energy(x_)) {}
+        : stepper_(Problem::stepper(words.values)),
+          x_(words.x),
+          largest_(numbers<Stepper>(x_).size()),
+          energy_(stepper_.energy(x_)) {}
 
     /// Until one fails.
     void take(double h, std::int64_t steps) {
         for (std::int64_t i = 0; i < steps && status_.ok(); ++i) {
-            const State before = x_;
+            const std::vector<double> before = numbers<Stepper>(x_);
             status_ = stepper_.step(x_, h);
-            is_untouched_ = same_bits(before, x_);
+            const std::vector<double> now = numbers<Stepper>(x_);
+            is_untouched_ = same_bits(before, now);
             iterations_ += status_.iterations;
             taken_ += status_.ok() ? 1 : 0;
             energy_error_ = std::fmax(energy_error_, std::abs(stepper_.energy(x_) - energy_));
-            for (std::size_t k = 0; k < x_.q.size(); ++k) {
-                largest_.q[k] = std::fmax(largest_.q[k], std::abs(x_.q[k]));
-                largest_.p[k] = std::fmax(largest_.p[k], std::abs(x_.p[k]));
+            for (std::size_t k = 0; k < now.size(); ++k) {
+                largest_[k] = std::fmax(largest_[k], std::abs(now[k]));
             }
         }
     }
@@ -89,20 +91,19 @@ public:
         say("untouched", static_cast<std::int64_t>(is_untouched_));
         say("energy_error", energy_error_);
         tell("largest", largest_);
-        tell("end", x_);
+        tell("end", numbers<Stepper>(x_));
     }
 
 private:
-    static void tell(std::string_view key, const State& x) {
-        for (const double q : x.q) { say(key, q); }
-        for (const double p : x.p) { say(key, p); }
+    static void tell(std::string_view key, const std::vector<double>& all) {
+        for (const double number : all) { say(key, number); }
     }
 
-    typename Problem::Stepper stepper_;
+    Stepper stepper_;
     State x_;
-    State largest_{};          ///< of the absolute values of its components after a step
-    double energy_;            ///< at the start
-    double energy_error_ = 0;  ///< the largest after a step
+    std::vector<double> largest_;  ///< of the absolute values of its numbers after a step
+    double energy_;                ///< at the start
+    double energy_error_ = 0;      ///< the largest after a step
     Status status_;
     bool is_untouched_ = true;  ///< by the last step
     std::int64_t taken_ = 0, iterations_ = 0;
@@ -136,8 +137,7 @@ template <class Problem>
 int start(const std::vector<std::string_view>& words) {
     if (!words.empty()) { return 2; }
     const auto x = Problem::initial();
-    for (const double q : x.q) { say("start", q); }
-    for (const double p : x.p) { say("start", p); }
+    for (const double number : numbers<typename Problem::Stepper>(x)) { say("start", number); }
     return 0;
 }
 

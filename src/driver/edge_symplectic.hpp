@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -15,19 +16,20 @@
 #include <utility>
 
 #include <driver/answer.hpp>
+#include <driver/canonical.hpp>
 #include <driver/dual.hpp>
 #include <hvi/detail/linear/frozen_matrix.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
 
-/// The derivative D of the map of so many steps, by dual numbers with a part for each component of
-/// the state: the q, then the p.
+/// The derivative D of the map of so many steps, by dual numbers with a part for each canonical
+/// coordinate: the q, then the p; see CanonicalParts.
 template <class Stepper>
 class SymplecticDefect {
 public:
     using State = typename Stepper::State;
-    static constexpr std::size_t n = std::tuple_size_v<decltype(State::q)>;
+    static constexpr std::size_t n = std::tuple_size_v<typename Stepper::Vector>;
     static_assert(std::is_same_v<typename Stepper::Scalar, Dual<2 * n>>);
 
     /// The largest entry of D^T J D - J beside that of |D|^T |J| |D| where it was largest on the
@@ -36,24 +38,23 @@ public:
     /// NOTE: where a step leaves errors E in D, D^T J D changes by E^T J D + D^T J E, of which that
     /// is the size, and the steps after it, being symplectic, keep the change as it is: so an error
     /// does not go away where entries have been large. Entry by entry, since those of D differ by
-    /// masses and lengths, and a large one would hide what is wrong with a small one.
+    /// masses and lengths, and a large one would hide what is wrong with a small one. Of a rotation
+    /// the three of an axis each mix with the others, and the largest counts.
     [[nodiscard]] std::optional<double> of(State x, double h, std::int64_t steps) {
         Stepper stepper{typename Stepper::Parameters{}};
         sizes_ = {};
-        for (std::size_t k = 0; k < n; ++k) {
-            x.q[k] = variable<2 * n>(x.q[k].value, k);
-            x.p[k] = variable<2 * n>(x.p[k].value, n + k);
-        }
+        Canonical::begin(x);
         for (std::int64_t i = 0; i < steps; ++i) {
             look(x);
             if (!stepper.step(x, h).ok()) { return {}; }
         }
         look(x);
+        const auto [q, p] = Canonical::of(x);
         double largest = 0;
         for (std::size_t i = 0; i < 2 * n; ++i) {
             for (std::size_t j = 0; j < i; ++j) {
-                const double defect = std::abs(products(x, i, j).sum + (i == j + n ? 1 : 0));
-                const double part = defect == 0 ? 0 : defect / sizes_[i][j];
+                const double defect = std::abs(products(q, p, i, j).sum + (i == j + n ? 1 : 0));
+                const double part = defect == 0 ? 0 : defect / size(i, j);
                 largest = part > largest || part != part ? part : largest;
             }
         }
@@ -61,27 +62,44 @@ public:
     }
 
 private:
+    using Canonical = CanonicalParts<Stepper>;
+    using Parts = typename Canonical::Parts;
+
     /// Entries i, j of D^T J D and of |D|^T |J| |D|, where J is (0 1; -1 0).
     struct Products {
         double sum = 0, size = 0;
     };
 
-    [[nodiscard]] static Products products(const State& x, std::size_t i, std::size_t j) {
+    [[nodiscard]] static Products products(const Parts& q, const Parts& p, std::size_t i,
+                                           std::size_t j) {
         Products all;
         for (std::size_t k = 0; k < n; ++k) {
-            const double a = x.q[k].by[i] * x.p[k].by[j];
-            const double b = x.p[k].by[i] * x.q[k].by[j];
+            const double a = q[k][i] * p[k][j];
+            const double b = p[k][i] * q[k][j];
             all.sum += a - b;
             all.size += std::abs(a) + std::abs(b);
         }
         return all;
     }
 
+    [[nodiscard]] double size(std::size_t i, std::size_t j) const {
+        const auto [i_begin, i_end] = Canonical::mixed_with(i);
+        const auto [j_begin, j_end] = Canonical::mixed_with(j);
+        double largest = 0;
+        for (std::size_t k = i_begin; k < i_end; ++k) {
+            for (std::size_t l = j_begin; l < j_end; ++l) {
+                largest = std::fmax(largest, sizes_[std::max(k, l)][std::min(k, l)]);
+            }
+        }
+        return largest;
+    }
+
     /// Takes down where sizes are larger than ever.
     void look(const State& x) {
+        const auto [q, p] = Canonical::of(x);
         for (std::size_t i = 0; i < 2 * n; ++i) {
             for (std::size_t j = 0; j < i; ++j) {
-                sizes_[i][j] = std::fmax(sizes_[i][j], products(x, i, j).size);
+                sizes_[i][j] = std::fmax(sizes_[i][j], products(q, p, i, j).size);
             }
         }
     }

@@ -12,6 +12,7 @@
 #include <driver/answer.hpp>
 #include <driver/cost.hpp>
 #include <driver/departure.hpp>
+#include <driver/flat.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
@@ -23,8 +24,13 @@ void tell_velocity(const State& x, double h) {
     State y = x;
     const double shorter = h / (1 << 20);
     static_cast<void>(stepper.step(y, shorter));
-    for (std::size_t k = 0; k < x.q.size(); ++k) { say("velocity", (y.q[k] - x.q[k]) / shorter); }
-    for (std::size_t k = 0; k < x.p.size(); ++k) { say("velocity", (y.p[k] - x.p[k]) / shorter); }
+    const auto& from = flat<typename Problem::Stepper>(x);
+    const auto& to = flat<typename Problem::Stepper>(y);
+    const auto tell = [&](const auto& a, const auto& b) {
+        for (std::size_t k = 0; k < a.size(); ++k) { say("velocity", (b[k] - a[k]) / shorter); }
+    };
+    tell(from.q, to.q);
+    tell(from.p, to.p);
 }
 
 /// The command `measure H STEPS SECONDS`: one run that is looked at, and repetitions that are
@@ -49,7 +55,7 @@ int measure(const std::vector<std::string_view>& words) {
         invariants.see(stepper, x);
     }
     outcome.evaluations = stepper.evaluations();
-    tell(outcome, invariants, x);
+    tell(outcome, invariants, flat<typename Problem::Stepper>(x));
     tell_velocity<Problem>(x, h);
     if (!outcome.ok() || seconds <= 0) { return 0; }
     tell_time(seconds, [&] {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <driver/answer.hpp>
+#include <driver/flat.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/detail/trajectories/take.hpp>
 #include <hvi/state.hpp>
@@ -91,8 +92,10 @@ private:
                 size += v[k] * v[k];
             }
         };
-        look(a.q, b.q);
-        look(a.p, b.p);
+        const auto& first = flat<Stepper>(a);
+        const auto& second = flat<Stepper>(b);
+        look(first.q, second.q);
+        look(first.p, second.p);
         return std::sqrt(static_cast<double>(size > 0 ? sum / size : sum));
     }
 
@@ -120,8 +123,9 @@ int reference(int argc, char** argv) {
     say("bits", static_cast<std::int64_t>(detail::bits<typename Stepper::Scalar>));
     say("error", found.error);
     if (!found.end) { return 0; }
-    for (const auto& q : found.end->q) { say("end", static_cast<double>(q)); }
-    for (const auto& p : found.end->p) { say("end", static_cast<double>(p)); }
+    const auto& end = flat<Stepper>(*found.end);
+    for (const auto& q : end.q) { say("end", static_cast<double>(q)); }
+    for (const auto& p : end.p) { say("end", static_cast<double>(p)); }
     return 0;
 }
 

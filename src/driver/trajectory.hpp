@@ -18,6 +18,7 @@
 #include <driver/answer.hpp>
 #include <driver/columns.hpp>
 #include <driver/departure.hpp>
+#include <driver/flat.hpp>
 #include <driver/table.hpp>
 #include <hvi/detail/trajectories/take.hpp>
 #include <hvi/integrate.hpp>
@@ -112,7 +113,8 @@ public:
     /// One more table, a row in `every` steps. False where there are no such columns: see Rows.
     [[nodiscard]] bool add(std::int64_t every, std::string_view columns, const char* path) {
         tables_.emplace_back(every, path);
-        return tables_.back().choose(columns, 2 * x_.q.size() + invariants_.count);
+        const auto& x = flat<Stepper>(x_);
+        return tables_.back().choose(columns, x.q.size() + x.p.size() + invariants_.count);
     }
 
     /// Says what became of it. False where a table could not be written. Precondition: there is
@@ -149,17 +151,18 @@ private:
                            [](const Rows& table) { return table.good(); });
     }
 
-    [[nodiscard]] double value(std::size_t number) const {
-        const std::size_t n = x_.q.size();
-        if (number < n) { return x_.q[number]; }
-        if (number < 2 * n) { return x_.p[number - n]; }
-        return invariants_.values()[number - 2 * n];
+    template <class State>
+    [[nodiscard]] double value(const State& x, std::size_t number) const {
+        const std::size_t n = x.q.size(), end = n + x.p.size();
+        if (number < n) { return x.q[number]; }
+        return number < end ? x.p[number - n] : invariants_.values()[number - end];
     }
 
     void write(bool is_end) {
+        const auto& x = flat<Stepper>(x_);
         for (Rows& table : tables_) {
             table.see(taken_, is_end, static_cast<double>(taken_) * h_,
-                      [this](std::size_t number) { return value(number); });
+                      [&](std::size_t number) { return value(x, number); });
         }
     }
 
@@ -174,10 +177,11 @@ private:
     /// Says the number of a variable that begins with no finite number, where that is why no step
     /// is made.
     void tell_unfit() const {
-        const std::size_t n = x_.q.size();
+        const auto& x = flat<Stepper>(x_);
+        const std::size_t count = x.q.size() + x.p.size();
         std::size_t number = 0;
-        while (number < 2 * n && std::isfinite(value(number))) { ++number; }
-        if (number < 2 * n) { say("unfit", static_cast<std::int64_t>(number)); }
+        while (number < count && std::isfinite(value(x, number))) { ++number; }
+        if (number < count) { say("unfit", static_cast<std::int64_t>(number)); }
     }
 
     void tell() const {

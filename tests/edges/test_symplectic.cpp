@@ -21,7 +21,8 @@ using hvi::test::eps;
 template <std::size_t n, class Map>
 struct Stepper {
     using Scalar = hvi::driver::Dual<2 * n>;
-    using State = hvi::State<std::array<Scalar, n>>;
+    using Vector = std::array<Scalar, n>;
+    using State = hvi::State<Vector>;
     struct Parameters {};
 
     explicit Stepper(const Parameters&) {}

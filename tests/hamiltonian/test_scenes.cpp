@@ -76,6 +76,7 @@ TEST_CASE("invariants do not change") {
     for (const SceneEntry& entry : scenes()) {
         const Scene system = small_scene(entry);
         if (!std::holds_alternative<Hamiltonian>(system.mechanics)) continue;
+        if (!hamiltonian_of(system).rotations.empty()) continue;  // see tests/groups
         const std::vector<std::string> names = variables(hamiltonian_of(system));
         Point point = given(system, 0);
         Real value = 0.3L;

@@ -186,7 +186,8 @@ TEST_CASE("values of another type") {
           "hamiltonian = [true] #(px^2 + py^2)/2 - mu/sqrt(x^2 + y^2)\"");
     check("mu = 1", "mu = true", "mu = [true]");
     check("mu = 1", "mu = [[true]]", "mu = [[[true]]]");
-    check("\"x*py - y*px\"", "[\"x\"]", "angular = [[\"x\"]]");
+    check("\"x*py - y*px\"", "[[\"x\"]]", "angular = [[[\"x\"]]]");
+    check("\"x*py - y*px\"", "[]", "angular = [[]]");
     check("y = 0", "y = 1979-05-27", "y = [1979-05-27]");
     check("\"gauss:4\"", "4", "method = [4]");
     check("step = \"1/20\"", "step = [1]", "step = [[1]]");

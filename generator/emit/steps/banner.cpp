@@ -79,8 +79,11 @@ std::string negative_weights(const NumberVector& b) {
     return names;
 }
 
-std::string_view partner_text(Partner partner) {
-    switch (partner) {
+std::string_view conserved_text(const Step& step) {
+    if (std::holds_alternative<ChartStep>(step.form)) {
+        return "In natural charts, which conserves momentum maps of rotations of space.";
+    }
+    switch (step.partner) {
     case Partner::same:
         return "A == A~: a Runge-Kutta method, which conserves all quadratic invariants.";
     case Partner::different:
@@ -112,6 +115,7 @@ std::string described(const Provenance& provenance, const std::string& kind,
 std::string_view functions_of(const Step& step) {
     const auto* galerkin = std::get_if<GalerkinStep>(&step.form);
     if (galerkin != nullptr && galerkin->side == Side::lagrangian) { return "Lagrangians"; }
+    if (std::holds_alternative<ChartStep>(step.form)) { return "Hamiltonians of rotating bodies"; }
     return step.is_separable() ? "separable Hamiltonians" : "general Hamiltonians";
 }
 
@@ -119,7 +123,7 @@ std::string method_text(const Tableau& tableau, const Step& step) {
     return described(tableau.provenance,
                      fmt::format("symplectic, {} stage{}, for {}", tableau.stages(),
                                  tableau.stages() == 1 ? "" : "s", functions_of(step)),
-                     partner_text(step.partner), tableau.b);
+                     conserved_text(step), tableau.b);
 }
 
 std::string method_text(const GalerkinRule& rule, const Step& step) {

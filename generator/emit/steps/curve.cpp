@@ -71,7 +71,10 @@ NumberMatrix of_slopes(const Step& step, const Curve& curve) {
     if (const auto* galerkin = std::get_if<GalerkinStep>(&step.form)) {
         return of_curve(galerkin->form, curve);
     }
-    if (std::holds_alternative<PairStep>(step.form)) { return of_velocities(step, curve); }
+    if (std::holds_alternative<PairStep>(step.form) ||
+        std::holds_alternative<ChartStep>(step.form)) {
+        return of_velocities(step, curve);
+    }
     return curve.of_forces ? of_nodes(step, *curve.of_forces) : of_forces(step, curve);
 }
 

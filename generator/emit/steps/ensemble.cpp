@@ -44,6 +44,11 @@ EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::si
     return parts;
 }
 
+EnsembleParts ensemble_parts(const Step&, const ChartStep&, std::size_t) {
+    HVI_CHECK(false && "there are no ensembles in charts");
+    return {};
+}
+
 EnsembleParts ensemble_parts(const Step&, const GalerkinStep&, std::size_t) {
     HVI_CHECK(false);
     return {};

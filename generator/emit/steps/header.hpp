@@ -24,6 +24,9 @@ namespace hvi::gen {
 [[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const GalerkinStep& form, const EmitOptions& options);
 
+[[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
+                                   const ChartStep& form, const EmitOptions& options);
+
 /// The class of Newton's method for a step that solves equations, and its header below
 /// detail/solvers.
 struct NewtonPolicy {

@@ -11,8 +11,6 @@
 
 namespace hvi::gen {
 
-namespace {
-
 std::vector<std::string> solver_headers(const Step& step) {
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return {}; }
@@ -26,8 +24,6 @@ std::vector<std::string> solver_headers(const Step& step) {
     }
     return {"fixed_point"};
 }
-
-}  // namespace
 
 std::string runtime_includes(std::vector<std::string> names) {
     names.emplace_back("detail/stepper");

@@ -22,6 +22,9 @@ NewtonPolicy newton_policy(const Step& step) {
         return {"newton_curves", galerkin->side == Side::hamiltonian ? "hvi::NewtonOfCurves"
                                                                      : "hvi::NewtonOfLagrangians"};
     }
+    if (std::holds_alternative<ChartStep>(step.form)) {
+        return {"newton_charts", "hvi::NewtonOfCharts"};
+    }
     if (std::holds_alternative<PairStep>(step.form)) {
         return {"newton_pairs", "hvi::NewtonOfPairs"};
     }

@@ -42,6 +42,9 @@ struct ImplicitParts {
 /// The lines that include what every header that needs the runtime includes, and these.
 [[nodiscard]] std::string runtime_includes(std::vector<std::string> names);
 
+/// The headers of hvi with the solver of the step.
+[[nodiscard]] std::vector<std::string> solver_headers(const Step& step);
+
 /// The tables of either form.
 [[nodiscard]] std::string constants_text(const Step& step, const PairStep& form,
                                          const SceneWishes& wishes);

@@ -6,6 +6,7 @@
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/system/loop_files.hpp"
+#include "generator/emit/system/rotation_code.hpp"
 #include "generator/emit/text/names.hpp"
 
 namespace hvi::gen {
@@ -85,9 +86,11 @@ std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& o
         provenance.name.empty() ? "a method of its own basis and nodes" : provenance.name;
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     Writer writer(0);
-    writer.comment(fmt::format("{} with {}, computed in Number: {}. "
-                               "States hold Numbers: arrays, or vectors of Eigen of fixed size.",
-                               what, method, numbers(options.wishes)),
+    const std::string_view states =
+        scene.rotations.empty() ? " States hold Numbers: arrays, or vectors of Eigen of fixed size."
+                                : "";
+    writer.comment(fmt::format("{} with {}, computed in Number: {}.{}", what, method,
+                               numbers(options.wishes), states),
                    "/// ");
     if (!scene.description.empty()) { writer.comment(scene.description, "/// "); }
     return writer.str();
@@ -107,10 +110,18 @@ std::string solver_type(const Step& step) {
 }
 
 std::string types_for_scene(const Step& step, const EmitOptions& options) {
+    const System& system = *options.system;
     Writer writer(1);
     writer.line("using Scalar = Number;");
-    writer.line("using Vector = Numbers;");
-    writer.blank().insert(parameters_text(*options.system));
+    if (system.rotations.empty()) {
+        writer.line("using Vector = Numbers;");
+    } else {
+        writer.line("using Space = hvi::detail::ChartSpace<Number, {}, {}>;",
+                    system.flat_coordinates(), system.rotations.size());
+        writer.line("using Vector = typename Space::Vector;");
+        writer.blank().insert(bodies_text(system));
+    }
+    writer.blank().insert(parameters_text(system));
     writer.blank().insert(system_text(*options.system, options.wishes, step, *options.evaluations));
     if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
         writer.blank().line("using Solver = {};", solver_type(step));
@@ -147,12 +158,18 @@ std::string constructors_for_scene(const Step& step, const EmitOptions& options,
     return writer.blank().insert(scene_members_text(*options.system, options.wishes, step)).str();
 }
 
-std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
+std::string condition_on_numbers(const SceneWishes& wishes) {
     Writer writer(1);
     writer.line("static_assert(hvi::{}<Number>,",
                 wishes.float128 ? "math::computes_in" : "detail::is_standard");
     writer.line("              \"hvi: a scene is computed in float, double{}\");",
                 wishes.float128 ? ", long double or hvi::math::Widest" : " or long double");
+    return writer.str();
+}
+
+std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
+    Writer writer(1);
+    writer.insert(condition_on_numbers(wishes));
     writer.line("static_assert(hvi::detail::is_fixed_vector<Numbers, Number, {}>(),", n);
     writer.line(
         "              \"hvi: vectors are of these numbers, and of fixed size: std::array, or "
@@ -171,10 +188,15 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
     part.purpose = purpose_for_scene(provenance, options);
     part.class_name = "Basic" + options.class_name;
     const std::size_t n = options.system->degrees_of_freedom();
-    part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>", n);
-    part.condition = conditions_for_scene(n, options.wishes);
+    const bool has_rotations = !options.system->rotations.empty();
+    part.head = has_rotations ? "template <class Number>"
+                              : fmt::format("template <class Number, class Numbers = "
+                                            "std::array<Number, {}>>",
+                                            n);
+    part.condition = has_rotations ? condition_on_numbers(options.wishes)
+                                   : conditions_for_scene(n, options.wishes);
     part.types = types_for_scene(step, options);
-    part.state = state_type(step);
+    part.state = has_rotations ? "Bodies" : state_type(step);
     part.construct = constructors_for_scene(step, options, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;

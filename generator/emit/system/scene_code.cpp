@@ -5,17 +5,16 @@
 #include <iterator>
 #include <map>
 
+#include "generator/emit/system/rotation_code.hpp"
 #include "generator/emit/text/constants.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/expr/functions.hpp"
+#include "generator/read/names.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-/// `m[3]` without its index.
-std::string base_of(const std::string& name) { return name.substr(0, name.find('[')); }
 
 /// A member of Parameters: a number, or an array with the values of m[1], m[2], ...
 struct ParameterMember {
@@ -27,10 +26,10 @@ struct ParameterMember {
 std::vector<ParameterMember> members_of(const std::vector<SystemParameter>& parameters) {
     std::vector<ParameterMember> members;
     for (const SystemParameter& parameter : parameters) {
-        const std::string base = base_of(parameter.name);
+        const std::string base(without_index(parameter.name));
         const bool is_array = base != parameter.name;
         const bool goes_on = is_array && !members.empty() && members.back().is_array &&
-                             base_of(members.back().parameters.front()->name) == base;
+                             without_index(members.back().parameters.front()->name) == base;
         if (!goes_on) { members.push_back({member_name(base), is_array, {}}); }
         members.back().parameters.push_back(&parameter);
     }
@@ -42,18 +41,43 @@ std::string_view state_of_one(const Step& step) {
     return step.layout == Layout::trajectories ? "Trajectory" : "State";
 }
 
+/// What H and invariants take of a state x.
+struct StateArguments {
+    std::string before;  ///< a line, or nothing
+    std::string variables;
+};
+
+StateArguments arguments_of(const System& system) {
+    if (!system.rotations.empty()) {
+        return {"const hvi::detail::ChartState<Space> at = flat(x);", "at.q, at.p"};
+    }
+    return {"", system.side == Side::lagrangian ? "x.q, velocity(x)" : "x.q, x.p"};
+}
+
 void write_member(Writer& writer, std::string_view doc, std::string_view state,
-                  std::string_view name, std::string_view arguments) {
+                  std::string_view name, const StateArguments& arguments,
+                  std::string_view time = "") {
     writer.comment(doc, "/// ");
     writer.open("[[nodiscard]] Scalar {}(const {}& x) const {{", name, state)
-        .line("return system_.{}({});", name, arguments)
+        .insert(arguments.before)
+        .line("return system_.{}({}{});", name, arguments.variables, time)
         .close()
         .blank();
 }
 
 void write_initial(Writer& writer, const System& system, std::string_view state) {
     writer.line("/// Where the scene begins.");
-    if (system.side == Side::lagrangian) {
+    if (!system.rotations.empty()) {
+        writer.open("[[nodiscard]] static {} initial(const Parameters& parameters) {{", state)
+            .line("hvi::detail::ChartState<Space> at;")
+            .line("System::begin(parameters, at.q, at.p);")
+            .line("{} x;", state)
+            .line("set(x, at);")
+            .line("return x;")
+            .close();
+        writer.line("[[nodiscard]] static {} initial() {{ return initial(Parameters{{}}); }}",
+                    state);
+    } else if (system.side == Side::lagrangian) {
         writer.open("[[nodiscard]] static {} initial(const Parameters& parameters) {{", state)
             .line("{} x;", state)
             .line("Vector v{{}};")
@@ -152,17 +176,17 @@ std::string parameters_text(const System& system) {
 std::string scene_members_text(const System& system, const SceneWishes& wishes, const Step& step) {
     const std::string_view state = state_of_one(step);
     const bool has_velocities = system.side == Side::lagrangian;
-    const std::string variables = has_velocities ? "x.q, velocity(x)" : "x.q, x.p";
+    const StateArguments arguments = arguments_of(system);
     Writer writer(1);
     if (!system.initial.empty()) { write_initial(writer, system, state); }
     if (has_velocities) { write_velocity(writer, system, state); }
     if (wishes.energy) {
         write_member(writer, has_velocities ? "v dL/dv - L" : "H = " + to_text(system.expression),
-                     state, "energy", variables + (system.time ? ", x.t" : ""));
+                     state, "energy", arguments, system.time ? ", x.t" : "");
     }
     if (wishes.invariants) {
         for (const SystemValue& invariant : system.invariants) {
-            write_member(writer, to_text(invariant.expression), state, invariant.name, variables);
+            write_member(writer, to_text(invariant.expression), state, invariant.name, arguments);
         }
     }
     if (wishes.evaluations) {
@@ -182,9 +206,10 @@ void check_own_names(const OwnFunctions& own) {
 }
 
 void check_members(const Scene& scene, const SceneWishes& wishes) {
+    check_rotation_names(scene);
     std::map<std::string, std::string> bases;
     for (const Parameter& parameter : scene.parameters) {
-        const std::string base = base_of(parameter.name);
+        const std::string base(without_index(parameter.name));
         const auto [found, is_new] = bases.emplace(member_name(base), base);
         if (is_new || found->second == base) { continue; }
         throw InputError(fmt::format("the parameters `{}` and `{}` would both be the member {} "

@@ -302,7 +302,8 @@ void write(Writer& writer, const System& system, NodeNames names, const SystemFu
     const std::string_view vector = vector_type(function.takes_lanes);
     if (function.has_q) {
         arguments.push_back(
-            argument(uses_any(function.kernel, system.q), fmt::format("const {}& q", vector)));
+            argument(uses_any(function.kernel, system.q),
+                     fmt::format("const {}& q", system.rotations.empty() ? vector : "Positions")));
     }
     if (function.has_p) {
         arguments.push_back(
@@ -364,12 +365,13 @@ void write_constructor(Writer& writer, const System& system, const GivenNodes& g
 void write_begin(Writer& writer, const System& system, const GivenNodes& given,
                  const Kernel& initial, std::string_view library) {
     const char p = system.conjugate_letter();
-    writer.open("static constexpr void begin({}, Vector& q, Vector& {}) {{",
-                argument(uses_parameters(system, initial), "const Parameters& parameters"), p);
+    writer.open("static constexpr void begin({}, {}& q, Vector& {}) {{",
+                argument(uses_parameters(system, initial), "const Parameters& parameters"),
+                system.rotations.empty() ? "Vector" : "Positions", p);
     const auto results = write_code(writer, system.graph, initial, given.of_inputs(), library);
-    const std::size_t n = system.degrees_of_freedom();
-    for (std::size_t k = 0; k < 2 * n; ++k) {
-        writer.line("{}[{}] = {};", k < n ? 'q' : p, k % n, results[k]);
+    const std::size_t n = system.q.size();
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        writer.line("{}[{}] = {};", k < n ? 'q' : p, k < n ? k : k - n, results[k]);
     }
     writer.close();
 }
@@ -387,7 +389,24 @@ std::string data_text(const System& system, const GivenNodes& given) {
     return writer.str();
 }
 
+/// The coordinates that are no entries of rotations, and these by their names.
+std::string names_of(const System& system, const std::vector<std::string>& all,
+                     std::string SystemRotation::*name) {
+    std::vector<std::string> names(
+        all.begin(), all.begin() + static_cast<std::ptrdiff_t>(system.flat_coordinates()));
+    for (const SystemRotation& rotation : system.rotations) { names.push_back(rotation.*name); }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::string about(const System& system) {
+    if (!system.rotations.empty()) {
+        return fmt::format(
+            "H = {}, where q is ({}) and p is ({}); D, the part of dH/dq that "
+            "belongs to a rotation R, is the derivative of H(R exp(hat eta)) by eta.",
+            to_text(system.expression),
+            names_of(system, system.coordinates, &SystemRotation::rotation),
+            names_of(system, system.momenta, &SystemRotation::momentum));
+    }
     return fmt::format("{} = {}, where q is ({}) and {} is ({}).", system.function_letter(),
                        to_text(system.expression), fmt::join(system.coordinates, ", "),
                        system.conjugate_letter(), fmt::join(system.conjugate_names(), ", "));
@@ -416,7 +435,12 @@ std::string system_text(const System& system, const SceneWishes& wishes, const S
     Writer writer(1);
     writer.comment(about(system), "/// ");
     writer.open("struct System {{");
-    writer.line("using Vector = Numbers;");
+    if (system.rotations.empty()) {
+        writer.line("using Vector = Numbers;");
+    } else {
+        writer.line("using Vector = typename Space::Vector;");
+        writer.line("using Positions = typename Space::Positions;");
+    }
     if (evaluations.tangents) {
         // NOTE: an array of none would do, were it not that compilers warn of it.
         writer.line("using Tangent = std::array<Scalar, {}>;",

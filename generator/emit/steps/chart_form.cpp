@@ -1,0 +1,124 @@
+// Headers of steps in natural charts of rotations.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/banner.hpp"
+#include "generator/emit/steps/clock.hpp"
+#include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/starting_values.hpp"
+#include "generator/emit/steps/system_part.hpp"
+#include "src/hvi/version.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// NOTE: the equations of a step with a clock hold a reference to it.
+std::string equations_type(const Step& step) {
+    return fmt::format("hvi::detail::CoupledCharts<System, Stages{}>",
+                       step.depends_on_time()
+                           ? fmt::format(", hvi::detail::Clock<Scalar, {}>", step.positions.size())
+                           : "");
+}
+
+std::string step_text(const Step& step) {
+    return fill_part("chart_step.hpp.in",
+                     {{"clock", clock_begins(step, "s_.forget()")},
+                      {"equations", fmt::format("m, {}{}", table_mt(step),
+                                                step.depends_on_time() ? ", clock_" : "")},
+                      {"end", clock_ends(step, "status")}});
+}
+
+std::string constants_text(const Step& step, const ChartStep& form, const SceneWishes& wishes) {
+    Writer writer(1);
+    writer.insert(coefficients_text(step, form.coefficients));
+    if (const std::string times = times_text(step); !times.empty()) {
+        writer.blank().insert(times);
+    }
+    writer.insert(extrapolation_text(form.iteration));
+    if (wishes.curve) { writer.insert(curve_table(step, *wishes.curve, library(wishes))); }
+    return with_rounding(writer.str());
+}
+
+std::string prediction(const Step& step, const Iteration& iteration) {
+    Writer writer(1);
+    open_predict(writer, iteration, "slopes");
+    if (const std::optional<Extrapolation>& from = iteration.extrapolation) {
+        writer.line("if (s_.extrapolate(m, N{})) {{ return; }}", from->before ? ", N_before" : "");
+    }
+    writer.open("s_.predict(m, [this](const auto& q, const auto& p, auto& dHdq, auto& dHdp) {{");
+    writer.line("system_.gradient(q, p, {}dHdq, dHdp);",
+                step.depends_on_time() ? "clock_.start, " : "");
+    return writer.close("});").close().str();
+}
+
+std::string members_text(const Step& step) {
+    Writer writer(1);
+    writer.line("System system_;").insert(clock_member(step));
+    writer.line("Stages s_;");
+    writer.line("typename Solver::template Iteration<Vector> solver_;");
+    return writer.str();
+}
+
+std::string coupled_text(const Step& step) {
+    Writer writer(1);
+    writer.line("using Stages = hvi::detail::ChartStages<Space, {}>;", step.positions.size());
+    writer.line("using Coupled = {};", equations_type(step));
+    return writer.str();
+}
+
+/// The member position(tau): coordinates and rotations on the curve of the step.
+std::string curve_member(const Step& step, const Curve& curve) {
+    const bool is_straight = curve.F.front().empty();
+    Writer writer(1);
+    writer.comment(
+        fmt::format(
+            "Where the bodies are at tau h within the last step, on the curve of the "
+            "method (Sections 4.1 and 5.4 of the paper): of a rotation R_0 exp(hat xi(tau)). "
+            "From the exact solution through its beginning it is O(h^{}) away for all tau "
+            "in [0, 1]. After a step that failed, after reset() and before any step there "
+            "are no numbers.",
+            curve.order + 1),
+        "/// ");
+    writer.open("[[nodiscard]] Placement position(Scalar tau) const {{");
+    writer.line("Placement x;");
+    if (is_straight) {
+        writer.line("set(x, s_.position(tau));");
+    } else {
+        writer.line("const auto bend = hvi::detail::departures(curve, {});",
+                    curve.A.empty() ? "tau" : "tau, curve_terms(tau), curve_terms(1)");
+        writer.line("set(x, s_.position(tau, bend));");
+    }
+    static_cast<void>(step);
+    return writer.line("return x;").close().str();
+}
+
+}  // namespace
+
+std::string emit_one(const OneStepMethod& method, const Step& step, const ChartStep& form,
+                     const EmitOptions& options) {
+    const SystemPart system = system_part(method, step, options);
+    std::vector<std::string> runtime{"detail/groups/coupled_charts"};
+    for (const std::string& header : clock_runtime(step)) { runtime.push_back(header); }
+    if (options.wishes.curve) { runtime.emplace_back("detail/stages/curve"); }
+    if (options.wishes.float128) { runtime.emplace_back("detail/numbers/math"); }
+    for (const std::string& header : solver_headers(step)) { runtime.push_back(header); }
+    Holes holes = holes_of(system);
+    holes.merge(Holes{
+        {"banner", banner(method, step, options)},
+        {"format", std::to_string(hvi::runtime_format)},
+        {"runtime", runtime_includes(std::move(runtime))},
+        {"parameter", ""},
+        {"state", system.state},
+        {"curve", options.wishes.curve ? curve_member(step, *options.wishes.curve) : std::string()},
+        {"step", step_text(step)},
+        {"part", ""},
+        {"action", ""},
+        {"integral", ""},
+        {"forget", "s_.forget();"},
+        {"constants", constants_text(step, form, options.wishes)},
+        {"predict", prediction(step, form.iteration)},
+        {"coupled", coupled_text(step)},
+        {"members", members_text(step)}});
+    return fill("implicit.hpp.in", holes);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,16 @@
+// Whether the rotations of a scene begin as rotations.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/read/scene.hpp"
+#include "generator/scene/value_at.hpp"
+
+namespace hvi::gen {
+
+/// Throws MathError, with the place of its first entry, where R^T R provably differs from 1 by more
+/// than half of the digits of a double are, or det R is provably not positive. NOTE: entries that
+/// are written with some digits make no rotation exactly; a step takes the nearest one.
+/// Precondition: `start` has the values of all variables.
+void check_rotations(const Scene& scene, const SymbolValues& start);
+
+}  // namespace hvi::gen
