@@ -12,6 +12,7 @@ void run(const StepperOptions& options);
 void run(const SchemeOptions& options);
 void run(const RunOptions& options);
 void run(const ReportOptions& options);
+void run(const SymmetriesOptions& options);
 void run(const ListOptions& options);
 void run(const CompletionsOptions& options);
 void run(const ManualOptions& options);

@@ -172,6 +172,15 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
                      options);
 }
 
+Scene read_scene_alone(const std::vector<Given>& assignments, const SystemOptions& system) {
+    const std::vector<Parameter> parameters = parameters_in(assignments);
+    Scene scene = system.scene ? find_scene(system.scene, parameters)
+                               : scene_of(read_hamiltonian(system, parameters));
+    Method none;
+    for (const Parameter& parameter : parameters) set_parameter(none, scene, parameter);
+    return scene;
+}
+
 std::variant<MethodAndScene, MethodAndLargeScene>
 read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system) {
     if (!system.scene) return read_scene(options, system);

@@ -36,6 +36,11 @@ struct MethodAndScene {
 };
 [[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
 
+/// A scene of at most 64 degrees of freedom, or the Hamiltonian of the command line as one. What
+/// `--param` gives no value, and the scene neither, has none.
+[[nodiscard]] Scene read_scene_alone(const std::vector<Given>& parameters,
+                                     const SystemOptions& system);
+
 /// A method, and a scene of more degrees of freedom than are written out, as it is written. Its
 /// parameters have their values, and so have those of the method.
 struct MethodAndLargeScene {

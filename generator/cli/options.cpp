@@ -117,15 +117,18 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     return options;
 }
 
+SystemOptions needed_system(const Words& words, const CommandLine& line) {
+    const auto system = system_options(words);
+    if (system) return *system;
+    throw InputError("no Hamiltonian is given", line.end(),
+                     "for example kepler, which `hvi-gen list scenes` shows, or --hamiltonian "
+                     "\"p^2/2 + w^2*q^2/2\"");
+}
+
 SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
     SchemeOptions options;
     options.method = method_options(words, line);
-    const auto system = system_options(words);
-    if (!system)
-        throw InputError("no Hamiltonian is given", line.end(),
-                         "for example kepler, which `hvi-gen list scenes` shows, or --hamiltonian "
-                         "\"p^2/2 + w^2*q^2/2\"");
-    options.system = *system;
+    options.system = needed_system(words, line);
     options.generating = words.has("--generating");
     options.lagrangian = words.has("--lagrangian");
     options.series = words.whole_number("--series");
@@ -199,6 +202,15 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
     return options;
 }
 
+SymmetriesOptions symmetries_options(const Words& words, const CommandLine& line) {
+    SymmetriesOptions options;
+    options.system = needed_system(words, line);
+    options.parameters = words.texts("--param");
+    options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
+    options.output = output_option(words);
+    return options;
+}
+
 ListOptions list_options(const Words& words) {
     return {words.choice<Topic>("TOPIC").value_or(Topic::all)};
 }
@@ -242,10 +254,10 @@ Request request(const CLI::App& parsed, const CommandLine& line) {
     case Command::scheme: return scheme_options(words, line);
     case Command::run: return run_options(words, line);
     case Command::report: return report_options(words, line);
+    case Command::symmetries: return symmetries_options(words, line);
     case Command::list: return list_options(words);
     case Command::completions: return completions_options(words, line);
     case Command::manual: return ManualOptions{output_option(words)};
-    case Command::symmetries:
     case Command::ensemble:
     case Command::module: break;  // to come
     }

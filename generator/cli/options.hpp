@@ -93,6 +93,15 @@ struct SchemeOptions {
     std::optional<std::filesystem::path> output;
 };
 
+struct SymmetriesOptions {
+    using Format = CertificateFormat;
+
+    SystemOptions system;
+    std::vector<Given> parameters;  ///< `mu=2`
+    Format format = Format::text;
+    std::optional<std::filesystem::path> output;
+};
+
 struct ListOptions {
     Topic topic = Topic::all;
 };
@@ -112,9 +121,9 @@ struct Information {
     std::string text;
 };
 
-using Request =
-    std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions, RunOptions,
-                 ReportOptions, ListOptions, CompletionsOptions, ManualOptions, Information>;
+using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
+                             RunOptions, ReportOptions, SymmetriesOptions, ListOptions,
+                             CompletionsOptions, ManualOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

@@ -230,22 +230,30 @@ Algebra::Algebra(const Expression& function, const std::shared_ptr<const Source>
                  const std::vector<std::string>& variables)
     : whole_(whole(source)) {
     check_size(function, whole_);
-    std::map<std::string, ex> symbols;
     check_numbers(function, source);
     for (const Parameter& parameter : parameters) {
         on_new_ground([&](const Ground& ground) { return exact_value(parameter, ground); });
-        symbols[parameter.name] = Reader(parameter.source, symbols).read(parameter.value);
+        const ex value = Reader(parameter.source, symbols_).read(parameter.value);
+        symbols_[parameter.name] = values_[parameter.name] = value;
     }
-    const auto add = [&](const std::string& name, char kind, std::vector<GiNaC::symbol>& list) {
-        if (symbols.count(name) != 0) return;
-        ranks_[name] = kind + padded(list.size());
-        symbols[name] = list.emplace_back(name);
-    };
     for (const std::string& name : parameter_names(function, variables))
         add(name, '1', parameters_);
     if (depends_on_time(function)) add("t", '1', parameters_);
     for (const std::string& name : variables) add(name, '2', variables_);
-    function_ = Reader(source, symbols).read(function);
+    function_ = Reader(source, symbols_).read(function);
+}
+
+void Algebra::add(const std::string& name, char kind, std::vector<GiNaC::symbol>& list) {
+    if (symbols_.count(name) != 0) return;
+    ranks_[name] = kind + padded(list.size());
+    symbols_[name] = list.emplace_back(name);
+}
+
+ex Algebra::read(const Expression& expression, const std::shared_ptr<const Source>& source) {
+    check_numbers(expression, source);
+    for (const std::string& name : parameter_names(expression, {})) add(name, '1', parameters_);
+    if (depends_on_time(expression)) add("t", '1', parameters_);
+    return Reader(source, symbols_).read(expression);
 }
 
 GiNaC::ex Algebra::derivative(const ex& expression, const GiNaC::symbol& variable) const {

@@ -29,9 +29,17 @@ public:
     /// Those without a value, and the time where it occurs: by it nothing is differentiated.
     [[nodiscard]] const std::vector<GiNaC::symbol>& parameters() const { return parameters_; }
 
+    /// The parameters that are replaced, by name.
+    [[nodiscard]] const std::map<std::string, GiNaC::ex>& values() const { return values_; }
+
     /// Throws InputError where it is not defined.
     [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& expression,
                                        const GiNaC::symbol& variable) const;
+
+    /// Another expression of the same variables and parameters, which stands in `source`; one that
+    /// is new to the algebra is a parameter without a value. Throws as the constructor does.
+    [[nodiscard]] GiNaC::ex read(const Expression& expression,
+                                 const std::shared_ptr<const Source>& source);
 
     /// The expression as one would write it. NOTE: GiNaC orders terms, and the sign of a sum in a
     /// power, by addresses in memory; here both depend on the expression alone.
@@ -44,6 +52,10 @@ private:
     Place whole_;
     std::vector<GiNaC::symbol> variables_;
     std::vector<GiNaC::symbol> parameters_;
+    void add(const std::string& name, char kind, std::vector<GiNaC::symbol>& list);
+
+    std::map<std::string, GiNaC::ex> values_;
+    std::map<std::string, GiNaC::ex> symbols_;  ///< and values, by name
     std::map<std::string, std::string> ranks_;  ///< of symbols, by name: as text that sorts so
     GiNaC::ex function_;
 };

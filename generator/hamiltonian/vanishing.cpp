@@ -69,6 +69,10 @@ bool is_surely_regular(const Algebra& algebra, const GiNaC::matrix& matrix) {
     return false;
 }
 
+bool is_surely_not_zero(const Algebra& algebra, const GiNaC::ex& expression) {
+    return is_refuted(algebra, algebra.written(expression));
+}
+
 Vanishing vanishing(const Algebra& algebra, const GiNaC::ex& expression) {
     if (expression.is_zero()) return Vanishing::proved;
     const Expression written = algebra.written(expression);

@@ -21,9 +21,9 @@ constexpr std::array commands = {
     CommandEntry{scheme, "scheme", "METHOD SCENE",
                  "Print the equations of a step for a Hamiltonian"},
     CommandEntry{run, "run", "[METHOD] SCENE", "Integrate a scene: table, picture, summary"},
-    CommandEntry{report, "report", "SCENE... [METHOD]", "Error against run time, of methods on scenes"},
-    CommandEntry{symmetries, "symmetries", "SCENE", "Affine symmetries and their momentum maps",
-                 State::to_come},
+    CommandEntry{report, "report", "SCENE... [METHOD]",
+                 "Error against run time, of methods on scenes"},
+    CommandEntry{symmetries, "symmetries", "SCENE", "Affine symmetries and their momentum maps"},
     CommandEntry{ensemble, "ensemble", "SCENE [METHOD]", "Run many trajectories on all cores",
                  State::to_come},
     CommandEntry{module, "module", "SCENE [METHOD]", "Write a module for Python or C",
@@ -33,9 +33,11 @@ constexpr std::array commands = {
     CommandEntry{manual, "manual", "", "Print the man page"},
 };
 
-constexpr Commands every{tableau, check, stepper, scheme, run, report, list, completions, manual};
+constexpr Commands every{tableau, check,      stepper, scheme,      run,
+                         report,  symmetries, list,    completions, manual};
 constexpr Commands with_method{tableau, check, stepper, scheme, run, report};
-constexpr Commands with_hamiltonian{stepper, scheme};
+constexpr Commands with_parameters{tableau, check, stepper, scheme, run, report, symmetries};
+constexpr Commands with_hamiltonian{stepper, scheme, symmetries};
 
 constexpr std::array tableau_formats = {
     choice("text", TableauFormat::text), choice("json", TableauFormat::json),
@@ -75,7 +77,7 @@ constexpr Relation a_system{"SCENE|--hamiltonian"};
 
 constexpr std::array table = {
     OptionEntry{.name = "SCENE",
-                .of = {stepper, scheme, run},
+                .of = {stepper, scheme, run, symmetries},
                 .value = Value::scene,
                 .placeholder = "SCENE",
                 .help = "A scene by name (`hvi-gen list scenes`), or in TOML",
@@ -140,7 +142,7 @@ constexpr std::array table = {
                 .placeholder = "FILE",
                 .help = "A tableau in JSON, from wherever, in place of METHOD"},
     OptionEntry{.name = "--param",
-                .of = with_method,
+                .of = with_parameters,
                 .value = Value::text,
                 .placeholder = "NAME=VALUE",
                 .help = "The value of a parameter; repeatable",
@@ -382,7 +384,7 @@ constexpr std::array table = {
                 .choices = tableau_formats,
                 .help = "How it is written"},
     OptionEntry{.name = "--format",
-                .of = {check},
+                .of = {check, symmetries},
                 .value = Value::choice,
                 .placeholder = "FORMAT",
                 .choices = certificate_formats,
@@ -418,7 +420,7 @@ constexpr std::array table = {
                 .help = "Draw trace/2 on the oscillator as SVG"},
     OptionEntry{.name = "--output",
                 .abbreviation = "-o",
-                .of = {tableau, check, stepper, scheme, completions, manual},
+                .of = {tableau, check, stepper, scheme, symmetries, completions, manual},
                 .value = Value::file,
                 .placeholder = "FILE",
                 .help = "Write to this file"},

@@ -1,0 +1,32 @@
+// `hvi-gen symmetries`: affine symmetries, their momentum maps, and what is conserved.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/render/symmetries.hpp"
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/method.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Throws MathError for the first invariant that is none.
+void check_invariants(const SceneSymmetries& found) {
+    for (const ConservedQuantity& invariant : found.invariants)
+        if (invariant.finding.conserved == Vanishing::refuted)
+            throw MathError("the invariant `" + invariant.name +
+                                "` is not conserved: its bracket with H is " +
+                                to_text(invariant.finding.bracket),
+                            invariant.place);
+}
+
+}  // namespace
+
+void run(const SymmetriesOptions& options) {
+    const SceneSymmetries found =
+        find_symmetries(read_scene_alone(options.parameters, options.system));
+    check_invariants(found);
+    const bool as_json = options.format == SymmetriesOptions::Format::json;
+    write_result(options.output, as_json ? render_json(found) : render_text(found));
+}
+
+}  // namespace hvi::gen

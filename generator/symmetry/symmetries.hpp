@@ -1,0 +1,48 @@
+// The symmetries of a scene, and what it says to be conserved.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/expr/side.hpp"
+#include "generator/hamiltonian/affine_symmetries.hpp"
+#include "generator/hamiltonian/conserved.hpp"
+#include "generator/read/scene.hpp"
+
+namespace hvi::gen {
+
+/// A function of the scene's variables that is, or ought to be, conserved.
+struct ConservedQuantity {
+    enum class Kind { momentum_map, invariant, energy };
+
+    Kind kind = Kind::invariant;
+    std::string name;         ///< `momentum_map_1`, that of the scene, or `energy`
+    Expression expression;    ///< in the scene's variables
+    QuantityFinding finding;  ///< of it as a function of q and p
+    Place place;              ///< of an invariant
+};
+
+/// What is found out about a scene.
+struct SceneSymmetries {
+    std::string name;  ///< of the scene, or what the command line has for it
+    Side side = Side::hamiltonian;
+    std::vector<std::string> coordinates;
+    std::optional<std::size_t> rank;  ///< of d2H/dp2, or of d2L/dv2; empty where it is not known
+    bool depends_on_time = false;
+    AffineSymmetries affine;
+    std::vector<ConservedQuantity> momentum_maps;  ///< in the order of the affine symmetries
+    std::vector<ConservedQuantity> invariants;     ///< in the order of the scene
+    std::optional<ConservedQuantity> energy;       ///< where more is known than that it is H
+
+    [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }
+    [[nodiscard]] bool is_regular() const { return rank == coordinates.size(); }
+};
+
+/// By exact algebra, for the values that the scene's parameters have. Throws as affine_symmetries()
+/// does, and InputError where the scene calls functions of the user's own, of which nothing is
+/// known.
+[[nodiscard]] SceneSymmetries find_symmetries(const Scene& scene);
+
+}  // namespace hvi::gen

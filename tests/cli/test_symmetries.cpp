@@ -1,0 +1,104 @@
+// `hvi-gen symmetries` as a user runs it.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tests/cli/program.hpp"
+#include "tests/cli/refusals.hpp"
+
+using namespace hvi::test;
+
+namespace {
+
+bool says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+const char* const motion_in_a_bowl = R"(
+coordinates = ["x", "y"]
+momenta     = ["px", "py"]
+hamiltonian = "(px^2 + py^2)/2 + (x^2 + y^2)^2"
+[invariants]
+L  = "x*py - y*px"
+px = "INVARIANT"
+[initial]
+x  = 1
+y  = 0
+px = 0
+py = 1
+[run]
+method = "gauss:2"
+step   = "1/10"
+until  = 1
+)";
+
+std::string scene_with(const std::string& invariant) {
+    std::string text = motion_in_a_bowl;
+    text.replace(text.find("px = \"INV"), 16, "I = \"" + invariant + "\"");
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("The symmetries of a scene as text") {
+    const Outcome found = hvi_gen({"symmetries", "kepler"});
+    CHECK(found.status == 0);
+    CHECK(found.out == R"(kepler
+
+symmetries    1 generator of affine transformations, and these are all
+  J1          x*py-y*px
+              by x' = -y, y' = x
+algebra       so(2): all brackets vanish
+
+regular       yes: d2H/dp2 has the rank 2 of 2
+
+invariants    angular_momentum: conserved
+)");
+    CHECK(says(hvi_gen({"symmetries", "qp"}).out, "no: d2H/dp2 has the rank 0 of 1"));
+    CHECK(says(hvi_gen({"symmetries", "--hamiltonian", "p^2/2 + log(1+atan(q))"}).out, "none"));
+}
+
+TEST_CASE("The symmetries of a Hamiltonian as JSON") {
+    const Outcome found = hvi_gen({"symmetries", "--hamiltonian", "(p1^2+p2^2)/2 + a*(q1^2+q2^2)^2",
+                                   "--param", "a=3", "--format", "json"});
+    CHECK(found.status == 0);
+    for (const char* part :
+         {"\"schema\": \"hvi-symmetries/1\"", "\"regular\": true", "\"rank\": 2",
+          "\"degrees_of_freedom\": 2", "\"complete\": true", "\"q1\": \"-q2\"", "\"q2\": \"q1\"",
+          "\"momentum_map\": \"q1*p2-q2*p1\"", "\"name\": \"so(2)\""})
+        CHECK(says(found.out, part));
+    const Outcome kepler = hvi_gen({"symmetries", "kepler", "--format", "json"});
+    CHECK(says(kepler.out, "\"name\": \"angular_momentum\""));
+    CHECK(says(kepler.out, "\"conserved\": true"));
+    CHECK(says(kepler.out, "\"bracket\": \"0\""));
+}
+
+TEST_CASE("The same input gives the same bytes") {
+    for (const char* name : {"outer-solar-system", "robot-arm"}) {
+        const Outcome first = hvi_gen({"symmetries", name, "--format", "json"});
+        CHECK(first.status == 0);
+        for (int round = 0; round < 3; ++round)
+            CHECK(hvi_gen({"symmetries", name, "--format", "json"}).out == first.out);
+    }
+}
+
+TEST_CASE("An invariant that is none is an error of symmetries") {
+    const Directory directory;
+    write(directory / "scene.toml", scene_with("x*py + y*px"));
+    const Outcome found = hvi_gen({"symmetries", "scene.toml"}, directory.path());
+    CHECK(found.status == 1);
+    CHECK(found.out.empty());
+    CHECK(says(found.err, "the invariant `I` is not conserved: its bracket with H is "
+                          "2*px*py-8*x^3*y-8*x*y^3"));
+    CHECK(says(found.err, "^~~~~~~~~~~"));
+    write(directory / "scene.toml", scene_with("(px^2+py^2)/2 + (x^2+y^2)^2"));
+    CHECK(hvi_gen({"symmetries", "scene.toml"}, directory.path()).status == 0);
+}
+
+TEST_CASE("What symmetries cannot read") {
+    CHECK(hvi_gen({"symmetries"}).status == 2);
+    CHECK(hvi_gen({"symmetries", "keppler"}).status == 2);
+    CHECK(hvi_gen({"symmetries", "kepler", "--hamiltonian", "p"}).status == 2);
+    CHECK(hvi_gen({"symmetries", "kepler", "--param", "nu=1"}).status == 2);
+    CHECK(hvi_gen({"symmetries", "kepler", "--method", "gauss:2"}).status == 2);
+    CHECK(hvi_gen({"symmetries", "kepler", "--format", "latex"}).status == 2);
+    CHECK(hvi_gen({"symmetries", "--hamiltonian", "p^2/0"}).status == 2);
+    CHECK(hvi_gen({"symmetries", "--hamiltonian", "p^2/2 + sqrt(-1)"}).status == 1);
+}

@@ -1,0 +1,39 @@
+// Scenes and Hamiltonians as a user writes them, and what is found of them.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/symmetry/symmetries.hpp"
+
+namespace hvi::gen {
+
+/// Of coordinates and momenta between commas, or of q, p.
+inline SceneSymmetries found_of(const std::string& hamiltonian, const std::string& coordinates = "",
+                                const std::string& momenta = "") {
+    Scene scene;
+    scene.mechanics = coordinates.empty()
+                          ? hamiltonian_from_text(given("--hamiltonian", hamiltonian))
+                          : hamiltonian_from_text(given("--hamiltonian", hamiltonian),
+                                                  given("--coordinates", coordinates),
+                                                  given("--momenta", momenta));
+    return find_symmetries(scene);
+}
+
+inline SceneSymmetries found_of_scene(const std::string& toml) {
+    return find_symmetries(scene_from_toml({"scene.toml", toml}));
+}
+
+inline std::vector<std::string> momentum_maps(const SceneSymmetries& found) {
+    std::vector<std::string> texts;
+    for (const AffineSymmetry& symmetry : found.affine.basis)
+        texts.push_back(to_text(symmetry.momentum_map));
+    return texts;
+}
+
+inline std::string algebra_name(const SceneSymmetries& found) {
+    return found.affine.algebra ? found.affine.algebra->name : "?";
+}
+
+}  // namespace hvi::gen
