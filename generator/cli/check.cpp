@@ -4,6 +4,7 @@
 #include "generator/cli/method.hpp"
 #include "generator/render/certificate.hpp"
 #include "generator/render/stability_svg.hpp"
+#include "generator/render/statements.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/progress.hpp"
 
@@ -26,24 +27,51 @@ std::string plot(const Findings& findings, const Given& file) {
     return stability_svg(name, *findings.oscillator, *findings.stability);
 }
 
-void write(const CheckOptions& options, const Findings& findings, const auto& whole) {
+KeepingFacts facts_of(const Certificate& certificate) {
+    return {certificate.symplectic, certificate.common_weights, certificate.runge_kutta, false};
+}
+
+KeepingFacts facts_of(const RuleCertificate& certificate) {
+    return {certificate.symplectic, {}, {false, true}, true};
+}
+
+/// `whole`: what is written, in which the findings are.
+void write(const CheckOptions& options, const std::optional<Scene>& scene, const auto& findings,
+           const auto& whole) {
     const Progress::Stage stage("writing the certificate");
     const bool as_json = options.format == CheckOptions::Format::json;
+    std::string text = as_json ? render_json(whole) : render_text(whole);
+    if (scene) {
+        SceneStatements of_scene{find_symmetries(*scene), {}};
+        of_scene.statements = statements(of_scene.found, facts_of(findings));
+        text =
+            as_json ? with_statements_json(text, of_scene) : with_statements_text(text, of_scene);
+    }
     if (options.plot) { write_result(options.plot->text, plot(findings, options.plot)); }
-    write_result(options.output, as_json ? render_json(whole) : render_text(whole));
+    write_result(options.output, text);
 }
 
 }  // namespace
 
 void run(const CheckOptions& options) {
+    std::optional<Scene> scene;
     if (options.tableau) {
+        if (options.system) { scene = read_scene_alone({}, *options.system); }
         const Audit found =
             audit(coefficients_of(*options.tableau, options.method), options.max_order);
-        write(options, found.certificate, found);
-    } else {
-        std::visit([&](const auto& certificate) { write(options, certificate, certificate); },
-                   certify(method_of(options.method), options.max_order));
+        write(options, scene, found.certificate, found);
+        return;
     }
+    Method method;
+    if (options.system) {
+        MethodAndScene both = read_both(options.method, *options.system);
+        method = std::move(both.method);
+        scene = std::move(both.scene);
+    } else {
+        method = method_of(options.method);
+    }
+    std::visit([&](const auto& certificate) { write(options, scene, certificate, certificate); },
+               certify(method, options.max_order));
 }
 
 }  // namespace hvi::gen

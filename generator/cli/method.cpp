@@ -172,6 +172,16 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
                      options);
 }
 
+MethodAndScene read_both(const MethodOptions& options, const SystemOptions& system) {
+    const std::vector<Parameter> parameters = parameters_in(options.parameters);
+    Method method = read_method(options);
+    Scene scene = system.scene ? find_scene(system.scene, parameters)
+                               : scene_of(read_hamiltonian(system, parameters));
+    check_together(method, scene);
+    for (const Parameter& parameter : parameters) set_parameter(method, scene, parameter);
+    return {std::move(method), std::move(scene)};
+}
+
 Scene read_scene_alone(const std::vector<Given>& assignments, const SystemOptions& system) {
     const std::vector<Parameter> parameters = parameters_in(assignments);
     Scene scene = system.scene ? find_scene(system.scene, parameters)

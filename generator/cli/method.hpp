@@ -36,6 +36,9 @@ struct MethodAndScene {
 };
 [[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
 
+/// A method and a scene, of which one need not have what a run needs; a parameter of both is one.
+[[nodiscard]] MethodAndScene read_both(const MethodOptions& options, const SystemOptions& system);
+
 /// A scene of at most 64 degrees of freedom, or the Hamiltonian of the command line as one. What
 /// `--param` gives no value, and the scene neither, has none.
 [[nodiscard]] Scene read_scene_alone(const std::vector<Given>& parameters,

@@ -96,6 +96,7 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
     options.method = options.tableau ? method_beside_scene(words) : method_options(words, line);
     options.max_order = words.whole_number("--max-order").value_or(options.max_order);
     options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
+    options.system = system_options(words);
     options.plot = words.file("--plot");
     options.output = output_option(words);
     return options;

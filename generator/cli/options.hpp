@@ -30,6 +30,12 @@ struct TableauOptions {
     std::optional<std::filesystem::path> output;
 };
 
+/// A Hamiltonian, as text: `scene`, or `hamiltonian` with both names or none.
+struct SystemOptions {
+    Given scene;  ///< the name of one, or a file
+    Given hamiltonian, coordinates, momenta;
+};
+
 struct CheckOptions {
     using Format = CertificateFormat;
 
@@ -37,14 +43,9 @@ struct CheckOptions {
     std::optional<std::filesystem::path> tableau;  ///< a file in place of a method
     int max_order = 8;
     Format format = Format::text;
-    Given plot;  ///< the file of an SVG of trace/2
+    std::optional<SystemOptions> system;  ///< of which it is asked what the method keeps
+    Given plot;                           ///< the file of an SVG of trace/2
     std::optional<std::filesystem::path> output;
-};
-
-/// A Hamiltonian, as text: `scene`, or `hamiltonian` with both names or none.
-struct SystemOptions {
-    Given scene;  ///< the name of one, or a file
-    Given hamiltonian, coordinates, momenta;
 };
 
 struct StepperOptions {

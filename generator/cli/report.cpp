@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -11,12 +12,15 @@
 #include "generator/cli/words.hpp"
 #include "generator/edges/edges.hpp"
 #include "generator/edges/program.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/read/indexed_scene.hpp"
+#include "generator/render/statements.hpp"
 #include "generator/report/render.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/study/study.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
+#include "generator/symmetry/watched.hpp"
 
 namespace hvi::gen {
 
@@ -34,6 +38,7 @@ struct Subject {
     double until = 0;
     std::int64_t first_count = 0;
     std::vector<double> steps = {};
+    WatchedScene watched = {};  ///< of a scene that is written out, which then is its scene
 };
 
 /// What is not built for a scene whose sums stay loops.
@@ -73,6 +78,14 @@ Subject subject(const Given& name, const ReportOptions& options) {
         result.steps.push_back(nearest_value(scene, h));
     }
     return result;
+}
+
+/// With its momentum maps among the invariants.
+void watch(Subject& subject) {
+    auto* const scene = std::get_if<Scene>(&subject.scene);
+    if (scene == nullptr) return;
+    subject.watched = watched(*scene);
+    *scene = subject.watched.scene;
 }
 
 /// METHOD, then those of --methods; where there are none of both, the usual ones.
@@ -116,6 +129,29 @@ void note_reference(Report& report, const SceneReport& scene) {
         scene.name, scene.reference.error));
 }
 
+/// What is said of each method beside what was measured. NOTE: curves of methods come first, in
+/// their order.
+void set_kept(SceneReport& of_scene, const WatchedScene& watched,
+              const std::vector<ComposedMethod>& methods) {
+    if (!watched.found) return;
+    std::vector<std::string> names;
+    if (!watched.found->depends_on_time) names.emplace_back("energy");
+    for (const NamedExpression& invariant : watched.scene.invariants)
+        names.push_back(invariant.name);
+    for (std::size_t i = 0; i < methods.size() && i < of_scene.curves.size(); ++i) {
+        WorkCurve& curve = of_scene.curves[i];
+        const KeepingFacts facts = keeping_facts(derive_any(methods[i].method));
+        for (const Statement& statement : watched.statements(facts)) {
+            const auto place = std::find(names.begin(), names.end(), statement.name);
+            const auto at = static_cast<std::size_t>(place - names.begin());
+            const std::vector<double>& largest = curve.departures.largest;
+            curve.kept.push_back({statement.name, to_text(statement.expression),
+                                  std::string(keeping_text(statement.keeping)), statement.reason,
+                                  at < largest.size() ? largest[at] : std::nan("")});
+        }
+    }
+}
+
 void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subjects,
                 StudyWishes wishes) {
     for (const Subject& subject : subjects) {
@@ -129,6 +165,7 @@ void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subj
                 },
                 subject.scene);
             note_reference(report, of_scene);
+            set_kept(of_scene, subject.watched, wishes.methods);
         } catch (const Error& error) {
             report.incomplete = name_of(subject) + ": " + error.what();
             if (of_scene.curves.empty()) report.scenes.pop_back();
@@ -227,6 +264,8 @@ void run(const ReportOptions& options) {
     wishes.methods = methods(options);
     std::vector<Subject> subjects;
     for (const Given& scene : options.scenes) subjects.push_back(subject(scene, options));
+    if (options.items.contains(ReportItem::work))
+        for (Subject& subject : subjects) watch(subject);
 
     const InterruptionsHeld held;
     Builds builds(find_compiler());

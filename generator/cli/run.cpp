@@ -15,11 +15,13 @@
 #include "generator/cli/run_wishes.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/program/builds.hpp"
+#include "generator/render/statements.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/pace.hpp"
 #include "generator/support/process.hpp"
+#include "generator/symmetry/watched.hpp"
 
 namespace hvi::gen {
 
@@ -81,7 +83,16 @@ void note_left_out(const Steps& asked) {
                stderr);
 }
 
-std::string summary(const RunSubject& subject, const Steps& asked, const Simulation& run) {
+/// What a summary says beside a measured error.
+std::string said_of(const std::string& name, const std::vector<Statement>& statements) {
+    for (const Statement& statement : statements)
+        if (statement.name == name && statement.keeping != Keeping::unknown)
+            return fmt::format("; {}", keeping_text(statement.keeping));
+    return "";
+}
+
+std::string summary(const RunSubject& subject, const Steps& asked, const Simulation& run,
+                    const std::vector<Statement>& statements) {
     std::size_t width = std::string_view("evaluations").size();
     for (const Conserved& kept : run.conserved) width = std::max(width, kept.name.size());
     std::string text;
@@ -105,8 +116,9 @@ std::string summary(const RunSubject& subject, const Steps& asked, const Simulat
             line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
     }
     for (const Conserved& kept : run.conserved)
-        line(kept.name, fmt::format("{:.10g}, largest error {:.2e}, at the end {:.2e}", kept.start,
-                                    kept.largest, kept.last));
+        line(kept.name,
+             fmt::format("{:.10g}, largest error {:.2e}, at the end {:.2e}{}", kept.start,
+                         kept.largest, kept.last, said_of(kept.name, statements)));
     return text;
 }
 
@@ -208,6 +220,7 @@ std::vector<ColumnBox> columns_of(const RunSubject& subject, const Given& list) 
 struct WishedRun {
     RunSubject subject;
     Steps steps;
+    std::vector<Statement> statements = {};  ///< of what it keeps
 };
 
 Steps wished_steps(const Scene& scene, const RunOptions& options) {
@@ -221,9 +234,17 @@ StepperWishes wishes_of(const RunOptions& options) {
     return wishes;
 }
 
+/// With the momentum maps that are found.
+WishedRun watched_run(const Method& method, const Scene& scene, const StepperWishes& wishes,
+                      const Steps& steps) {
+    const WatchedScene watched = hvi::gen::watched(scene);
+    const SceneStepper stepper = scene_stepper(method, watched.scene, wishes);
+    return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base))};
+}
+
 WishedRun wished_run(const RunOptions& options, const MethodAndScene& wished) {
     const Steps steps = wished_steps(wished.scene, options);
-    return {run_subject(scene_stepper(wished.method, wished.scene, wishes_of(options))), steps};
+    return watched_run(wished.method, wished.scene, wishes_of(options), steps);
 }
 
 WishedRun wished_run(const RunOptions& options, const MethodAndLargeScene& wished) {
@@ -237,9 +258,8 @@ WishedRun advised_run(const RunOptions& options) {
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
     const auto [method, scene] = read_scene(method_options, options.system);
-    return {run_subject(
-                scene_stepper(method, scene, simulation_wishes(advice.solver, advice.composition))),
-            advice.steps};
+    return watched_run(method, scene, simulation_wishes(advice.solver, advice.composition),
+                       advice.steps);
 }
 
 WishedRun any_run(const RunOptions& options) {
@@ -263,7 +283,7 @@ RunTables wished_tables(const RunSubject& subject, const Steps& steps, const Run
 
 void run(const RunOptions& options) {
     const InterruptionsHeld held;
-    const auto [subject, steps] = any_run(options);
+    const auto [subject, steps, statements] = any_run(options);
     const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
     note_left_out(steps);
 
@@ -273,7 +293,7 @@ void run(const RunOptions& options) {
     Results results(directory);
     const RunTables tables = wished_tables(subject, steps, options, columns, results);
     const Simulation simulation = simulate(program, subject, steps, tables);
-    const std::string summary = hvi::gen::summary(subject, steps, simulation);
+    const std::string summary = hvi::gen::summary(subject, steps, simulation, statements);
     results.keep(subject, steps, simulation, tables, options, summary);
     if (!simulation.ok())
         throw MathError(

@@ -199,14 +199,25 @@ bool is_quadratic(const Lagrangian& lagrangian) {
            });
 }
 
-bool are_proportional(const Hamiltonian& hamiltonian, const Quantity& first,
-                      const Quantity& second) {
-    Algebra algebra(hamiltonian);
+namespace {
+
+bool are_proportional_in(Algebra algebra, const Quantity& first, const Quantity& second) {
     const ex a = algebra.read(first.expression, first.source);
     const ex b = algebra.read(second.expression, second.source);
     Monomials monomials(algebra);
     const auto x = monomials.sum(a), y = monomials.sum(b), one = monomials.sum(1);
     return x && y && one && !relations(monomials, {*one, *x, *y}, nullptr).basis.empty();
+}
+
+}  // namespace
+
+bool are_proportional(const Hamiltonian& hamiltonian, const Quantity& first,
+                      const Quantity& second) {
+    return are_proportional_in(Algebra(hamiltonian), first, second);
+}
+
+bool are_proportional(const Lagrangian& lagrangian, const Quantity& first, const Quantity& second) {
+    return are_proportional_in(Algebra(lagrangian), first, second);
 }
 
 }  // namespace hvi::gen

@@ -43,8 +43,10 @@ struct QuantityFinding {
 /// Whether L is seen to be a polynomial of degree 2 in q and v; then H is one in q and p.
 [[nodiscard]] bool is_quadratic(const Lagrangian& lagrangian);
 
-/// Which of the first is a multiple of the second, up to a constant; for values of the parameters.
+/// Whether one is seen to be a multiple of the other, up to a constant.
 [[nodiscard]] bool are_proportional(const Hamiltonian& hamiltonian, const Quantity& first,
+                                    const Quantity& second);
+[[nodiscard]] bool are_proportional(const Lagrangian& lagrangian, const Quantity& first,
                                     const Quantity& second);
 
 }  // namespace hvi::gen

@@ -16,7 +16,8 @@ using enum Command;
 
 constexpr std::array commands = {
     CommandEntry{tableau, "tableau", "METHOD", "Print the exact tableau of a method"},
-    CommandEntry{check, "check", "METHOD", "Order, symplecticity, symmetry, stability, with proof"},
+    CommandEntry{check, "check", "METHOD [SCENE]",
+                 "Order, symplecticity, symmetry, stability, with proof"},
     CommandEntry{stepper, "stepper", "METHOD [SCENE]", "Write a method as a C++ header"},
     CommandEntry{scheme, "scheme", "METHOD SCENE",
                  "Print the equations of a step for a Hamiltonian"},
@@ -37,7 +38,7 @@ constexpr Commands every{tableau, check,      stepper, scheme,      run,
                          report,  symmetries, list,    completions, manual};
 constexpr Commands with_method{tableau, check, stepper, scheme, run, report};
 constexpr Commands with_parameters{tableau, check, stepper, scheme, run, report, symmetries};
-constexpr Commands with_hamiltonian{stepper, scheme, symmetries};
+constexpr Commands with_hamiltonian{check, stepper, scheme, symmetries};
 
 constexpr std::array tableau_formats = {
     choice("text", TableauFormat::text), choice("json", TableauFormat::json),
@@ -77,7 +78,7 @@ constexpr Relation a_system{"SCENE|--hamiltonian"};
 
 constexpr std::array table = {
     OptionEntry{.name = "SCENE",
-                .of = {stepper, scheme, run, symmetries},
+                .of = {check, stepper, scheme, run, symmetries},
                 .value = Value::scene,
                 .placeholder = "SCENE",
                 .help = "A scene by name (`hvi-gen list scenes`), or in TOML",

@@ -77,6 +77,23 @@ std::string table_of_times(const SceneReport& scene) {
     return text + "</table></div>\n";
 }
 
+/// What is said of methods and conserved quantities, and what was seen of it.
+std::string table_of_kept(const SceneReport& scene) {
+    std::string text;
+    for (const WorkCurve& curve : scene.curves)
+        for (const KeptQuantity& kept : curve.kept)
+            text += fmt::format("{}<td>{}</td><td title=\"{}\">{}</td><td>{}</td><td>{}</td>"
+                                "<td>{}</td></tr>\n",
+                                &kept == &curve.kept.front() ? "<tr class=\"first\">" : "<tr>",
+                                &kept == &curve.kept.front() ? escaped(curve.name) : "",
+                                escaped(kept.expression), escaped(kept.name), escaped(kept.verdict),
+                                escaped(kept.reason), number(kept.largest));
+    if (text.empty()) return "";
+    return "<div class=\"scroll\"><table>\n<tr><th>method</th><th>conserved</th><th>by each step"
+           "</th><th>why</th><th>largest departure</th></tr>\n" +
+           text + "</table></div>\n";
+}
+
 std::string reference(const SceneReport& scene) {
     const Reference& reference = scene.reference;
     if (reference.kind == "exact") return "the exact solution of the scene";
@@ -98,7 +115,7 @@ std::string section(const SceneReport& scene, const std::vector<Picture>& pictur
                     escaped(scene.description), scene.description.empty() ? "" : ". ", scene.until,
                     escaped(reference(scene)));
     for (const Picture& picture : pictures) text += inlined(picture.svg) + "\n";
-    return text + table_of_times(scene) + table(scene);
+    return text + table_of_kept(scene) + table_of_times(scene) + table(scene);
 }
 
 }  // namespace

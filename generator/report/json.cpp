@@ -23,12 +23,23 @@ Json json_of(const WorkPoint& point) {
             {"status", point.status}};
 }
 
+Json json_of(const KeptQuantity& kept) {
+    return {{"name", kept.name},
+            {"expression", kept.expression},
+            {"verdict", kept.verdict},
+            {"reason", kept.reason},
+            {"largest", kept.largest}};
+}
+
 Json json_of(const WorkCurve& curve) {
     Json points = Json::array();
     for (const WorkPoint& point : curve.points) points.push_back(json_of(point));
+    Json kept = Json::array();
+    for (const KeptQuantity& each : curve.kept) kept.push_back(json_of(each));
     return {{"name", curve.name},
             {"order", curve.order > 0 ? Json(curve.order) : Json(nullptr)},
             {"peer", curve.is_peer},
+            {"conserved", std::move(kept)},
             {"points", std::move(points)}};
 }
 

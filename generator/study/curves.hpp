@@ -30,6 +30,16 @@ struct Departures {
     std::vector<double> times;
     std::vector<double> energy;      ///< the largest between two times; empty where it is not kept
     std::vector<double> invariants;  ///< the same of the norm of the others' departures
+    std::vector<double> largest;     ///< of the energy, where it is kept, and of each invariant
+};
+
+/// What is said of a method and a conserved quantity, and what was measured.
+struct KeptQuantity {
+    std::string name;
+    std::string expression;
+    std::string verdict;  ///< `kept`, or what else
+    std::string reason;
+    double largest = 0;  ///< departure in the run of the departures; NaN where none was measured
 };
 
 struct WorkCurve {
@@ -38,6 +48,7 @@ struct WorkCurve {
     bool is_peer = false;           ///< of another library
     std::vector<WorkPoint> points;  ///< by rising number of steps, or falling tolerance
     Departures departures;
+    std::vector<KeptQuantity> kept = {};
 };
 
 /// What errors are measured against.

@@ -28,12 +28,15 @@ Departures departures(const Course& course, const std::vector<WorkPoint>& points
         });
     if (nearest == points.end() || !nearest->ok()) return {};
     const DepartureSamples found = sample(*nearest);
-    Departures result{nearest->h, found.times, {}, {}};
+    Departures result{nearest->h, found.times, {}, {}, {}};
     const std::size_t first = course.keeps_energy ? 1 : 0;
     for (const std::vector<double>& each : found.departures) {
         if (each.size() < first)
             throw EnvironmentError("a compiled program does not answer as it should: it says no "
                                    "departure of the energy");
+        result.largest.resize(each.size());
+        for (std::size_t i = 0; i < each.size(); ++i)
+            result.largest[i] = std::max(result.largest[i], each[i]);
         if (course.keeps_energy) result.energy.push_back(each.front());
         if (each.size() == first) continue;
         double sum = 0;

@@ -129,9 +129,10 @@ TEST_CASE("zsh and fish read their completions, where they are installed") {
     CHECK(has(zsh, "'--digits=[Significant digits of decimal values (50)]:N: '"));
     CHECK(has(zsh, "(--method --method-file)--nodes=[Nodes in \\[0,1\\]]:NODES:(gauss\\:"));
     CHECK(has(zsh, "'1:SCENE:_hvi_gen_scenes'"));
-    CHECK(has(contents(directory / "hvi-gen.fish"),
-              "-n '__fish_seen_subcommand_from stepper scheme symmetries' -l hamiltonian -x -d "
-              "'Or H(q, p, t), as in \"p^2/2 + w^2*q^2/2\"'\n"));
+    CHECK(
+        has(contents(directory / "hvi-gen.fish"),
+            "-n '__fish_seen_subcommand_from check stepper scheme symmetries' -l hamiltonian -x -d "
+            "'Or H(q, p, t), as in \"p^2/2 + w^2*q^2/2\"'\n"));
     CHECK(
         has(contents(directory / "hvi-gen.fish"), "-s o -l output -r -F -d 'Write to this file'"));
 }

@@ -102,3 +102,37 @@ TEST_CASE("What symmetries cannot read") {
     CHECK(hvi_gen({"symmetries", "--hamiltonian", "p^2/0"}).status == 2);
     CHECK(hvi_gen({"symmetries", "--hamiltonian", "p^2/2 + sqrt(-1)"}).status == 1);
 }
+
+TEST_CASE("What a method keeps of a scene stands beside its certificate") {
+    const Outcome text = hvi_gen({"check", "--method", "lobatto:3", "kepler", "--max-order", "2"});
+    CHECK(text.status == 0);
+    CHECK(says(text.out, R"(Of kepler
+
+momentum maps x*py-y*px: kept
+              (the action is affine, and the method interpolates in a vector
+              space)
+invariants    angular_momentum: kept
+)"));
+    CHECK(says(text.out, "energy: not kept in general"));
+    // A = A~ decides on a quadratic H
+    const auto of_oscillator = [](const char* method) {
+        return hvi_gen({"check", "--method", method, "harmonic-oscillator", "--max-order", "2"})
+            .out;
+    };
+    CHECK(says(of_oscillator("gauss:2"), "energy: kept"));
+    CHECK(says(of_oscillator("lobatto:3"), "energy: not kept in general"));
+    // the general form, which makes no steps of some H
+    const std::vector<std::string> general{"check",   "--basis",   "1, tau",
+                                           "--nodes", "0, 1/2, 1", "--max-order",
+                                           "2",       "--format",  "json"};
+    const auto of = [&](std::vector<std::string> scene) {
+        scene.insert(scene.begin(), general.begin(), general.end());
+        return hvi_gen(scene).out;
+    };
+    CHECK(says(of({"kepler"}), "\"kept\": true"));
+    CHECK_FALSE(says(of({"qp"}), "\"kept\": true"));
+    CHECK(says(of({"qp"}), "d2H/dp2 is singular"));
+    CHECK(says(of({"--hamiltonian", "p^2/2+a*q^4", "--param", "a=2"}), "not quadratic"));
+    CHECK(hvi_gen({"check", "--method", "gauss:2", "--hamiltonian", "p^2/2", "--param", "b=2"})
+              .status == 2);
+}

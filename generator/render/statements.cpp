@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/render/statements.hpp"
+
+#include "generator/render/json_entry.hpp"
+#include "generator/render/named_lines.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Null where the motion is not known to conserve it.
+Json kept_json(Keeping keeping) {
+    return keeping == Keeping::unknown ? Json(nullptr) : Json(keeping == Keeping::kept);
+}
+
+Json statement_json(const Statement& statement, const char* key, const std::string& value) {
+    return {{key, value}, {"kept", kept_json(statement.keeping)}, {"reason", statement.reason}};
+}
+
+}  // namespace
+
+std::string_view keeping_text(Keeping keeping) {
+    switch (keeping) {
+    case Keeping::kept: return "kept";
+    case Keeping::not_in_general: return "not kept in general";
+    case Keeping::not_conserved: return "not conserved by the motion";
+    case Keeping::unknown: break;
+    }
+    return "not known";
+}
+
+std::string with_statements_text(const std::string& certificate, const SceneStatements& scene) {
+    NamedLines lines;
+    lines.blank();
+    lines.title("Of " + scene.found.name);
+    lines.blank();
+    const std::size_t maps = scene.found.momentum_maps.size();
+    for (std::size_t i = 0; i < scene.statements.size(); ++i) {
+        const Statement& statement = scene.statements[i];
+        const std::string name = i < maps ? to_text(statement.expression) : statement.name;
+        const bool is_first = i == 0 || i == maps;
+        lines.line(!is_first  ? ""
+                   : i < maps ? "momentum maps"
+                              : "invariants",
+                   name + ": " + std::string(keeping_text(statement.keeping)));
+        lines.line("", "(" + statement.reason + ")");
+    }
+    if (scene.statements.empty()) lines.line("keeps", "nothing is known to be conserved");
+    return certificate + lines.text();
+}
+
+std::string with_statements_json(const std::string& certificate, const SceneStatements& scene) {
+    Json json = Json::parse(certificate);
+    json["scene"] = scene.found.name;
+    json["momentum_maps"] = Json::array();
+    json["invariants"] = Json::array();
+    json["energy"] = nullptr;
+    const std::size_t maps = scene.found.momentum_maps.size();
+    const std::size_t invariants = maps + scene.found.invariants.size();
+    for (std::size_t i = 0; i < scene.statements.size(); ++i) {
+        const Statement& statement = scene.statements[i];
+        if (i < maps)
+            json["momentum_maps"].push_back(
+                statement_json(statement, "momentum_map", to_text(statement.expression)));
+        else if (i < invariants)
+            json["invariants"].push_back(statement_json(statement, "name", statement.name));
+        else
+            json["energy"] = {{"kept", kept_json(statement.keeping)}, {"reason", statement.reason}};
+    }
+    return json.dump(2) + "\n";
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,30 @@
+// What a method keeps of what a scene conserves, beside its certificate.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/symmetry/statements.hpp"
+
+namespace hvi::gen {
+
+/// What was found of a scene, and what a method keeps of it.
+struct SceneStatements {
+    SceneSymmetries found;
+    std::vector<Statement> statements;
+};
+
+/// The certificate, which is text, with them at its end.
+[[nodiscard]] std::string with_statements_text(const std::string& certificate,
+                                               const SceneStatements& scene);
+
+/// The certificate, which is JSON, with members for them.
+[[nodiscard]] std::string with_statements_json(const std::string& certificate,
+                                               const SceneStatements& scene);
+
+/// `kept`, `not kept in general`, ...: what a summary says.
+[[nodiscard]] std::string_view keeping_text(Keeping keeping);
+
+}  // namespace hvi::gen

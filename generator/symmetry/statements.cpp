@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/symmetry/statements.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "generator/exact/methods/properties.hpp"
+#include "generator/exact/methods/rule_properties.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Why a method keeps it; empty where it need not.
+std::string reason_to_keep(const QuantityFinding& finding, const KeepingFacts& method) {
+    const auto& quadratic = finding.quadratic;
+    if (finding.is_momentum_map && method.symplectic.holds)
+        return "the action is affine, and the method interpolates in a vector space";
+    if (method.is_general_form || !quadratic) return "";
+    if (quadratic->is_linear && method.common_weights.holds) return "linear, and b = b~";
+    if (!method.symplectic.holds) return "";
+    if (!quadratic->has_squares) return "q^T C p and linear terms, and the method is symplectic";
+    if (method.runge_kutta.holds) return "quadratic, and A = A~ of a symplectic method";
+    if (quadratic->squares_stay) return "what is quadratic in q alone or in p alone stays as it is";
+    return "";
+}
+
+/// Why it need not be kept.
+std::string reason_not_to(const QuantityFinding& finding, const KeepingFacts& method) {
+    if (!finding.quadratic) return "not quadratic in q and p";
+    if (method.is_general_form) return "no momentum map of an affine action";
+    if (!method.symplectic.holds) return "the method is not symplectic";
+    return "quadratic in q alone or in p alone, and A differs from A~";
+}
+
+Statement statement(const ConservedQuantity& quantity, const KeepingFacts& method) {
+    Statement result{quantity.name, quantity.expression, Keeping::unknown, ""};
+    switch (quantity.finding.conserved) {
+    case Vanishing::unknown:
+        result.reason = "it is not known whether the motion conserves it";
+        return result;
+    case Vanishing::refuted:
+        result.keeping = Keeping::not_conserved;
+        result.reason = "its bracket with H is " + to_text(quantity.finding.bracket);
+        return result;
+    case Vanishing::proved: break;
+    }
+    result.reason = reason_to_keep(quantity.finding, method);
+    result.keeping = result.reason.empty() ? Keeping::not_in_general : Keeping::kept;
+    if (result.reason.empty()) result.reason = reason_not_to(quantity.finding, method);
+    return result;
+}
+
+/// Where all that it is made of is kept, so is it.
+void look_at_parts(std::vector<Statement>& all, std::size_t number,
+                   const std::vector<std::size_t>& parts) {
+    Statement& whole = all[number];
+    const bool kept = std::all_of(parts.begin(), parts.end(), [&](std::size_t part) {
+        return all[part].keeping == Keeping::kept;
+    });
+    if (whole.keeping != Keeping::not_in_general || parts.empty() || !kept) return;
+    whole.keeping = Keeping::kept;
+    whole.reason = "made of";
+    for (const std::size_t part : parts)
+        whole.reason += (part == parts.front() ? " " : ", ") + all[part].name;
+}
+
+}  // namespace
+
+KeepingFacts keeping_facts(const DerivedMethod& method) {
+    if (const auto* tableau = std::get_if<Tableau>(&method))
+        return {is_symplectic(*tableau), has_common_weights(*tableau), is_runge_kutta(*tableau),
+                false};
+    return {is_symplectic(std::get<GalerkinRule>(method)), {}, {false, true}, true};
+}
+
+std::vector<Statement> statements(const SceneSymmetries& found, const KeepingFacts& method) {
+    std::vector<const ConservedQuantity*> all;
+    for (const ConservedQuantity& map : found.momentum_maps) all.push_back(&map);
+    for (const ConservedQuantity& invariant : found.invariants) all.push_back(&invariant);
+    if (found.energy) all.push_back(&*found.energy);
+    std::vector<Statement> result;
+    for (const ConservedQuantity* quantity : all) result.push_back(statement(*quantity, method));
+    const bool is_stepped = !method.is_general_form || found.side == Side::lagrangian ||
+                            !found.rank || found.is_regular();
+    if (!is_stepped) {
+        for (Statement& each : result) {
+            each.keeping = Keeping::unknown;
+            each.reason = "d2H/dp2 is singular, and the general form makes no steps of such an H";
+        }
+        return result;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) look_at_parts(result, i, all[i]->finding.made_of);
+    if (!found.energy && !found.depends_on_time)
+        result.push_back({"energy", Expression::symbol("energy"), Keeping::not_in_general,
+                          "not seen to be quadratic in q and p"});
+    return result;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/symmetry/watched.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "generator/support/warning.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::size_t most_searched = 24;  ///< degrees of freedom
+constexpr std::size_t most_added = 16;
+
+/// Whether it is a single momentum, which a table of a run has anyway.
+bool is_momentum(const SceneSymmetries& found, std::size_t number) {
+    const std::vector<Expression>& generator = found.affine.basis[number].generator;
+    const Expression zero = Expression::integer(0);
+    std::size_t moving = 0;
+    for (const Expression& component : generator)
+        if (!(component == zero)) moving += component.kind == Expression::Kind::number ? 1 : 2;
+    return moving == 1;
+}
+
+bool is_invariant(const Scene& scene, const Expression& map) {
+    return std::any_of(
+        scene.invariants.begin(), scene.invariants.end(), [&](const NamedExpression& invariant) {
+            return std::visit(
+                [&](const auto& mechanics) {
+                    return are_proportional(mechanics, {map, nullptr},
+                                            {invariant.expression, invariant.place.source});
+                },
+                scene.mechanics);
+        });
+}
+
+bool has_name(const Scene& scene, const std::string& name) {
+    const auto is_it = [&](const auto& named) { return named.name == name; };
+    const std::vector<std::string> names = variables(scene);
+    return std::any_of(scene.invariants.begin(), scene.invariants.end(), is_it) ||
+           std::any_of(scene.parameters.begin(), scene.parameters.end(), is_it) ||
+           std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void add_momentum_maps(Scene& scene, SceneSymmetries& found) {
+    std::size_t added = 0;
+    for (std::size_t i = 0; i < found.momentum_maps.size() && added < most_added; ++i) {
+        ConservedQuantity& map = found.momentum_maps[i];
+        if (is_momentum(found, i) || is_invariant(scene, map.expression)) continue;
+        map.name = "momentum_map_" + std::to_string(++added);
+        while (has_name(scene, map.name)) map.name += "_";
+        const auto source =
+            std::make_shared<const Source>(Source{map.name, to_text(map.expression)});
+        scene.invariants.push_back({map.name, map.expression, whole(source)});
+    }
+}
+
+void warn_of(const ConservedQuantity& invariant) {
+    if (invariant.finding.conserved != Vanishing::refuted) return;
+    warn("the invariant `" + invariant.name + "` is not conserved: its bracket with H is " +
+         to_text(invariant.finding.bracket));
+}
+
+}  // namespace
+
+WatchedScene watched(const Scene& scene) {
+    WatchedScene result{scene, {}, ""};
+    if (function_of(scene).degrees_of_freedom() > most_searched) {
+        result.left_out = "there are more than 24 degrees of freedom";
+        return result;
+    }
+    try {
+        result.found = find_symmetries(scene);
+        for (const ConservedQuantity& invariant : result.found->invariants) warn_of(invariant);
+        add_momentum_maps(result.scene, *result.found);
+    } catch (const InputError& error) {
+        result.left_out = error.what();
+    } catch (const MathError& error) { result.left_out = error.what(); }
+    return result;
+}
+
+std::vector<Statement> WatchedScene::statements(const KeepingFacts& method) const {
+    if (!found) return {};
+    std::vector<Statement> all = hvi::gen::statements(*found, method);
+    std::erase_if(all, [&](const Statement& statement) {
+        return statement.name != "energy" && !has_name(scene, statement.name);
+    });
+    return all;
+}
+
+}  // namespace hvi::gen
