@@ -9,14 +9,21 @@ namespace hvi::gen {
 
 namespace {
 
-/// Throws MathError for the first invariant that is none.
-void check_invariants(const SceneSymmetries& found) {
+/// Throws MathError for the first invariant that is none, and the first such symmetry.
+void check_said(const SceneSymmetries& found) {
     for (const ConservedQuantity& invariant : found.invariants)
-        if (invariant.finding.conserved == Vanishing::refuted)
+        if (invariant.finding.conserved == Vanishing::refuted && !invariant.is_approximate)
             throw MathError("the invariant `" + invariant.name +
                                 "` is not conserved: its bracket with H is " +
                                 to_text(invariant.finding.bracket),
-                            invariant.place);
+                            invariant.place,
+                            "where that is meant so, write {value = \"...\", approximate = true}");
+    for (const ConservedQuantity& field : found.fields)
+        if (field.finding.conserved == Vanishing::refuted)
+            throw MathError(
+                "`" + field.name + "` is no symmetry: the bracket of its momentum map " +
+                    to_text(field.expression) + " with H is " + to_text(field.finding.bracket),
+                field.place);
 }
 
 }  // namespace
@@ -24,7 +31,7 @@ void check_invariants(const SceneSymmetries& found) {
 void run(const SymmetriesOptions& options) {
     const SceneSymmetries found =
         find_symmetries(read_scene_alone(options.parameters, options.system));
-    check_invariants(found);
+    check_said(found);
     const bool as_json = options.format == SymmetriesOptions::Format::json;
     write_result(options.output, as_json ? render_json(found) : render_text(found));
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -65,6 +66,13 @@ struct ValueTable {
     Place place;                       ///< of the section
 };
 
+/// A vector field on the coordinates, by its components.
+struct IndexedField {
+    std::string name;
+    ValueTable components;
+    Place place;  ///< of the name
+};
+
 /// Parts of a function that have a name: `r`, or with indices `d[i]`.
 struct Definition {
     std::string name;
@@ -94,6 +102,8 @@ struct IndexedScene {
     OwnFunctions own;
     std::vector<Definition> definitions;
     std::vector<NamedIndexed> invariants;
+    std::set<std::string> approximate;  ///< names of some of them
+    std::vector<IndexedField> fields;
     ValueTable initial;
     std::optional<ValueTable> exact;
     IndexedRun run;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -31,6 +32,14 @@ struct RunWishes {
     std::optional<NamedExpression> until;  ///< the same
 };
 
+/// A vector field on the coordinates along which H or L is said not to change; those that are not
+/// named do not move.
+struct VectorField {
+    std::string name;
+    std::vector<NamedExpression> components;  ///< by the names of coordinates, in their order
+    Place place;                              ///< of the name
+};
+
 /// What a scene says, checked as far as words go: every symbol is a variable, a parameter with a
 /// value, pi, e, or, in H, L and [exact], the time t; names are free and differ. Its variables are
 /// coordinates, and momenta where it has a Hamiltonian, velocities where it has a Lagrangian.
@@ -41,6 +50,8 @@ struct Scene {
     std::vector<Parameter> parameters;                ///< all, in the order of the file
     OwnFunctions own;                                 ///< that H and invariants may call
     std::vector<NamedExpression> invariants;          ///< in the order of the file
+    std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
+    std::vector<VectorField> fields;       ///< of [symmetries], in the order of the file
     std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
     std::vector<NamedExpression> exact;    ///< the same, as functions of t; or empty
     RunWishes run;

@@ -79,7 +79,10 @@ private:
     [[nodiscard]] OwnFunction own_function(const Entry& entry) const;
     void check_apart(const IndexedScene& scene) const;
     [[nodiscard]] std::vector<Definition> definitions() const;
-    [[nodiscard]] std::vector<NamedIndexed> invariants() const;
+    void read_invariants(IndexedScene& scene) const;
+    void add_invariant(IndexedScene& scene, const Entry& entry) const;
+    [[nodiscard]] const toml::node& value_of_invariant(const toml::table& table) const;
+    [[nodiscard]] std::vector<IndexedField> fields() const;
     [[nodiscard]] ValueTable values(const toml::table& table) const;
     [[nodiscard]] IndexedRun run() const;
 
@@ -413,6 +416,7 @@ void SceneReader::check_apart(const IndexedScene& scene) const {
     for (const Definition& definition : scene.definitions) check(definition.name, definition.place);
     for (const NamedIndexed& invariant : scene.invariants)
         check(invariant.name, invariant.place_of_name);
+    for (const IndexedField& field : scene.fields) check(field.name, field.place);
 }
 
 std::vector<Definition> SceneReader::definitions() const {
@@ -429,27 +433,56 @@ std::vector<Definition> SceneReader::definitions() const {
     return list;
 }
 
-/// NOTE: of a vector each component is one: J_1, J_2, ...
-std::vector<NamedIndexed> SceneReader::invariants() const {
-    std::vector<NamedIndexed> list;
-    const toml::table* table = section("invariants", "momentum = \"px1 + px2\"");
-    if (table == nullptr) return list;
-    const auto add = [&](std::string name, const toml::node& node, const toml::key& key) {
-        list.push_back(named(std::move(name), node));
-        list.back().place_of_name = file_.place(key.source());
+/// `"x*py - y*px"`, a vector, or `{value = "x*py - y*px", approximate = true}`. Of a vector each
+/// component is an invariant: J_1, J_2, ...
+void SceneReader::add_invariant(IndexedScene& scene, const Entry& entry) const {
+    const auto& [key, node] = entry;
+    const auto* table = node->as_table();
+    const toml::node& value = table == nullptr ? *node : value_of_invariant(*table);
+    const bool is_approximate = table != nullptr && (*table)["approximate"].value_or(false);
+    const auto add = [&](const std::string& name, const toml::node& text) {
+        NamedIndexed& invariant = scene.invariants.emplace_back(named(name, text));
+        invariant.place_of_name = file_.place(key->source());
+        if (is_approximate) scene.approximate.insert(name);
     };
+    const std::string name(key->str());
+    const auto* vector = value.as_array();
+    if (vector == nullptr) return add(name, value);
+    if (vector->empty())
+        throw InputError("the list is empty", file_.place(value),
+                         "write the components of a vector");
+    for (std::size_t k = 0; k < vector->size(); ++k)
+        add(fmt::format("{}_{}", name, k + 1), *vector->get(k));
+}
+
+const toml::node& SceneReader::value_of_invariant(const toml::table& table) const {
+    file_.check_keys(table, "table of an invariant", {"value", "approximate"});
+    const toml::node* value = table.get("value");
+    const toml::node* approximate = table.get("approximate");
+    if (value == nullptr)
+        throw InputError("there is no value", file_.place(table),
+                         "write {value = \"x*py - y*px\", approximate = true}");
+    if (approximate != nullptr && !approximate->is_boolean())
+        throw InputError("true or false is wanted here", file_.place(*approximate));
+    return *value;
+}
+
+void SceneReader::read_invariants(IndexedScene& scene) const {
+    const toml::table* table = section("invariants", "momentum = \"px1 + px2\"");
+    if (table == nullptr) return;
+    for (const Entry& entry : in_order(*table)) add_invariant(scene, entry);
+}
+
+std::vector<IndexedField> SceneReader::fields() const {
+    std::vector<IndexedField> list;
+    const toml::table* table = section("symmetries", "turn = {x = \"-y\", y = \"x\"}");
+    if (table == nullptr) return list;
     for (const auto& [key, node] : in_order(*table)) {
-        const std::string name(key->str());
-        const auto* vector = node->as_array();
-        if (vector == nullptr) {
-            add(name, *node, *key);
-            continue;
-        }
-        if (vector->empty())
-            throw InputError("the list is empty", file_.place(*node),
-                             "write the components of a vector");
-        for (std::size_t k = 0; k < vector->size(); ++k)
-            add(fmt::format("{}_{}", name, k + 1), *vector->get(k), *key);
+        const auto* components = node->as_table();
+        if (components == nullptr || components->empty())
+            throw InputError("this is no vector field", file_.place(*node),
+                             "write how the coordinates move: {x = \"-y\", y = \"x\"}");
+        list.push_back({std::string(key->str()), values(*components), file_.place(key->source())});
     }
     return list;
 }
@@ -481,7 +514,7 @@ IndexedScene SceneReader::read() {
     file_.check_keys(file_.table(), "scene",
                      {"name", "description", "coordinates", "momenta", "velocities", "rotations",
                       "angular_momenta", "hamiltonian", "lagrangian", "parameters", "functions",
-                      "definitions", "invariants", "initial", "exact", "run"});
+                      "definitions", "invariants", "symmetries", "initial", "exact", "run"});
     IndexedScene scene;
     scene.name = file_.name();
     if (scene.name.empty()) scene.name = name_of_file(source_.name);
@@ -491,7 +524,8 @@ IndexedScene SceneReader::read() {
     read_mechanics(scene);
     scene.parameters = parameters();
     scene.definitions = definitions();
-    scene.invariants = invariants();
+    read_invariants(scene);
+    scene.fields = fields();
     static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
     scene.initial = values(*section("initial", "x = 0"));
     if (const toml::table* table = section("exact", "q = \"cos(t)\"")) scene.exact = values(*table);

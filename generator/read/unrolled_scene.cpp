@@ -38,6 +38,7 @@ constexpr SceneRules lagrangian_rules{"the Lagrangian", true, true, false,
 constexpr SceneRules parameter_rules{"the value of a parameter", false, false, false,
                                      made_of_parameters};
 constexpr SceneRules invariant_rules{"an invariant", true, false, true, "add it to [parameters]"};
+constexpr SceneRules field_rules{"a vector field", true, false, false, "add it to [parameters]"};
 constexpr SceneRules initial_rules{"an initial value", false, false, false, made_of_parameters};
 constexpr SceneRules exact_rules{"an exact solution", false, true, false,
                                  "it is made of numbers, parameters, pi, e and the time `t`"};
@@ -98,6 +99,8 @@ private:
     void add_parameter(std::vector<Parameter>& list, const IndexedValue& value, std::string name,
                        const IndexedExpression& written);
     [[nodiscard]] std::vector<NamedExpression> invariants();
+    [[nodiscard]] std::vector<VectorField> fields();
+    void check_component(const NamedExpression& component, const Place& place) const;
 
     using Values = std::map<std::string, NamedExpression>;
     [[nodiscard]] std::vector<NamedExpression> values(const ValueTable& table,
@@ -256,6 +259,57 @@ std::vector<NamedExpression> SceneUnrolling::invariants() {
     return list;
 }
 
+/// Throws InputError for what is not a function of the coordinates, moving one.
+void SceneUnrolling::check_component(const NamedExpression& component, const Place& place) const {
+    const auto coordinates = variables_.begin();
+    const auto conjugates = coordinates + static_cast<std::ptrdiff_t>(variables_.size() / 2);
+    const auto is_coordinate = [&](const std::string& name) {
+        return std::find(coordinates, conjugates, name) != conjugates;
+    };
+    if (!is_coordinate(component.name)) {
+        throw InputError(fmt::format("`{}` is no coordinate", component.name), place,
+                         "a vector field moves the coordinates; what follows them follows");
+    }
+    walk(component.expression, [&](const Expression& part) {
+        const bool is_other =
+            part.kind == Expression::Kind::symbol && words_.contains(part.name) &&
+            std::find(conjugates, variables_.end(), part.name) != variables_.end();
+        if (is_other) {
+            throw InputError("a vector field is one of the coordinates alone",
+                             Place{component.place.source, part.range});
+        }
+        return true;
+    });
+}
+
+std::vector<VectorField> SceneUnrolling::fields() {
+    std::vector<VectorField> list;
+    Vocabulary names = words_;
+    for (const NamedIndexed& invariant : written_.invariants) {
+        names.declare({invariant.name, invariant.place_of_name}, "an invariant");
+    }
+    for (const IndexedField& written : written_.fields) {
+        check_parameter_name(written.name, written.place, "a symmetry");
+        names.declare({written.name, written.place}, "a symmetry");
+        VectorField& field = list.emplace_back();
+        field.name = written.name;
+        field.place = written.place;
+        Values found;
+        for (const IndexedValue& value : written.components.values) {
+            const Values before = found;
+            add_values(found, value, field_rules);
+            for (const auto& [name, component] : found) {
+                if (before.count(name) == 0) { check_component(component, value.place); }
+            }
+        }
+        for (const std::string& name : variables_) {
+            const auto component = found.find(name);
+            if (component != found.end()) { field.components.push_back(component->second); }
+        }
+    }
+    return list;
+}
+
 // ---- initial values, and exact ones ----
 
 [[noreturn]] void SceneUnrolling::refuse_variable(const std::string& name,
@@ -396,6 +450,8 @@ Scene SceneUnrolling::operator()() {
     set_mechanics(scene);
     scene.own = written_.own;
     scene.invariants = invariants();
+    scene.approximate = written_.approximate;
+    scene.fields = fields();
     scene.initial = values(written_.initial, initial_rules);
     if (written_.exact) { scene.exact = values(*written_.exact, exact_rules); }
     scene.run = run();

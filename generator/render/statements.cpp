@@ -10,7 +10,8 @@ namespace {
 
 /// Null where the motion is not known to conserve it.
 Json kept_json(Keeping keeping) {
-    return keeping == Keeping::unknown ? Json(nullptr) : Json(keeping == Keeping::kept);
+    const bool is_said = keeping != Keeping::unknown && keeping != Keeping::measured;
+    return is_said ? Json(keeping == Keeping::kept) : Json(nullptr);
 }
 
 Json statement_json(const Statement& statement, const char* key, const std::string& value) {
@@ -23,6 +24,7 @@ std::string_view keeping_text(Keeping keeping) {
     switch (keeping) {
     case Keeping::kept: return "kept";
     case Keeping::not_in_general: return "not kept in general";
+    case Keeping::measured: return "measured, not claimed";
     case Keeping::not_conserved: return "not conserved by the motion";
     case Keeping::unknown: break;
     }
@@ -54,9 +56,11 @@ std::string with_statements_json(const std::string& certificate, const SceneStat
     json["scene"] = scene.found.name;
     json["momentum_maps"] = Json::array();
     json["invariants"] = Json::array();
+    json["fields"] = Json::array();
     json["energy"] = nullptr;
     const std::size_t maps = scene.found.momentum_maps.size();
     const std::size_t invariants = maps + scene.found.invariants.size();
+    const std::size_t fields = invariants + scene.found.fields.size();
     for (std::size_t i = 0; i < scene.statements.size(); ++i) {
         const Statement& statement = scene.statements[i];
         if (i < maps)
@@ -64,6 +68,8 @@ std::string with_statements_json(const std::string& certificate, const SceneStat
                 statement_json(statement, "momentum_map", to_text(statement.expression)));
         else if (i < invariants)
             json["invariants"].push_back(statement_json(statement, "name", statement.name));
+        else if (i < fields)
+            json["fields"].push_back(statement_json(statement, "name", statement.name));
         else
             json["energy"] = {{"kept", kept_json(statement.keeping)}, {"reason", statement.reason}};
     }

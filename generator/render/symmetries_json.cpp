@@ -51,10 +51,19 @@ std::string render_json(const SceneSymmetries& found) {
                                       {"momentum_map", to_text(symmetry.momentum_map)}});
     json["algebra"] = algebra_json(found.affine.algebra);
     json["invariants"] = Json::array();
-    for (const ConservedQuantity& invariant : found.invariants)
+    for (const ConservedQuantity& invariant : found.invariants) {
         json["invariants"].push_back({{"name", invariant.name},
                                       {"conserved", conserved_json(invariant.finding.conserved)},
                                       {"bracket", to_text(invariant.finding.bracket)}});
+        if (invariant.is_approximate) json["invariants"].back()["approximate"] = true;
+    }
+    json["fields"] = Json::array();
+    for (const ConservedQuantity& field : found.fields)
+        json["fields"].push_back({{"name", field.name},
+                                  {"momentum_map", to_text(field.expression)},
+                                  {"affine", field.finding.is_momentum_map},
+                                  {"conserved", conserved_json(field.finding.conserved)},
+                                  {"bracket", to_text(field.finding.bracket)}});
     return json.dump(2) + "\n";
 }
 

@@ -91,7 +91,8 @@ std::string verdict(const ConservedQuantity& invariant) {
     switch (invariant.finding.conserved) {
     case Vanishing::proved: return "conserved";
     case Vanishing::refuted:
-        return fmt::format("not conserved: its bracket with H is {}",
+        return fmt::format("{}: its bracket with H is {}",
+                           invariant.is_approximate ? "approximate" : "not conserved",
                            to_text(invariant.finding.bracket));
     case Vanishing::unknown: break;
     }
@@ -118,6 +119,11 @@ std::string render_text(const SceneSymmetries& found) {
     for (const ConservedQuantity& invariant : found.invariants)
         lines.line(&invariant == &found.invariants.front() ? "invariants" : "",
                    invariant.name + ": " + verdict(invariant));
+    if (!found.fields.empty()) lines.blank();
+    for (const ConservedQuantity& field : found.fields)
+        lines.line(
+            &field == &found.fields.front() ? "as it says" : "",
+            fmt::format("{}, with {}: {}", field.name, to_text(field.expression), verdict(field)));
     return lines.text();
 }
 

@@ -47,6 +47,10 @@ Statement statement(const ConservedQuantity& quantity, const KeepingFacts& metho
     }
     result.reason = reason_to_keep(quantity.finding, method);
     result.keeping = result.reason.empty() ? Keeping::not_in_general : Keeping::kept;
+    if (result.reason.empty() && quantity.kind == ConservedQuantity::Kind::field) {
+        result.keeping = Keeping::measured;
+        result.reason = "the symmetry is not affine, and nothing is claimed of the method";
+    }
     if (result.reason.empty()) result.reason = reason_not_to(quantity.finding, method);
     return result;
 }
@@ -58,7 +62,9 @@ void look_at_parts(std::vector<Statement>& all, std::size_t number,
     const bool kept = std::all_of(parts.begin(), parts.end(), [&](std::size_t part) {
         return all[part].keeping == Keeping::kept;
     });
-    if (whole.keeping != Keeping::not_in_general || parts.empty() || !kept) return;
+    if ((whole.keeping != Keeping::not_in_general && whole.keeping != Keeping::measured) ||
+        parts.empty() || !kept)
+        return;
     whole.keeping = Keeping::kept;
     whole.reason = "made of";
     for (const std::size_t part : parts)
@@ -78,6 +84,7 @@ std::vector<Statement> statements(const SceneSymmetries& found, const KeepingFac
     std::vector<const ConservedQuantity*> all;
     for (const ConservedQuantity& map : found.momentum_maps) all.push_back(&map);
     for (const ConservedQuantity& invariant : found.invariants) all.push_back(&invariant);
+    for (const ConservedQuantity& field : found.fields) all.push_back(&field);
     if (found.energy) all.push_back(&*found.energy);
     std::vector<Statement> result;
     for (const ConservedQuantity* quantity : all) result.push_back(statement(*quantity, method));

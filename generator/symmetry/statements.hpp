@@ -23,6 +23,7 @@ struct KeepingFacts {
 enum class Keeping {
     kept,            ///< by each step, but for rounding and what the solver leaves
     not_in_general,  ///< nothing is known that would keep it
+    measured,        ///< the momentum map of a symmetry that is not affine: see what a run says
     not_conserved,   ///< the exact motion does not either
     unknown,         ///< whether the motion does is not known
 };
@@ -34,7 +35,7 @@ struct Statement {
     std::string reason;
 };
 
-/// Of momentum maps, invariants and the energy, in this order:
+/// Of momentum maps, invariants, those of [symmetries] and the energy, in this order:
 ///
 /// - a momentum map p (C q + d) is kept, as the action is affine and the discrete curve
 /// interpolates

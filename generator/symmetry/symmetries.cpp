@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symmetry/symmetries.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <variant>
@@ -51,7 +52,8 @@ std::optional<OfMomenta> of_momenta(const Scene& scene) {
     if (const auto* hamiltonian = std::get_if<Hamiltonian>(&scene.mechanics))
         return OfMomenta{with_values(*hamiltonian, scene), {}};
     const auto& lagrangian = std::get<Lagrangian>(scene.mechanics);
-    const bool is_asked_for = !scene.invariants.empty() || is_quadratic(lagrangian);
+    const bool is_asked_for =
+        !scene.invariants.empty() || !scene.fields.empty() || is_quadratic(lagrangian);
     if (!is_asked_for || lagrangian.degrees_of_freedom() > most_inverted) return {};
     try {
         Lagrangian general = lagrangian;
@@ -91,6 +93,40 @@ void set_momentum_maps(SceneSymmetries& result) {
     }
 }
 
+/// p xi(q), (5.4), with dL/dv for p on the Lagrangian side.
+Expression momentum_map(const VectorField& field, const Scene& scene) {
+    const std::vector<std::string>& coordinates = function_of(scene).coordinates;
+    const auto* lagrangian = std::get_if<Lagrangian>(&scene.mechanics);
+    std::vector<Expression> momenta;
+    if (lagrangian != nullptr)
+        momenta = gradient(*lagrangian).by_velocities;
+    else
+        for (const std::string& name : std::get<Hamiltonian>(scene.mechanics).momenta)
+            momenta.push_back(Expression::symbol(name));
+    std::vector<Expression> terms;
+    for (const NamedExpression& component : field.components) {
+        const auto place = std::find(coordinates.begin(), coordinates.end(), component.name);
+        const auto i = static_cast<std::size_t>(place - coordinates.begin());
+        terms.push_back(Expression::product({component.expression, momenta[i]}));
+    }
+    return Expression::sum(std::move(terms));
+}
+
+/// What the scene says to be conserved.
+void set_said(SceneSymmetries& result, const Scene& scene) {
+    using Kind = ConservedQuantity::Kind;
+    for (const NamedExpression& invariant : scene.invariants)
+        result.invariants.push_back({Kind::invariant,
+                                     invariant.name,
+                                     invariant.expression,
+                                     {},
+                                     invariant.place,
+                                     scene.approximate.count(invariant.name) != 0});
+    for (const VectorField& field : scene.fields)
+        result.fields.push_back(
+            {Kind::field, field.name, momentum_map(field, scene), {}, field.place});
+}
+
 /// NOTE: momentum maps come first: invariants may be made of them.
 void set_findings(SceneSymmetries& result, const OfMomenta& motion) {
     std::vector<Quantity> quantities;
@@ -103,6 +139,10 @@ void set_findings(SceneSymmetries& result, const OfMomenta& motion) {
         quantities.push_back(
             {put_in(invariant.expression, motion.velocities), invariant.place.source});
         targets.push_back(&invariant);
+    }
+    for (ConservedQuantity& field : result.fields) {
+        quantities.push_back({put_in(field.expression, motion.velocities), nullptr});
+        targets.push_back(&field);
     }
     if (!result.depends_on_time) {
         result.energy = ConservedQuantity{
@@ -130,12 +170,7 @@ SceneSymmetries find_symmetries(const Scene& scene) {
         std::visit([&](const auto& mechanics) { return fibre_rank(with_values(mechanics, scene)); },
                    scene.mechanics);
     set_momentum_maps(result);
-    for (const NamedExpression& invariant : scene.invariants)
-        result.invariants.push_back({ConservedQuantity::Kind::invariant,
-                                     invariant.name,
-                                     invariant.expression,
-                                     {},
-                                     invariant.place});
+    set_said(result, scene);
     if (const auto motion = of_momenta(scene)) set_findings(result, *motion);
     return result;
 }

@@ -15,13 +15,14 @@ namespace hvi::gen {
 
 /// A function of the scene's variables that is, or ought to be, conserved.
 struct ConservedQuantity {
-    enum class Kind { momentum_map, invariant, energy };
+    enum class Kind { momentum_map, invariant, field, energy };
 
     Kind kind = Kind::invariant;
-    std::string name;         ///< `momentum_map_1`, that of the scene, or `energy`
-    Expression expression;    ///< in the scene's variables
-    QuantityFinding finding;  ///< of it as a function of q and p
-    Place place;              ///< of an invariant
+    std::string name;             ///< `momentum_map_1`, that of the scene, or `energy`
+    Expression expression;        ///< in the scene's variables
+    QuantityFinding finding;      ///< of it as a function of q and p
+    Place place;                  ///< of an invariant, or of the name of a field
+    bool is_approximate = false;  ///< an invariant that need not be conserved
 };
 
 /// What is found out about a scene.
@@ -34,6 +35,7 @@ struct SceneSymmetries {
     AffineSymmetries affine;
     std::vector<ConservedQuantity> momentum_maps;  ///< in the order of the affine symmetries
     std::vector<ConservedQuantity> invariants;     ///< in the order of the scene
+    std::vector<ConservedQuantity> fields;         ///< momentum maps (5.4) of [symmetries]
     std::optional<ConservedQuantity> energy;       ///< where more is known than that it is H
 
     [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }

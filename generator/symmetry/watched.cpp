@@ -57,10 +57,21 @@ void add_momentum_maps(Scene& scene, SceneSymmetries& found) {
     }
 }
 
+void add_fields(Scene& scene, const SceneSymmetries& found) {
+    for (const ConservedQuantity& field : found.fields) {
+        const auto source =
+            std::make_shared<const Source>(Source{field.name, to_text(field.expression)});
+        scene.invariants.push_back({field.name, field.expression, whole(source)});
+    }
+}
+
 void warn_of(const ConservedQuantity& invariant) {
-    if (invariant.finding.conserved != Vanishing::refuted) return;
-    warn("the invariant `" + invariant.name + "` is not conserved: its bracket with H is " +
-         to_text(invariant.finding.bracket));
+    if (invariant.finding.conserved != Vanishing::refuted || invariant.is_approximate) return;
+    const bool is_field = invariant.kind == ConservedQuantity::Kind::field;
+    warn((is_field ? "`" + invariant.name + "` is no symmetry: the bracket of its momentum map"
+                   : "the invariant `" + invariant.name + "` is not conserved: its bracket") +
+             " with H is " + to_text(invariant.finding.bracket),
+         is_field ? "" : "where that is meant so, write {value = \"...\", approximate = true}");
 }
 
 }  // namespace
@@ -74,6 +85,8 @@ WatchedScene watched(const Scene& scene) {
     try {
         result.found = find_symmetries(scene);
         for (const ConservedQuantity& invariant : result.found->invariants) warn_of(invariant);
+        for (const ConservedQuantity& field : result.found->fields) warn_of(field);
+        add_fields(result.scene, *result.found);
         add_momentum_maps(result.scene, *result.found);
     } catch (const InputError& error) {
         result.left_out = error.what();

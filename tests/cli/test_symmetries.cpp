@@ -136,3 +136,74 @@ invariants    angular_momentum: kept
     CHECK(hvi_gen({"check", "--method", "gauss:2", "--hamiltonian", "p^2/2", "--param", "b=2"})
               .status == 2);
 }
+
+namespace {
+
+/// The sphere, seen from a pole: turned about another axis, which is no affine map of the picture.
+const char* const sphere = R"(
+coordinates = ["x", "y"]
+momenta     = ["px", "py"]
+hamiltonian = "(px^2 + py^2)*(1 + x^2 + y^2)^2/2"
+[invariants]
+L = "x*py - y*px"
+nearly = {value = "x", approximate = true}
+[symmetries]
+tilt = {x = "1 + x^2 - y^2", y = "2*x*y"}
+[initial]
+x  = 1
+y  = 0
+px = 0
+py = 1
+[run]
+method = "gauss:2"
+step   = "1/20"
+until  = 1
+)";
+
+std::string sphere_with(const std::string& old, const std::string& other) {
+    std::string text = sphere;
+    return text.replace(text.find(old), old.size(), other);
+}
+
+}  // namespace
+
+TEST_CASE("A symmetry that is not affine is one that the scene names") {
+    const Directory directory;
+    const auto of = [&](const std::string& text, const std::string& format = "text") {
+        write(directory / "sphere.toml", text);
+        return hvi_gen({"symmetries", "sphere.toml", "--format", format}, directory.path());
+    };
+    CHECK(says(of(sphere).out, "tilt, with (1+x^2-y^2)*px+2*x*y*py: conserved"));
+    CHECK(says(of(sphere).out, "nearly: approximate: its bracket with H is"));
+    CHECK(says(of(sphere, "json").out, "\"momentum_map\": \"(1+x^2-y^2)*px+2*x*y*py\""));
+    CHECK(says(of(sphere, "json").out, "\"approximate\": true"));
+    const Outcome kept = hvi_gen(
+        {"check", "--method", "gauss:2", "sphere.toml", "--max-order", "2"}, directory.path());
+    CHECK(says(kept.out, "tilt: measured, not claimed"));
+    CHECK(says(kept.out, "nearly: not conserved by the motion"));
+
+    const auto check = [&](int status, const std::string& place, const std::string& text) {
+        const Outcome outcome = of(text);
+        INFO(outcome.err);
+        CHECK(outcome.status == status);
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        CHECK(pointed_at(outcome.err) == place);
+    };
+    check(1, "tilt", sphere_with("2*x*y", "x*y"));
+    check(1, "x", sphere_with("{value = \"x\", approximate = true}", "\"x\""));
+    check(1, "x", sphere_with("true", "false"));
+    check(2, "px", sphere_with("{x = \"1 + x^2 - y^2\"", "{px = \"1\""));
+    check(2, "z", sphere_with("{x = \"1 + x^2 - y^2\"", "{z = \"1\""));
+    check(2, "py", sphere_with("2*x*y", "2*x*py"));
+    check(2, "z", sphere_with("2*x*y", "2*x*z"));
+    check(2, "t", sphere_with("2*x*y", "2*x*t"));
+    check(2, "1", sphere_with("true", "1"));
+    check(2, "nearby", sphere_with("approximate", "nearby"));
+    check(2, "L", sphere_with("tilt", "L"));
+    check(2, "pi", sphere_with("tilt", "pi"));
+    CHECK(of(sphere_with("{x = \"1 + x^2 - y^2\", y = \"2*x*y\"}", "{}")).status == 2);
+    CHECK(of(sphere_with("{x = \"1 + x^2 - y^2\", y = \"2*x*y\"}", "3")).status == 2);
+    CHECK(of(sphere_with("{value = \"x\", approximate = true}", "{approximate = true}")).status ==
+          2);
+}

@@ -114,8 +114,10 @@ TEST_CASE("columns of a run are those of the whole table, in the order wished fo
     CHECK(all[0].find("t,x[1],x[2],x[3],") == 0);
     CHECK(some[0] == "t,momentum_y,y[2],y[3],energy,px[6]");
     for (std::size_t k = 1; k < all.size(); ++k) {
-        const auto whole = numbers_of(all[k]);  // of 18 coordinates, and as many momenta
-        REQUIRE(whole.size() == 1 + 36 + 7);
+        // Of 18 coordinates, and as many momenta; of the energy, of six invariants, and of the
+        // three ways to turn the centre of mass.
+        const auto whole = numbers_of(all[k]);
+        REQUIRE(whole.size() == 1 + 36 + 7 + 3);
         CHECK(numbers_of(some[k]) ==
               std::vector<double>{whole[0], whole[39], whole[8], whole[9], whole[37], whole[24]});
     }
@@ -125,6 +127,39 @@ TEST_CASE("columns of a run are those of the whole table, in the order wished fo
     for (const char* list : {"energy", "py", "y[4]"}) {
         CHECK(run(list, {"--columns", list}).size() == 12);
     }
+}
+
+TEST_CASE("a summary says what the method keeps, and warns of what the motion does not keep") {
+    use_cache();
+    const Directory directory;
+    write(directory / "bowl.toml", R"(
+coordinates = ["x", "y"]
+momenta     = ["px", "py"]
+hamiltonian = "(px^2 + py^2)/2 + (x^2 + y^2)^2"
+[invariants]
+wrong = "x*px"
+[initial]
+x  = 1
+y  = 0
+px = 0
+py = 1
+[run]
+method = "gauss:2"
+step   = "1/10"
+until  = 1
+)");
+    const auto outcome = hvi_gen({"run", "bowl.toml", "--only", "summary"}, directory.path());
+    CHECK(outcome.status == 0);
+    const auto said = [&](const std::string& name) {
+        for (const std::string& line : lines_of(outcome.out))
+            if (line.rfind(name + " ", 0) == 0) return line.substr(line.find(';') + 2);
+        return std::string();
+    };
+    CHECK(said("momentum_map_1") == "kept");
+    CHECK(said("energy") == "not kept in general");
+    CHECK(said("wrong") == "not conserved by the motion");
+    CHECK(outcome.err.find("warning: the invariant `wrong` is not conserved: its bracket with H is "
+                           "px^2-4*x^4-4*x^2*y^2") != std::string::npos);
 }
 
 TEST_CASE("names with two indices are cells of their own, and drawn") {
