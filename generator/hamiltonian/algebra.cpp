@@ -209,7 +209,6 @@ std::string padded(std::size_t number) {
 
 namespace {
 
-/// NOTE: entries of a rotation are no coordinates of their own.
 const Hamiltonian& without_rotations(const Hamiltonian& hamiltonian) {
     refuse_rotations(hamiltonian, "what is computed exactly");
     return hamiltonian;
@@ -220,6 +219,11 @@ const Hamiltonian& without_rotations(const Hamiltonian& hamiltonian) {
 Algebra::Algebra(const Hamiltonian& hamiltonian)
     : Algebra(without_rotations(hamiltonian).expression, hamiltonian.source, hamiltonian.parameters,
               hvi::gen::variables(hamiltonian)) {}
+
+Algebra Algebra::with_entries(const Hamiltonian& hamiltonian) {
+    return {hamiltonian.expression, hamiltonian.source, hamiltonian.parameters,
+            hvi::gen::variables(hamiltonian)};
+}
 
 Algebra::Algebra(const Lagrangian& lagrangian)
     : Algebra(lagrangian.expression, lagrangian.source, lagrangian.parameters,

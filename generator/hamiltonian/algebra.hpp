@@ -17,9 +17,13 @@ class Algebra {
 public:
     /// Throws InputError with its place for a division by zero, and where a number, a power or the
     /// derivatives of H are larger than one can use; MathError with its place where a number is not
-    /// real.
+    /// real. NOTE: entries of a rotation are no coordinates of their own, and an H that has some is
+    /// refused with an InputError.
     explicit Algebra(const Hamiltonian& hamiltonian);
     explicit Algebra(const Lagrangian& lagrangian);
+
+    /// Of an H with rotations, for whom they are variables like others. Throws the same.
+    [[nodiscard]] static Algebra with_entries(const Hamiltonian& hamiltonian);
 
     [[nodiscard]] const GiNaC::ex& function() const { return function_; }
     /// Of its text.

@@ -213,7 +213,7 @@ bool are_proportional_in(Algebra algebra, const Quantity& first, const Quantity&
 
 bool are_proportional(const Hamiltonian& hamiltonian, const Quantity& first,
                       const Quantity& second) {
-    return are_proportional_in(Algebra(hamiltonian), first, second);
+    return are_proportional_in(Algebra::with_entries(hamiltonian), first, second);
 }
 
 bool are_proportional(const Lagrangian& lagrangian, const Quantity& first, const Quantity& second) {

@@ -12,13 +12,14 @@ namespace {
 
 using GiNaC::ex;
 
-GiNaC::matrix fibre_hessian(const Algebra& algebra) {
-    const auto n = static_cast<unsigned>(algebra.variables().size() / 2);
+/// By the last n variables.
+GiNaC::matrix fibre_hessian(const Algebra& algebra, unsigned n) {
+    const std::size_t first = algebra.variables().size() - n;
     GiNaC::matrix result(n, n);
     for (unsigned i = 0; i < n; ++i) {
-        const ex slope = algebra.derivative(algebra.function(), algebra.variables()[n + i]);
+        const ex slope = algebra.derivative(algebra.function(), algebra.variables()[first + i]);
         for (unsigned j = 0; j <= i; ++j)
-            result(i, j) = result(j, i) = algebra.derivative(slope, algebra.variables()[n + j]);
+            result(i, j) = result(j, i) = algebra.derivative(slope, algebra.variables()[first + j]);
     }
     return result;
 }
@@ -46,10 +47,8 @@ std::optional<SparseEquations> null_equations(const Algebra& algebra, const GiNa
     return equations;
 }
 
-template <class Mechanics>
-std::optional<std::size_t> rank_of(const Mechanics& mechanics) {
-    const Algebra algebra(mechanics);
-    const GiNaC::matrix whole = fibre_hessian(algebra);
+std::optional<std::size_t> rank_of(const Algebra& algebra, std::size_t degrees_of_freedom) {
+    const GiNaC::matrix whole = fibre_hessian(algebra, static_cast<unsigned>(degrees_of_freedom));
     try {
         const auto equations = null_equations(algebra, whole);
         if (!equations) return {};
@@ -69,9 +68,13 @@ std::optional<std::size_t> rank_of(const Mechanics& mechanics) {
 }  // namespace
 
 std::optional<std::size_t> fibre_rank(const Hamiltonian& hamiltonian) {
-    return rank_of(hamiltonian);
+    return rank_of(hamiltonian.rotations.empty() ? Algebra(hamiltonian)
+                                                 : Algebra::with_entries(hamiltonian),
+                   hamiltonian.degrees_of_freedom());
 }
 
-std::optional<std::size_t> fibre_rank(const Lagrangian& lagrangian) { return rank_of(lagrangian); }
+std::optional<std::size_t> fibre_rank(const Lagrangian& lagrangian) {
+    return rank_of(Algebra(lagrangian), lagrangian.degrees_of_freedom());
+}
 
 }  // namespace hvi::gen

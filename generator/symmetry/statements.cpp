@@ -11,6 +11,12 @@ namespace hvi::gen {
 
 namespace {
 
+/// In natural charts, of rotating bodies: why a method keeps it; empty where it need not.
+std::string reason_of_bodies(const QuantityFinding& finding, const KeepingFacts& method) {
+    if (!finding.is_momentum_map || !method.symplectic.holds) return "";
+    return "the action commutes with natural charts, and the method is symplectic";
+}
+
 /// Why a method keeps it; empty where it need not.
 std::string reason_to_keep(const QuantityFinding& finding, const KeepingFacts& method) {
     const auto& quadratic = finding.quadratic;
@@ -33,7 +39,8 @@ std::string reason_not_to(const QuantityFinding& finding, const KeepingFacts& me
     return "quadratic in q alone or in p alone, and A differs from A~";
 }
 
-Statement statement(const ConservedQuantity& quantity, const KeepingFacts& method) {
+Statement statement(const ConservedQuantity& quantity, const KeepingFacts& method,
+                    bool has_rotations) {
     Statement result{quantity.name, quantity.expression, Keeping::unknown, ""};
     switch (quantity.finding.conserved) {
     case Vanishing::unknown:
@@ -45,13 +52,16 @@ Statement statement(const ConservedQuantity& quantity, const KeepingFacts& metho
         return result;
     case Vanishing::proved: break;
     }
-    result.reason = reason_to_keep(quantity.finding, method);
+    result.reason = has_rotations ? reason_of_bodies(quantity.finding, method)
+                                  : reason_to_keep(quantity.finding, method);
     result.keeping = result.reason.empty() ? Keeping::not_in_general : Keeping::kept;
     if (result.reason.empty() && quantity.kind == ConservedQuantity::Kind::field) {
         result.keeping = Keeping::measured;
         result.reason = "the symmetry is not affine, and nothing is claimed of the method";
     }
-    if (result.reason.empty()) result.reason = reason_not_to(quantity.finding, method);
+    if (result.reason.empty())
+        result.reason = has_rotations ? "no momentum map of a symmetry that is found"
+                                      : reason_not_to(quantity.finding, method);
     return result;
 }
 
@@ -87,7 +97,8 @@ std::vector<Statement> statements(const SceneSymmetries& found, const KeepingFac
     for (const ConservedQuantity& field : found.fields) all.push_back(&field);
     if (found.energy) all.push_back(&*found.energy);
     std::vector<Statement> result;
-    for (const ConservedQuantity* quantity : all) result.push_back(statement(*quantity, method));
+    for (const ConservedQuantity* quantity : all)
+        result.push_back(statement(*quantity, method, found.rotations > 0));
     const bool is_stepped = !method.is_general_form || found.side == Side::lagrangian ||
                             !found.rank || found.is_regular();
     if (!is_stepped) {
@@ -100,7 +111,8 @@ std::vector<Statement> statements(const SceneSymmetries& found, const KeepingFac
     for (std::size_t i = 0; i < all.size(); ++i) look_at_parts(result, i, all[i]->finding.made_of);
     if (!found.energy && !found.depends_on_time)
         result.push_back({"energy", Expression::symbol("energy"), Keeping::not_in_general,
-                          "not seen to be quadratic in q and p"});
+                          found.rotations > 0 ? "it is no momentum map"
+                                              : "not seen to be quadratic in q and p"});
     return result;
 }
 

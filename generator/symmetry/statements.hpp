@@ -45,7 +45,9 @@ struct Statement {
 ///   Theorems IV.2.2 and IV.2.4);
 /// - with p^T S p and q^T R q by all of them where S H_q = 0 and R H_p = 0: the sums over stages
 ///   that change these have such factors;
-/// - a polynomial in what is kept.
+/// - a polynomial in what is kept;
+/// - with rotations, momentum maps alone: natural charts commute with rotations of space and of the
+///   body (Lemma 5.5).
 [[nodiscard]] std::vector<Statement> statements(const SceneSymmetries& found,
                                                 const KeepingFacts& method);
 

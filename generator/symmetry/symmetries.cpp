@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "generator/hamiltonian/body_symmetries.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"
 #include "generator/hamiltonian/gradient.hpp"
 #include "generator/hamiltonian/legendre.hpp"
@@ -157,12 +158,42 @@ void set_findings(SceneSymmetries& result, const OfMomenta& motion) {
 
 }  // namespace
 
+namespace {
+
+/// Of rotating bodies: what is known of their invariants is whether they are conserved, and whether
+/// they are momentum maps.
+void set_findings_of_bodies(SceneSymmetries& result, const Hamiltonian& hamiltonian) {
+    std::vector<Expression> maps;
+    for (const ConservedQuantity& map : result.momentum_maps) maps.push_back(map.expression);
+    std::vector<Quantity> quantities;
+    for (const ConservedQuantity& invariant : result.invariants)
+        quantities.push_back({invariant.expression, invariant.place.source});
+    const std::vector<QuantityFinding> found = body_findings(hamiltonian, quantities, maps);
+    for (std::size_t i = 0; i < found.size(); ++i) result.invariants[i].finding = found[i];
+}
+
+void look_at_bodies(SceneSymmetries& result, const Scene& scene) {
+    const Hamiltonian H = with_values(hamiltonian_of(scene), scene);
+    result.rotations = H.rotations.size();
+    result.affine = body_symmetries(H);
+    result.rank = fibre_rank(H);
+    set_momentum_maps(result);
+    set_said(result, scene);
+    set_findings_of_bodies(result, H);
+}
+
+}  // namespace
+
 SceneSymmetries find_symmetries(const Scene& scene) {
     SceneSymmetries result;
     result.name = scene.name.empty() ? function_of(scene).origin : scene.name;
     result.coordinates = function_of(scene).coordinates;
     result.depends_on_time = depends_on_time(function_of(scene).expression);
     if (std::holds_alternative<Lagrangian>(scene.mechanics)) result.side = Side::lagrangian;
+    if (!function_of(scene).rotations.empty()) {
+        look_at_bodies(result, scene);
+        return result;
+    }
     result.affine = std::visit(
         [&](const auto& mechanics) { return affine_symmetries(with_values(mechanics, scene)); },
         scene.mechanics);

@@ -29,7 +29,8 @@ struct ConservedQuantity {
 struct SceneSymmetries {
     std::string name;  ///< of the scene, or what the command line has for it
     Side side = Side::hamiltonian;
-    std::vector<std::string> coordinates;
+    std::vector<std::string> coordinates;  ///< entries of rotations among them
+    std::size_t rotations = 0;
     std::optional<std::size_t> rank;  ///< of d2H/dp2, or of d2L/dv2; empty where it is not known
     bool depends_on_time = false;
     AffineSymmetries affine;
@@ -38,8 +39,10 @@ struct SceneSymmetries {
     std::vector<ConservedQuantity> fields;         ///< momentum maps (5.4) of [symmetries]
     std::optional<ConservedQuantity> energy;       ///< where more is known than that it is H
 
-    [[nodiscard]] std::size_t degrees_of_freedom() const { return coordinates.size(); }
-    [[nodiscard]] bool is_regular() const { return rank == coordinates.size(); }
+    [[nodiscard]] std::size_t degrees_of_freedom() const {
+        return coordinates.size() - 6 * rotations;
+    }
+    [[nodiscard]] bool is_regular() const { return rank == degrees_of_freedom(); }
 };
 
 /// By exact algebra, for the values that the scene's parameters have. Throws as affine_symmetries()

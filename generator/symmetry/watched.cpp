@@ -11,7 +11,8 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::size_t most_searched = 24;  ///< degrees of freedom
+constexpr std::size_t most_searched = 24;         ///< degrees of freedom
+constexpr std::size_t most_beside_rotations = 3;  ///< coordinates: of two bodies it takes seconds
 constexpr std::size_t most_added = 16;
 
 /// Whether it is a single momentum, which a table of a run has anyway.
@@ -80,6 +81,11 @@ WatchedScene watched(const Scene& scene) {
     WatchedScene result{scene, {}, ""};
     if (function_of(scene).degrees_of_freedom() > most_searched) {
         result.left_out = "there are more than 24 degrees of freedom";
+        return result;
+    }
+    const std::size_t turns = function_of(scene).rotations.size();
+    if (turns > 0 && function_of(scene).degrees_of_freedom() > 3 * turns + most_beside_rotations) {
+        result.left_out = "of several bodies it takes seconds: `hvi-gen symmetries` does it";
         return result;
     }
     try {
