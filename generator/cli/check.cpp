@@ -7,6 +7,7 @@
 #include "generator/render/statements.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/progress.hpp"
+#include "generator/symmetry/families.hpp"
 
 namespace hvi::gen {
 
@@ -27,6 +28,8 @@ std::string plot(const Findings& findings, const Given& file) {
     return stability_svg(name, *findings.oscillator, *findings.stability);
 }
 
+using AnyScene = std::variant<Scene, IndexedScene>;
+
 KeepingFacts facts_of(const Certificate& certificate) {
     return {certificate.symplectic, certificate.common_weights, certificate.runge_kutta, false};
 }
@@ -36,13 +39,14 @@ KeepingFacts facts_of(const RuleCertificate& certificate) {
 }
 
 /// `whole`: what is written, in which the findings are.
-void write(const CheckOptions& options, const std::optional<Scene>& scene, const auto& findings,
+void write(const CheckOptions& options, const std::optional<AnyScene>& scene, const auto& findings,
            const auto& whole) {
     const Progress::Stage stage("writing the certificate");
     const bool as_json = options.format == CheckOptions::Format::json;
     std::string text = as_json ? render_json(whole) : render_text(whole);
     if (scene) {
-        SceneStatements of_scene{find_symmetries(*scene), {}};
+        SceneStatements of_scene{
+            std::visit([](const auto& each) { return find_symmetries(each); }, *scene), {}};
         of_scene.statements = statements(of_scene.found, facts_of(findings));
         text =
             as_json ? with_statements_json(text, of_scene) : with_statements_text(text, of_scene);
@@ -54,7 +58,7 @@ void write(const CheckOptions& options, const std::optional<Scene>& scene, const
 }  // namespace
 
 void run(const CheckOptions& options) {
-    std::optional<Scene> scene;
+    std::optional<AnyScene> scene;
     if (options.tableau) {
         if (options.system) { scene = read_scene_alone({}, *options.system); }
         const Audit found =
@@ -64,9 +68,12 @@ void run(const CheckOptions& options) {
     }
     Method method;
     if (options.system) {
-        MethodAndScene both = read_both(options.method, *options.system);
-        method = std::move(both.method);
-        scene = std::move(both.scene);
+        std::visit(
+            [&](auto&& both) {
+                method = std::move(both.method);
+                scene = std::move(both.scene);
+            },
+            read_both(options.method, *options.system));
     } else {
         method = method_of(options.method);
     }

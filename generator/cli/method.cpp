@@ -172,25 +172,6 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
                      options);
 }
 
-MethodAndScene read_both(const MethodOptions& options, const SystemOptions& system) {
-    const std::vector<Parameter> parameters = parameters_in(options.parameters);
-    Method method = read_method(options);
-    Scene scene = system.scene ? find_scene(system.scene, parameters)
-                               : scene_of(read_hamiltonian(system, parameters));
-    check_together(method, scene);
-    for (const Parameter& parameter : parameters) set_parameter(method, scene, parameter);
-    return {std::move(method), std::move(scene)};
-}
-
-Scene read_scene_alone(const std::vector<Given>& assignments, const SystemOptions& system) {
-    const std::vector<Parameter> parameters = parameters_in(assignments);
-    Scene scene = system.scene ? find_scene(system.scene, parameters)
-                               : scene_of(read_hamiltonian(system, parameters));
-    Method none;
-    for (const Parameter& parameter : parameters) set_parameter(none, scene, parameter);
-    return scene;
-}
-
 std::variant<MethodAndScene, MethodAndLargeScene>
 read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system) {
     if (!system.scene) return read_scene(options, system);
@@ -198,6 +179,41 @@ read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system
     if (auto* large = std::get_if<IndexedScene>(&found))
         return completed(std::move(*large), system.scene, options);
     return completed(std::get<Scene>(std::move(found)), options);
+}
+
+std::variant<Scene, IndexedScene> read_scene_alone(const std::vector<Given>& assignments,
+                                                   const SystemOptions& system) {
+    const std::vector<Parameter> parameters = parameters_in(assignments);
+    std::variant<Scene, IndexedScene> found;
+    if (system.scene)
+        found = find_scene_of_any_size(system.scene, parameters);
+    else
+        found = scene_of(read_hamiltonian(system, parameters));
+    Method none;
+    for (const Parameter& parameter : parameters) {
+        if (auto* scene = std::get_if<Scene>(&found)) set_parameter(none, *scene, parameter);
+        auto* large = std::get_if<IndexedScene>(&found);
+        if (large != nullptr && !assign(*large, parameter))
+            throw InputError(fmt::format("the scene has no parameter `{}`", parameter.name),
+                             parameter.place);
+    }
+    return found;
+}
+
+std::variant<MethodAndScene, MethodAndLargeScene> read_both(const MethodOptions& options,
+                                                            const SystemOptions& system) {
+    const std::vector<Parameter> parameters = parameters_in(options.parameters);
+    if (system.scene) {
+        auto found = find_scene_of_any_size(system.scene, parameters);
+        if (auto* large = std::get_if<IndexedScene>(&found))
+            return completed(std::move(*large), system.scene, options);
+    }
+    Method method = read_method(options);
+    Scene scene = system.scene ? find_scene(system.scene, parameters)
+                               : scene_of(read_hamiltonian(system, parameters));
+    check_together(method, scene);
+    for (const Parameter& parameter : parameters) set_parameter(method, scene, parameter);
+    return MethodAndScene{std::move(method), std::move(scene)};
 }
 
 }  // namespace hvi::gen

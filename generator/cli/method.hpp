@@ -36,14 +36,6 @@ struct MethodAndScene {
 };
 [[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
 
-/// A method and a scene, of which one need not have what a run needs; a parameter of both is one.
-[[nodiscard]] MethodAndScene read_both(const MethodOptions& options, const SystemOptions& system);
-
-/// A scene of at most 64 degrees of freedom, or the Hamiltonian of the command line as one. What
-/// `--param` gives no value, and the scene neither, has none.
-[[nodiscard]] Scene read_scene_alone(const std::vector<Given>& parameters,
-                                     const SystemOptions& system);
-
 /// A method, and a scene of more degrees of freedom than are written out, as it is written. Its
 /// parameters have their values, and so have those of the method.
 struct MethodAndLargeScene {
@@ -55,5 +47,14 @@ struct MethodAndLargeScene {
 /// has a parameter of the name of one of the method.
 [[nodiscard]] std::variant<MethodAndScene, MethodAndLargeScene>
 read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system);
+
+/// A method and a scene that need not have what a run needs; a parameter of both is one.
+[[nodiscard]] std::variant<MethodAndScene, MethodAndLargeScene>
+read_both(const MethodOptions& options, const SystemOptions& system);
+
+/// A scene, or the Hamiltonian of the command line as one. What `--param` gives no value, and the
+/// scene neither, has none.
+[[nodiscard]] std::variant<Scene, IndexedScene>
+read_scene_alone(const std::vector<Given>& parameters, const SystemOptions& system);
 
 }  // namespace hvi::gen

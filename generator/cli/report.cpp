@@ -38,7 +38,7 @@ struct Subject {
     double until = 0;
     std::int64_t first_count = 0;
     std::vector<double> steps = {};
-    WatchedScene watched = {};  ///< of a scene that is written out, which then is its scene
+    Watched watched = {};
 };
 
 /// What is not built for a scene whose sums stay loops.
@@ -78,14 +78,6 @@ Subject subject(const Given& name, const ReportOptions& options) {
         result.steps.push_back(nearest_value(scene, h));
     }
     return result;
-}
-
-/// With its momentum maps among the invariants.
-void watch(Subject& subject) {
-    auto* const scene = std::get_if<Scene>(&subject.scene);
-    if (scene == nullptr) return;
-    subject.watched = watched(*scene);
-    *scene = subject.watched.scene;
 }
 
 /// METHOD, then those of --methods; where there are none of both, the usual ones.
@@ -131,13 +123,9 @@ void note_reference(Report& report, const SceneReport& scene) {
 
 /// What is said of each method beside what was measured. NOTE: curves of methods come first, in
 /// their order.
-void set_kept(SceneReport& of_scene, const WatchedScene& watched,
+void set_kept(SceneReport& of_scene, const Watched& watched,
               const std::vector<ComposedMethod>& methods) {
-    if (!watched.found) return;
-    std::vector<std::string> names;
-    if (!watched.found->depends_on_time) names.emplace_back("energy");
-    for (const NamedExpression& invariant : watched.scene.invariants)
-        names.push_back(invariant.name);
+    const std::vector<std::string>& names = watched.names;
     for (std::size_t i = 0; i < methods.size() && i < of_scene.curves.size(); ++i) {
         WorkCurve& curve = of_scene.curves[i];
         const KeepingFacts facts = keeping_facts(derive_any(methods[i].method));
@@ -265,7 +253,8 @@ void run(const ReportOptions& options) {
     std::vector<Subject> subjects;
     for (const Given& scene : options.scenes) subjects.push_back(subject(scene, options));
     if (options.items.contains(ReportItem::work))
-        for (Subject& subject : subjects) watch(subject);
+        for (Subject& subject : subjects)
+            subject.watched = std::visit([](auto& scene) { return watch(scene); }, subject.scene);
 
     const InterruptionsHeld held;
     Builds builds(find_compiler());

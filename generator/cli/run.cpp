@@ -237,8 +237,9 @@ StepperWishes wishes_of(const RunOptions& options) {
 /// With the momentum maps that are found.
 WishedRun watched_run(const Method& method, const Scene& scene, const StepperWishes& wishes,
                       const Steps& steps) {
-    const WatchedScene watched = hvi::gen::watched(scene);
-    const SceneStepper stepper = scene_stepper(method, watched.scene, wishes);
+    Scene watched_scene = scene;
+    const Watched watched = watch(watched_scene);
+    const SceneStepper stepper = scene_stepper(method, watched_scene, wishes);
     return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base))};
 }
 
@@ -249,7 +250,10 @@ WishedRun wished_run(const RunOptions& options, const MethodAndScene& wished) {
 
 WishedRun wished_run(const RunOptions& options, const MethodAndLargeScene& wished) {
     const Steps steps = wished_steps(without_motion(wished.scene), options);
-    return {run_subject(loop_stepper(wished.method, wished.scene, wishes_of(options))), steps};
+    IndexedScene scene = wished.scene;
+    const Watched watched = watch(scene);
+    const LoopStepper stepper = loop_stepper(wished.method, scene, wishes_of(options));
+    return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base))};
 }
 
 WishedRun advised_run(const RunOptions& options) {

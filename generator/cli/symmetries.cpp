@@ -4,6 +4,7 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
+#include "generator/symmetry/families.hpp"
 
 namespace hvi::gen {
 
@@ -30,7 +31,8 @@ void check_said(const SceneSymmetries& found) {
 
 void run(const SymmetriesOptions& options) {
     const SceneSymmetries found =
-        find_symmetries(read_scene_alone(options.parameters, options.system));
+        std::visit([](const auto& scene) { return find_symmetries(scene); },
+                   read_scene_alone(options.parameters, options.system));
     check_said(found);
     const bool as_json = options.format == SymmetriesOptions::Format::json;
     write_result(options.output, as_json ? render_json(found) : render_text(found));

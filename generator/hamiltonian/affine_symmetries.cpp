@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/hamiltonian/affine_fields.hpp"
+#include "generator/hamiltonian/ginac_functions.hpp"
 #include "generator/hamiltonian/lie_algebra.hpp"
 #include "generator/hamiltonian/relations.hpp"
 #include "generator/support/progress.hpp"
@@ -81,28 +82,55 @@ Sampler sampler(const FunctionAndSlopes& function, const AffineUnknowns& unknown
     };
 }
 
-/// H_qi q_j - H_pj p_i, or L_qi q_j + L_vi v_j; and H_qi or L_qi.
-std::optional<std::vector<MonomialSum>>
-functions(Monomials& monomials, const FunctionAndSlopes& function, const AffineUnknowns& unknowns) {
+/// By all of these; nothing where one is too long.
+std::optional<std::vector<MonomialSum>> slopes(Monomials& monomials, const ex& of,
+                                               const std::vector<symbol>& by) {
+    std::vector<MonomialSum> result;
+    for (const symbol& variable : by) {
+        auto sum = monomials.sum(monomials.algebra().derivative(of, variable));
+        if (!sum) return {};
+        result.push_back(*std::move(sum));
+    }
+    return result;
+}
+
+/// How F changes along each field: F_qi q_j - F_pj p_i, or F_qi q_j + F_vi v_j; and F_qi.
+std::optional<std::vector<MonomialSum>> changes(Monomials& monomials, const ex& F,
+                                                const FunctionAndSlopes& function,
+                                                const AffineUnknowns& unknowns) {
     const std::size_t n = function.n();
-    std::vector<MonomialSum> by_q, by_fibre, result;
-    for (const auto& [slopes, sums] :
-         {std::pair{&function.by_q, &by_q}, std::pair{&function.by_fibre, &by_fibre}})
-        for (const ex& slope : *slopes) {
-            auto sum = monomials.sum(slope);
-            if (!sum) return {};
-            sums->push_back(*std::move(sum));
-        }
-    result = by_q;
+    const auto by_q = slopes(monomials, F, function.q);
+    const auto by_fibre = slopes(monomials, F, function.fibre);
+    if (!by_q || !by_fibre) return {};
+    std::vector<MonomialSum> result = *by_q;
     for (std::size_t number = n; number < unknowns.count(); ++number) {
         const auto [i, j] = unknowns.entry(number);
-        MonomialSum sum = Monomials::times_variable(by_q[i], j);
+        MonomialSum sum = Monomials::times_variable((*by_q)[i], j);
         const bool is_lagrangian = function.is_lagrangian;
-        const MonomialSum other = is_lagrangian ? Monomials::times_variable(by_fibre[i], n + j)
-                                                : Monomials::times_variable(by_fibre[j], n + i);
+        const MonomialSum other = is_lagrangian ? Monomials::times_variable((*by_fibre)[i], n + j)
+                                                : Monomials::times_variable((*by_fibre)[j], n + i);
         for (const auto& [monomial, coefficient] : other)
             add(sum, monomial, is_lagrangian ? coefficient : -coefficient);
         result.push_back(std::move(sum));
+    }
+    return result;
+}
+
+/// NOTE: derivatives do not see jumps. Where there may be one nothing may change either: that is
+/// asked at once, beside a factor that is nowhere else.
+std::optional<std::vector<MonomialSum>>
+functions(Monomials& monomials, const FunctionAndSlopes& function, const AffineUnknowns& unknowns) {
+    auto result = changes(monomials, function.value, function, unknowns);
+    if (!result) return {};
+    const GiNaC::exvector jumps = where_it_may_jump(function.value);
+    for (std::size_t k = 0; k < jumps.size(); ++k) {
+        const auto of_jump = changes(monomials, jumps[k], function, unknowns);
+        if (!of_jump) return {};
+        const MonomialSum factor = monomials.unknown("jump " + std::to_string(k));
+        for (std::size_t number = 0; number < result->size(); ++number)
+            for (const auto& [monomial, coefficient] :
+                 monomials.product((*of_jump)[number], factor))
+                add((*result)[number], monomial, coefficient);
     }
     return result;
 }
@@ -359,13 +387,13 @@ std::optional<SymmetryAlgebra> algebra_of(const Search& search, const std::vecto
     if (basis.empty() || basis.size() > most_brackets) return {};
     const auto constants = search.constants(basis);
     if (!constants) return {};
-    SymmetryAlgebra result;
+    SymmetryAlgebra result{"", std::vector<StructureConstant>{}};
     for (std::size_t i = 0; i < basis.size(); ++i)
         for (std::size_t j = i + 1; j < basis.size(); ++j)
             for (std::size_t k = 0; k < basis.size(); ++k) {
                 const ex& value = (*constants)[i][j][k];
                 if (!value.is_zero())
-                    result.constants.push_back({i, j, k, search.algebra().written(value)});
+                    result.constants->push_back({i, j, k, search.algebra().written(value)});
             }
     result.name = name_of(search, basis, *constants, with_values);
     return result;

@@ -26,7 +26,7 @@ struct StructureConstant {
 /// What the momentum maps span under Poisson's bracket, {q, p} = 1.
 struct SymmetryAlgebra {
     std::string name;  ///< `so(3)`; empty where it is not one of the usual, or not seen to be
-    std::vector<StructureConstant> constants;
+    std::optional<std::vector<StructureConstant>> constants;  ///< empty where all bodies are alike
 };
 
 /// Those that there are; on the left those that one would name first.

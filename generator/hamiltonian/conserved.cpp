@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/hamiltonian/ginac_functions.hpp"
 #include "generator/hamiltonian/relations.hpp"
 #include "generator/support/progress.hpp"
 
@@ -42,6 +43,8 @@ public:
     [[nodiscard]] ex read(const Quantity& quantity) {
         return algebra_.read(quantity.expression, quantity.source);
     }
+
+    [[nodiscard]] bool is_energy(const ex& I) const { return I.is_equal(algebra_.function()); }
 
     [[nodiscard]] ex bracket(const ex& I) const {
         ex sum;
@@ -152,6 +155,9 @@ QuantityFinding finding(Motion& motion, const Quantity& quantity) {
     const ex I = motion.read(quantity);
     const ex bracket = motion.bracket(I);
     result.conserved = motion.vanishes(bracket);
+    // NOTE: derivatives do not see jumps.
+    const bool may_jump = !where_it_may_jump(I).empty() && !motion.is_energy(I);
+    if (may_jump && result.conserved == Vanishing::proved) result.conserved = Vanishing::unknown;
     result.bracket =
         result.conserved == Vanishing::proved ? Expression::integer(0) : motion.written(bracket);
     result.is_momentum_map = motion.is_momentum_map(I);

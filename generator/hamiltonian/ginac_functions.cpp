@@ -95,4 +95,16 @@ bool has_kink_in(const ex& expression, const std::vector<GiNaC::symbol>& symbols
                        [&](const ex& part) { return has_kink_in(part, symbols); });
 }
 
+GiNaC::exvector where_it_may_jump(const ex& expression) {
+    GiNaC::exvector result;
+    if (GiNaC::is_a<GiNaC::function>(expression)) {
+        const std::string name = GiNaC::ex_to<GiNaC::function>(expression).get_name();
+        if (name == "sign") result.push_back(expression.op(0));
+        if (name == "if<" || name == "if<=") result.push_back(expression.op(0) - expression.op(1));
+    }
+    for (const ex& part : expression)
+        for (const ex& jump : where_it_may_jump(part)) result.push_back(jump);
+    return result;
+}
+
 }  // namespace hvi::gen

@@ -17,4 +17,7 @@ namespace hvi::gen {
 [[nodiscard]] bool has_kink_in(const GiNaC::ex& expression,
                                const std::vector<GiNaC::symbol>& symbols);
 
+/// What changes its sign where the function may jump: x of sign(x), and a - b of if(a < b, y, n).
+[[nodiscard]] GiNaC::exvector where_it_may_jump(const GiNaC::ex& expression);
+
 }  // namespace hvi::gen

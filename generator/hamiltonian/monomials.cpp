@@ -121,6 +121,10 @@ std::optional<MonomialSum> Monomials::sum(const ex& function) {
     } catch (const TooLong&) { return {}; }
 }
 
+MonomialSum Monomials::unknown(const std::string& name) {
+    return opaque({.variable = {}, .sum = {}, .function = name, .arguments = {}}, 1);
+}
+
 MonomialSum Monomials::times_variable(const MonomialSum& sum, std::size_t variable) {
     MonomialSum result;
     const std::vector<std::pair<std::size_t, ex>> factor{{variable, 1}};
@@ -194,7 +198,15 @@ MonomialSum Monomials::read_function(const GiNaC::function& function) {
     if (name == "sinh") return half_sum(-1);
     if (name == "cosh") return half_sum(1);
     if (name == "tanh") return product(half_sum(-1), raised(half_sum(1), -1));
+    // if(a < b, x, y) is y, and x - y where a < b.
+    const bool is_choice = name == "if<" || name == "if<=";
     MonomialBase base{.variable = {}, .sum = {}, .function = name, .arguments = {}};
+    if (is_choice) {
+        base.arguments = {number_of(read(function.op(0))), number_of(read(function.op(1)))};
+        const MonomialSum no = read(function.op(3));
+        const MonomialSum difference = plus(read(function.op(2)), no, -1);
+        return plus(product(opaque(std::move(base), 1), difference), no);
+    }
     for (const ex& part : function) base.arguments.push_back(number_of(read(part)));
     return opaque(std::move(base), 1);
 }

@@ -59,6 +59,9 @@ public:
     /// Nothing where it has more terms than one can use.
     [[nodiscard]] std::optional<MonomialSum> sum(const GiNaC::ex& function);
 
+    /// A function of which nothing is known but its name.
+    [[nodiscard]] MonomialSum unknown(const std::string& name);
+
     /// The sum times a variable: 0 .. n-1 in the order of the algebra's.
     [[nodiscard]] static MonomialSum times_variable(const MonomialSum& sum, std::size_t variable);
 

@@ -19,8 +19,9 @@ Json generator_json(const SceneSymmetries& found, const AffineSymmetry& symmetry
 /// NOTE: brackets count from 1, as momentum_map_1 does.
 Json algebra_json(const std::optional<SymmetryAlgebra>& algebra) {
     if (!algebra) return nullptr;
-    Json constants = Json::array();
-    for (const StructureConstant& constant : algebra->constants)
+    Json constants = algebra->constants ? Json::array() : Json(nullptr);
+    for (const StructureConstant& constant :
+         algebra->constants.value_or(std::vector<StructureConstant>{}))
         constants.push_back({{"i", constant.i + 1},
                              {"j", constant.j + 1},
                              {"k", constant.k + 1},
@@ -42,7 +43,7 @@ std::string render_json(const SceneSymmetries& found) {
     json["side"] = found.side == Side::hamiltonian ? "hamiltonian" : "lagrangian";
     json["regular"] = found.rank ? Json(found.is_regular()) : Json(nullptr);
     json["rank"] = found.rank ? Json(*found.rank) : Json(nullptr);
-    json["degrees_of_freedom"] = found.degrees_of_freedom();
+    json["degrees_of_freedom"] = found.degrees_of_freedom;
     json["complete"] = found.affine.doubt.empty();
     json["doubt"] = found.affine.doubt.empty() ? Json(nullptr) : Json(found.affine.doubt);
     json["symmetries"] = Json::array();

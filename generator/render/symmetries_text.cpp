@@ -31,14 +31,15 @@ std::string count_text(const AffineSymmetries& affine) {
         return n == 0 ? "none, of affine transformations of the coordinates"
                       : fmt::format("{} of affine transformations, and these are all",
                                     plural(n, "generator", "generators"));
-    return fmt::format("at least {}: {}", n == 0 ? "none" : std::to_string(n), affine.doubt);
+    return n == 0 ? fmt::format("none found ({})", affine.doubt)
+                  : fmt::format("at least {} ({})", n, affine.doubt);
 }
 
 /// `{J1, J2} = J3, ...`.
-std::string brackets_text(const SymmetryAlgebra& algebra) {
+std::string brackets_text(const std::vector<StructureConstant>& constants) {
     std::string text;
     const StructureConstant* before = nullptr;
-    for (const StructureConstant& constant : algebra.constants) {
+    for (const StructureConstant& constant : constants) {
         const bool same = before != nullptr && before->i == constant.i && before->j == constant.j;
         const Expression name = Expression::symbol(fmt::format("J{}", constant.k + 1));
         std::string term = to_text(Expression::product({constant.value, name}));
@@ -62,12 +63,17 @@ void write_algebra(NamedLines& lines, const AffineSymmetries& affine) {
         return;
     }
     const SymmetryAlgebra& algebra = *affine.algebra;
+    if (!algebra.constants) {
+        lines.line("algebra", algebra.name.empty() ? "none of the usual ones" : algebra.name);
+        return;
+    }
+    const std::size_t count = algebra.constants->size();
     const std::string name = algebra.name.empty() ? "" : algebra.name + ": ";
-    lines.line("algebra", algebra.constants.size() > most_shown
-                              ? name + fmt::format("{} structure constants, which --format json "
-                                                   "prints",
-                                                   algebra.constants.size())
-                              : name + brackets_text(algebra));
+    lines.line("algebra",
+               name +
+                   (count > most_shown
+                        ? fmt::format("{} structure constants, which --format json prints", count)
+                        : brackets_text(*algebra.constants)));
 }
 
 void write_regularity(NamedLines& lines, const SceneSymmetries& found) {
@@ -78,7 +84,7 @@ void write_regularity(NamedLines& lines, const SceneSymmetries& found) {
         return;
     }
     const std::string rank =
-        fmt::format("{} has the rank {} of {}", matrix, *found.rank, found.degrees_of_freedom());
+        fmt::format("{} has the rank {} of {}", matrix, *found.rank, found.degrees_of_freedom);
     lines.line("regular", (found.is_regular() ? "yes: " : "no: ") + rank);
     if (found.is_regular() || is_lagrangian) return;
     lines.line("", "degenerate (Example 1.1 of Leok & Zhang): q' = dH/dp has no");

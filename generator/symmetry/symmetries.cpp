@@ -122,6 +122,7 @@ void set_said(SceneSymmetries& result, const Scene& scene) {
                                      invariant.expression,
                                      {},
                                      invariant.place,
+                                     false,
                                      scene.approximate.count(invariant.name) != 0});
     for (const VectorField& field : scene.fields)
         result.fields.push_back(
@@ -188,6 +189,7 @@ SceneSymmetries find_symmetries(const Scene& scene) {
     SceneSymmetries result;
     result.name = scene.name.empty() ? function_of(scene).origin : scene.name;
     result.coordinates = function_of(scene).coordinates;
+    result.degrees_of_freedom = function_of(scene).degrees_of_freedom();
     result.depends_on_time = depends_on_time(function_of(scene).expression);
     if (std::holds_alternative<Lagrangian>(scene.mechanics)) result.side = Side::lagrangian;
     if (!function_of(scene).rotations.empty()) {

@@ -22,6 +22,7 @@ struct ConservedQuantity {
     Expression expression;        ///< in the scene's variables
     QuantityFinding finding;      ///< of it as a function of q and p
     Place place;                  ///< of an invariant, or of the name of a field
+    bool is_said = false;         ///< a momentum map that invariants of the scene tell already
     bool is_approximate = false;  ///< an invariant that need not be conserved
 };
 
@@ -29,7 +30,8 @@ struct ConservedQuantity {
 struct SceneSymmetries {
     std::string name;  ///< of the scene, or what the command line has for it
     Side side = Side::hamiltonian;
-    std::vector<std::string> coordinates;  ///< entries of rotations among them
+    std::vector<std::string> coordinates;  ///< or families of them, `x[i]`; entries of rotations too
+    std::size_t degrees_of_freedom = 0;
     std::size_t rotations = 0;
     std::optional<std::size_t> rank;  ///< of d2H/dp2, or of d2L/dv2; empty where it is not known
     bool depends_on_time = false;
@@ -39,10 +41,7 @@ struct SceneSymmetries {
     std::vector<ConservedQuantity> fields;         ///< momentum maps (5.4) of [symmetries]
     std::optional<ConservedQuantity> energy;       ///< where more is known than that it is H
 
-    [[nodiscard]] std::size_t degrees_of_freedom() const {
-        return coordinates.size() - 6 * rotations;
-    }
-    [[nodiscard]] bool is_regular() const { return rank == degrees_of_freedom(); }
+    [[nodiscard]] bool is_regular() const { return rank == degrees_of_freedom; }
 };
 
 /// By exact algebra, for the values that the scene's parameters have. Throws as affine_symmetries()

@@ -5,7 +5,9 @@
 #include <utility>
 #include <variant>
 
+#include "generator/read/parse.hpp"
 #include "generator/support/warning.hpp"
+#include "generator/symmetry/families.hpp"
 
 namespace hvi::gen {
 
@@ -49,7 +51,8 @@ void add_momentum_maps(Scene& scene, SceneSymmetries& found) {
     std::size_t added = 0;
     for (std::size_t i = 0; i < found.momentum_maps.size() && added < most_added; ++i) {
         ConservedQuantity& map = found.momentum_maps[i];
-        if (is_momentum(found, i) || is_invariant(scene, map.expression)) continue;
+        map.is_said = is_momentum(found, i) || is_invariant(scene, map.expression);
+        if (map.is_said) continue;
         map.name = "momentum_map_" + std::to_string(++added);
         while (has_name(scene, map.name)) map.name += "_";
         const auto source =
@@ -75,10 +78,25 @@ void warn_of(const ConservedQuantity& invariant) {
          is_field ? "" : "where that is meant so, write {value = \"...\", approximate = true}");
 }
 
+/// What both kinds of scenes have: a search that may be refused.
+template <class AnyScene, class Add>
+void look(AnyScene& scene, Watched& result, Add add) {
+    try {
+        result.found = find_symmetries(scene);
+        for (const ConservedQuantity& invariant : result.found->invariants) warn_of(invariant);
+        for (const ConservedQuantity& field : result.found->fields) warn_of(field);
+        add();
+    } catch (const InputError& error) {
+        result.left_out = error.what();
+    } catch (const MathError& error) { result.left_out = error.what(); }
+    if (!result.found || !result.found->depends_on_time) result.names.emplace_back("energy");
+    for (const auto& invariant : scene.invariants) result.names.push_back(invariant.name);
+}
+
 }  // namespace
 
-WatchedScene watched(const Scene& scene) {
-    WatchedScene result{scene, {}, ""};
+Watched watch(Scene& scene) {
+    Watched result;
     if (function_of(scene).degrees_of_freedom() > most_searched) {
         result.left_out = "there are more than 24 degrees of freedom";
         return result;
@@ -88,23 +106,38 @@ WatchedScene watched(const Scene& scene) {
         result.left_out = "of several bodies it takes seconds: `hvi-gen symmetries` does it";
         return result;
     }
-    try {
-        result.found = find_symmetries(scene);
-        for (const ConservedQuantity& invariant : result.found->invariants) warn_of(invariant);
-        for (const ConservedQuantity& field : result.found->fields) warn_of(field);
-        add_fields(result.scene, *result.found);
-        add_momentum_maps(result.scene, *result.found);
-    } catch (const InputError& error) {
-        result.left_out = error.what();
-    } catch (const MathError& error) { result.left_out = error.what(); }
+    look(scene, result, [&] {
+        add_fields(scene, *result.found);
+        add_momentum_maps(scene, *result.found);
+    });
     return result;
 }
 
-std::vector<Statement> WatchedScene::statements(const KeepingFacts& method) const {
+Watched watch(IndexedScene& scene) {
+    Watched result;
+    look(scene, result, [&] {
+        std::size_t added = 0;
+        for (ConservedQuantity& map : result.found->momentum_maps) {
+            if (map.is_said || added == most_added) continue;
+            map.name = "momentum_map_" + std::to_string(++added);
+            const auto is_it = [&](const auto& named) { return named.name == map.name; };
+            while (std::any_of(scene.invariants.begin(), scene.invariants.end(), is_it) ||
+                   std::any_of(scene.parameters.begin(), scene.parameters.end(), is_it))
+                map.name += "_";
+            const auto source =
+                std::make_shared<const Source>(Source{map.name, to_text(map.expression)});
+            scene.invariants.push_back(
+                {map.name, parse_indexed_expression(source), whole(source), whole(source)});
+        }
+    });
+    return result;
+}
+
+std::vector<Statement> Watched::statements(const KeepingFacts& method) const {
     if (!found) return {};
     std::vector<Statement> all = hvi::gen::statements(*found, method);
     std::erase_if(all, [&](const Statement& statement) {
-        return statement.name != "energy" && !has_name(scene, statement.name);
+        return std::find(names.begin(), names.end(), statement.name) == names.end();
     });
     return all;
 }

@@ -6,24 +6,27 @@
 #include <string>
 #include <vector>
 
+#include "generator/read/indexed_scene.hpp"
 #include "generator/symmetry/statements.hpp"
 
 namespace hvi::gen {
 
 /// What is watched in runs of a scene.
-struct WatchedScene {
-    Scene scene;
+struct Watched {
     std::optional<SceneSymmetries> found;
-    std::string left_out;  ///< why nothing was looked for; empty where something was
+    std::string left_out;            ///< why nothing was looked for; empty where something was
+    std::vector<std::string> names;  ///< the energy, where it is conserved, and invariants
 
-    /// Of what the scene's invariants are now, and of the energy. Empty where nothing was found
-    /// out.
+    /// Of what is watched. Empty where nothing was found out.
     [[nodiscard]] std::vector<Statement> statements(const KeepingFacts& method) const;
 };
 
 /// Adds the momentum maps that are found to the scene's invariants: those that are no multiple of
-/// one of these or of a single momentum, and at most 16. Nothing is looked for where that would
-/// take long. Warns of an invariant that is not conserved.
-[[nodiscard]] WatchedScene watched(const Scene& scene);
+/// one of these or of a single momentum, and at most 16; and those of [symmetries]. Nothing is
+/// looked for where that would take long. Warns of an invariant that is not conserved.
+[[nodiscard]] Watched watch(Scene& scene);
+
+/// The same of a scene of any size: what is one sum.
+[[nodiscard]] Watched watch(IndexedScene& scene);
 
 }  // namespace hvi::gen

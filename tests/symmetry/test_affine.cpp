@@ -117,6 +117,14 @@ TEST_CASE("What is the same in another form is seen to be") {
     check_all(found_of("p^2/2 + (sqrt(2)*sqrt(3)-sqrt(6))*q^2"), {"p"}, "R");
 }
 
+TEST_CASE("What jumps is no symmetry, though no derivative sees it") {
+    CHECK(momentum_maps(found_of("p^2/2 + sign(q)")).empty());
+    CHECK(momentum_maps(found_of("(p1^2+p2^2)/2 + if(q1 < 2, q1-q2, 0)")).empty());
+    CHECK(momentum_maps(found_of("(p1^2+p2^2)/2 + if((q1-q2)^2 < 2, (q1-q2)^2, 2)")) ==
+          Texts{"p1+p2"});
+    CHECK(momentum_maps(found_of("(p1^2+p2^2)/2 + abs(q1-q2) + min(q1-q2, 3)")) == Texts{"p1+p2"});
+}
+
 TEST_CASE("Time") {
     check_all(found_of("p^2/2 + cos(t)*q"), {}, "");
     check_all(found_of("p^2/(2*(1+t))"), {"p"}, "R");

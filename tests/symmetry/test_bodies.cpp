@@ -37,7 +37,7 @@ TEST_CASE("a free body: rotations of space, and of a body with equal moments its
     CHECK(maps(general) == std::set{row(1), row(2), row(3)});
     CHECK(general.affine.doubt.empty());
     CHECK(general.rank == 3);
-    CHECK(general.degrees_of_freedom() == 3);
+    CHECK(general.degrees_of_freedom == 3);
     const SceneSymmetries symmetric = find_symmetries(body("(L[1]^2+L[2]^2)/4+L[3]^2/6"));
     CHECK(maps(symmetric) == std::set<std::string>{row(1), row(2), row(3), "L[3]"});
     CHECK(symmetric.affine.doubt.empty());

@@ -87,8 +87,9 @@ TEST_CASE("Ranks of d2H/dp2") {
 TEST_CASE("Structure constants are those of brackets, and obey Jacobi's identity") {
     const auto found = found_of("(p1^2+p2^2+p3^2)/2");
     REQUIRE(found.affine.algebra);
+    REQUIRE(found.affine.algebra->constants);
     std::map<std::array<std::size_t, 3>, int> c;
-    for (const StructureConstant& constant : found.affine.algebra->constants) {
+    for (const StructureConstant& constant : *found.affine.algebra->constants) {
         const int value = to_text(constant.value) == "1" ? 1 : -1;
         CHECK((to_text(constant.value) == "1" || to_text(constant.value) == "-1"));
         c[{constant.i, constant.j, constant.k}] = value;

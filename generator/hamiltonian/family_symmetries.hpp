@@ -1,0 +1,57 @@
+// Affine symmetries of sums over any number of elements, which move all elements alike.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/expr/expression.hpp"
+
+namespace hvi::gen {
+
+/// What stands in a sum, as a function of symbols: elements with one index each are inputs by
+/// themselves, as if none could be another.
+struct FamilySummand {
+    /// An element of a family of coordinates, or of momenta; elements of different families with
+    /// equal indices have one place.
+    struct Element {
+        std::string symbol;
+        std::size_t family = 0;
+        std::string place;
+    };
+
+    Expression function;
+    std::vector<Element> coordinates, momenta;
+    std::vector<std::string> others;  ///< indices, and what depends on them
+    bool is_over_family = false;      ///< all elements of a family of one place, each once
+};
+
+/// q_f' = sum_g C_fg q_g + d_f, for all elements of the families f and g alike.
+struct FamilyField {
+    struct Entry {
+        std::size_t row = 0;
+        std::optional<std::size_t> column;  ///< empty for d
+        Expression value;
+    };
+    std::vector<Entry> entries;
+};
+
+struct FamilySymmetries {
+    std::vector<FamilyField> fields;
+    /// m of a family that H knows the momenta of by the sum of p^2/(2 m) over all elements alone.
+    std::vector<std::optional<Expression>> masses;
+    std::string algebra;  ///< its name, with that of the turned centres of mass; or empty
+};
+
+/// Those that leave each summand as it is, by exact algebra, for all sizes. `shapes`: of each
+/// family; those of one shape have equal indices. With `centres` the fields that turn the centre of
+/// mass of families f and g are counted into the algebra.
+[[nodiscard]] FamilySymmetries family_symmetries(const std::vector<FamilySummand>& summands,
+                                                 const std::vector<std::size_t>& shapes);
+
+/// Whether the first function is seen to be a sum of multiples of the others, and a constant.
+[[nodiscard]] bool is_combination(const Expression& function, const std::vector<Expression>& others,
+                                  const std::vector<std::string>& variables);
+
+}  // namespace hvi::gen

@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/symmetry/families.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "generator/graph/written.hpp"
+#include "generator/hamiltonian/family_symmetries.hpp"
+#include "generator/lower/loop_system.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Summands with the same loops, as functions of symbols that are called as elements are written.
+struct Group {
+    std::vector<Loop> loops;
+    std::vector<Expression> values;
+    std::vector<std::size_t> accesses;
+};
+
+/// The names of loops in the order of another nest.
+using IndexNames = std::map<std::string, std::string>;
+
+AffineForm renamed(AffineForm form, const IndexNames& names) {
+    AffineForm result{form.constant, {}};
+    for (const auto& [name, coefficient] : form.coefficients) {
+        const auto other = names.find(name);
+        result.coefficients[other == names.end() ? name : other->second] = coefficient;
+    }
+    return result;
+}
+
+/// How the indices of one nest are called in another with the same ranges.
+std::optional<IndexNames> renaming(const std::vector<Loop>& from, const std::vector<Loop>& to) {
+    if (from.size() != to.size()) return {};
+    IndexNames names;
+    for (std::size_t d = 0; d < from.size(); ++d) {
+        const LoopRange& range = from[d].range;
+        if (!(LoopRange{renamed(range.first, names), renamed(range.last, names)} == to[d].range))
+            return {};
+        names[from[d].index] = to[d].index;
+    }
+    return names;
+}
+
+std::string text_of(const ElementIndex& index, const IndexNames& names) {
+    const std::string form = to_text(renamed(index.form, names));
+    if (!index.modulus) return form;
+    const std::string mod = "mod(" + form + "," + to_text(renamed(*index.modulus, names)) + ")";
+    const AffineForm offset = renamed(index.offset, names);
+    return offset == AffineForm{} ? mod : mod + "+" + to_text(offset);
+}
+
+/// `i,j`.
+std::string place_of(const Access& access, const IndexNames& names) {
+    std::string text;
+    for (const ElementIndex& index : access.indices)
+        text += (text.empty() ? "" : ",") + text_of(index, names);
+    return text;
+}
+
+std::string element_name(const std::string& family, const std::string& place) {
+    return place.empty() ? family : family + "[" + place + "]";
+}
+
+Expression as_expression(const AffineForm& form) {
+    std::vector<Expression> terms;
+    for (const auto& [name, coefficient] : form.coefficients)
+        terms.push_back(
+            Expression::product({Expression::integer(coefficient), Expression::symbol(name)}));
+    for (Expression& term : terms)
+        if (term.arguments.size() == 2 && term.arguments[0] == Expression::integer(1))
+            term = term.arguments[1];
+    if (form.constant != 0 || terms.empty()) terms.push_back(Expression::integer(form.constant));
+    return Expression::sum(std::move(terms));
+}
+
+class FamilyScene {
+public:
+    explicit FamilyScene(const IndexedScene& scene)
+        : scene_(scene), system_(loop_system(scene)), groups_(groups_of(system_.sums)) {
+        for (const LoopFamily& family : system_.coordinates) {
+            const auto same = std::find_if(
+                system_.coordinates.begin(), system_.coordinates.end(),
+                [&](const LoopFamily& other) { return other.ranges == family.ranges; });
+            shapes_.push_back(static_cast<std::size_t>(same - system_.coordinates.begin()));
+            nests_.push_back(nest_of(family));
+        }
+    }
+
+    [[nodiscard]] SceneSymmetries found() {
+        SceneSymmetries result;
+        result.name = scene_.name;
+        result.degrees_of_freedom = degrees_of_freedom(scene_);
+        for (std::size_t f = 0; f < shapes_.size(); ++f)
+            result.coordinates.push_back(to_text(element(system_.coordinates[f], f)));
+        result.affine.doubt = "families are moved as wholes, all elements alike";
+        if (!is_written()) {
+            result.affine.doubt = "a summand is too long";
+            set_invariants(result, {});
+            return result;
+        }
+        std::vector<FamilySummand> summands;
+        for (const Group& group : groups_) summands.push_back(summand(group));
+        const FamilySymmetries found = family_symmetries(summands, shapes_);
+        for (const FamilyField& field : found.fields) add(result, field);
+        add_turned_centres(result, found);
+        if (!result.affine.basis.empty() && !found.algebra.empty())
+            result.affine.algebra = SymmetryAlgebra{found.algebra, {}};
+        const bool is_regular = std::all_of(found.masses.begin(), found.masses.end(),
+                                            [](const auto& mass) { return mass.has_value(); });
+        if (is_regular) result.rank = result.degrees_of_freedom;
+        set_invariants(result, found.fields);
+        return result;
+    }
+
+private:
+    /// Those with the same loops, by whatever names. A value that is too long is left out.
+    [[nodiscard]] std::vector<Group> groups_of(const std::vector<LoopSum>& sums) const {
+        std::vector<Group> groups;
+        for (const LoopSum& sum : sums) {
+            std::optional<IndexNames> names;
+            Group* target = nullptr;
+            for (Group& group : groups) {
+                names = renaming(sum.loops, group.loops);
+                target = &group;
+                if (names) break;
+            }
+            if (!names) {
+                target = &groups.emplace_back(Group{sum.loops, {}, {}});
+                names = renaming(sum.loops, sum.loops);
+            }
+            const auto value = written(system_.graph, sum.value);
+            if (!value) return {};
+            std::map<std::string, std::string> symbols(names->begin(), names->end());
+            for (const std::size_t number : sum.accesses) {
+                const Access& access = system_.accesses[number];
+                symbols[system_.graph.at(access.node).name] =
+                    element_name(system_.family(access).name, hvi::gen::place_of(access, *names));
+                target->accesses.push_back(number);
+            }
+            target->values.push_back(hvi::gen::renamed(*value, symbols));
+        }
+        return groups;
+    }
+
+    [[nodiscard]] bool is_written() const { return !groups_.empty(); }
+
+    /// The loops over all elements of a family.
+    [[nodiscard]] std::vector<Loop> nest_of(const LoopFamily& family) const {
+        for (const Group& group : groups_)
+            if (covers(group.loops, family)) return group.loops;
+        std::vector<Loop> loops;
+        std::set<std::string> taken{"i"};
+        for (const LoopFamily& each : system_.coordinates) taken.insert(each.name);
+        for (const LoopFamily& each : system_.momenta) taken.insert(each.name);
+        for (const SystemParameter& each : system_.parameters) taken.insert(each.name);
+        for (const LoopSize& each : system_.sizes) taken.insert(each.name);
+        taken.erase("i");
+        for (const LoopRange& range : family.ranges) {
+            std::string name(1, static_cast<char>('i' + loops.size()));
+            while (taken.count(name) != 0) name += "_";
+            loops.push_back({name, range});
+        }
+        return loops;
+    }
+
+    [[nodiscard]] static bool covers(const std::vector<Loop>& loops, const LoopFamily& family) {
+        if (loops.size() != family.ranges.size()) return false;
+        for (std::size_t d = 0; d < loops.size(); ++d)
+            if (!(loops[d].range == family.ranges[d])) return false;
+        return true;
+    }
+
+    /// Of the nest, `i,j`.
+    [[nodiscard]] static std::string place_of(const std::vector<Loop>& loops) {
+        std::string text;
+        for (const Loop& loop : loops) text += (text.empty() ? "" : ",") + loop.index;
+        return text;
+    }
+
+    [[nodiscard]] FamilySummand summand(const Group& group) const {
+        FamilySummand result;
+        result.function = Expression::sum(group.values);
+        for (const Loop& loop : group.loops) result.others.push_back(loop.index);
+        std::set<std::string> seen;
+        bool is_over_family = true;
+        for (const std::size_t number : group.accesses) {
+            const Access& access = system_.accesses[number];
+            const IndexNames names = names_in(system_.sums, group.loops);
+            const std::string place = hvi::gen::place_of(access, names);
+            const LoopFamily& family = system_.family(access);
+            const std::string symbol = element_name(family.name, place);
+            if (!seen.insert(symbol).second) continue;
+            if (access.kind == FamilyKind::coordinate)
+                result.coordinates.push_back({symbol, access.family, place});
+            else if (access.kind == FamilyKind::momentum)
+                result.momenta.push_back({symbol, access.family, place});
+            else
+                result.others.push_back(symbol);
+            if (access.kind == FamilyKind::momentum)
+                is_over_family =
+                    is_over_family && covers(group.loops, family) && place == place_of(group.loops);
+        }
+        result.is_over_family = is_over_family;
+        return result;
+    }
+
+    [[nodiscard]] Expression element(const LoopFamily& family, std::size_t number) const {
+        if (family.ranges.empty()) return Expression::symbol(family.name);
+        std::vector<Expression> indices;
+        for (const Loop& loop : nests_[number]) indices.push_back(Expression::symbol(loop.index));
+        return Expression::element(family.name, std::move(indices));
+    }
+
+    [[nodiscard]] Expression q(std::size_t f) const { return element(system_.coordinates[f], f); }
+    [[nodiscard]] Expression p(std::size_t f) const { return element(system_.momenta[f], f); }
+
+    /// Over all elements of a family.
+    [[nodiscard]] Expression summed(Expression term, std::size_t family) const {
+        const std::vector<Loop>& loops = nests_[family];
+        for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop)
+            term = Expression::sum_over(loop->index, as_expression(loop->range.first),
+                                        as_expression(loop->range.last), std::move(term));
+        return term;
+    }
+
+    /// value * a * b, with the sign in front.
+    [[nodiscard]] static Expression term(const Expression& value, std::vector<Expression> factors) {
+        const bool negative = value.kind == Expression::Kind::negation;
+        const Expression& size = negative ? value.arguments[0] : value;
+        if (!(size == Expression::integer(1))) factors.insert(factors.begin(), size);
+        Expression result = Expression::product(std::move(factors));
+        return negative ? Expression::negation(std::move(result)) : result;
+    }
+
+    /// p xi of the families of one shape, at one place.
+    [[nodiscard]] Expression local_map(const FamilyField& field, std::size_t shape) const {
+        std::vector<Expression> positive, negative;
+        for (const FamilyField::Entry& entry : field.entries) {
+            if (shapes_[entry.row] != shape) continue;
+            std::vector<Expression> factors;
+            if (entry.column) factors.push_back(q(*entry.column));
+            factors.push_back(p(entry.row));
+            Expression each = term(entry.value, std::move(factors));
+            (each.kind == Expression::Kind::negation ? negative : positive)
+                .push_back(std::move(each));
+        }
+        positive.insert(positive.end(), negative.begin(), negative.end());
+        return Expression::sum(std::move(positive));
+    }
+
+    [[nodiscard]] std::set<std::size_t> shapes_in(const FamilyField& field) const {
+        std::set<std::size_t> result;
+        for (const FamilyField::Entry& entry : field.entries) result.insert(shapes_[entry.row]);
+        return result;
+    }
+
+    static void add(SceneSymmetries& result, AffineSymmetry symmetry) {
+        ConservedQuantity& map = result.momentum_maps.emplace_back();
+        map.kind = ConservedQuantity::Kind::momentum_map;
+        map.name = "momentum_map_" + std::to_string(result.momentum_maps.size());
+        map.expression = symmetry.momentum_map;
+        map.finding.conserved = Vanishing::proved;
+        map.finding.bracket = Expression::integer(0);
+        map.finding.is_momentum_map = true;
+        map.finding.quadratic = QuantityFinding::Quadratic{false, false, true};
+        result.affine.basis.push_back(std::move(symmetry));
+    }
+
+    void add(SceneSymmetries& result, const FamilyField& field) const {
+        AffineSymmetry symmetry{std::vector<Expression>(shapes_.size()), {}};
+        for (const FamilyField::Entry& entry : field.entries) {
+            std::vector<Expression> terms;
+            Expression& component = symmetry.generator[entry.row];
+            if (!(component == Expression::integer(0))) terms.push_back(component);
+            terms.push_back(entry.column ? term(entry.value, {q(*entry.column)}) : entry.value);
+            component = Expression::sum(std::move(terms));
+        }
+        std::vector<Expression> sums;
+        for (const std::size_t shape : shapes_in(field))
+            sums.push_back(summed(local_map(field, shape), shape));
+        symmetry.momentum_map = Expression::sum(std::move(sums));
+        add(result, std::move(symmetry));
+    }
+
+    /// Where two families may be translated and move as the sum of p^2/(2 m) says, with equal m:
+    /// the sums of p stay, and those of m q grow as they say.
+    void add_turned_centres(SceneSymmetries& result, const FamilySymmetries& found) const {
+        std::vector<std::size_t> translated;
+        for (const FamilyField& field : found.fields)
+            if (field.entries.size() == 1 && !field.entries[0].column)
+                translated.push_back(field.entries[0].row);
+        for (std::size_t a = 0; a < translated.size(); ++a)
+            for (std::size_t b = a + 1; b < translated.size(); ++b) {
+                const std::size_t f = translated[a], g = translated[b];
+                const auto& mass = found.masses[f];
+                const bool alike = shapes_[f] == shapes_[g] && mass && mass == found.masses[g];
+                if (!alike || system_.coordinates[f].ranges.empty()) continue;
+                add(result, turned_centre(f, g, *mass));
+            }
+    }
+
+    [[nodiscard]] AffineSymmetry turned_centre(std::size_t f, std::size_t g,
+                                               const Expression& mass) const {
+        const bool is_one_mass = to_text(mass).find('[') == std::string::npos;
+        const auto centre = [&](std::size_t family) {
+            return summed(is_one_mass ? q(family) : Expression::product({mass, q(family)}), family);
+        };
+        const auto momentum = [&](std::size_t family) { return summed(p(family), family); };
+        AffineSymmetry symmetry{std::vector<Expression>(shapes_.size()), {}};
+        symmetry.generator[f] = Expression::negation(centre(g));
+        symmetry.generator[g] = centre(f);
+        symmetry.momentum_map =
+            Expression::sum({Expression::product({centre(f), momentum(g)}),
+                             Expression::negation(Expression::product({centre(g), momentum(f)}))});
+        return symmetry;
+    }
+
+    /// As symbols, which are called as elements are written.
+    [[nodiscard]] static Expression with_symbols(const Expression& expression) {
+        if (expression.kind == Expression::Kind::element)
+            return Expression::symbol(to_text(expression));
+        std::vector<Expression> arguments;
+        for (const Expression& argument : expression.arguments)
+            arguments.push_back(with_symbols(argument));
+        return with_arguments(expression, std::move(arguments));
+    }
+
+    /// An invariant that is one sum over all elements of families: what it sums up.
+    struct SummedUp {
+        std::size_t shape;
+        Expression function;
+        std::vector<std::string> variables;
+    };
+
+    [[nodiscard]] std::optional<SummedUp> summed_up(const LoopInvariant& invariant) const {
+        const std::vector<Group> groups = groups_of(invariant.sums);
+        if (groups.size() != 1) return {};
+        for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
+            const bool is_over =
+                shapes_[shape] == shape && renaming(groups[0].loops, nests_[shape]);
+            if (!is_over || !covers(nests_[shape], system_.coordinates[shape])) continue;
+            const IndexNames before = names_in(invariant.sums, groups[0].loops);
+            const IndexNames after = names_in(invariant.sums, nests_[shape]);
+            SummedUp result{shape, Expression::sum(groups[0].values), variables_of(shape)};
+            std::map<std::string, std::string> symbols;
+            for (const std::size_t number : groups[0].accesses) {
+                const Access& access = system_.accesses[number];
+                const std::string& family = system_.family(access).name;
+                const std::string name = element_name(family, hvi::gen::place_of(access, after));
+                symbols[element_name(family, hvi::gen::place_of(access, before))] = name;
+                result.variables.push_back(name);
+            }
+            result.function = hvi::gen::renamed(result.function, symbols);
+            return result;
+        }
+        return {};
+    }
+
+    /// Elements at one place.
+    [[nodiscard]] std::vector<std::string> variables_of(std::size_t shape) const {
+        std::vector<std::string> names;
+        for (std::size_t f = 0; f < shapes_.size(); ++f) {
+            if (shapes_[f] != shape) continue;
+            names.push_back(to_text(q(f)));
+            names.push_back(to_text(p(f)));
+        }
+        return names;
+    }
+
+    /// What momentum maps sum up, of one shape.
+    [[nodiscard]] std::vector<Expression> maps_of(const std::vector<FamilyField>& fields,
+                                                  std::size_t shape) const {
+        std::vector<Expression> maps;
+        for (const FamilyField& field : fields)
+            if (shapes_in(field) == std::set<std::size_t>{shape})
+                maps.push_back(with_symbols(local_map(field, shape)));
+        return maps;
+    }
+
+    /// NOTE: turned centres of mass are products of sums, which no run computes.
+    void set_said(SceneSymmetries& result, const std::vector<FamilyField>& fields,
+                  const std::vector<SummedUp>& invariants) const {
+        for (ConservedQuantity& map : result.momentum_maps) map.is_said = true;
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            const std::set<std::size_t> shapes = shapes_in(fields[k]);
+            std::vector<Expression> said;
+            std::vector<std::string> variables = variables_of(*shapes.begin());
+            for (const SummedUp& invariant : invariants) {
+                if (invariant.shape != *shapes.begin()) continue;
+                said.push_back(invariant.function);
+                variables.insert(variables.end(), invariant.variables.begin(),
+                                 invariant.variables.end());
+            }
+            result.momentum_maps[k].is_said =
+                shapes.size() == 1 &&
+                is_combination(with_symbols(local_map(fields[k], *shapes.begin())), said,
+                               variables);
+        }
+    }
+
+    void set_invariants(SceneSymmetries& result, const std::vector<FamilyField>& fields) const {
+        std::vector<SummedUp> all;
+        for (std::size_t k = 0; k < system_.invariants.size(); ++k) {
+            const LoopInvariant& invariant = system_.invariants[k];
+            ConservedQuantity& quantity = result.invariants.emplace_back();
+            quantity.name = invariant.name;
+            quantity.expression = invariant.expression;
+            quantity.place = scene_.invariants[k].place;
+            quantity.is_approximate = scene_.approximate.count(invariant.name) != 0;
+            auto sum = summed_up(invariant);
+            if (!sum) continue;
+            all.push_back(*sum);
+            if (!is_combination(sum->function, maps_of(fields, sum->shape), sum->variables))
+                continue;
+            quantity.finding.conserved = Vanishing::proved;
+            quantity.finding.bracket = Expression::integer(0);
+            quantity.finding.is_momentum_map = true;
+        }
+        set_said(result, fields, all);
+    }
+
+    /// How the indices of all sums with these loops are called in them.
+    [[nodiscard]] static IndexNames names_in(const std::vector<LoopSum>& sums,
+                                             const std::vector<Loop>& loops) {
+        IndexNames names;
+        for (const LoopSum& sum : sums)
+            if (const auto found = renaming(sum.loops, loops))
+                names.insert(found->begin(), found->end());
+        return names;
+    }
+
+    const IndexedScene& scene_;
+    LoopSystem system_;
+    std::vector<Group> groups_;
+    std::vector<std::size_t> shapes_;       ///< of each family, the first one with its ranges
+    std::vector<std::vector<Loop>> nests_;  ///< over all elements of each family
+};
+
+}  // namespace
+
+SceneSymmetries find_symmetries(const IndexedScene& scene) { return FamilyScene(scene).found(); }
+
+}  // namespace hvi::gen

@@ -1,0 +1,15 @@
+// The symmetries of scenes whose sums stay sums.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/read/indexed_scene.hpp"
+#include "generator/symmetry/symmetries.hpp"
+
+namespace hvi::gen {
+
+/// For any sizes: what moves all elements of families alike and leaves each summand as it is, and
+/// turns of the centre of mass. There may be more of them. An invariant is seen to be conserved
+/// where it is made of these momentum maps. Throws InputError as loop_system() does.
+[[nodiscard]] SceneSymmetries find_symmetries(const IndexedScene& scene);
+
+}  // namespace hvi::gen
