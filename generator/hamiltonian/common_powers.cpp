@@ -13,7 +13,7 @@ using GiNaC::ex;
 using GiNaC::numeric;
 
 /// Terms that one is ready to write for a common denominator.
-constexpr double most_terms = 60'000;
+constexpr double most_terms = 6'000;
 
 /// An exponent as a whole number and what is left: in [0, 1) where it is a number.
 struct SplitExponent {
@@ -71,11 +71,13 @@ public:
     /// Whether all terms are; where only some can be, those that have the base.
     [[nodiscard]] bool bring() {
         if (lowest_.empty()) return true;
-        if (size(true) <= most_terms) {
+        const double terms = size({}), all = size(true), some = size(false);
+        if (all == terms) return true;
+        if (all <= std::max(most_terms, 2 * terms)) {
             rewrite(true);
             return true;
         }
-        if (size(false) <= most_terms) rewrite(false);
+        if (some != terms && some <= std::max(most_terms, 2 * terms)) rewrite(false);
         return false;
     }
 
@@ -88,12 +90,13 @@ private:
         return all && whole != lowest_.end() ? -whole->second : 0;
     }
 
-    [[nodiscard]] double size(bool all) const {
+    /// How many terms there would be at most; without `all` how many there are.
+    [[nodiscard]] double size(std::optional<bool> all) const {
         const double terms = static_cast<double>(monomials_.bases()[base_].sum->size());
         double sum = 0;
         for (const MonomialSum& function : functions_)
             for (const auto& [monomial, coefficient] : function)
-                sum += std::pow(terms, static_cast<double>(above(monomial, all)));
+                sum += all ? std::pow(terms, static_cast<double>(above(monomial, *all))) : 1;
         return sum;
     }
 
@@ -129,14 +132,34 @@ private:
     std::map<long, MonomialSum> powers_;
 };
 
+/// The sums of which something may have to be multiplied out.
+std::set<std::size_t> with_several_powers(const Monomials& monomials,
+                                          const std::vector<MonomialSum>& functions) {
+    std::map<std::size_t, ex> first;
+    std::set<std::size_t> result;
+    for (const MonomialSum& function : functions)
+        for (const auto& [monomial, coefficient] : function)
+            for (const auto& [base, exponent] : monomial.powers) {
+                if (!monomials.bases()[base].sum) continue;
+                const auto [position, is_new] = first.try_emplace(base, exponent);
+                if (exponent.info(GiNaC::info_flags::integer) ||
+                    (!is_new && !position->second.is_equal(exponent)))
+                    result.insert(base);
+            }
+    return result;
+}
+
 }  // namespace
 
 /// NOTE: what a sum is made of has lower numbers.
 bool bring_to_common_powers(Monomials& monomials, std::vector<MonomialSum>& functions) {
     bool all = true;
-    for (std::size_t base = monomials.bases().size(); base-- > 0;)
-        if (monomials.bases()[base].sum)
-            all = CommonPowers(monomials, functions, base).bring() && all;
+    std::set<std::size_t> todo = with_several_powers(monomials, functions);
+    for (std::size_t base = monomials.bases().size(); base-- > 0;) {
+        if (todo.count(base) == 0) continue;
+        all = CommonPowers(monomials, functions, base).bring() && all;
+        todo = with_several_powers(monomials, functions);
+    }
     return all;
 }
 

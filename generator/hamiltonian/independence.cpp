@@ -82,6 +82,27 @@ bool has_no_factor_twice(const Monomials& monomials, const ex& polynomial) {
     });
 }
 
+/// Whether none is a product, and none a multiple of another one: then none has a factor twice, and
+/// no two have one in common. NOTE: distances of many bodies are so many that greatest common
+/// divisors of all pairs take seconds.
+bool are_different_primes(const std::vector<ex>& polynomials) {
+    constexpr std::size_t most = 400;
+    if (polynomials.size() > most) return false;
+    std::vector<ex> primes;
+    for (const ex& each : polynomials) {
+        const ex expanded = each.expand();
+        if (!GiNaC::is_a<GiNaC::symbol>(expanded) &&
+            !GiNaC::is_a<GiNaC::add>(GiNaC::factor(expanded.normal().numer())))
+            return false;
+        primes.push_back(expanded);
+    }
+    for (std::size_t i = 0; i < primes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if ((primes[i] - primes[j]).is_zero() || (primes[i] + primes[j]).expand().is_zero())
+                return false;
+    return true;
+}
+
 bool are_roots_independent(const Monomials& monomials, const Used& used) {
     std::vector<ex> under;
     for (const std::size_t base : used.roots) {
@@ -92,13 +113,16 @@ bool are_roots_independent(const Monomials& monomials, const Used& used) {
         }
         if (!of.sum || !has_rational_coefficients(*of.sum)) return false;
         const auto P = polynomial(monomials, *of.sum);
-        if (!P || !has_no_factor_twice(monomials, *P)) return false;
+        if (!P) return false;
         under.push_back(*P);
     }
+    if (are_different_primes(under)) return true;
     if (under.size() > most_roots) return false;
-    for (std::size_t i = 0; i < under.size(); ++i)
+    for (std::size_t i = 0; i < under.size(); ++i) {
+        if (!has_no_factor_twice(monomials, under[i])) return false;
         for (std::size_t j = 0; j < i; ++j)
             if (!are_coprime(monomials, under[i], under[j])) return false;
+    }
     return true;
 }
 
