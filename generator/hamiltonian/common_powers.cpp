@@ -72,12 +72,12 @@ public:
     [[nodiscard]] bool bring() {
         if (lowest_.empty()) return true;
         const double terms = size({}), all = size(true), some = size(false);
-        if (all == terms) return true;
+        if (!needs_rewriting(true)) return true;
         if (all <= std::max(most_terms, 2 * terms)) {
             rewrite(true);
             return true;
         }
-        if (some != terms && some <= std::max(most_terms, 2 * terms)) rewrite(false);
+        if (needs_rewriting(false) && some <= std::max(most_terms, 2 * terms)) rewrite(false);
         return false;
     }
 
@@ -88,6 +88,13 @@ private:
         if (exponent) return exponent->whole - lowest_.at(exponent->rest);
         const auto whole = lowest_.find(0);
         return all && whole != lowest_.end() ? -whole->second : 0;
+    }
+
+    [[nodiscard]] bool needs_rewriting(bool all) const {
+        for (const MonomialSum& function : functions_)
+            for (const auto& [monomial, coefficient] : function)
+                if (above(monomial, all) > 0) return true;
+        return false;
     }
 
     /// How many terms there would be at most; without `all` how many there are.
