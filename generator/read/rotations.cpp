@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 namespace hvi::gen {
 
@@ -15,16 +16,28 @@ std::string with_index(const std::string& name, const std::string& index) {
                               : fmt::format("{}[{}]", name, index);
 }
 
+/// NOTE: axes are often along a coordinate, and what is written of their zeros stands in headers.
+bool is_zero(const Expression& x) {
+    return x.kind == Expression::Kind::number && x.numerator == "0";
+}
+
 Expression square(const Expression& x) { return Expression::power(x, Expression::integer(2)); }
 
-Expression times(Expression a, Expression b) {
-    return Expression::product({std::move(a), std::move(b)});
+Expression times(const Expression& a, const Expression& b) {
+    return is_zero(a) || is_zero(b) ? Expression::integer(0) : Expression::product({a, b});
 }
+
+Expression sum_of(std::vector<Expression> terms) {
+    std::erase_if(terms, is_zero);
+    return Expression::sum(std::move(terms));
+}
+
+Expression negative(const Expression& x) { return is_zero(x) ? x : Expression::negation(x); }
 
 Expression sum_of_squares(const std::vector<Expression>& parts) {
     std::vector<Expression> terms;
-    for (const Expression& part : parts) terms.push_back(square(part));
-    return Expression::sum(std::move(terms));
+    for (const Expression& part : parts) terms.push_back(is_zero(part) ? part : square(part));
+    return sum_of(std::move(terms));
 }
 
 /// The entries of diagonal + a a^T + hat b.
@@ -39,9 +52,9 @@ std::vector<Expression> matrix(const Expression& diagonal, const std::vector<Exp
             } else {
                 const Expression& third = b[3 - i - j];
                 const bool is_negative = j == (i + 1) % 3;
-                terms.push_back(is_negative ? Expression::negation(third) : third);
+                terms.push_back(is_negative ? negative(third) : third);
             }
-            entries.push_back(Expression::sum(std::move(terms)));
+            entries.push_back(sum_of(std::move(terms)));
         }
     }
     return entries;
@@ -89,8 +102,8 @@ std::vector<Expression> turn_of_quaternion(const std::vector<Expression>& wxyz) 
     const std::vector<Expression> v(wxyz.begin() + 1, wxyz.end());
     const Expression two =
         times(Expression::integer(2), Expression::reciprocal(sum_of_squares(wxyz)));
-    const Expression diagonal = Expression::sum(
-        {Expression::integer(1), Expression::negation(times(two, sum_of_squares(v)))});
+    const Expression diagonal =
+        sum_of({Expression::integer(1), negative(times(two, sum_of_squares(v)))});
     std::vector<Expression> turn;
     for (const Expression& part : v) turn.push_back(times(times(two, wxyz.front()), part));
     return matrix(diagonal, v, two, turn);

@@ -249,6 +249,10 @@ std::vector<Expression> SceneReader::parts(const toml::table& table, std::string
                          file_.place(node == nullptr ? table : *node));
     std::vector<Expression> result;
     for (const toml::node& each : *array) result.push_back(part(each, file_.place(table)));
+    const auto is_zero = [](const Expression& x) { return x == Expression::integer(0); };
+    if (std::all_of(result.begin(), result.end(), is_zero))
+        throw InputError(fmt::format("zeros are no {}", key), file_.place(*node),
+                         "its length is free, but not 0");
     return result;
 }
 

@@ -99,6 +99,8 @@ TEST_CASE("what makes no rotation is refused where it stands") {
     CHECK(refused("\"identity\"", "{quaternion = [1, 0, 0]}").says("list of 4"));
     CHECK(refused("\"identity\"", "{quaternion = [1, 0, 0, 0], angle = 1}")
               .says("an axis and an angle, or a quaternion"));
+    CHECK(refused("\"identity\"", "{quaternion = [0, 0, 0, 0]}").says("zeros are no quaternion"));
+    CHECK(refused("\"identity\"", "{axis = [0, 0, 0], angle = 1}").says("zeros are no axis"));
     CHECK(refused("\"identity\"", "{axes = [1, 0, 0], angle = 1}").says("has no key `axes`"));
     CHECK(refused("\"identity\"", "[1, 0, 0, 1]").says("9 indices"));
     const Refusal unknown = refused("\"identity\"", "{axis = [0, 0, 1], angle = \"f/2\"}");
