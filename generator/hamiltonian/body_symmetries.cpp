@@ -7,6 +7,7 @@
 
 #include "generator/hamiltonian/affine_fields.hpp"
 #include "generator/hamiltonian/body_motion.hpp"
+#include "generator/hamiltonian/lie_algebra.hpp"
 #include "generator/hamiltonian/relations.hpp"
 #include "generator/support/progress.hpp"
 
@@ -172,16 +173,82 @@ Found solved(const BodyMotion& motion, const BodyFields& fields) {
     return found;
 }
 
+/// Of momentum maps: as in a flat space, omega_1 x omega_2 of those of space, and the opposite of
+/// those of a body.
+SparseVector bracket(const BodyUnknowns& unknowns, const SparseVector& a, const SparseVector& b) {
+    const std::size_t count = unknowns.affine().count();
+    const auto affine = [&](const SparseVector& all) {
+        return SparseVector(all.begin(), all.lower_bound(count));
+    };
+    SparseVector result = poisson_bracket(unknowns.affine(), affine(a), affine(b));
+    const auto at = [](const SparseVector& of, std::size_t number) {
+        const auto found = of.find(number);
+        return found == of.end() ? ex(0) : found->second;
+    };
+    for (std::size_t first = count; first < unknowns.count(); first += 3) {
+        const int sign = unknowns.turn(first).is_of_body ? -1 : 1;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t l = first + (k + 1) % 3, m = first + (k + 2) % 3;
+            const ex value = (at(a, l) * at(b, m) - at(a, m) * at(b, l)).normal();
+            if (!value.is_zero()) result[first + k] = sign * value;
+        }
+    }
+    return result;
+}
+
+/// Nothing where a bracket leads out of the basis.
+std::optional<SymmetryAlgebra> algebra_of(const Algebra& algebra, const BodyUnknowns& unknowns,
+                                          const std::vector<SparseVector>& basis) {
+    const std::size_t size = basis.size(), behind = unknowns.count();
+    SparseEquations span(algebra);
+    for (std::size_t i = 0; i < size; ++i) {
+        SparseVector tagged = basis[i];
+        tagged[behind + i] = -1;
+        static_cast<void>(span.insert(std::move(tagged)));
+    }
+    SymmetryAlgebra result;
+    std::vector<StructureConstant> constants;
+    StructureConstants numbers(size, std::vector(size, std::vector<GiNaC::numeric>(size)));
+    bool are_numbers = true;
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = i + 1; j < size; ++j)
+            for (const auto& [number, value] :
+                 span.reduced(bracket(unknowns, basis[i], basis[j]))) {
+                if (number < behind) return {};
+                const std::size_t k = number - behind;
+                constants.push_back({i, j, k, algebra.written(value)});
+                are_numbers = are_numbers && value.info(GiNaC::info_flags::rational);
+                if (!are_numbers) continue;
+                numbers[i][j][k] = GiNaC::ex_to<GiNaC::numeric>(value);
+                numbers[j][i][k] = -numbers[i][j][k];
+            }
+    if (are_numbers) result.name = name_of_algebra(numbers);
+    result.constants = std::move(constants);
+    return result;
+}
+
 AffineSymmetries named(const BodyMotion& motion, const BodyFields& fields, Found found) {
+    struct Named {
+        SparseVector field;
+        AffineSymmetry symmetry;
+    };
+    std::vector<Named> all;
+    for (const SparseVector& field : found.basis) {
+        SparseVector whole = without_denominators(motion.algebra(), field);
+        AffineSymmetry symmetry{fields.generator(whole), fields.momentum_map(whole)};
+        all.push_back({std::move(whole), std::move(symmetry)});
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Named& a, const Named& b) {
+        return to_text(a.symmetry.momentum_map).size() < to_text(b.symmetry.momentum_map).size();
+    });
     AffineSymmetries result;
     result.doubt = std::move(found.doubt);
-    for (const SparseVector& field : found.basis) {
-        const SparseVector whole = without_denominators(motion.algebra(), field);
-        result.basis.push_back({fields.generator(whole), fields.momentum_map(whole)});
+    std::vector<SparseVector> basis;
+    for (Named& each : all) {
+        basis.push_back(std::move(each.field));
+        result.basis.push_back(std::move(each.symmetry));
     }
-    std::stable_sort(result.basis.begin(), result.basis.end(), [](const auto& a, const auto& b) {
-        return to_text(a.momentum_map).size() < to_text(b.momentum_map).size();
-    });
+    if (!basis.empty()) result.algebra = algebra_of(motion.algebra(), fields.unknowns(), basis);
     return result;
 }
 

@@ -14,7 +14,7 @@ namespace hvi::gen {
 ///
 ///     p (C q + d) + omega R L + eta L.
 ///
-/// Brackets are not looked at. That these are all is proved by values at rotations alone, as the
+/// That these are all is proved by values at rotations alone, as the
 /// entries of a rotation are no independent functions. Throws what Algebra throws. Precondition:
 /// there are rotations.
 [[nodiscard]] AffineSymmetries body_symmetries(const Hamiltonian& hamiltonian);

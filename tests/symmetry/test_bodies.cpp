@@ -36,6 +36,8 @@ TEST_CASE("a free body: rotations of space, and of a body with equal moments its
     const SceneSymmetries general = find_symmetries(body("L[1]^2/2+L[2]^2/4+L[3]^2/6"));
     CHECK(maps(general) == std::set{row(1), row(2), row(3)});
     CHECK(general.affine.doubt.empty());
+    REQUIRE(general.affine.algebra);
+    CHECK(general.affine.algebra->name == "so(3)");
     CHECK(general.rank == 3);
     CHECK(general.degrees_of_freedom == 3);
     const SceneSymmetries symmetric = find_symmetries(body("(L[1]^2+L[2]^2)/4+L[3]^2/6"));
@@ -43,6 +45,18 @@ TEST_CASE("a free body: rotations of space, and of a body with equal moments its
     CHECK(symmetric.affine.doubt.empty());
     const SceneSymmetries sphere = find_symmetries(body("(L[1]^2+L[2]^2+L[3]^2)/2"));
     CHECK(maps(sphere) == std::set<std::string>{row(1), row(2), row(3), "L[1]", "L[2]", "L[3]"});
+    REQUIRE(sphere.affine.algebra);
+    CHECK(sphere.affine.algebra->name == "so(4)");
+    // {L_1, L_2} = -L_3, {J_1, J_2} = J_3; those of the body are the first three.
+    std::size_t brackets = 0;
+    for (const StructureConstant& constant :
+         sphere.affine.algebra->constants.value_or(std::vector<StructureConstant>{})) {
+        ++brackets;
+        CHECK((constant.i < 3) == (constant.j < 3));
+        const bool is_cyclic = constant.k % 3 != 1;
+        CHECK(to_text(constant.value) == ((constant.i < 3) == is_cyclic ? "-1" : "1"));
+    }
+    CHECK(brackets == 6);
 }
 
 TEST_CASE("a top: the vertical, and the axis of a symmetric one") {
