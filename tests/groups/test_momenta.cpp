@@ -12,6 +12,7 @@
 #include <groups/rotors_2.hpp>
 #include <groups/spacecraft_2.hpp>
 #include <groups/top_2.hpp>
+#include <groups/top_4.hpp>
 #include <groups/top_chebyshev.hpp>
 #include <groups/top_lobatto.hpp>
 #include <groups/top_midpoint.hpp>
@@ -111,4 +112,11 @@ TEST_CASE("a spacecraft, two bodies and a row of rotors: orbital and own angular
 TEST_CASE("the energy does not drift") {
     const auto energy = [](int steps) { return seen<FreeGauss2>(0.25, steps, all_of_J).energy; };
     CHECK(energy(40000) < 1.02 * energy(4000));
+    // Of order 8 in steps that leave rounding alone, which wanders as its square root at most.
+    const auto rounding = seen<TopGauss4>(0.02, 100000, [](const auto& stepper, const auto& x) {
+        return std::array{stepper.J_z(x)};
+    });
+    CHECK(rounding.energy < 1e-14);
+    CHECK(rounding.values[0] < 5e-15);
+    CHECK(rounding.defect < 5e-15);
 }
