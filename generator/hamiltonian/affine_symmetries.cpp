@@ -135,6 +135,8 @@ functions(Monomials& monomials, const FunctionAndSlopes& function, const AffineU
     return result;
 }
 
+bool is_negative(const ex& value) { return value.info(GiNaC::info_flags::negative); }
+
 /// A symmetry, and its momentum map.
 struct Candidate {
     SparseVector field;
@@ -155,8 +157,11 @@ public:
             return;
         }
         relations_ = relations(monomials_, *sums, sampler(function_, unknowns_));
-        for (SparseVector& field : relations_.basis)
+        for (SparseVector& field : relations_.basis) {
             field = without_denominators(function_.algebra, field);
+            if (is_translation(unknowns_, field) && is_negative(field.begin()->second))
+                for (auto& [number, value] : field) value = -value;
+        }
     }
 
     [[nodiscard]] const Relations& found() const { return relations_; }

@@ -167,10 +167,11 @@ bool are_different(const Monomials& monomials, const std::set<std::size_t>& argu
     return true;
 }
 
-/// Rational numbers in (0, 2), others for each point.
+/// Rational numbers in (0, 2) and in (0, 2/5) by turns, others for each point.
 class Points {
 public:
     [[nodiscard]] SymbolValues next(const Algebra& algebra) {
+        is_near_ = !is_near_;
         SymbolValues values = parameters_;
         const bool first = parameters_.empty();
         for (const GiNaC::symbol& symbol : algebra.parameters())
@@ -184,10 +185,12 @@ public:
 private:
     [[nodiscard]] Ball number() {
         above_ = (above_ * 16807) % 2147483647;
-        return ball_of_rational(std::to_string(above_ % 997 + 1) + "/500", bits_at_points);
+        return ball_of_rational(std::to_string(above_ % 997 + 1) + (is_near_ ? "/2500" : "/500"),
+                                bits_at_points);
     }
 
     std::uint64_t above_ = 20011;
+    bool is_near_ = true;      ///< to the origin, where high powers are not all that counts
     SymbolValues parameters_;  ///< the same at all points
 };
 

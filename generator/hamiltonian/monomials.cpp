@@ -17,6 +17,17 @@ constexpr std::size_t most_terms = 20'000;
 
 struct TooLong {};
 
+/// Above, a power stays one.
+constexpr double most_terms_of_power = 2000;
+
+/// At most: the products of so many out of the terms.
+double terms_of_power(std::size_t terms, unsigned exponent) {
+    double count = 1;
+    for (unsigned i = 1; i <= exponent; ++i)
+        count *= (static_cast<double>(terms) - 1 + i) / static_cast<double>(i);
+    return count;
+}
+
 /// Equal functions of parameters are equal expressions, as far as fractions of polynomials go.
 ex canonical(const ex& coefficient) {
     if (GiNaC::is_a<numeric>(coefficient)) return coefficient;
@@ -292,8 +303,10 @@ MonomialSum Monomials::power(const MonomialSum& base, unsigned exponent) {
 /// root of x^2 is not x.
 MonomialSum Monomials::raised(const MonomialSum& base, const ex& exponent) {
     if (base.empty()) throw TooLong{};  // nothing, to a power that need not be positive
-    if (exponent.info(GiNaC::info_flags::posint) && exponent < 200)
-        return power(base, static_cast<unsigned>(GiNaC::ex_to<numeric>(exponent).to_int()));
+    if (exponent.info(GiNaC::info_flags::posint) && exponent < 200) {
+        const auto times = static_cast<unsigned>(GiNaC::ex_to<numeric>(exponent).to_int());
+        if (terms_of_power(base.size(), times) <= most_terms_of_power) return power(base, times);
+    }
     const auto& [first, c] = *base.begin();
     const bool counts = is_integer(exponent);
     if (base.size() == 1 && first.phase == 0) {
