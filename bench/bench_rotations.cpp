@@ -7,12 +7,12 @@
 // many, in place of 1000000.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -265,17 +265,18 @@ double coarsest(const Method& method, const Body<double>& reference) {
     return 0;
 }
 
-/// Seconds of one run, of so many that they take some milliseconds.
+/// Seconds of one run, of so many that they take some milliseconds: of the processor, since others
+/// may be at work on it.
 double timed(const Method& method) {
     std::int64_t runs = 0;
-    const auto begin = std::chrono::steady_clock::now();
-    std::chrono::duration<double> time{};
-    while (time.count() < 5e-3) {
+    const std::clock_t begin = std::clock();
+    std::clock_t time = 0;
+    while (time < CLOCKS_PER_SEC / 200) {
         method.make(method.fineness)->advance(until, true);
         ++runs;
-        time = std::chrono::steady_clock::now() - begin;
+        time = std::clock() - begin;
     }
-    return time.count() / static_cast<double>(runs);
+    return static_cast<double>(time) / CLOCKS_PER_SEC / static_cast<double>(runs);
 }
 
 double median(std::vector<double> values) {

@@ -31,7 +31,7 @@ public:
 
     /// At the centre R_0.
     ChartPoint() : ChartPoint(Vector{}) {}
-    explicit ChartPoint(const Vector& xi)
+    HVI_INLINE_IN_SPACE explicit ChartPoint(const Vector& xi)
         : xi_(xi),
           y_(dot(xi, xi)),
           c_(angle_functions(y_)),
@@ -42,43 +42,50 @@ public:
     [[nodiscard]] Scalar square_of_angle() const { return y_; }
 
     /// exp(hat xi) v - v
-    [[nodiscard]] Vector turned_by(const Vector& v) const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Vector turned_by(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return c_.c1 * u + c_.c2 * cross(xi_, u);
     }
     /// exp(hat xi) v
-    [[nodiscard]] Vector turned(const Vector& v) const { return v + turned_by(v); }
+    HVI_INLINE_IN_SPACE [[nodiscard]] Vector turned(const Vector& v) const {
+        return v + turned_by(v);
+    }
     /// exp(-hat xi) v
-    [[nodiscard]] Vector turned_back(const Vector& v) const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Vector turned_back(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return v - c_.c1 * u + c_.c2 * cross(xi_, u);
     }
     /// exp(hat xi) - 1
-    [[nodiscard]] Matrix3<Scalar> turn() const {
-        return matrix([this](const Vector& v) { return turned_by(v); });
+    HVI_INLINE_IN_SPACE [[nodiscard]] Matrix3<Scalar> turn() const {
+        const Vector u = c_.c1 * xi_, v = c_.c2 * xi_;
+        const Scalar xx = v[0] * xi_[0], yy = v[1] * xi_[1], zz = v[2] * xi_[2];
+        const Scalar yz = v[1] * xi_[2], zx = v[2] * xi_[0], xy = v[0] * xi_[1];
+        return {-yy - zz,  xy - u[2], zx + u[1],  //
+                xy + u[2], -zz - xx,  yz - u[0],  //
+                zx - u[1], yz + u[0], -xx - yy};
     }
 
-    [[nodiscard]] Vector T(const Vector& v) const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Vector T(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return v - c_.c2 * u + c_.c3 * cross(xi_, u);
     }
-    [[nodiscard]] Vector T_transposed(const Vector& v) const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Vector T_transposed(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return v + c_.c2 * u + c_.c3 * cross(xi_, u);
     }
     /// T^-1 v. NOTE: c_2 is 0 at an angle of 2 pi.
-    [[nodiscard]] Vector T_inverse(const Vector& v) const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Vector T_inverse(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return v + Scalar(0.5) * u + inverse_ * cross(xi_, u);
     }
     /// T^-T v
-    [[nodiscard]] Vector T_inverse_transposed(const Vector& v) const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Vector T_inverse_transposed(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return v - Scalar(0.5) * u + inverse_ * cross(xi_, u);
     }
 
     /// The gradient of L . T(xi) w by xi.
-    [[nodiscard]] Vector gradient(const Vector& L, const Vector& w) const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Vector gradient(const Vector& L, const Vector& w) const {
         const Vector k = cross(w, L);
         const Scalar u = dot(xi_, k), a = dot(L, xi_), b = dot(w, xi_), c = dot(L, w);
         const Scalar along =
@@ -115,19 +122,6 @@ public:
                                     slope_of_c2() * (xi_[i] * k[j] + k[i] * xi_[j]) +
                                     (i == j ? diagonal : Scalar(0));
             }
-        }
-        return result;
-    }
-
-    /// The matrix whose columns are map(e_1), map(e_2), map(e_3).
-    template <class Map>
-    [[nodiscard]] static Matrix3<Scalar> matrix(Map map) {
-        Matrix3<Scalar> result{};
-        for (std::size_t j = 0; j < 3; ++j) {
-            Vector unit{};
-            unit[j] = Scalar(1);
-            const Vector column = map(unit);
-            for (std::size_t i = 0; i < 3; ++i) { result[3 * i + j] = column[i]; }
         }
         return result;
     }

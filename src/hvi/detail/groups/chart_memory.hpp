@@ -57,7 +57,8 @@ public:
     }
 
     /// The rotation R_0 exp(hat xi), and what it has in digits behind its last ones.
-    [[nodiscard]] Matrix3<Scalar> rotated(std::size_t r, const ChartPoint<Scalar>& xi) const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Matrix3<Scalar> rotated(std::size_t r,
+                                                              const ChartPoint<Scalar>& xi) const {
         Matrix3<Scalar> R = Space::rotation(at.q, r);
         const Matrix3<Scalar> change = product(R, xi.turn());
         const Matrix3<Scalar> rest = Space::rotation(remainder.q, r);

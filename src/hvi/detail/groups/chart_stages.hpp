@@ -121,7 +121,7 @@ public:
 
     /// xi_1 = sum_i Lq_i of each rotation.
     using Turns = std::array<Point, rotations>;
-    [[nodiscard]] Turns turns() const {
+    HVI_INLINE_IN_SPACE [[nodiscard]] Turns turns() const {
         Turns all;
         for (std::size_t r = 0; r < rotations; ++r) {
             Part xi{};
@@ -182,7 +182,7 @@ public:
     template <class Gradient>
     void slopes(Gradient gradient) {
         for (std::size_t i = 0; i < stages; ++i) {
-            gradient(i, Q_[i], slopes_[i].momentum, slopes_[i].by_q, slopes_[i].by_p);
+            gradient(i, position(i), slopes_[i].momentum, slopes_[i].by_q, slopes_[i].by_p);
             set_slopes(i);
         }
     }
@@ -268,7 +268,16 @@ public:
 
     Vector pi_end{};  ///< pi_1 behind the coordinates, where nothing is
 
-    [[nodiscard]] const Positions& position(std::size_t i) const { return Q_[i]; }
+    /// NOTE: made anew when it is asked for: of a gradient that takes no rotations, or some rows
+    /// of them, compilers leave out the rest.
+    HVI_INLINE_IN_SPACE [[nodiscard]] Positions position(std::size_t i) const {
+        Positions q{};
+        for (std::size_t k = 0; k < coordinates; ++k) { q[k] = x_[i][k]; }
+        for (std::size_t r = 0; r < rotations; ++r) {
+            Space::set_rotation(q, r, this->rotated(r, points_[i][r]));
+        }
+        return q;
+    }
     [[nodiscard]] const StageSlopes& slopes_of_stage(std::size_t i) const { return slopes_[i]; }
     [[nodiscard]] const Point& point(std::size_t i, std::size_t r) const { return points_[i][r]; }
 
@@ -315,20 +324,16 @@ private:
     }
 
     /// Where x_ and y_ of a stage are in the space.
-    void set_place(std::size_t i) {
-        for (std::size_t k = 0; k < coordinates; ++k) {
-            Q_[i][k] = x_[i][k];
-            slopes_[i].momentum[k] = y_[i][k];
-        }
+    HVI_INLINE_IN_SPACE void set_place(std::size_t i) {
+        for (std::size_t k = 0; k < coordinates; ++k) { slopes_[i].momentum[k] = y_[i][k]; }
         for (std::size_t r = 0; r < rotations; ++r) {
             points_[i][r] = Point(Space::part(x_[i], r));
-            Space::set_rotation(Q_[i], r, this->rotated(r, points_[i][r]));
             Space::set_part(slopes_[i].momentum, r,
                             points_[i][r].T_inverse_transposed(Space::part(y_[i], r)));
         }
     }
 
-    void set_slopes(std::size_t i) {
+    HVI_INLINE_IN_SPACE void set_slopes(std::size_t i) {
         const StageSlopes& slope = slopes_[i];
         for (std::size_t k = 0; k < coordinates; ++k) {
             Lq[i][k] = hb[i] * slope.by_p[k];
@@ -346,7 +351,6 @@ private:
         }
     }
 
-    std::array<Positions, stages> Q_{};     ///< coordinates and rotations
     std::array<Vector, stages> x_{}, y_{};  ///< (Q, xi) and (P, pi)
     std::array<StageSlopes, stages> slopes_{}, slopes_before_{};
     std::array<Turns, stages> points_{};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <hvi/detail/groups/space.hpp>
 #include <hvi/detail/numbers/math.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
 
@@ -40,20 +41,29 @@ template <class Value>
     return Value(1) / static_cast<Value>((k + 2 * j - 1) * (k + 2 * j));
 }
 
-/// c_k of y <= switch_at, times k!.
-template <int k, class Value>
-[[nodiscard]] constexpr Value series(const Value& y) {
-    Value sum(1);
-    for (int j = terms<bits<Value>>; j > 0; --j) {
-        sum = Value(1) - y * quotient<Value>(k, j) * sum;
+/// What every other term of c_k adds up to from the j-th on, over that one.
+template <int k, int j, class Value>
+HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Value every_other(const Value& y2) {
+    if constexpr (j + 2 > terms<bits<Value>>) {
+        return Value(1);
+    } else {
+        const Value two_terms = quotient<Value>(k, j + 1) * quotient<Value>(k, j + 2);
+        return Value(1) + y2 * two_terms * every_other<k, j + 2>(y2);
     }
-    return sum;
+}
+
+/// c_k of y <= switch_at, times k!. NOTE: terms of even and of odd powers by themselves: each is a
+/// chain of products, and a processor goes along both at once.
+template <int k, class Value>
+HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Value series(const Value& y) {
+    const Value y2 = y * y;
+    return every_other<k, 0>(y2) - y * quotient<Value>(k, 1) * every_other<k, 1>(y2);
 }
 
 }  // namespace angles
 
 template <class Value>
-[[nodiscard]] AngleFunctions<Value> angle_functions(const Value& y) {
+HVI_INLINE_IN_SPACE [[nodiscard]] inline AngleFunctions<Value> angle_functions(const Value& y) {
     AngleFunctions<Value> c;
     if (!(y > Value(angles::switch_at))) {
         c.c6 = angles::series<6>(y) / Value(720);
