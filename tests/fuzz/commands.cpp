@@ -25,6 +25,7 @@
 #include "generator/scene/step_count.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/output_file.hpp"
+#include "generator/symmetry/watched.hpp"
 #include "tests/fuzz/attempt.hpp"
 #include "tests/fuzz/grammars.hpp"
 #include "tests/fuzz/header_text.hpp"
@@ -134,6 +135,11 @@ void carry_out(const SchemeOptions& options) {
     if (options.format == SchemeOptions::Format::json) check_json(text);
 }
 
+void carry_out(const SymmetriesOptions& options) {
+    const std::string text = result(options);
+    if (options.format == SymmetriesOptions::Format::json) check_json(text);
+}
+
 void carry_out(StepperOptions options) {
     if (options.accuracy) return;
     options.explain = false;
@@ -148,7 +154,10 @@ void carry_out(const RunOptions& options) {
                                   wish(scene, options.until, scene.run.until, "until")));
     const StepperWishes wishes =
         simulation_wishes(options.wishes.solver, options.wishes.composition);
-    const SceneStepper stepper = scene_stepper(method, scene, wishes);
+    Scene watched_scene = scene;
+    const Watched watched = watch(watched_scene);
+    const SceneStepper stepper = scene_stepper(method, watched_scene, wishes);
+    static_cast<void>(watched.statements(keeping_facts(stepper.method.base)));
     check_simulation(stepper);
     check_header(stepper.header);
 }
