@@ -239,6 +239,10 @@ WishedRun watched_run(const Method& method, const Scene& scene, const StepperWis
                       const Steps& steps) {
     Scene watched_scene = scene;
     const Watched watched = watch(watched_scene);
+    if (watched.takes_long)
+        std::fputs(
+            fmt::format("note: no symmetries are looked for: {}\n", watched.left_out).c_str(),
+            stderr);
     const SceneStepper stepper = scene_stepper(method, watched_scene, wishes);
     return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base))};
 }

@@ -99,6 +99,7 @@ Watched watch(Scene& scene) {
     Watched result;
     if (function_of(scene).degrees_of_freedom() > most_searched) {
         result.left_out = "there are more than 24 degrees of freedom";
+        result.takes_long = true;
         return result;
     }
     const std::size_t turns = function_of(scene).rotations.size();

@@ -14,7 +14,8 @@ namespace hvi::gen {
 /// What is watched in runs of a scene.
 struct Watched {
     std::optional<SceneSymmetries> found;
-    std::string left_out;            ///< why nothing was looked for; empty where something was
+    std::string left_out;            ///< why nothing was found out; empty where something was
+    bool takes_long = false;         ///< and so nothing was looked for
     std::vector<std::string> names;  ///< the energy, where it is conserved, and invariants
 
     /// Of what is watched. Empty where nothing was found out.
