@@ -54,13 +54,12 @@ struct CanonicalParts {
         return parts;
     }
 
-    /// From where to where coordinates are parts of one vector with coordinate i: an axis of a
-    /// rotation is one of three.
+    /// From where to where coordinates share their rounding with coordinate i: those of rotations
+    /// mix the three axes of a body, and those of all bodies where equations are solved.
     [[nodiscard]] static std::pair<std::size_t, std::size_t> mixed_with(std::size_t i) {
-        const std::size_t k = i % n;
-        if (k < flat_ones()) { return {i, i + 1}; }
-        const std::size_t begin = i - (k - flat_ones()) % 3;
-        return {begin, begin + 3};
+        if (i % n < flat_ones()) { return {i, i + 1}; }
+        const std::size_t end = i < n ? n : 2 * n;
+        return {end - 3 * rotations(), end};
     }
 
 private:

@@ -38,8 +38,8 @@ public:
     /// NOTE: where a step leaves errors E in D, D^T J D changes by E^T J D + D^T J E, of which that
     /// is the size, and the steps after it, being symplectic, keep the change as it is: so an error
     /// does not go away where entries have been large. Entry by entry, since those of D differ by
-    /// masses and lengths, and a large one would hide what is wrong with a small one. Of a rotation
-    /// the three of an axis each mix with the others, and the largest counts.
+    /// masses and lengths, and a large one would hide what is wrong with a small one. But those of
+    /// rotations mix, and of them the largest counts.
     [[nodiscard]] std::optional<double> of(State x, double h, std::int64_t steps) {
         Stepper stepper{typename Stepper::Parameters{}};
         sizes_ = {};

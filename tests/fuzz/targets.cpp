@@ -119,7 +119,7 @@ void check_scene(const Scene& result) {
     check_ranges(function.expression, *function.source);
     check_printing(function.expression);
     require(result.parameters.size() <= 64, "too many parameters");
-    require(result.initial.size() == 2 * function.degrees_of_freedom(), "not all initial values");
+    require(result.initial.size() == variables(result).size(), "not all initial values");
     require(result.exact.empty() || result.exact.size() == result.initial.size(),
             "not all exact solutions");
     for (const auto* list : {&result.invariants, &result.initial, &result.exact}) {
