@@ -78,7 +78,7 @@ std::vector<std::string> components_of(const std::string& momentum) {
 
 std::vector<Expression> identity_rotation() {
     std::vector<Expression> entries(9, Expression::integer(0));
-    for (const std::size_t i : {0, 4, 8}) entries[i] = Expression::integer(1);
+    for (std::size_t i = 0; i < 3; ++i) entries[4 * i] = Expression::integer(1);
     return entries;
 }
 

@@ -440,16 +440,17 @@ std::vector<Definition> SceneReader::definitions() const {
 /// `"x*py - y*px"`, a vector, or `{value = "x*py - y*px", approximate = true}`. Of a vector each
 /// component is an invariant: J_1, J_2, ...
 void SceneReader::add_invariant(IndexedScene& scene, const Entry& entry) const {
-    const auto& [key, node] = entry;
-    const auto* table = node->as_table();
-    const toml::node& value = table == nullptr ? *node : value_of_invariant(*table);
+    const toml::key& key = *entry.first;
+    const toml::node& node = *entry.second;
+    const auto* table = node.as_table();
+    const toml::node& value = table == nullptr ? node : value_of_invariant(*table);
     const bool is_approximate = table != nullptr && (*table)["approximate"].value_or(false);
     const auto add = [&](const std::string& name, const toml::node& text) {
         NamedIndexed& invariant = scene.invariants.emplace_back(named(name, text));
-        invariant.place_of_name = file_.place(key->source());
+        invariant.place_of_name = file_.place(key.source());
         if (is_approximate) scene.approximate.insert(name);
     };
-    const std::string name(key->str());
+    const std::string name(key.str());
     const auto* vector = value.as_array();
     if (vector == nullptr) return add(name, value);
     if (vector->empty())

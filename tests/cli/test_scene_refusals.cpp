@@ -191,6 +191,41 @@ TEST_CASE("what a method file gives to a parameter is pointed at in its own text
                          "                       ^\n");
 }
 
+TEST_CASE("what cannot be done with bodies that turn") {
+    const Directory directory;
+    const std::string body = "rotations = [\"R\"]\nangular_momenta = [\"L\"]\nhamiltonian = "
+                             "\"L[1]^2/2+L[2]^2/4+L[3]^2\"\n[initial]\nL = [1, 2, 3]\nR = ";
+    const auto refused = [&](const std::string& rotation, const std::vector<std::string>& words) {
+        write(directory / "body.toml", body + rotation + "\n");
+        Outcome outcome = hvi_gen(words, directory.path());
+        CHECK(outcome.out.empty());
+        check_form(outcome.err);
+        return outcome;
+    };
+    const std::vector<std::string> stepper{"stepper", "--method", "gauss:2", "body.toml"};
+    // Rotations by proof: a strain, a mirror, and eight digits that are near enough.
+    const Outcome strained = refused("[1, 0, 0, 0, 1, \"1/1000\", 0, 0, 1]", stepper);
+    CHECK(strained.status == 1);
+    CHECK(strained.err.find("`R` begins with no rotation") != std::string::npos);
+    CHECK(refused("[1, 0, 0, 0, -1, 0, 0, 0, 1]", stepper).err.find("determinant is -1") !=
+          std::string::npos);
+    write(directory / "body.toml",
+          body + "[0.70710678, -0.70710678, 0, 0.70710678, 0.70710678, 0, 0, 0, 1]\n");
+    CHECK(hvi_gen(stepper, directory.path()).status == 0);
+
+    const std::string none = "\"identity\"";
+    CHECK(refused(none, {"scheme", "--method", "gauss:2", "body.toml"}).status == 2);
+    CHECK(refused(none, {"stepper", "--method", "gauss:2", "body.toml", "--action"}).status == 2);
+    CHECK(refused(none, {"report", "body.toml", "--peers", "-o", "new"}).status == 2);
+    CHECK(refused(none, {"stepper", "--basis", "1, tau", "--nodes", "0, 1/2, 1", "body.toml"})
+              .status == 1);
+    CHECK(refused(none, {"stepper", "--method", "gauss:2", "body.toml", "--lanes", "ensemble"})
+              .status == 2);
+    CHECK(
+        refused(none, {"stepper", "--method", "gauss:2", "body.toml", "--solver", "newton-taylor"})
+            .status == 2);
+}
+
 TEST_CASE("a scene that lacks something is pointed at") {
     const Directory directory;
     write(directory / "scene.toml", "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"

@@ -38,7 +38,7 @@ struct Random {
     }
 };
 
-Vector3<Long> wide(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
+Vector3<Long> wide(const Vector3<double>& v) { return {Long(v[0]), Long(v[1]), Long(v[2])}; }
 
 /// The derivative by component a of xi, by differences of fourth order.
 template <class F>
@@ -63,11 +63,12 @@ TEST_CASE("the functions of an angle are those of their series, on both sides of
         const std::array values{c.c1, c.c2, c.c3, c.c4, c.c5, c.c6, c.c7};
         const std::array bounds{1.0, 1.0, 6.0, 14.0, 35.0, 100.0, 300.0};
         for (std::size_t k = 0; k < values.size(); ++k) {
-            const Long exact = series(static_cast<int>(k) + 1, y);
+            const Long exact = series(static_cast<int>(k) + 1, Long(y));
             // NOTE: c_1 and c_2 vanish at angles of pi and 2 pi, and are right to parts of 1.
             const double size = k < 2 ? 1 : static_cast<double>(exact);
             CAPTURE(y, k);
-            CHECK(std::abs(static_cast<double>(values[k] - exact)) < bounds[k] * 2.3e-16 * size);
+            CHECK(std::abs(static_cast<double>(Long(values[k]) - exact)) <
+                  bounds[k] * 2.3e-16 * size);
         }
     }
 }
@@ -106,7 +107,7 @@ TEST_CASE("T xi' is the angular velocity of exp(hat xi) in the body") {
         Vector3<Long> moved{};
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t a = 0; a < 3; ++a) {
-                moved[i] += v[a] * derivative(xi, a, [&](const ChartPoint<Long>& at) {
+                moved[i] += Long(v[a]) * derivative(xi, a, [&](const ChartPoint<Long>& at) {
                                 return at.turned(wide(w))[i];
                             });
             }
@@ -134,7 +135,7 @@ TEST_CASE("the derivatives of the chart are those of T") {
             CAPTURE(length);
             for (std::size_t a = 0; a < 3; ++a) {
                 const auto is_near = [&](double seen, auto f) {
-                    CHECK(std::abs(static_cast<double>(seen - derivative(xi, a, f))) < 2e-13);
+                    CHECK(std::abs(static_cast<double>(Long(seen) - derivative(xi, a, f))) < 2e-13);
                 };
                 is_near(gradient[a], [&](const auto& at) { return dot(wide(L), at.T(wide(w))); });
                 for (std::size_t k = 0; k < 3; ++k) {

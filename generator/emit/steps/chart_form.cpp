@@ -66,7 +66,7 @@ std::string coupled_text(const Step& step) {
 }
 
 /// The member position(tau): coordinates and rotations on the curve of the step.
-std::string curve_member(const Step& step, const Curve& curve) {
+std::string curve_member(const Curve& curve) {
     const bool is_straight = curve.F.front().empty();
     Writer writer(1);
     writer.comment(
@@ -87,7 +87,6 @@ std::string curve_member(const Step& step, const Curve& curve) {
                     curve.A.empty() ? "tau" : "tau, curve_terms(tau), curve_terms(1)");
         writer.line("set(x, s_.position(tau, bend));");
     }
-    static_cast<void>(step);
     return writer.line("return x;").close().str();
 }
 
@@ -102,22 +101,22 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const ChartS
     if (options.wishes.float128) { runtime.emplace_back("detail/numbers/math"); }
     for (const std::string& header : solver_headers(step)) { runtime.push_back(header); }
     Holes holes = holes_of(system);
-    holes.merge(Holes{
-        {"banner", banner(method, step, options)},
-        {"format", std::to_string(hvi::runtime_format)},
-        {"runtime", runtime_includes(std::move(runtime))},
-        {"parameter", ""},
-        {"state", system.state},
-        {"curve", options.wishes.curve ? curve_member(step, *options.wishes.curve) : std::string()},
-        {"step", step_text(step)},
-        {"part", ""},
-        {"action", ""},
-        {"integral", ""},
-        {"forget", "s_.forget();"},
-        {"constants", constants_text(step, form, options.wishes)},
-        {"predict", prediction(step, form.iteration)},
-        {"coupled", coupled_text(step)},
-        {"members", members_text(step)}});
+    holes.merge(
+        Holes{{"banner", banner(method, step, options)},
+              {"format", std::to_string(hvi::runtime_format)},
+              {"runtime", runtime_includes(std::move(runtime))},
+              {"parameter", ""},
+              {"state", system.state},
+              {"curve", options.wishes.curve ? curve_member(*options.wishes.curve) : std::string()},
+              {"step", step_text(step)},
+              {"part", ""},
+              {"action", ""},
+              {"integral", ""},
+              {"forget", "s_.forget();"},
+              {"constants", constants_text(step, form, options.wishes)},
+              {"predict", prediction(step, form.iteration)},
+              {"coupled", coupled_text(step)},
+              {"members", members_text(step)}});
     return fill("implicit.hpp.in", holes);
 }
 
