@@ -52,12 +52,11 @@ public:
 private:
     Algebra(const Expression& function, const std::shared_ptr<const Source>& source,
             const std::vector<Parameter>& parameters, const std::vector<std::string>& variables);
+    void add(const std::string& name, char kind, std::vector<GiNaC::symbol>& list);
 
     Place whole_;
     std::vector<GiNaC::symbol> variables_;
     std::vector<GiNaC::symbol> parameters_;
-    void add(const std::string& name, char kind, std::vector<GiNaC::symbol>& list);
-
     std::map<std::string, GiNaC::ex> values_;
     std::map<std::string, GiNaC::ex> symbols_;  ///< and values, by name
     std::map<std::string, std::string> ranks_;  ///< of symbols, by name: as text that sorts so
