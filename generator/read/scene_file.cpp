@@ -10,6 +10,7 @@
 #include "generator/read/file.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
+#include "generator/read/rotation_value.hpp"
 #include "generator/read/toml_file.hpp"
 
 namespace hvi::gen {
@@ -62,10 +63,6 @@ private:
     void read_mechanics(IndexedScene& scene);
     void read_variables(IndexedScene& scene) const;
     [[nodiscard]] bool is_of_rotation(std::string_view name) const;
-    [[nodiscard]] RotationValue rotation(const toml::node& node) const;
-    [[nodiscard]] std::vector<Expression> parts(const toml::table& table, std::string_view key,
-                                                std::size_t count) const;
-    [[nodiscard]] Expression part(const toml::node& node, const Place& whole) const;
     [[nodiscard]] IndexedValue value(const Entry& entry) const;
     [[nodiscard]] RuleName rule_name(const toml::key& key) const;
     [[nodiscard]] std::filesystem::path directory() const {
@@ -228,69 +225,13 @@ bool SceneReader::is_of_rotation(std::string_view name) const {
     return contains(rotations_, std::string(without_index(name)));
 }
 
-/// A piece of a value that is composed of several, as if all of it stood where the value stands.
-/// NOTE: an expression has one source, and pieces stand in texts of their own.
-Expression SceneReader::part(const toml::node& node, const Place& whole) const {
-    const auto move = [&](auto& self, Expression& moved) -> void {
-        moved.range = whole.range;
-        for (Expression& argument : moved.arguments) self(self, argument);
-    };
-    Expression result = expression(node).written;
-    move(move, result);
-    return result;
-}
-
-std::vector<Expression> SceneReader::parts(const toml::table& table, std::string_view key,
-                                           std::size_t count) const {
-    const toml::node* node = table.get(key);
-    const auto* array = node == nullptr ? nullptr : node->as_array();
-    if (array == nullptr || array->size() != count)
-        throw InputError(fmt::format("`{}` is a list of {} numbers", key, count),
-                         file_.place(node == nullptr ? table : *node));
-    std::vector<Expression> result;
-    for (const toml::node& each : *array) result.push_back(part(each, file_.place(table)));
-    const auto is_zero = [](const Expression& x) { return x == Expression::integer(0); };
-    if (std::all_of(result.begin(), result.end(), is_zero))
-        throw InputError(fmt::format("zeros are no {}", key), file_.place(*node),
-                         "its length is free, but not 0");
-    return result;
-}
-
-/// `"identity"`, `{axis = [0, 0, 1], angle = "pi/3"}`, `{quaternion = [1, 0, 0, 0]}`
-RotationValue SceneReader::rotation(const toml::node& node) const {
-    constexpr const char* help = "write \"identity\", nine numbers row by row, {axis = [0, 0, 1], "
-                                 "angle = \"pi/3\"} or {quaternion = [1, 0, 0, 0]}";
-    std::vector<Expression> entries;
-    if (const auto* table = node.as_table()) {
-        file_.check_keys(*table, "rotation", {"axis", "angle", "quaternion"});
-        if (table->contains("quaternion") == (table->contains("axis") || table->contains("angle")))
-            throw InputError("a rotation has an axis and an angle, or a quaternion",
-                             file_.place(node), help);
-        if (table->contains("quaternion")) {
-            entries = turn_of_quaternion(parts(*table, "quaternion", 4));
-        } else {
-            const toml::node* angle = table->get("angle");
-            if (angle == nullptr) throw InputError("the angle is missing", file_.place(node), help);
-            entries = turn_about(parts(*table, "axis", 3), part(*angle, file_.place(node)));
-        }
-    } else if (!node.is_string() || file_.text(node) != "identity") {
-        throw InputError("this is no rotation", file_.place(node), help);
-    } else {
-        entries = identity_rotation();
-    }
-    RotationValue value;
-    for (Expression& entry : entries)
-        value.entries.push_back({std::move(entry), file_.place(node).source});
-    return value;
-}
-
 IndexedValue SceneReader::value(const Entry& entry) const {
     const auto& [key, node] = entry;
     RuleName name = rule_name(*key);
     IndexedValue result{std::move(name.stem), {}, file_.place(key->source()), file_.place(*node)};
     const auto* array = node->as_array();
     if (is_of_rotation(result.name) && array == nullptr && name.indices.empty())
-        result.value = rotation(*node);
+        result.value = rotation_in(*node, file_, own_);
     else if (const auto* table = node->as_table())
         std::visit([&](auto&& values) { result.value = std::forward<decltype(values)>(values); },
                    values_in(column_file(*table)));
