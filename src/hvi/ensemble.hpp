@@ -21,8 +21,9 @@ struct TakesSeveral : std::false_type {};
 template <class Stepper>
 struct TakesSeveral<Stepper, std::void_t<typename Stepper::Trajectory>> : std::true_type {};
 
+/// NOTE: named apart from hvi::Trajectories, which generated headers mean.
 template <class Stepper>
-using Trajectories =
+using TrajectoriesOf =
     std::conditional_t<TakesSeveral<Stepper>::value, LaneGroups<Stepper>, SingleStates<Stepper>>;
 
 }  // namespace detail
@@ -72,7 +73,7 @@ using Trajectories =
 /// ```
 template <class Stepper>
 class Ensemble {
-    using Trajectories = detail::Trajectories<Stepper>;
+    using Trajectories = detail::TrajectoriesOf<Stepper>;
 
 public:
     using Trajectory = typename Trajectories::Trajectory;

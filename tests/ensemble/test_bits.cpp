@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include <catch2/catch.hpp>
+// NOTE: before the headers of steppers: its names are not to hide those that they mean.
+#include <hvi/ensemble.hpp>
 
 #include "steppers.hpp"
 
