@@ -16,6 +16,17 @@ enum class HessianForm {
     products,  ///< G is not kept: its products with vectors are computed
 };
 
+/// What evaluations cost, in additions about, as OperationCounts tell.
+struct EvaluationCosts {
+    double by_q = 0;         ///< dH/dq
+    double by_p_at_q = 0;    ///< dH/dp, where what depends on q alone is there
+    double joint = 0;        ///< both at the same q and p
+    double second = 0;       ///< all second derivatives
+    bool has_calls = false;  ///< of sin, exp, ... in the first ones
+
+    friend bool operator==(const EvaluationCosts&, const EvaluationCosts&) = default;
+};
+
 /// Of the H of a scene what its graph proves, see Structure; of that of a class of the user what he
 /// says. What is false may be true and not seen.
 struct SystemProperties {
@@ -25,11 +36,11 @@ struct SystemProperties {
     bool kinetic_is_quadratic = false;   ///< it is separable, and T = p^T K p/2 with constant K
     bool has_linear_map = false;         ///< all second derivatives are constant, without t
     bool is_degenerate = false;          ///< a row of d2H/dp2 is zero
-    bool joint_gradient_pays = false;    ///< dH/dq and dH/dp at once, for coupled stages
     std::size_t degrees_of_freedom = 0;  ///< 0: not known
     std::size_t rotations = 0;           ///< of them, with three each
     bool has_any_size = false;           ///< they are as many as a state has
     HessianForm hessian = HessianForm::dense;
+    EvaluationCosts costs = {};  ///< zeros: not known
 };
 
 }  // namespace hvi::gen

@@ -229,6 +229,20 @@ enum class Layout {
     components,    ///< components of vectors of any size
 };
 
+/// What the ways to solve for the stages cost, in operations on the lanes of all of them; see
+/// SolverCosts of the runtime.
+struct SolverCosts {
+    int sweep = 0, correction = 0, factors = 0;
+
+    friend bool operator==(const SolverCosts&, const SolverCosts&) = default;
+};
+
+/// Newton's corrections of all slopes at once, with one Hessian.
+struct StageCorrections {
+    RealModes modes;  ///< of diag(b) n, or of diag(b) m
+    SolverCosts costs;
+};
+
 /// A choice, and why.
 struct Decision {
     std::string what;
@@ -257,6 +271,10 @@ struct Step {
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free
     std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep, GalerkinStep, ChartStep> form;
     Layout layout = Layout::one;
+    /// Of stages in lanes whose solver is automatic; none where the stages do not decouple.
+    std::optional<StageCorrections> corrections = {};
+    /// How many numbers go into a register, of stages in lanes.
+    std::size_t register_width = 8;
     std::vector<Decision> decisions;
 
     [[nodiscard]] bool is_separable() const { return slopes == Slopes::of_parts; }

@@ -233,6 +233,15 @@ std::string dump(const Step& step) {
     }
     result += std::visit([](const auto& form) { return lines(form); }, step.form);
     result += fmt::format("lanes: {}\n", text(step.layout));
+    if (step.layout == Layout::stages) {
+        result += fmt::format("registers of: {}\n", step.register_width);
+    }
+    if (step.corrections) {
+        const SolverCosts& costs = step.corrections->costs;
+        result += lines(step.corrections->modes) +
+                  fmt::format("costs: sweep {}, correction {}, factors {}\n", costs.sweep,
+                              costs.correction, costs.factors);
+    }
     for (const Decision& decision : step.decisions) {
         result += fmt::format("{}: {}\n", decision.what, decision.why);
     }

@@ -25,18 +25,21 @@ GradientKernels gradient_kernels(const System& system) {
             kernel(system.graph, std::move(both))};
 }
 
-/// NOTE: iterations of gauss:8 with a joint gradient, and with each slope used at once:
-/// nonseparable, h = 0.35, 18.1 and 18.4; point-vortices, h = 0.1, 4.1 and 3.8; double-pendulum,
-/// h = 0.1, 12.4 and 8.5. Where slopes are used at once, P moves between dH/dp and dH/dq but Q does
-/// not move between dH/dq and the next dH/dp, so that what depends on q alone is shared; and the
-/// sums of the stages are waited for twice, not once.
-bool joint_gradient_pays(const System& system, const GradientKernels& kernels) {
-    constexpr double more_iterations = 1.4, sum = 16;
-    const double jointly = cost(kernels.joint.counts) + sum;
-    const double in_turn = cost(kernels.by_q.counts) +
-                           cost(kernel_of_momenta(system.graph, system.by_conjugates).counts) +
-                           2 * sum;
-    return more_iterations * jointly < in_turn;
+EvaluationCosts evaluation_costs(const System& system, const GradientKernels& kernels) {
+    std::vector<Scaled> second;
+    const auto& [qq, mixed, conjugates] = system.hessian;
+    for (const HessianBlock* block : {&qq, &mixed, &conjugates}) {
+        for (const std::vector<Scaled>& row : *block) {
+            second.insert(second.end(), row.begin(), row.end());
+        }
+    }
+    return {
+        .by_q = cost(kernels.by_q.counts),
+        .by_p_at_q = cost(kernel_of_momenta(system.graph, system.by_conjugates).counts),
+        .joint = cost(kernels.joint.counts),
+        .second = cost(kernel(system.graph, std::move(second)).counts),
+        .has_calls = kernels.joint.counts.calls > 0,
+    };
 }
 
 }  // namespace hvi::gen

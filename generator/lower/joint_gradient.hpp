@@ -14,9 +14,8 @@ struct GradientKernels {
 
 [[nodiscard]] GradientKernels gradient_kernels(const System& system);
 
-/// Whether a fixed-point iteration of coupled stages is likely to cost less when it evaluates both
-/// gradients at the same q and p than when it uses each new slope at once, by the counts of
-/// operations.
-[[nodiscard]] bool joint_gradient_pays(const System& system, const GradientKernels& kernels);
+/// By the counts of operations.
+[[nodiscard]] EvaluationCosts evaluation_costs(const System& system,
+                                               const GradientKernels& kernels);
 
 }  // namespace hvi::gen

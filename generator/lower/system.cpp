@@ -140,9 +140,9 @@ SystemProperties properties(const System& system, const GradientKernels& gradien
         .kinetic_is_quadratic = system.structure.kinetic_is_quadratic,
         .has_linear_map = system.structure.has_linear_map,
         .is_degenerate = system.rotations.empty() && is_degenerate(system.hessian),
-        .joint_gradient_pays = joint_gradient_pays(system, gradients),
         .degrees_of_freedom = system.degrees_of_freedom(),
         .rotations = system.rotations.size(),
+        .costs = evaluation_costs(system, gradients),
     };
 }
 

@@ -15,6 +15,6 @@ namespace hvi::gen {
 /// Decides it from what is wished for and what can be had; see the obstacles. Of vectors of any
 /// size that are components, where positions alone are solved for. Precondition: the solver is
 /// decided.
-void set_lanes(Step& step, Lanes wished, bool has_any_size);
+void set_lanes(Step& step, Lanes wished, const SystemProperties& system);
 
 }  // namespace hvi::gen

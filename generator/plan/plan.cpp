@@ -372,7 +372,8 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
         eliminate_momenta(step);
     }
     set_solver(step, solver_for(wishes), system);
-    set_lanes(step, lanes_for(wishes), system.has_any_size);
+    set_lanes(step, lanes_for(wishes), system);
+    set_corrections(step, system);
     if (!composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
     return completed(std::move(step));
 }
@@ -413,7 +414,8 @@ Step planned_as_positions(Step step, const OneStepMethod& method, const Quadratu
     set_kept(step);
     if (system.depends_on_time) { set_times(step, quadrature.c); }
     set_solver(step, solver_for(wishes), system);
-    set_lanes(step, wishes.lanes, system.has_any_size);
+    set_lanes(step, wishes.lanes, system);
+    set_corrections(step, system);
     set_extrapolation(step, quadrature);
     return completed(std::move(step));
 }

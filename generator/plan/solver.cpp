@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "generator/plan/costs.hpp"
+
 namespace hvi::gen {
 
 namespace {
+
+constexpr std::size_t most_of_modes = 32;  // enclosing eigenvalues takes the cube of it
 
 /// C_ij = b_i n_ij of the positions that are solved for: see PositionEquations of the runtime.
 NumberMatrix coupling(const Step& step, const VelocityForm& form) {
@@ -24,11 +28,10 @@ NumberMatrix coupling(const Step& step, const VelocityForm& form) {
 }
 
 void set_modes(Step& step) {
-    constexpr std::size_t most = 32;  // enclosing eigenvalues takes the cube of it
     auto* velocities = std::get_if<VelocityStep>(&step.form);
     if (velocities == nullptr || !velocities->iteration.takes_newton()) { return; }
     const NumberMatrix C = coupling(step, velocities->form);
-    if (C.size() <= most) { velocities->modes = real_modes(C); }
+    if (C.size() <= most_of_modes) { velocities->modes = real_modes(C); }
     if (!velocities->modes) { return; }
     const RealModes& modes = *velocities->modes;
     const std::size_t pairs = modes.imaginary_parts.size();
@@ -66,8 +69,8 @@ Solver solver_of(const Step& step, Solver wished, const SystemProperties& system
 }
 
 /// Where both slopes of a stage are unknown, they may be evaluated at the same Q and P.
-void set_joint_slopes(Step& step, bool joint_gradient_pays) {
-    if (step.slopes != Slopes::one_by_one || !joint_gradient_pays) { return; }
+void set_joint_slopes(Step& step, const EvaluationCosts& costs) {
+    if (step.slopes != Slopes::one_by_one || !joint_gradient_pays(costs)) { return; }
     for (const Block& block : step.blocks) {
         if (block.of(StageNode::Kind::Lq) != block.of(StageNode::Kind::Lp)) { return; }
     }
@@ -76,6 +79,25 @@ void set_joint_slopes(Step& step, bool joint_gradient_pays) {
         {"dH/dq and dH/dp are evaluated together",
          "what they have in common is computed once, and neither waits for the other, by the count "
          "of operations for less than the iterations that this may add"});
+}
+
+/// C_ij = b_i m_ij. Precondition: no stages are merged.
+NumberMatrix coupling(const Step& step) {
+    NumberMatrix C = step.m;
+    for (std::size_t i = 0; i < C.size(); ++i) {
+        for (Number& entry : C[i]) { entry = step.positions[i].weight * entry; }
+    }
+    return C;
+}
+
+/// What Newton's method for the positions of the stages decouples by as well, or its like for
+/// pairs.
+std::optional<RealModes> modes_of_lanes(const Step& step) {
+    if (const auto* velocities = std::get_if<VelocityStep>(&step.form)) {
+        return velocities->modes;
+    }
+    const bool is_runge_kutta = step.partner == Partner::same && step.m.size() <= most_of_modes;
+    return is_runge_kutta ? real_modes(coupling(step)) : std::nullopt;
 }
 
 }  // namespace
@@ -101,9 +123,19 @@ void set_solver(Step& step, Solver wished, const SystemProperties& system) {
             {"fixed points, and Newton's method for steps on which they are slow",
              "how stiff H is depends on h and on the state"});
     }
-    set_joint_slopes(step, system.joint_gradient_pays);
+    set_joint_slopes(step, system.costs);
     set_modes(step);
     set_hessian(step, system.hessian);
+}
+
+void set_corrections(Step& step, const SystemProperties& system) {
+    if (step.layout != Layout::stages || step.iteration()->solver != Solver::automatic) { return; }
+    std::optional<RealModes> modes = modes_of_lanes(step);
+    if (!modes) { return; }
+    step.corrections = StageCorrections{std::move(*modes), solver_costs(step, system)};
+    step.decisions.push_back(
+        {"slopes are corrected with one Hessian for all stages where that costs less than sweeps",
+         "in the basis of eigenvectors of A the stages decouple, and are corrected side by side"});
 }
 
 }  // namespace hvi::gen

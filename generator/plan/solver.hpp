@@ -11,6 +11,10 @@ namespace hvi::gen {
 /// where they can be.
 void set_solver(Step& step, Solver wished, const SystemProperties& system);
 
+/// Corrections with one Hessian, for stages in lanes whose solver is automatic. Precondition: lanes
+/// are decided on.
+void set_corrections(Step& step, const SystemProperties& system);
+
 /// Null where no equations are iterated.
 [[nodiscard]] Iteration* iteration_of(Step& step);
 

@@ -35,7 +35,9 @@ public:
             evaluate(coupled);
             sweep(coupled);
             switch (judge(coupled)) {
-            case Verdict::go_on: break;
+            case Verdict::go_on:
+                if (round_off_.grows()) { return Status(Status::Code::not_converged, iteration); }
+                break;
             case Verdict::unchanged: return Status(Status::Code::ok, iteration);
             case Verdict::at_noise: close(coupled); return Status(Status::Code::ok, iteration);
             case Verdict::not_finite:
@@ -54,7 +56,7 @@ public:
 
 private:
     template <class Coupled>
-    static void evaluate(Coupled& coupled) {
+    [[gnu::always_inline]] static void evaluate(Coupled& coupled) {
         if constexpr (first_order) {
             coupled.forces_and_tangents();
         } else {
@@ -64,7 +66,7 @@ private:
 
     /// The slopes that belong to the last stages.
     template <class Coupled>
-    static void close(Coupled& coupled) {
+    [[gnu::always_inline]] static void close(Coupled& coupled) {
         if constexpr (HasJointSlopes<Coupled>::value) {
             coupled.slopes();
         } else {
@@ -73,7 +75,7 @@ private:
     }
 
     template <class Coupled>
-    static void sweep(Coupled& coupled) {
+    [[gnu::always_inline]] static void sweep(Coupled& coupled) {
         coupled.momenta();
         if constexpr (!HasJointSlopes<Coupled>::value) { coupled.velocities(); }
         coupled.positions();

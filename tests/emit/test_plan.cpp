@@ -340,9 +340,10 @@ TEST_CASE("who solves the equations") {
 
 TEST_CASE("both slopes at once, where both are unknown") {
     const auto joint = [](const char* method, bool separable, bool pays) {
-        const Step step =
-            plan({named(method)}, {.is_separable = separable, .joint_gradient_pays = pays},
-                 {.solver = Solver::automatic});
+        const Step step = plan(
+            {named(method)},
+            {.is_separable = separable, .costs = {.by_q = pays ? 200.0 : 100.0, .joint = 100.0}},
+            {.solver = Solver::automatic});
         return step.slopes == Slopes::joint;
     };
     CHECK(joint("gauss:3", false, true));

@@ -57,7 +57,7 @@ TEST_CASE("a step that contradicts itself is found") {
 
 TEST_CASE("a step of the general Galerkin form that contradicts itself is found") {
     const Step curve = plan({derive_any(method("1, tau", "gauss:3"))},
-                            {.joint_gradient_pays = false, .degrees_of_freedom = 1},
+                            {.degrees_of_freedom = 1},
                             {.solver = Solver::automatic});
     const auto form = [](Step& step) -> GalerkinStep& { return std::get<GalerkinStep>(step.form); };
     CHECK(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/lower/joint_gradient.hpp"
 #include "generator/lower/system.hpp"
 #include "tests/lower/evaluate.hpp"
 #include "tests/read/refusal.hpp"
@@ -78,20 +77,6 @@ TEST_CASE("the first derivatives of a quadratic H at the origin") {
     CHECK(value(shifted.graph, shifted.structure.by_q[0], at) == 2 + 3);
     CHECK(value(shifted.graph, shifted.structure.by_p[0], at) == -2);
     CHECK(analysed("q*p").structure.by_q[0].is_zero());
-}
-
-TEST_CASE("both gradients at once, where that is likely to cost less") {
-    const auto pays = [](const std::string& H, const std::string& q, const std::string& p) {
-        const System analysis = analysed(H, q, p);
-        return joint_gradient_pays(analysis, gradient_kernels(analysis));
-    };
-    // Few operations: the sums of the stages are waited for once, not twice.
-    CHECK(pays("(q^2+1)*(p^2+1)/2", "q", "p"));
-    // All of dH/dq and dH/dp is made of the same four functions of q and p.
-    CHECK(pays("log((a-b)^2+(c-d)^2)+sin(a*c+b*d)", "a, b", "c, d"));
-    // What dH/dp takes from q, dH/dq has left.
-    CHECK_FALSE(pays("(a^2+b^2-a*b*cos(x-y))/(1+sin(x-y)^2)-cos(x)-cos(y)", "x, y", "a, b"));
-    CHECK_FALSE(pays("(p+sin(q))^2/2+exp(q)", "q", "p"));
 }
 
 TEST_CASE("what H does not depend on") {

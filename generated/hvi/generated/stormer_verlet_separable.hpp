@@ -119,9 +119,14 @@ private:
 
 namespace hvi::detail {
 
-/// What a vector holds, std::array's or Eigen's or a user's own: what its operator[] refers to.
+/// What a vector holds, std::array's or Eigen's or a user's own: what its operator[] refers to, or
+/// what it says itself by a specialisation.
 template <class Vector>
-using ScalarOf = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>;
+struct HeldBy {
+    using type = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>;
+};
+template <class Vector>
+using ScalarOf = typename HeldBy<Vector>::type;
 
 /// Whether the standard library computes with it.
 template <class Scalar>

@@ -20,7 +20,9 @@ std::vector<std::string> solver_headers(const Step& step) {
     case Solver::fixed_point: break;
     case Solver::newton: return {"detail/solvers/" + newton};
     case Solver::newton_taylor: return {"detail/solvers/newton_taylor"};
-    case Solver::automatic: return {"detail/solvers/automatic", "detail/solvers/" + newton};
+    case Solver::automatic:
+        return {step.corrections ? "detail/solvers/automatic_of_lanes" : "detail/solvers/automatic",
+                "detail/solvers/" + newton};
     }
     return {"fixed_point"};
 }

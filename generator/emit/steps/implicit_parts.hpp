@@ -96,8 +96,9 @@ void add_action(ImplicitParts& parts, const Step& step, const GalerkinStep& form
 /// The last lines of step() with an action: `integral` is the call, `end` the status.
 [[nodiscard]] std::string end_with_action(std::string_view integral, std::string_view end);
 
-/// `struct Modes` of the equations of Newton's method.
-[[nodiscard]] std::string modes_text(const std::optional<RealModes>& modes);
+/// The struct `name` of the equations of Newton's method, of a matrix C, given as text.
+[[nodiscard]] std::string modes_text(const std::optional<RealModes>& modes, std::string_view name,
+                                     std::string_view C, int indent);
 
 /// "The stage equations of Q_1, P_1, which are solved at once."
 [[nodiscard]] std::string unknowns(const Block& block);

@@ -11,6 +11,19 @@ namespace {
 
 using Kind = StageNode::Kind;
 
+std::string make_coupled(const Step& step) {
+    return fmt::format("Coupled{{{}s_{}}}", coupled_arguments(step),
+                       step.corrections ? ", corrections_" : "");
+}
+
+/// The template arguments of lanes of stages: `8`, or `8, 4` in registers of 4.
+std::string lane_arguments(const Step& step, std::string_view between = "") {
+    const std::string stages = fmt::format("{}{}", step.positions.size(), between);
+    constexpr std::size_t widest = 8;
+    return step.register_width == widest ? stages
+                                         : fmt::format("{}, {}", stages, step.register_width);
+}
+
 /// `first`: what is done before the starting values.
 std::string steps_of_lanes(const Step& step, const std::vector<std::string>& first,
                            std::string_view table) {
@@ -18,7 +31,7 @@ std::string steps_of_lanes(const Step& step, const std::vector<std::string>& fir
     writer.line("s_.weigh(b);");
     for (const std::string& line : first) { writer.line("{}", line); }
     writer.line("predict();").blank();
-    writer.line("status = solver_.solve(Coupled{{{}s_}});", coupled_arguments(step));
+    writer.line("status = solver_.solve({});", make_coupled(step));
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance({});", table);
     return writer.line("return {};", end_of_step(step, "status.iterations")).str();
@@ -41,7 +54,7 @@ std::string extrapolation_of(const Extrapolation& from, std::string_view slope) 
 }
 
 std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
-                                const auto& extrapolate, const auto& constant) {
+                                const auto& extrapolate) {
     Writer writer(1);
     open_predict(writer, iteration, "slopes");
     if (iteration.extrapolation) {
@@ -49,17 +62,50 @@ std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
         extrapolate(writer, *iteration.extrapolation);
         close_extrapolation(writer, *iteration.extrapolation, predicted_slopes(step));
     }
-    constant(writer);
+    writer.line("{}.predict();", make_coupled(step));
     return writer.close().str();
+}
+
+// ---- corrections ----
+
+/// The basis of modes, and the type of what corrects. `matrix`: what C is, as text.
+std::string types_of_corrections(const Step& step, std::string_view type, std::string_view matrix) {
+    if (!step.corrections) { return {}; }
+    Writer writer(1);
+    writer.blank().insert(modes_text(step.corrections->modes, "StageModes", matrix, 1)).blank();
+    writer.line("using Corrections = hvi::detail::{}<Vector, {}>;", type,
+                lane_arguments(step, ", StageModes"));
+    return writer.str();
+}
+
+/// Members of the stage equations beside `hessian`, which evaluates second derivatives.
+std::string members_for_corrections(const Step& step, const std::string& begin,
+                                    const std::string& hessian) {
+    if (!step.corrections) { return {}; }
+    const SolverCosts& costs = step.corrections->costs;
+    Writer writer(2);
+    writer.line("Corrections& corrections;").blank();
+    writer.line("static constexpr hvi::detail::SolverCosts costs{{{}, {}, {}}};", costs.sweep,
+                costs.correction, costs.factors);
+    writer.blank().comment("The stages of the starting values.", "/// ");
+    writer.line("void begin_corrections() {{ {} }}", begin).insert(hessian);
+    return writer.str();
 }
 
 std::string members_of_lanes(const Step& step, std::string_view stages) {
     Writer writer(1);
     writer.line("System system_;").insert(clock_member(step));
-    writer.line("hvi::detail::{}<Vector, {}> s_;", stages, step.positions.size());
+    writer.line("hvi::detail::{}<Vector, {}> s_;", stages, lane_arguments(step));
+    if (step.corrections) { writer.line("Corrections corrections_;"); }
     writer.line("typename Solver::template Iteration<Vector> solver_;");
     declare_slopes_before(writer, step);
     return writer.str();
+}
+
+std::vector<std::string> runtime_of_lanes(const Step& step, std::string_view stages) {
+    std::vector<std::string> headers{fmt::format("detail/lanes/{}", stages)};
+    if (step.corrections) { headers.emplace_back("detail/solvers/lane_corrections"); }
+    return headers;
 }
 
 // ---- positions alone ----
@@ -71,16 +117,34 @@ std::string times_as_argument(const Step& step) {
 }
 
 std::string velocity_predict_text(const Step& step, const Iteration& iteration) {
-    return prediction_of_lanes(
-        step, iteration,
-        [&](Writer& writer, const Extrapolation& from) {
-            writer.line("s_.extrapolate({});", extrapolation_of(from, "W"));
-        },
-        [&](Writer& writer) {
-            writer.line("auto&& slope = hvi::detail::scratch(s_.slope);");
-            writer.line("system_.{};", force_call(step, start_of_step(step), "slope"));
-            writer.line("s_.predict(system_, slope);");
-        });
+    return prediction_of_lanes(step, iteration, [&](Writer& writer, const Extrapolation& from) {
+        writer.line("s_.extrapolate({});", extrapolation_of(from, "Lp"));
+        writer.line("s_.drifts(system_);");
+    });
+}
+
+/// Where the step begins, in a struct of stage equations.
+SlopePoint start_in_struct(const Step& step) {
+    return {"s.at.q", "s.at.p", time_of_start(step, "s")};
+}
+
+/// The body of predict() of the stage equations.
+std::string velocities_from_start(const Step& step) {
+    Writer writer(2);
+    writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
+    writer.line("system.{};", force_call(step, start_in_struct(step), "slope"));
+    writer.line("s.predict(system, slope);");
+    return writer.str();
+}
+
+std::string corrections_of_positions(const Step& step) {
+    const SlopePoint at{"s.middle()", "",
+                        time_of_stage(step, std::to_string(step.positions.size() / 2), "s")};
+    Writer hessian(2);
+    hessian.line("template <class Matrix>");
+    hessian.line("void hessian_in_the_middle(Matrix& out) const {{ system.{}; }}",
+                 hessian_call(at, "out"));
+    return members_for_corrections(step, "positions();", hessian.str());
 }
 
 }  // namespace
@@ -91,8 +155,9 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
     constants.insert(constants_text(step, form, wishes)).blank();
     constants.line("static constexpr hvi::detail::VelocityTable<Scalar, stages> cn_lanes{{c, n}};");
     columns_of_extrapolation(constants, form.iteration);
+    constants.insert(types_of_corrections(step, "PositionCorrections", "b_i n_ij"));
     ImplicitParts parts;
-    parts.runtime = {"detail/lanes/velocity_lanes"};
+    parts.runtime = runtime_of_lanes(step, "velocity_lanes");
     parts.steps = steps_of_lanes(
         step, {"system_.dHdp(s_.at.p, s_.free_path);", "s_.drift_freely(cn_lanes);"}, "cn_lanes");
     parts.constants = constants.str();
@@ -101,7 +166,10 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
         "velocity_lanes.hpp.in",
         {{"unknowns", unknowns(block)},
          {"member", clock_reference(step)},
+         {"type", fmt::format("VelocityLanes<Vector, {}>", lane_arguments(step))},
          {"times", times_as_argument(step)},
+         {"predict", velocities_from_start(step)},
+         {"corrections", corrections_of_positions(step)},
          {"newton", form.iteration.takes_newton()
                         ? newton_of_positions(step, form, block.of(Kind::Q), "s.drifts(system);")
                         : ""}});
@@ -122,46 +190,64 @@ namespace {
 
 /// NOTE: for separable H the slopes of p are enough.
 std::string pair_predict_text(const Step& step, const Iteration& iteration) {
-    return prediction_of_lanes(
-        step, iteration,
-        [&](Writer& writer, const Extrapolation& from) {
-            if (!step.is_separable()) {
-                writer.line("s_.extrapolate_q({});", extrapolation_of(from, "Lq"));
-            }
-            writer.line("s_.extrapolate_p({});", extrapolation_of(from, "Lp"));
-        },
-        [&](Writer& writer) {
-            const SlopePoint at = start_of_step(step);
-            if (step.slopes == Slopes::joint) {
-                writer.line("Vector dHdq, dHdp;");
-                writer.line("system_.{};", gradient_call(at, "dHdq", "dHdp"));
-                writer.line("s_.predict_q(dHdp);").line("s_.predict_p(dHdq);");
-                return;
-            }
-            writer.line("auto&& slope = hvi::detail::scratch(s_.slope);");
-            if (!step.is_separable()) {
-                writer.line("system_.{};", velocity_call(step, at, "slope"));
-                writer.line("s_.predict_q(slope);");
-            }
-            writer.line("system_.{};", force_call(step, at, "slope"));
-            writer.line("s_.predict_p(slope);");
-        });
+    return prediction_of_lanes(step, iteration, [&](Writer& writer, const Extrapolation& from) {
+        if (!step.is_separable()) {
+            writer.line("s_.extrapolate_q({});", extrapolation_of(from, "Lq"));
+        }
+        writer.line("s_.extrapolate_p({});", extrapolation_of(from, "Lp"));
+    });
+}
+
+/// The body of predict() of the stage equations.
+std::string pairs_from_start(const Step& step) {
+    const SlopePoint at = start_in_struct(step);
+    Writer writer(2);
+    if (step.slopes == Slopes::joint) {
+        writer.line("Vector dHdq, dHdp;");
+        writer.line("system.{};", gradient_call(at, "dHdq", "dHdp"));
+        return writer.line("s.predict_q(dHdp);").line("s.predict_p(dHdq);").str();
+    }
+    writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
+    if (!step.is_separable()) {
+        writer.line("system.{};", velocity_call(step, at, "slope"));
+        writer.line("s.predict_q(slope);");
+    }
+    writer.line("system.{};", force_call(step, at, "slope"));
+    return writer.line("s.predict_p(slope);").str();
+}
+
+std::string corrections_of_pairs(const Step& step) {
+    const SlopePoint at{"q", "p",
+                        time_of_stage(step, std::to_string(step.positions.size() / 2), "s")};
+    Writer hessian(2);
+    hessian.line("template <class Matrix>");
+    hessian.open("void hessian_in_the_middle(Matrix& qq, {}Matrix& qp, Matrix& pp) const {{",
+                 step.is_separable() ? "[[maybe_unused]] " : "");
+    hessian.line("const Vector q = s.middle_q(), p = s.middle_p();");
+    hessian.line("system.{};", hessian_qq_call(step, at, "qq"));
+    if (!step.is_separable()) { hessian.line("system.{};", hessian_qp_call(at, "qp")); }
+    hessian.line("system.{};", hessian_pp_call(step, at, "pp")).close();
+    hessian.line("void all_slopes() {{ {} }}",
+                 step.slopes == Slopes::joint ? "slopes();" : "velocities(); forces();");
+    return members_for_corrections(step,
+                                   step.is_separable() ? "momenta(); velocities(); positions();"
+                                                       : "momenta(); positions();",
+                                   hessian.str());
 }
 
 /// Members of the stage equations that evaluate H.
 std::string slopes_of_lanes(const Step& step) {
-    const SlopePoint at{"hvi::detail::load(s.Q)", "hvi::detail::load(s.P)", times_of_lanes(step)};
+    const SlopePoint at{"s.all_positions()", "s.all_momenta()", times_of_lanes(step)};
     Writer writer(2);
     if (step.slopes == Slopes::joint) {
-        writer.open("void slopes() {{").open("s.slopes([&](auto& dHdq, auto& dHdp) {{");
-        writer.line("system.{};", gradient_call(at, "dHdq", "dHdp"));
-        return writer.close("});").close().str();
+        writer.open("[[gnu::always_inline]] void slopes() {{");
+        writer.line("auto dHdq = s.forces(), dHdp = s.velocities();");
+        return writer.line("system.{};", gradient_call(at, "dHdq", "dHdp")).close().str();
     }
-    writer.open("void velocities() {{");
-    writer.line("s.velocities([&](auto& out) {{ system.{}; }});", velocity_call(step, at, "out"));
-    writer.close().open("void forces() {{");
-    writer.line("s.forces([&](auto& out) {{ system.{}; }});", force_call(step, at, "out"));
-    return writer.close().str();
+    writer.open("[[gnu::always_inline]] void velocities() {{").line("auto out = s.velocities();");
+    writer.line("system.{};", velocity_call(step, at, "out")).close();
+    writer.open("[[gnu::always_inline]] void forces() {{").line("auto out = s.forces();");
+    return writer.line("system.{};", force_call(step, at, "out")).close().str();
 }
 
 }  // namespace
@@ -176,19 +262,23 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
     columns(constants, "m");
     if (step.partner != Partner::same) { columns(constants, "mt"); }
     columns_of_extrapolation(constants, iteration);
+    constants.insert(types_of_corrections(step, "PairCorrections", "b_i m_ij"));
     ImplicitParts parts;
-    parts.runtime = {"detail/lanes/stage_lanes"};
+    parts.runtime = runtime_of_lanes(step, "stage_lanes");
     parts.steps = steps_of_lanes(step, {}, "");
     parts.constants = constants.str();
     parts.predict = pair_predict_text(step, iteration);
-    parts.coupled = fill_part("pair_lanes.hpp.in",
-                              {{"unknowns", unknowns(block)},
-                               {"member", clock_reference(step)},
-                               {"stages", stages},
-                               {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
-                               {"separable", std::string(truth(step.is_separable()))},
-                               {"mt", std::string(table_mt(step))},
-                               {"slopes", slopes_of_lanes(step)}});
+    parts.coupled = fill_part(
+        "pair_lanes.hpp.in", {{"unknowns", unknowns(block)},
+                              {"member", clock_reference(step)},
+                              {"type", fmt::format("StageLanes<Vector, {}>", lane_arguments(step))},
+                              {"stages", stages},
+                              {"predict", pairs_from_start(step)},
+                              {"corrections", corrections_of_pairs(step)},
+                              {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
+                              {"separable", std::string(truth(step.is_separable()))},
+                              {"mt", std::string(table_mt(step))},
+                              {"slopes", slopes_of_lanes(step)}});
     parts.members = members_of_lanes(step, "StageLanes");
     if (wishes.curve) {
         parts.curve = curve_text(

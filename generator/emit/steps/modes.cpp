@@ -31,19 +31,21 @@ void matrix(Writer& writer, std::string_view name, const std::vector<std::vector
 
 }  // namespace
 
-std::string modes_text(const std::optional<RealModes>& found) {
-    Writer writer(2);
+std::string modes_text(const std::optional<RealModes>& found, std::string_view name,
+                       std::string_view C, int indent) {
+    Writer writer(indent);
     if (!found) {
-        return writer.open("struct Modes {{")
+        return writer.open("struct {} {{", name)
             .line("static constexpr bool exist = false;")
             .close("};")
             .str();
     }
     const RealModes& modes = *found;
-    writer.comment("The real eigenvalues of C_ij = b_i n_ij, then pairs of complex ones, and the "
-                   "basis in which C is diagonal but for the pairs. Approximate.",
+    writer.comment(fmt::format("The real eigenvalues of C_ij = {}, then pairs of complex ones, and "
+                               "the basis in which C is diagonal but for the pairs. Approximate.",
+                               C),
                    "/// ");
-    writer.open("struct Modes {{").line("static constexpr bool exist = true;");
+    writer.open("struct {} {{", name).line("static constexpr bool exist = true;");
     writer.line("static constexpr std::size_t real_ones = {};", modes.real_ones);
     writer.line("static constexpr std::size_t pairs = {};", modes.imaginary_parts.size());
     array(writer, "real_parts", modes.real_parts);

@@ -53,7 +53,9 @@ std::string extrapolation_text(const Iteration& iteration) {
 }
 
 std::vector<std::string_view> predicted_slopes(const Step& step) {
-    if (std::holds_alternative<VelocityStep>(step.form)) { return {"W"}; }
+    if (std::holds_alternative<VelocityStep>(step.form)) {
+        return {step.layout == Layout::stages ? "Lp" : "W"};
+    }
     const auto are_unknown = [&](StageNode::Kind kind) {
         return std::any_of(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
             return block.coupled && !block.of(kind).empty();

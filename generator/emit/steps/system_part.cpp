@@ -103,7 +103,9 @@ std::string solver_type(const Step& step) {
     case Solver::fixed_point: return "hvi::FixedPoint";
     case Solver::newton: return newton;
     case Solver::newton_taylor: return "hvi::NewtonTaylor";
-    case Solver::automatic: return fmt::format("hvi::Automatic<{}>", newton);
+    case Solver::automatic:
+        return fmt::format("hvi::{}<{}>", step.corrections ? "AutomaticOfLanes" : "Automatic",
+                           newton);
     }
     HVI_CHECK(false);
     return {};

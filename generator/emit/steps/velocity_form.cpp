@@ -315,7 +315,11 @@ std::string newton_of_positions(const Step& step, const VelocityStep& form,
                 fmt::join(unknown, ", "));
     writer.line("static constexpr Scalar coefficient(std::size_t i, std::size_t j) {{ return "
                 "n[i][j]; }}");
-    writer.insert(modes_text(form.modes)).blank();
+    if (step.corrections) {
+        writer.line("using Modes = StageModes;").blank();
+    } else {
+        writer.insert(modes_text(form.modes, "Modes", "b_i n_ij", 2)).blank();
+    }
     writer.comment("W_j = h K Lp_j.", "/// ").open("void drifts() {{");
     writer.insert(drifts).close().blank();
     const SlopePoint start{"s.at.q", "", time_of_start(step, "s")};

@@ -171,13 +171,16 @@ void add_tangents(std::vector<SystemFunction>& functions, const Tangents& tangen
 }
 
 /// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
-/// there is sin, or much, the call does not matter.
-SystemFunction of_lanes(SystemFunction function, const Step& step) {
+/// there is sin, or much, the call does not matter; and of sin inlined into a loop the constants
+/// are kept in registers, which are then wanted for other things.
+bool is_inlined(const Kernel& kernel, const Step& step) {
     constexpr std::size_t small = 32;
+    return step.has_lanes() && kernel.counts.calls == 0 && kernel.nodes.size() <= small;
+}
+
+SystemFunction of_lanes(SystemFunction function, const Step& step) {
     function.takes_lanes = step.has_lanes();
-    function.is_inlined = step.layout == Layout::trajectories &&
-                          function.kernel.counts.calls == 0 &&
-                          function.kernel.nodes.size() <= small;
+    function.is_inlined = is_inlined(function.kernel, step);
     return function;
 }
 

@@ -19,17 +19,17 @@ namespace detail {
 
 /// f of each number alone. NOTE: in xsimd 8 erf is off by up to 70 units in the last place, erfc
 /// by 10^7, and acosh is infinite far below 1.
-template <class Number, std::size_t count, class F>
-[[nodiscard]] Lanes<Number, count> one_by_one(const Lanes<Number, count>& x, F f) {
-    typename Lanes<Number, count>::Row row;
+template <class Number, std::size_t count, std::size_t most, class F>
+[[nodiscard]] Lanes<Number, count, most> one_by_one(const Lanes<Number, count, most>& x, F f) {
+    typename Lanes<Number, count, most>::Row row;
     x.store(row);
     for (std::size_t i = 0; i < count; ++i) { row.set(i, f(row[i])); }
     return row;
 }
-template <class Number, std::size_t count, class F>
-[[nodiscard]] Lanes<Number, count> one_by_one(const Lanes<Number, count>& x,
-                                              const Lanes<Number, count>& y, F f) {
-    typename Lanes<Number, count>::Row first, second;
+template <class Number, std::size_t count, std::size_t most, class F>
+[[nodiscard]] Lanes<Number, count, most> one_by_one(const Lanes<Number, count, most>& x,
+                                                    const Lanes<Number, count, most>& y, F f) {
+    typename Lanes<Number, count, most>::Row first, second;
     x.store(first);
     y.store(second);
     for (std::size_t i = 0; i < count; ++i) { first.set(i, f(first[i], second[i])); }
@@ -45,17 +45,17 @@ struct Each {
     }
 };
 
-template <class Number, std::size_t count>
-struct Each<Lanes<Number, count>> {
-    using Row = typename Lanes<Number, count>::Row;
+template <class Number, std::size_t count, std::size_t most>
+struct Each<Lanes<Number, count, most>> {
+    using Row = typename Lanes<Number, count, most>::Row;
 
     template <class F, class... Values>
-    [[nodiscard]] static Lanes<Number, count> call(F f, const Values&... x) {
+    [[nodiscard]] static Lanes<Number, count, most> call(F f, const Values&... x) {
         return rows(f, row(x)...);
     }
 
 private:
-    [[nodiscard]] static Row row(const Lanes<Number, count>& x) {
+    [[nodiscard]] static Row row(const Lanes<Number, count, most>& x) {
         Row result;
         x.store(result);
         return result;
@@ -82,119 +82,123 @@ template <class Value, class F, class... Given>
 // lane alone.
 namespace math {
 
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> acos(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> acos(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return acos(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> acosh(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> acosh(const Lanes<Number, count, most>& x) {
     return detail::one_by_one(x, [](const Number& a) { return acosh(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> asin(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> asin(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return asin(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> asinh(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> asinh(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return asinh(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> atan(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> atan(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return atan(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> atan2(const Lanes<Number, count>& y,
-                                         const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> atan2(const Lanes<Number, count, most>& y,
+                                               const Lanes<Number, count, most>& x) {
     return detail::one_by_one(y, x, [](const Number& a, const Number& b) { return atan2(a, b); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> atan2(const Lanes<Number, count>& y, const Number& x) {
-    return atan2(y, Lanes<Number, count>(x));
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> atan2(const Lanes<Number, count, most>& y,
+                                               const Number& x) {
+    return atan2(y, Lanes<Number, count, most>(x));
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> atan2(const Number& y, const Lanes<Number, count>& x) {
-    return atan2(Lanes<Number, count>(y), x);
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> atan2(const Number& y,
+                                               const Lanes<Number, count, most>& x) {
+    return atan2(Lanes<Number, count, most>(y), x);
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> atanh(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> atanh(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return atanh(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> cbrt(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> cbrt(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return cbrt(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> cos(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return detail::cos_of(a); });
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard, gnu::always_inline]] inline Lanes<Number, count, most>
+cos(const Lanes<Number, count, most>& x) {
+    return x.map([](const auto& a) __attribute__((always_inline)) { return detail::cos_of(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> cosh(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> cosh(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) {
         return detail::exponential(a, [](const auto& b) { return cosh(b); });
     });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> erf(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> erf(const Lanes<Number, count, most>& x) {
     return detail::one_by_one(x, [](const Number& a) { return erf(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> erfc(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> erfc(const Lanes<Number, count, most>& x) {
     return detail::one_by_one(x, [](const Number& a) { return erfc(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> exp(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> exp(const Lanes<Number, count, most>& x) {
     return x.map(
         [](const auto& a) { return detail::exponential(a, [](const auto& b) { return exp(b); }); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> expm1(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> expm1(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) {
         return detail::exponential(a, [](const auto& b) { return expm1(b); });
     });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> log(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> log(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return log(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> log10(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> log10(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return log10(a); });
 }
 /// NOTE: one by one. That of xsimd is exp(y log(x)), off by as many units in the last place as that
 /// exponent is large.
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> pow(const Lanes<Number, count>& x,
-                                       const Lanes<Number, count>& y) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> pow(const Lanes<Number, count, most>& x,
+                                             const Lanes<Number, count, most>& y) {
     return detail::one_by_one(x, y, [](const Number& a, const Number& b) { return pow(a, b); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> pow(const Lanes<Number, count>& x, const Number& y) {
-    return pow(x, Lanes<Number, count>(y));
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> pow(const Lanes<Number, count, most>& x, const Number& y) {
+    return pow(x, Lanes<Number, count, most>(y));
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> pow(const Number& x, const Lanes<Number, count>& y) {
-    return pow(Lanes<Number, count>(x), y);
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> pow(const Number& x, const Lanes<Number, count, most>& y) {
+    return pow(Lanes<Number, count, most>(x), y);
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> sin(const Lanes<Number, count>& x) {
-    return x.map([](const auto& a) { return detail::sin_of(a); });
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard, gnu::always_inline]] inline Lanes<Number, count, most>
+sin(const Lanes<Number, count, most>& x) {
+    return x.map([](const auto& a) __attribute__((always_inline)) { return detail::sin_of(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> sinh(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> sinh(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) {
         return detail::exponential(a, [](const auto& b) { return sinh(b); });
     });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> sqrt(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> sqrt(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return sqrt(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> tan(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> tan(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return detail::tan_of(a); });
 }
-template <class Number, std::size_t count>
-[[nodiscard]] Lanes<Number, count> tanh(const Lanes<Number, count>& x) {
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> tanh(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) {
         return detail::exponential(a, [](const auto& b) { return tanh(b); });
     });

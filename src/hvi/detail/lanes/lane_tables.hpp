@@ -58,9 +58,60 @@ void store(const LaneVector<Number, count, dimension>& lanes,
     for (std::size_t k = 0; k < dimension; ++k) { lanes[k].store(rows[k]); }
 }
 
-template <class Number, std::size_t count>
-void store(const Lanes<Number, count>& lanes, LaneRow<Number, count>& row) {
+template <class Number, std::size_t count, std::size_t most>
+void store(const Lanes<Number, count, most>& lanes, LaneRow<Number, count>& row) {
     lanes.store(row);
+}
+
+/// Rows as an argument of functions of a scene: what they read are rows loaded, and what they write
+/// is stored times a factor.
+///
+/// NOTE: in place of vectors of lanes, which g++ copies from memory to memory in halves. Then the
+/// next load waits for both.
+template <class Lane>
+class LaneAccess {
+public:
+    using Row = typename Lane::Row;
+
+    /// To read from.
+    [[gnu::always_inline]] explicit LaneAccess(const Row* rows) : from_(rows) {}
+    /// To write to.
+    [[gnu::always_inline]] LaneAccess(Row* rows, const Lane& factor) : to_(rows), factor_(factor) {}
+
+    [[nodiscard, gnu::always_inline]] Lane operator[](std::size_t k) const { return from_[k]; }
+
+    class Place {
+    public:
+        [[gnu::always_inline]] Place(Row& row, const Lane& factor) : row_(row), factor_(factor) {}
+        [[gnu::always_inline]] void operator=(const Lane& value) { (factor_ * value).store(row_); }
+
+    private:
+        Row& row_;
+        const Lane& factor_;
+    };
+    [[nodiscard, gnu::always_inline]] Place operator[](std::size_t k) { return {to_[k], factor_}; }
+
+private:
+    const Row* from_ = nullptr;
+    Row* to_ = nullptr;
+    Lane factor_;
+};
+
+template <class Lane>
+struct HeldBy<LaneAccess<Lane>> {
+    using type = Lane;
+};
+
+template <class Lane, std::size_t dimension>
+[[nodiscard, gnu::always_inline]] inline LaneAccess<Lane>
+read(const std::array<typename Lane::Row, dimension>& rows) {
+    return LaneAccess<Lane>(rows.data());
+}
+
+template <class Lane, std::size_t dimension>
+[[nodiscard, gnu::always_inline]] inline LaneAccess<Lane>
+write(std::array<typename Lane::Row, dimension>& rows, const Lane& factor) {
+    return LaneAccess<Lane>(rows.data(), factor);
 }
 
 /// The vector of one lane.
@@ -71,47 +122,80 @@ template <class Vector, class Number, std::size_t count, std::size_t dimension>
     return v;
 }
 
-/// start + matrix x.
+/// Between the lanes in the middle.
+template <class Vector, class Number, std::size_t count, std::size_t dimension>
+[[nodiscard]] Vector middle_of(const LaneRows<Number, count, dimension>& rows) {
+    Vector v{};
+    for (std::size_t k = 0; k < dimension; ++k) {
+        detail::at(v, k) = (rows[k][(count - 1) / 2] + rows[k][count / 2]) / 2;
+    }
+    return v;
+}
+
+template <class Lane, std::size_t dimension>
+void copy(const std::array<typename Lane::Row, dimension>& from,
+          std::array<typename Lane::Row, dimension>& to) {
+    for (std::size_t k = 0; k < dimension; ++k) { Lane(from[k]).store(to[k]); }
+}
+
+/// x - y.
+template <class Lane>
+void subtract(const typename Lane::Row& x, const typename Lane::Row& y, typename Lane::Row& out) {
+    (Lane(x) - Lane(y)).store(out);
+}
+
+/// Has a row in memory, where processors spread its numbers over the lanes of registers while they
+/// load them. g++ would take them from the register that was stored there, by instructions that
+/// compete with those that compute.
+template <class Number, std::size_t count>
+[[gnu::always_inline]] inline void keep_in_memory(const LaneRow<Number, count>& row) {
+#if defined(__GNUC__) && HVI_HAS_XSIMD
+    asm("" : "+m"(const_cast<LaneRow<Number, count>&>(row)));
+#else
+    static_cast<void>(row);
+#endif
+}
+
+/// start + matrix x, the matrix being columns.
 ///
 /// NOTE: in two sums, as a processor adds several times faster than it waits for one sum. And
 /// inlined, as no register of this size lives through a call.
-template <class Number, std::size_t count>
-[[nodiscard, gnu::always_inline]] inline Lanes<Number, count>
-product(const LaneMatrix<Number, count>& matrix, const LaneRow<Number, count>& x,
-        Lanes<Number, count> start) {
-    using Lane = Lanes<Number, count>;
+template <class Number, std::size_t rows, std::size_t columns, std::size_t most>
+[[nodiscard, gnu::always_inline]] inline Lanes<Number, rows, most>
+product(const std::array<LaneRow<Number, rows>, columns>& matrix, const LaneRow<Number, columns>& x,
+        Lanes<Number, rows, most> start) {
+    using Lane = Lanes<Number, rows, most>;
+    keep_in_memory(x);
     start = start + x[0] * Lane(matrix[0]);
-    if constexpr (count > 1) {
+    if constexpr (columns > 1) {
         Lane other = x[1] * Lane(matrix[1]);
-        for (std::size_t j = 2; j + 1 < count; j += 2) {
+        for (std::size_t j = 2; j + 1 < columns; j += 2) {
             start = start + x[j] * Lane(matrix[j]);
             other = other + x[j + 1] * Lane(matrix[j + 1]);
         }
-        if constexpr (count % 2 == 1) { start = start + x[count - 1] * Lane(matrix[count - 1]); }
+        if constexpr (columns % 2 == 1) {
+            start = start + x[columns - 1] * Lane(matrix[columns - 1]);
+        }
         start = start + other;
     }
     return start;
 }
 
 /// rows = now rows + before (the rows before), and the rows before become these.
-template <class Number, std::size_t count, std::size_t dimension>
-void extrapolate(LaneRows<Number, count, dimension>& rows, const LaneMatrix<Number, count>& now,
-                 const LaneMatrix<Number, count>& before,
-                 LaneRows<Number, count, dimension>& rows_before) {
+template <class Lane, class Matrix, std::size_t dimension>
+void extrapolate(std::array<typename Lane::Row, dimension>& rows, const Matrix& now,
+                 const Matrix& before, std::array<typename Lane::Row, dimension>& rows_before) {
     for (std::size_t k = 0; k < dimension; ++k) {
-        const LaneRow<Number, count> row = rows[k];
-        const Lanes<Number, count> far =
-            product(before, rows_before[k], Lanes<Number, count>(Number(0)));
-        product(now, row, far).store(rows[k]);
-        rows_before[k] = row;
+        const Lane row(rows[k]);
+        const Lane far = product(before, rows_before[k], Lane(0));
+        product(now, rows[k], far).store(rows[k]);
+        row.store(rows_before[k]);
     }
 }
 
-template <class Number, std::size_t count, std::size_t dimension>
-void extrapolate(LaneRows<Number, count, dimension>& rows, const LaneMatrix<Number, count>& now) {
-    for (LaneRow<Number, count>& row : rows) {
-        product(now, row, Lanes<Number, count>(Number(0))).store(row);
-    }
+template <class Lane, class Matrix, std::size_t dimension>
+void extrapolate(std::array<typename Lane::Row, dimension>& rows, const Matrix& now) {
+    for (typename Lane::Row& row : rows) { product(now, row, Lane(0)).store(row); }
 }
 
 }  // namespace hvi::detail

@@ -83,11 +83,15 @@ template <class Number>
 template <class Number, std::size_t width>
 inline constexpr bool has_register = !std::is_void_v<typename RegisterOf<Number, width>::type>;
 
+/// As many as a register holds.
+inline constexpr std::size_t widest = 8;
+
 /// How many numbers go into one register where `places` are to fill registers; 1: there is none.
-template <class Number, std::size_t places>
+/// Not more than `most`.
+template <class Number, std::size_t places, std::size_t most = widest>
 [[nodiscard]] constexpr std::size_t register_width() {
-    if (places % 8 == 0 && has_register<Number, 8>) { return 8; }
-    if (places % 4 == 0 && has_register<Number, 4>) { return 4; }
+    if (most >= 8 && places % 8 == 0 && has_register<Number, 8>) { return 8; }
+    if (most >= 4 && places % 4 == 0 && has_register<Number, 4>) { return 4; }
     if (places % 2 == 0 && has_register<Number, 2>) { return 2; }
     return 1;
 }

@@ -19,10 +19,10 @@ namespace hvi::detail {
 /// take coefficients take the columns of m or of mt.
 ///
 /// NOTE: what sweeps call is inlined, as no register of this size lives through a call.
-template <class Vector, std::size_t stages>
+template <class Vector, std::size_t stages, std::size_t most = widest>
 struct StageLanes : StepMemory<Vector> {
     using Scalar = ScalarOf<Vector>;
-    using Lane = Lanes<Scalar, stages>;
+    using Lane = Lanes<Scalar, stages, most>;
     using Row = typename Lane::Row;
     using Matrix = LaneMatrix<Scalar, stages>;
     static constexpr std::size_t dimension = fixed_size<Vector>();
@@ -44,12 +44,18 @@ struct StageLanes : StepMemory<Vector> {
     /// Starting values of those of the last step, or of two.
     template <class... Before>
     void extrapolate_q(const Matrix& N, Before&&... before) {
-        extrapolate(Lq, N, before...);
+        detail::extrapolate<Lane>(Lq, N, before...);
     }
     template <class... Before>
     void extrapolate_p(const Matrix& N, Before&&... before) {
-        extrapolate(Lp, N, before...);
+        detail::extrapolate<Lane>(Lp, N, before...);
     }
+
+    /// As arguments of functions of the system.
+    [[nodiscard, gnu::always_inline]] LaneAccess<Lane> all_positions() const {
+        return read<Lane>(Q);
+    }
+    [[nodiscard, gnu::always_inline]] LaneAccess<Lane> all_momenta() const { return read<Lane>(P); }
 
     /// Q_i = q + (e_q + sum_j m_ij Lq_j).
     [[gnu::always_inline]] void positions(const Matrix& m) {
@@ -61,25 +67,12 @@ struct StageLanes : StepMemory<Vector> {
         stage_values(mt, Lp, this->at.p, this->remainder.p, P, this->change.p);
     }
 
-    /// Lq_j = h b_j dH/dp, of what `dHdp(out)` puts out.
-    template <class Gradient>
-    [[gnu::always_inline]] void velocities(Gradient dHdp) {
-        evaluate(dHdp, Lane(hb), Lq);
+    /// Where dH/dp becomes Lq_j = h b_j dH/dp, and dH/dq becomes Lp_i = -h b_i dH/dq.
+    [[nodiscard, gnu::always_inline]] LaneAccess<Lane> velocities() {
+        return write<Lane>(Lq, Lane(hb));
     }
-
-    /// Lp_i = -h b_i dH/dq, of what `dHdq(out)` puts out.
-    template <class Gradient>
-    [[gnu::always_inline]] void forces(Gradient dHdq) {
-        evaluate(dHdq, -Lane(hb), Lp);
-    }
-
-    /// Both, of what `gradient(dHdq, dHdp)` puts out.
-    template <class Gradient>
-    [[gnu::always_inline]] void slopes(Gradient gradient) {
-        LaneVector<Scalar, stages, dimension> dHdq, dHdp;
-        gradient(dHdq, dHdp);
-        store_scaled(-Lane(hb), dHdq, Lp);
-        store_scaled(Lane(hb), dHdp, Lq);
+    [[nodiscard, gnu::always_inline]] LaneAccess<Lane> forces() {
+        return write<Lane>(Lp, -Lane(hb));
     }
 
     /// Moves `at` to the end of the step.
@@ -105,6 +98,9 @@ struct StageLanes : StepMemory<Vector> {
     // ---- one stage, for Newton's method; see Stages ----
 
     [[nodiscard]] Vector position(std::size_t i) const { return lane_of<Vector>(Q, i); }
+    /// Between the stages in the middle.
+    [[nodiscard]] Vector middle_q() const { return middle_of<Vector>(Q); }
+    [[nodiscard]] Vector middle_p() const { return middle_of<Vector>(P); }
     [[nodiscard]] Vector momentum(std::size_t j) const { return lane_of<Vector>(P, j); }
     [[nodiscard]] Scalar slope_q(std::size_t j, std::size_t k) const { return Lq[k][j]; }
     [[nodiscard]] Scalar slope_p(std::size_t i, std::size_t k) const { return Lp[k][i]; }
@@ -129,20 +125,6 @@ private:
             detail::at(changes, k) = sum(abs(value - Lane(values[k])));
             value.store(values[k]);
         }
-    }
-
-    template <class Gradient>
-    [[gnu::always_inline]] static void evaluate(Gradient gradient, const Lane& factor,
-                                                Rows& slopes) {
-        LaneVector<Scalar, stages, dimension> out;
-        gradient(out);
-        store_scaled(factor, out, slopes);
-    }
-
-    [[gnu::always_inline]] static void
-    store_scaled(const Lane& factor, const LaneVector<Scalar, stages, dimension>& gradient,
-                 Rows& slopes) {
-        for (std::size_t k = 0; k < dimension; ++k) { (factor * gradient[k]).store(slopes[k]); }
     }
 
     Scalar weighed_ = 0;  ///< the step size of hb

@@ -32,10 +32,10 @@ struct VelocityTable {
 /// VelocityStages whose stages are lanes: there is a row of them for each component.
 ///
 /// NOTE: what sweeps call is inlined, as no register of this size lives through a call.
-template <class Vector, std::size_t stages>
+template <class Vector, std::size_t stages, std::size_t most = widest>
 struct VelocityLanes : StepMemory<Vector> {
     using Scalar = ScalarOf<Vector>;
-    using Lane = Lanes<Scalar, stages>;
+    using Lane = Lanes<Scalar, stages, most>;
     using Row = typename Lane::Row;
     using Table = VelocityTable<Scalar, stages>;
     static constexpr std::size_t dimension = fixed_size<Vector>();
@@ -75,7 +75,7 @@ struct VelocityLanes : StepMemory<Vector> {
     /// Starting values of those of the last step, or of two.
     template <class... Before>
     void extrapolate(const LaneMatrix<Scalar, stages>& N, Before&&... before) {
-        detail::extrapolate(W, N, before...);
+        detail::extrapolate<Lane>(Lp, N, before...);
     }
 
     /// Q_i = q + (e_q + c_i hv + sum_j n_ij W_j).
@@ -91,18 +91,16 @@ struct VelocityLanes : StepMemory<Vector> {
     /// Lp_i = -h b_i dH/dq, W_i = h K Lp_i; `time` are the T_i, where H depends on them.
     template <class System, class... Time>
     [[gnu::always_inline]] void forces(const System& system, const Time&... time) {
-        LaneVector<Scalar, stages, dimension> Lp_i;
-        system.dHdq(load(Q), Lane(time)..., Lp_i);
-        const Lane minus_hb = -Lane(hb);
-        for (Lane& component : Lp_i) { component = minus_hb * component; }
-        store(Lp_i, Lp);
-        drift(system, Lp_i);
+        auto out = write<Lane>(Lp, -Lane(hb));
+        system.dHdq(read<Lane>(Q), Lane(time)..., out);
+        drifts(system);
     }
 
     /// W_i = h K Lp_i.
     template <class System>
-    void drifts(const System& system) {
-        drift(system, load(Lp));
+    [[gnu::always_inline]] void drifts(const System& system) {
+        auto out = write<Lane>(W, Lane(this->h));
+        system.inverse_mass(read<Lane>(Lp), out);
     }
 
     /// Moves `at` to the end of the step.
@@ -131,18 +129,12 @@ struct VelocityLanes : StepMemory<Vector> {
     // ---- one stage, for Newton's method; see VelocityStages ----
 
     [[nodiscard]] Vector position(std::size_t j) const { return lane_of<Vector>(Q, j); }
+    /// Between the stages in the middle.
+    [[nodiscard]] Vector middle() const { return middle_of<Vector>(Q); }
     [[nodiscard]] Scalar force(std::size_t j, std::size_t k) const { return Lp[k][j]; }
     void set_force(std::size_t j, std::size_t k, Scalar value) { Lp[k].set(j, value); }
 
 private:
-    template <class System>
-    void drift(const System& system, const LaneVector<Scalar, stages, dimension>& forces) {
-        LaneVector<Scalar, stages, dimension> velocities;
-        system.inverse_mass(forces, velocities);
-        for (Lane& W_k : velocities) { W_k = this->h * W_k; }
-        store(velocities, W);
-    }
-
     Scalar weighed_ = 0;  ///< the step size of hb
 };
 

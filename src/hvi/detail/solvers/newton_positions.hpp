@@ -9,6 +9,7 @@
 #include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/detail/solvers/newton_loop.hpp>
 #include <hvi/detail/solvers/position_unknowns.hpp>
+#include <hvi/detail/solvers/stiffness.hpp>
 #include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
 
@@ -42,7 +43,7 @@ public:
     [[nodiscard]] bool factorise_start(const Coupled& coupled) {
         G_.set_zero();
         coupled.hessian_at_start(G_);
-        set_hGK(coupled, G_);
+        set_hGK(coupled, G_, hGK_);
         is_decoupled_ = Coupled::Modes::exist;
         if constexpr (Coupled::Modes::exist) {
             return factorise_modes<typename Coupled::Modes>(coupled.s.h);
@@ -58,7 +59,7 @@ public:
         return factorise_all(coupled, [&](std::size_t j) {
             G.set_zero();
             coupled.hessian(j, G);
-            set_hGK(coupled, G);
+            set_hGK(coupled, G, hGK_);
         });
     }
 
@@ -91,19 +92,6 @@ private:
             Scalar sum = 0;
             for (std::size_t l = 0; l < n_; ++l) { sum += G_(k, l) * at(v, l); }
             at(out, k) = sum;
-        }
-    }
-
-    /// NOTE: row k of G K is K times row k of G, as K is symmetric. The factors of h^2 G K go one
-    /// by one, as h^2 may be too large or too small where this is not: with H = s H_0 and h =
-    /// h_0/s.
-    template <class Coupled>
-    void set_hGK(const Coupled& coupled, const SquareMatrix<Scalar>& G) {
-        Vector row{}, product{};
-        for (std::size_t k = 0; k < n_; ++k) {
-            for (std::size_t l = 0; l < n_; ++l) { at(row, l) = coupled.s.h * G(k, l); }
-            coupled.system.inverse_mass(row, product);
-            for (std::size_t l = 0; l < n_; ++l) { hGK_(k, l) = at(product, l); }
         }
     }
 

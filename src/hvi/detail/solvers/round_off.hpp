@@ -40,6 +40,7 @@ public:
             smallest_.q[k] = infinity<Scalar>;
             smallest_.p[k] = infinity<Scalar>;
         }
+        smallest_total_ = infinity<Scalar>;
         stalls_ = 0;
     }
 
@@ -52,14 +53,22 @@ public:
         if constexpr (by_p) { look(change.p, smallest_.p, seen); }
         if (!(seen.total < infinity<Scalar>)) { return Verdict::not_finite; }
         if (seen.total == 0) { return Verdict::unchanged; }
+        grows_ = seen.total > growth * smallest_total_ && !is_noise<by_q, by_p>(change, coupled);
+        smallest_total_ = seen.total < smallest_total_ ? seen.total : smallest_total_;
         stalls_ = seen.falls != 0 ? 0 : stalls_ + 1;
         if (stalls_ < 2) { return Verdict::go_on; }
         return is_noise<by_q, by_p>(change, coupled) ? Verdict::at_noise : Verdict::go_on;
     }
 
+    /// Whether the last change was beyond what an iteration that converges passes through.
+    [[nodiscard]] bool grows() const { return grows_; }
+
 private:
     static constexpr Scalar noise = power_of_two<Scalar>(-(3 * bits<Scalar> + 3) / 4);
     static constexpr int patience = 10;
+    // NOTE: of x' = L x the changes of Picard's iteration are (h L)^k/k!, which grows by so much
+    // for h L = 8 before it falls: where that is slower than a step half as long.
+    static constexpr Scalar growth = 64;
 
     struct Seen {
         Scalar total = 0;  // a sum, so that a NaN cannot hide
@@ -100,6 +109,8 @@ private:
     }
 
     Scalar rounding_;
+    Scalar smallest_total_ = infinity<Scalar>;  // change of all components so far
+    bool grows_ = false;
     State<Vector> smallest_;  // change of each component so far
     int stalls_ = 0;          // sweeps in a row in which no component changed by less than ever
 };

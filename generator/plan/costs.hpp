@@ -1,0 +1,17 @@
+// What a step costs, before it is written.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/ir/properties.hpp"
+#include "generator/ir/step.hpp"
+
+namespace hvi::gen {
+
+/// Whether a fixed-point iteration of coupled stages is likely to cost less when it evaluates both
+/// gradients at the same q and p than when it uses each new slope at once.
+[[nodiscard]] bool joint_gradient_pays(const EvaluationCosts& costs);
+
+/// Of stages in lanes. Precondition: the step has them.
+[[nodiscard]] SolverCosts solver_costs(const Step& step, const SystemProperties& system);
+
+}  // namespace hvi::gen

@@ -1,0 +1,115 @@
+// Corrections of the slopes of all stages in lanes, with one Hessian for all of them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <hvi/detail/lanes/lane_tables.hpp>
+#include <hvi/detail/lanes/lanes.hpp>
+#include <hvi/detail/lanes/mode_lanes.hpp>
+#include <hvi/detail/linear/dense.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/solvers/stiffness.hpp>
+#include <hvi/detail/stages/system.hpp>
+
+namespace hvi::detail {
+
+/// Simplified Newton for VelocityLanes: Lp -= J^-1 (Lp + h b dH/dq), with J = 1 + h^2 (C x G K) and
+/// C_ij = b_i n_ij, where all stages have the G of one state.
+///
+/// NOTE: the corrected slopes are what the step adds up, as in PairEquations.
+template <class Vector, std::size_t stages, class Modes, std::size_t most = widest>
+class PositionCorrections {
+public:
+    /// False where J is singular, nearly so, or not finite. With the G of the middle of the present
+    /// stages, which is nearer to those of all than that of the start.
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        G_ = hGK_ = SquareMatrix<Scalar>(dimension);
+        coupled.hessian_in_the_middle(G_);
+        set_hGK(coupled, G_, hGK_);
+        return modes_.compute(
+            [&](std::size_t k, std::size_t l) { return coupled.s.h * hGK_(k, l); });
+    }
+
+    /// Slopes at the present stages, corrected.
+    template <class Coupled>
+    void correct(Coupled& coupled) {
+        auto& s = coupled.s;
+        copy<Lane>(s.Lp, before_);
+        coupled.forces();
+        for (std::size_t k = 0; k < dimension; ++k) {
+            subtract<Lane>(before_[k], s.Lp[k], residual_[k]);
+        }
+        modes_.solve(residual_);
+        for (std::size_t k = 0; k < dimension; ++k) {
+            subtract<Lane>(before_[k], residual_[k], s.Lp[k]);
+        }
+        s.drifts(coupled.system);
+    }
+
+private:
+    static constexpr std::size_t dimension = fixed_size<Vector>();
+    using Scalar = ScalarOf<Vector>;
+    using Lane = Lanes<Scalar, stages, most>;
+    using Slopes = LaneRows<Scalar, stages, dimension>;
+
+    SquareMatrix<Scalar> G_, hGK_;
+    ModeLanes<Scalar, stages, dimension, Modes, most> modes_;
+    Slopes before_{}, residual_{};
+};
+
+/// The same for StageLanes: L -= J^-1 (L - slopes), L being Lq and then Lp, J = 1 - h (C x S) with
+/// C = diag(b) m, and S = (Hpq Hpp; -Hqq -Hqp) of one state. Precondition: m == mt.
+template <class Vector, std::size_t stages, class Modes, std::size_t most = widest>
+class PairCorrections {
+public:
+    /// See PositionCorrections.
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) {
+            *block = SquareMatrix<Scalar>(dimension);
+        }
+        coupled.hessian_in_the_middle(Hqq_, Hqp_, Hpp_);
+        const Scalar h = coupled.s.h;
+        return modes_.compute([&](std::size_t k, std::size_t l) {
+            const bool by_q = l < dimension;
+            const std::size_t column = by_q ? l : l - dimension;
+            if (k < dimension) { return -(h * (by_q ? Hqp_(column, k) : Hpp_(k, column))); }
+            const std::size_t row = k - dimension;
+            return h * (by_q ? Hqq_(row, column) : Hqp_(row, column));
+        });
+    }
+
+    /// See PositionCorrections.
+    template <class Coupled>
+    void correct(Coupled& coupled) {
+        auto& s = coupled.s;
+        copy<Lane>(s.Lq, before_q_);
+        copy<Lane>(s.Lp, before_p_);
+        coupled.all_slopes();
+        for (std::size_t k = 0; k < dimension; ++k) {
+            subtract<Lane>(before_q_[k], s.Lq[k], residual_[k]);
+            subtract<Lane>(before_p_[k], s.Lp[k], residual_[dimension + k]);
+        }
+        modes_.solve(residual_);
+        for (std::size_t k = 0; k < dimension; ++k) {
+            subtract<Lane>(before_q_[k], residual_[k], s.Lq[k]);
+            subtract<Lane>(before_p_[k], residual_[dimension + k], s.Lp[k]);
+        }
+    }
+
+private:
+    static constexpr std::size_t dimension = fixed_size<Vector>();
+    using Scalar = ScalarOf<Vector>;
+    using Lane = Lanes<Scalar, stages, most>;
+    using Slopes = LaneRows<Scalar, stages, dimension>;
+
+    SquareMatrix<Scalar> Hqq_, Hqp_, Hpp_;
+    ModeLanes<Scalar, stages, 2 * dimension, Modes, most> modes_;
+    Slopes before_q_{}, before_p_{};
+    LaneRows<Scalar, stages, 2 * dimension> residual_{};
+};
+
+}  // namespace hvi::detail
