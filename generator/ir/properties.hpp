@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "generator/expr/side.hpp"
 
@@ -31,14 +32,15 @@ struct EvaluationCosts {
 /// says. What is false may be true and not seen.
 struct SystemProperties {
     Side side = Side::hamiltonian;
-    bool is_separable = false;           ///< H = T(p) + U(q), or T(p) + U(q, t)
-    bool depends_on_time = false;        ///< H = H(q, p, t)
-    bool kinetic_is_quadratic = false;   ///< it is separable, and T = p^T K p/2 with constant K
-    bool has_linear_map = false;         ///< all second derivatives are constant, without t
-    bool is_degenerate = false;          ///< a row of d2H/dp2 is zero
-    std::size_t degrees_of_freedom = 0;  ///< 0: not known
-    std::size_t rotations = 0;           ///< of them, with three each
-    bool has_any_size = false;           ///< they are as many as a state has
+    bool is_separable = false;            ///< H = T(p) + U(q), or T(p) + U(q, t)
+    bool depends_on_time = false;         ///< H = H(q, p, t)
+    bool kinetic_is_quadratic = false;    ///< it is separable, and T = p^T K p/2 with constant K
+    bool has_linear_map = false;          ///< all second derivatives are constant, without t
+    bool is_degenerate = false;           ///< a row of d2H/dp2 is zero
+    std::size_t degrees_of_freedom = 0;   ///< 0: not known
+    std::size_t rotations = 0;            ///< of them, with three each
+    std::vector<std::size_t> stiff = {};  ///< components with a constant stiffness, see Structure
+    bool has_any_size = false;            ///< they are as many as a state has
     HessianForm hessian = HessianForm::dense;
     EvaluationCosts costs = {};  ///< zeros: not known
 };

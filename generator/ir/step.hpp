@@ -232,7 +232,7 @@ enum class Layout {
 /// What the ways to solve for the stages cost, in operations on the lanes of all of them; see
 /// SolverCosts of the runtime.
 struct SolverCosts {
-    int sweep = 0, correction = 0, factors = 0;
+    int sweep = 0, linear = 0, correction = 0, factors = 0;
 
     friend bool operator==(const SolverCosts&, const SolverCosts&) = default;
 };
@@ -240,6 +240,9 @@ struct SolverCosts {
 /// Newton's corrections of all slopes at once, with one Hessian.
 struct StageCorrections {
     RealModes modes;  ///< of diag(b) n, or of diag(b) m
+    /// Components whose constant stiffness is solved for exactly in each sweep; see
+    /// LinearStiffness.
+    std::vector<std::size_t> stiff = {};
     SolverCosts costs;
 };
 

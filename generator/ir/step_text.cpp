@@ -239,8 +239,11 @@ std::string dump(const Step& step) {
     if (step.corrections) {
         const SolverCosts& costs = step.corrections->costs;
         result += lines(step.corrections->modes) +
-                  fmt::format("costs: sweep {}, correction {}, factors {}\n", costs.sweep,
-                              costs.correction, costs.factors);
+                  fmt::format("costs: sweep {}, linear {}, correction {}, factors {}\n",
+                              costs.sweep, costs.linear, costs.correction, costs.factors);
+        for (const std::size_t k : step.corrections->stiff) {
+            result += fmt::format("stiff: {}\n", k + 1);
+        }
     }
     for (const Decision& decision : step.decisions) {
         result += fmt::format("{}: {}\n", decision.what, decision.why);

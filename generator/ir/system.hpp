@@ -21,6 +21,12 @@ struct Hessian {
     HessianBlock conjugates;  ///< by p, or by v
 };
 
+/// A constant term of (d2H/dp2)_kk (d2H/dq2)_kk, as of a linear spring the square of a frequency.
+struct LinearStiffness {
+    std::size_t component;  ///< k
+    Scaled value;
+};
+
 /// What the derivatives of H tell; of an L nothing is looked for. What is true here is proved: a
 /// graph computes by exact algebra, and what it does not see to be constant may be proved so in a
 /// field; see constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p.
@@ -28,12 +34,14 @@ struct Structure {
     bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
     bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix d2H/dp2
     std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
-    std::vector<Node> direction;        ///< then inputs v_k of their own,
-    std::vector<Scaled> qq_along;       ///< and d2H/dq2 v
-    bool is_quadratic = false;          ///< all second derivatives are constant
-    bool has_linear_map = false;        ///< and H has no t: all steps are one linear map
-    std::vector<Scaled> by_q, by_p;     ///< then the first derivatives at q = p = 0
-    bool is_linear_in_p = false;        ///< d2H/dp2 is zero, and not all else
+    /// Then, where the constant terms of d2H/dq2 are on its diagonal, and d2H/dp2 is diagonal.
+    std::vector<LinearStiffness> stiffness;
+    std::vector<Node> direction;     ///< then inputs v_k of their own,
+    std::vector<Scaled> qq_along;    ///< and d2H/dq2 v
+    bool is_quadratic = false;       ///< all second derivatives are constant
+    bool has_linear_map = false;     ///< and H has no t: all steps are one linear map
+    std::vector<Scaled> by_q, by_p;  ///< then the first derivatives at q = p = 0
+    bool is_linear_in_p = false;     ///< d2H/dp2 is zero, and not all else
     bool is_linear_in_q = false;
 };
 

@@ -72,6 +72,9 @@ std::string found(const System& system) {
     };
     add(structure.is_separable, f + " = T(" + y + ") + U(q)");
     add(structure.kinetic_is_quadratic, "T is quadratic");
+    for (const LinearStiffness& linear : structure.stiffness) {
+        result += line("stiffness " + system.coordinates[linear.component], text(linear.value));
+    }
     add(structure.is_quadratic, f + " is quadratic");
     add(structure.is_linear_in_p, f + " is linear in " + y);
     add(structure.is_linear_in_q, f + " is linear in q");

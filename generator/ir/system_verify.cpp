@@ -75,6 +75,10 @@ void verify(const System& system) {
     verify(graph, system.invariants);
     HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);
     HVI_CHECK(found.kinetic_is_quadratic == (found.inverse_mass.size() == n));
+    for (const LinearStiffness& linear : found.stiffness) {
+        HVI_CHECK(found.kinetic_is_quadratic && linear.component < n);
+        HVI_CHECK(!varies(graph.at(linear.value.node).roles));
+    }
     HVI_CHECK(!found.has_linear_map || (found.by_q.size() == n && found.by_p.size() == n));
 }
 

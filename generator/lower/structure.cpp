@@ -62,6 +62,43 @@ std::vector<Scaled> product(System& system, const Matrix& K) {
     return result;
 }
 
+/// What does not vary in a sum.
+Scaled constant_terms(Graph& graph, const Scaled& entry) {
+    const Computation& sum = graph.at(entry.node);
+    if (!varies(sum.roles)) { return entry; }
+    std::vector<Scaled> constant;
+    if (sum.operation == Operation::sum) {
+        for (const Scaled& term : sum.terms) {
+            if (!varies(graph.at(term.node).roles)) { constant.push_back(term); }
+        }
+    }
+    return graph.times(entry.factor, graph.sum(std::move(constant)));
+}
+
+bool is_diagonal(const Matrix& matrix) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        for (std::size_t j = 0; j < matrix.size(); ++j) {
+            if (i != j && !matrix[i][j].is_zero()) { return false; }
+        }
+    }
+    return true;
+}
+
+/// See Structure. Precondition: T is quadratic.
+std::vector<LinearStiffness> stiffness(System& system) {
+    Matrix constant = system.hessian.qq;
+    for (std::vector<Scaled>& row : constant) {
+        for (Scaled& entry : row) { entry = constant_terms(system.graph, entry); }
+    }
+    if (!is_diagonal(constant) || !is_diagonal(system.hessian.conjugates)) { return {}; }
+    std::vector<LinearStiffness> result;
+    for (std::size_t k = 0; k < constant.size(); ++k) {
+        const Scaled value = system.graph.product(system.hessian.conjugates[k][k], constant[k][k]);
+        if (!value.is_zero()) { result.push_back({k, value}); }
+    }
+    return result;
+}
+
 /// NOTE: where a slope has no value at the origin as it is written there is no linear map.
 void set_linear_part(Structure& found, System& system) {
     const auto add = [&](std::vector<Scaled>& values, const Scaled& slope) {
@@ -116,6 +153,7 @@ Structure structure(System& system) {
     found.kinetic_is_quadratic = found.is_separable && is_smooth_in_p && is_constant(graph, pp);
     if (found.kinetic_is_quadratic) {
         found.inverse_mass = product(system, pp);
+        found.stiffness = stiffness(system);
         set_direction(found, system);
     }
     found.is_quadratic = is_smooth_in_p && is_smooth_in_q && is_constant(graph, pp) &&

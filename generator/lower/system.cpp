@@ -133,6 +133,10 @@ System system_of(const Scene& scene) {
 }
 
 SystemProperties properties(const System& system, const GradientKernels& gradients) {
+    std::vector<std::size_t> stiff;
+    for (const LinearStiffness& linear : system.structure.stiffness) {
+        stiff.push_back(linear.component);
+    }
     return {
         .side = system.side,
         .is_separable = system.structure.is_separable,
@@ -142,6 +146,7 @@ SystemProperties properties(const System& system, const GradientKernels& gradien
         .is_degenerate = system.rotations.empty() && is_degenerate(system.hessian),
         .degrees_of_freedom = system.degrees_of_freedom(),
         .rotations = system.rotations.size(),
+        .stiff = std::move(stiff),
         .costs = evaluation_costs(system, gradients),
     };
 }

@@ -10,13 +10,15 @@ namespace {
 /// Where an iteration waits for a sum over the stages, in additions.
 constexpr double wait = 16;
 
+/// Changes of corrections, component by component.
+double judged(double unknowns) { return 8 * unknowns; }
+
 /// How a correction goes, see ModeLanes of the runtime: slopes to the basis of modes and back, and
 /// between them products of complex matrices in half as many lanes as there are stages.
 double cost_of_correction(double stages, double unknowns) {
     const double to_and_from = 2 * stages * unknowns;
     const double inverse = 4 * unknowns * unknowns / 2;
-    const double judged = 8 * unknowns;
-    return to_and_from + inverse + judged + 3 * wait;
+    return to_and_from + inverse + judged(unknowns) + 3 * wait;
 }
 
 }  // namespace
@@ -48,7 +50,10 @@ SolverCosts solver_costs(const Step& step, const SystemProperties& system) {
     const double correction = sweep + cost_of_correction(s, unknowns);
     const double factors = costs.second + 4 * unknowns * unknowns * (unknowns + 4) / 2 + 3 * wait;
     const auto rounded = [](double cost) { return static_cast<int>(std::lround(cost)); };
-    return {rounded(sweep), rounded(correction), rounded(factors)};
+    // Where nothing is stiff there is no such sweep.
+    const auto stiff = static_cast<double>(has_momenta ? 0 : system.stiff.size());
+    const double linear = stiff > 0 ? sweep + stiff * (s + 4) + judged(unknowns) + wait : 0;
+    return {rounded(sweep), rounded(linear), rounded(correction), rounded(factors)};
 }
 
 }  // namespace hvi::gen

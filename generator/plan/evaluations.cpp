@@ -70,6 +70,13 @@ Evaluations evaluations(const System& system, GradientKernels gradients, const S
     if (std::holds_alternative<VelocityStep>(step.form)) {
         result.inverse_mass = kernel(system.graph, system.structure.inverse_mass);
     }
+    if (step.corrections && !step.corrections->stiff.empty()) {
+        std::vector<Scaled> values;
+        for (const LinearStiffness& linear : system.structure.stiffness) {
+            values.push_back(linear.value);
+        }
+        result.stiffness = kernel(system.graph, std::move(values));
+    }
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return result; }
     if (iteration->takes_newton() || std::holds_alternative<GalerkinStep>(step.form)) {

@@ -40,6 +40,7 @@ struct Tangents {
 struct Evaluations {
     GradientKernels gradients;
     std::optional<Kernel> inverse_mass;       ///< see Structure
+    std::optional<Kernel> stiffness;          ///< see Structure
     std::optional<SecondDerivatives> second;  ///< where an iteration needs some
     std::optional<Tangents> tangents;         ///< for Solver::newton_taylor
 };

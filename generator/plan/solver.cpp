@@ -132,10 +132,17 @@ void set_corrections(Step& step, const SystemProperties& system) {
     if (step.layout != Layout::stages || step.iteration()->solver != Solver::automatic) { return; }
     std::optional<RealModes> modes = modes_of_lanes(step);
     if (!modes) { return; }
-    step.corrections = StageCorrections{std::move(*modes), solver_costs(step, system)};
+    step.corrections = StageCorrections{std::move(*modes), {}, solver_costs(step, system)};
+    if (std::holds_alternative<VelocityStep>(step.form)) { step.corrections->stiff = system.stiff; }
     step.decisions.push_back(
         {"slopes are corrected with one Hessian for all stages where that costs less than sweeps",
          "in the basis of eigenvectors of A the stages decouple, and are corrected side by side"});
+    if (!step.corrections->stiff.empty()) {
+        step.decisions.push_back(
+            {"of steps that are not small the linear part of dH/dq is solved exactly in each sweep",
+             fmt::format("{} component{} constant stiffness", step.corrections->stiff.size(),
+                         step.corrections->stiff.size() == 1 ? " has a" : "s have a")});
+    }
 }
 
 }  // namespace hvi::gen

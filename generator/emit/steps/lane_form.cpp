@@ -13,7 +13,9 @@ using Kind = StageNode::Kind;
 
 std::string make_coupled(const Step& step) {
     return fmt::format("Coupled{{{}s_{}}}", coupled_arguments(step),
-                       step.corrections ? ", corrections_" : "");
+                       !step.corrections                 ? ""
+                       : step.corrections->stiff.empty() ? ", corrections_"
+                                                         : ", corrections_, linear_");
 }
 
 /// The template arguments of lanes of stages: `8`, or `8, 4` in registers of 4.
@@ -75,6 +77,10 @@ std::string types_of_corrections(const Step& step, std::string_view type, std::s
     writer.blank().insert(modes_text(step.corrections->modes, "StageModes", matrix, 1)).blank();
     writer.line("using Corrections = hvi::detail::{}<Vector, {}>;", type,
                 lane_arguments(step, ", StageModes"));
+    if (const std::size_t stiff = step.corrections->stiff.size(); stiff > 0) {
+        writer.line("using LinearPart = hvi::detail::LinearCorrections<Vector, {}>;",
+                    lane_arguments(step, fmt::format(", {}, StageModes", stiff)));
+    }
     return writer.str();
 }
 
@@ -84,9 +90,15 @@ std::string members_for_corrections(const Step& step, const std::string& begin,
     if (!step.corrections) { return {}; }
     const SolverCosts& costs = step.corrections->costs;
     Writer writer(2);
-    writer.line("Corrections& corrections;").blank();
-    writer.line("static constexpr hvi::detail::SolverCosts costs{{{}, {}, {}}};", costs.sweep,
-                costs.correction, costs.factors);
+    writer.line("Corrections& corrections;");
+    if (const std::vector<std::size_t>& stiff = step.corrections->stiff; !stiff.empty()) {
+        writer.line("LinearPart& linear;").blank();
+        writer.line("static constexpr std::array<std::size_t, {}> stiff{{{}}};", stiff.size(),
+                    fmt::join(stiff, ", "));
+    }
+    writer.blank();
+    writer.line("static constexpr hvi::detail::SolverCosts costs{{{}, {}, {}, {}}};", costs.sweep,
+                costs.linear, costs.correction, costs.factors);
     writer.blank().comment("The stages of the starting values.", "/// ");
     writer.line("void begin_corrections() {{ {} }}", begin).insert(hessian);
     return writer.str();
@@ -97,6 +109,9 @@ std::string members_of_lanes(const Step& step, std::string_view stages) {
     writer.line("System system_;").insert(clock_member(step));
     writer.line("hvi::detail::{}<Vector, {}> s_;", stages, lane_arguments(step));
     if (step.corrections) { writer.line("Corrections corrections_;"); }
+    if (step.corrections && !step.corrections->stiff.empty()) {
+        writer.line("LinearPart linear_;");
+    }
     writer.line("typename Solver::template Iteration<Vector> solver_;");
     declare_slopes_before(writer, step);
     return writer.str();

@@ -233,6 +233,12 @@ std::vector<SystemFunction> slopes(const System& system, const Step& step,
         result.push_back(slope(system, step, "inverse_mass", *evaluations.inverse_mass));
         result.back().has_q = false;
     }
+    if (evaluations.stiffness) {
+        SystemFunction function{"stiffness", {}, *evaluations.stiffness, false, false, ""};
+        function.targets = components("out", evaluations.stiffness->results.size());
+        function.out = fmt::format("std::array<Scalar, {}>& out", function.targets.size());
+        result.push_back(std::move(function));
+    }
     if (evaluations.second) { add_second_derivatives(result, *evaluations.second, system, step); }
     if (evaluations.tangents) { add_tangents(result, *evaluations.tangents, system); }
     return result;

@@ -88,12 +88,11 @@ struct VelocityLanes : StepMemory<Vector> {
         }
     }
 
-    /// Lp_i = -h b_i dH/dq, W_i = h K Lp_i; `time` are the T_i, where H depends on them.
+    /// Lp_i = -h b_i dH/dq; `time` are the T_i, where H depends on them.
     template <class System, class... Time>
     [[gnu::always_inline]] void forces(const System& system, const Time&... time) {
         auto out = write<Lane>(Lp, -Lane(hb));
         system.dHdq(read<Lane>(Q), Lane(time)..., out);
-        drifts(system);
     }
 
     /// W_i = h K Lp_i.

@@ -13,42 +13,48 @@ namespace detail {
 /// is written.
 struct SolverCosts {
     int sweep;       ///< of fixed points
+    int linear;      ///< of those whose linear part is solved exactly; 0: H has none
     int correction;  ///< a sweep and a correction of its slopes
     int factors;     ///< of the Jacobian with one Hessian
 };
 
-/// Sweeps whose slopes are corrected with one Hessian for all stages, down to round-off.
+/// Sweeps whose slopes are corrected, down to round-off. `Corrections` have factors to compute, and
+/// with these correct the slopes at the present stages.
 template <class Vector>
 class CorrectedSweeps {
 public:
-    /// Gives up after `most`, or where corrections with new factors do not contract.
-    /// Preconditions: those of Sweeps.
-    template <class Coupled>
-    [[nodiscard]] Status solve(Coupled& coupled, int most) {
+    /// Gives up after `most`. `keeps_factors`: from step to step, and they are computed anew where
+    /// corrections do not contract; else they depend on h alone. Preconditions: those of Sweeps.
+    template <bool keeps_factors, class Coupled, class Corrections>
+    [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, int most) {
         coupled.begin_corrections();
         end_.begin(coupled.s.n);
-        bool has_new_factors = !has_factors_;
-        has_factors_ = has_factors_ || coupled.corrections.factorise(coupled);
-        for (int iteration = 1; has_factors_ && iteration <= most; ++iteration) {
-            coupled.corrections.correct(coupled);
+        bool has_new_factors = !keeps_factors || !has_factors_;
+        bool has_factors = (keeps_factors && has_factors_) || corrections.factorise(coupled);
+        for (int iteration = 1; has_factors && iteration <= most; ++iteration) {
+            corrections.correct(coupled);
             coupled.momenta();
             coupled.positions();
-            switch (end_.judge(coupled)) {
-            case Now::go_on: break;
-            case Now::ended: return Status(Status::Code::ok, iteration);
-            case Now::not_finite: has_factors_ = false; break;
+            const Now now = end_.judge(coupled);
+            if (now == Now::ended) {
+                // NOTE: the stages do not show what is left in the slopes below their own rounding,
+                // which has the sign of the starting values' error: the energy of Kepler's problem
+                // drifted by 4e-19 a step.
+                corrections.correct(coupled);
+                if constexpr (keeps_factors) { has_factors_ = true; }
+                return Status(Status::Code::ok, iteration + 1);
             }
-            if (end_.contracts() || !has_factors_) { continue; }
+            if (now == Now::not_finite || end_.grows()) { break; }
+            if (!keeps_factors || end_.contracts()) { continue; }
             if (has_new_factors) { break; }
-            has_factors_ = coupled.corrections.factorise(coupled);
+            has_factors = corrections.factorise(coupled);
             has_new_factors = true;
         }
-        has_factors_ = false;
+        if constexpr (keeps_factors) { has_factors_ = false; }
         return Status(Status::Code::not_converged, most);
     }
 
     void forget() { has_factors_ = false; }
-    [[nodiscard]] bool has_factors() const { return has_factors_; }
 
 private:
     using Now = typename EndOfCorrections<Vector>::Now;
@@ -63,9 +69,10 @@ template <int shortest>
 class Pause {
 public:
     [[nodiscard]] bool is_over() const { return left_ == 0; }
+    /// At the beginning of a step.
     void pass() { left_ -= left_ > 0 ? 1 : 0; }
     void begin() {
-        left_ = next_;
+        left_ = next_ + 1;  // with the pass() of the step to come
         next_ = next_ < longest ? 2 * next_ : next_;
     }
     void forget() { *this = Pause(); }
@@ -77,11 +84,11 @@ private:
 
 }  // namespace detail
 
-/// Solver policy of steppers whose stages are lanes: fixed points, or corrections with one Hessian
-/// for all stages, whichever have cost less on the steps before, and `Newton` where both fail. What
-/// has not been the cheaper one is tried again after 8, 16, 32, 64, 64, ... steps, for as long as
-/// it costs no more. All solve the equations to round-off, so that a change from one to the other
-/// does not show in the energy.
+/// Solver policy of steppers whose stages are lanes: fixed points, those whose linear part is
+/// solved exactly, or corrections with one Hessian for all stages, whichever have cost least on the
+/// steps before, and `Newton` where all fail. What has not been the cheapest is tried again after
+/// 8, 16, 32, 64, 64, ... steps, for as long as it costs no more. All solve the equations to
+/// round-off, so that a change from one to the other does not show in the energy.
 ///
 /// Costs are counts of iterations times numbers of the header, so that the same steps are solved in
 /// the same way on every machine.
@@ -96,113 +103,118 @@ struct AutomaticOfLanes {
         template <class Coupled>
         [[nodiscard]] Status solve(Coupled coupled) {
             constexpr detail::SolverCosts costs = Coupled::costs;
-            if (!coupled.s.continues || coupled.s.h != coupled.s.h_before) { forget(); }
+            if (!coupled.s.continues || coupled.s.h != coupled.s.h_before) { forget(costs); }
             from_start_.pass();
             other_way_.pass();
+            others_.pass();
+            if (!others_.is_over()) { return solve_stiff(coupled); }
             int iterations = 0;
-            for (Try now = first_try(costs); now != Try::newton; now = next(now)) {
-                if (begins_at_start(now)) { coupled.predict(); }
-                const bool is_corrected = takes_corrections(now);
+            for (Attempt now = first(costs); now.way != Way::newton; now = after(now, costs)) {
+                if (now.is_from_start) { coupled.predict(); }
                 const int most = most_iterations(now, costs);
-                const Status status =
-                    is_corrected ? solve_corrected(coupled, most) : sweeps_.solve(coupled, most);
+                const Status status = now.way == Way::sweeps
+                                          ? sweeps_.solve(coupled, most)
+                                          : solve_corrected(coupled, now.way, most);
                 iterations += status.iterations;
                 if (status.ok()) {
-                    learn(now, cost(is_corrected, status.iterations, costs));
+                    learn(now, cost(now.way, status.iterations, costs), costs);
                     return Status(Status::Code::ok, iterations);
                 }
-                if (now == Try::other) { other_way_.begin(); }
             }
-            cost_ = 0;
+            others_.begin();
             return solve_stiff(coupled);
         }
 
     private:
-        /// What a step tries in turn.
-        enum class Try {
-            other,             ///< the way that has not been the cheaper one
-            usual,             ///< the cheaper one
-            usual_from_start,  ///< from slopes as at the start of the step
-            other_from_start,
-            newton
+        enum class Way { sweeps, linear, corrected, newton };
+        /// What a step tries.
+        struct Attempt {
+            Way way;
+            bool is_from_start;     ///< with slopes as at the start of the step
+            bool is_trial = false;  ///< of a way that has not been the cheapest
         };
         static constexpr int most_corrections = 25;
 
-        [[nodiscard]] Try first_try(const detail::SolverCosts& costs) const {
-            constexpr int least_corrections = 6;
-            const bool may_be_cheaper =
-                is_corrected_ || cost_ > cost(true, least_corrections, costs);
-            if (cost_ > 0 && other_way_.is_over() && may_be_cheaper) { return Try::other; }
-            return from_start_.is_over() ? Try::usual : Try::usual_from_start;
-        }
-
-        [[nodiscard]] static Try next(Try failed) {
-            switch (failed) {
-            case Try::other:
-            case Try::usual: return Try::usual_from_start;
-            case Try::usual_from_start: return Try::other_from_start;
-            case Try::other_from_start:
-            case Try::newton: break;
-            }
-            return Try::newton;
-        }
-
-        [[nodiscard]] bool begins_at_start(Try now) const {
-            return now == Try::usual_from_start || now == Try::other_from_start ||
-                   (now == Try::other && !from_start_.is_over());
-        }
-
-        [[nodiscard]] bool takes_corrections(Try now) const {
-            const bool is_other = now == Try::other || now == Try::other_from_start;
-            return is_other != is_corrected_;
-        }
-
-        [[nodiscard]] static constexpr int cost(bool is_corrected, int iterations,
+        [[nodiscard]] static constexpr int cost(Way way, int iterations,
                                                 const detail::SolverCosts& costs) {
-            return is_corrected ? costs.factors + iterations * costs.correction
-                                : iterations * costs.sweep;
+            switch (way) {
+            case Way::sweeps: return iterations * costs.sweep;
+            case Way::linear: return iterations * costs.linear;
+            case Way::corrected: return costs.factors + iterations * costs.correction;
+            case Way::newton: break;
+            }
+            return 0;
         }
 
-        /// NOTE: what is tried may cost as much again as what is known.
-        [[nodiscard]] int most_iterations(Try now, const detail::SolverCosts& costs) const {
-            const bool is_corrected = takes_corrections(now);
-            if (now == Try::other) {
-                return is_corrected ? (cost_ - costs.factors) / costs.correction
-                                    : cost_ / costs.sweep;
+        [[nodiscard]] Attempt first(const detail::SolverCosts& costs) const {
+            constexpr int least = 6;  // iterations
+            const bool is_from_start = !from_start_.is_over();
+            if (cost_ > cost(other_, least, costs) && other_way_.is_over()) {
+                return {other_, is_from_start, true};
             }
-            return is_corrected ? most_corrections
-                                : cost(true, most_corrections, costs) / costs.sweep;
+            return {usual_, is_from_start};
         }
 
-        void learn(Try now, int cost) {
-            switch (now) {
-            case Try::other:
-                if (cost < cost_) {
-                    is_corrected_ = !is_corrected_;
-                    cost_ = cost;
-                    other_way_.forget();
-                }
-                other_way_.begin();
-                return;
-            case Try::usual_from_start:
-                if (from_start_.is_over()) { from_start_.begin(); }
-                break;
-            case Try::other_from_start:
-                is_corrected_ = !is_corrected_;
-                other_way_.begin();
-                break;
-            case Try::usual: from_start_.forget(); break;
-            case Try::newton: break;
+        /// What follows on an attempt that failed.
+        [[nodiscard]] Attempt after(const Attempt& failed, const detail::SolverCosts& costs) {
+            if (failed.is_trial) { has_tried(costs); }
+            if (failed.is_trial || !failed.is_from_start) { return {usual_, true}; }
+            constexpr Way in_turn[] = {Way::linear, Way::corrected, Way::sweeps};
+            bool is_next = failed.way == usual_;
+            for (const Way way : in_turn) {
+                const bool is_there = way != Way::linear || costs.linear > 0;
+                if (is_next && is_there && way != usual_) { return {way, true}; }
+                is_next = is_next || way == failed.way;
             }
+            return {Way::newton, true};
+        }
+
+        void learn(const Attempt& ended, int cost, const detail::SolverCosts& costs) {
+            if (ended.is_trial && cost >= cost_) { return has_tried(costs); }
+            const bool is_new = ended.way != usual_;
+            usual_ = ended.way;
             cost_ = cost;
+            others_.forget();
+            if (is_new) {
+                other_way_.forget();
+                has_tried(costs);
+            } else if (!ended.is_from_start) {
+                from_start_.forget();
+            } else if (from_start_.is_over()) {
+                from_start_.begin();
+            }
         }
 
-        void forget() {
-            is_corrected_ = false;
+        /// The next trial is of another way.
+        void has_tried(const detail::SolverCosts& costs) {
+            other_way_.begin();
+            do {
+                other_ = other_ == Way::sweeps   ? Way::linear
+                         : other_ == Way::linear ? Way::corrected
+                                                 : Way::sweeps;
+            } while (other_ == usual_ || (other_ == Way::linear && costs.linear == 0));
+        }
+
+        /// NOTE: what is tried may cost as much as what is known.
+        [[nodiscard]] int most_iterations(const Attempt& now,
+                                          const detail::SolverCosts& costs) const {
+            const int most = now.is_trial ? cost_ : cost(Way::corrected, most_corrections, costs);
+            switch (now.way) {
+            case Way::sweeps: return most / costs.sweep;
+            case Way::linear: return most / costs.linear;
+            case Way::corrected: return (most - costs.factors) / costs.correction;
+            case Way::newton: break;
+            }
+            return 0;
+        }
+
+        void forget(const detail::SolverCosts& costs) {
+            usual_ = other_ = Way::sweeps;
             cost_ = 0;
             from_start_.forget();
             other_way_.forget();
-            other_way_.begin();
+            others_.forget();
+            has_tried(costs);
             corrected_.forget();
         }
 
@@ -212,8 +224,13 @@ struct AutomaticOfLanes {
         [[gnu::noinline]]
 #endif
         [[nodiscard]] Status
-        solve_corrected(Coupled& coupled, int most) {
-            return corrected_.solve(coupled, most);
+        solve_corrected(Coupled& coupled, [[maybe_unused]] Way way, int most) {
+            if constexpr (Coupled::costs.linear > 0) {
+                if (way == Way::linear) {
+                    return corrected_.template solve<false>(coupled, coupled.linear, most);
+                }
+            }
+            return corrected_.template solve<true>(coupled, coupled.corrections, most);
         }
 
         template <class Coupled>
@@ -228,9 +245,11 @@ struct AutomaticOfLanes {
         FixedPoint::template Iteration<Vector> sweeps_;
         detail::CorrectedSweeps<Vector> corrected_;
         typename Newton::template Iteration<Vector> newton_;
-        bool is_corrected_ = false;    ///< the way that has cost less
-        int cost_ = 0;                 ///< of the last step, by it; 0: not known
-        detail::Pause<8> other_way_;   ///< until the other one is tried
+        Way usual_ = Way::sweeps;      ///< the one that has cost least
+        Way other_ = Way::corrected;   ///< that is tried next
+        int cost_ = 0;                 ///< of the last step, by the usual one; 0: not known
+        detail::Pause<8> other_way_;   ///< until then
+        detail::Pause<1> others_;      ///< while Newton's method alone is used
         detail::Pause<1> from_start_;  ///< while the slopes at the start are the better ones
     };
 };

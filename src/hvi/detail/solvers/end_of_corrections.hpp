@@ -47,6 +47,9 @@ public:
         return stalls_ >= patience && change <= noise ? Now::ended : Now::go_on;
     }
 
+    /// See RoundOff.
+    [[nodiscard]] bool grows() const { return round_off_.grows(); }
+
     /// Whether the last correction was small enough beside the one before.
     [[nodiscard]] bool contracts() const { return contracts_; }
 

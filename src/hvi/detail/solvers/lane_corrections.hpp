@@ -38,7 +38,7 @@ public:
     void correct(Coupled& coupled) {
         auto& s = coupled.s;
         copy<Lane>(s.Lp, before_);
-        coupled.forces();
+        coupled.slopes_of_momenta();
         for (std::size_t k = 0; k < dimension; ++k) {
             subtract<Lane>(before_[k], s.Lp[k], residual_[k]);
         }
@@ -58,6 +58,65 @@ private:
     SquareMatrix<Scalar> G_, hGK_;
     ModeLanes<Scalar, stages, dimension, Modes, most> modes_;
     Slopes before_{}, residual_{};
+};
+
+/// The same for the components Coupled::stiff alone, whose stiffness has a part that is constant
+/// and, as the matrix of T, diagonal: each is a Lp_k -= (1 + h^2 omega_k^2 C)^-1 (Lp_k + h b
+/// dH/dq_k) of its own, the others are what dH/dq says. The solution is the same, and the sweeps to
+/// it no longer depend on h omega.
+template <class Vector, std::size_t stages, std::size_t count, class Modes,
+          std::size_t most = widest>
+class LinearCorrections {
+public:
+    /// The matrices for h, which depend on nothing else. False where one is singular, nearly so, or
+    /// not finite.
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        if (coupled.s.h == h_) { return true; }
+        std::array<Scalar, count> stiffness;
+        coupled.system.stiffness(stiffness);
+        h_ = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            ModeLanes<Scalar, stages, 1, Modes, most> inverse;
+            const Scalar square = coupled.s.h * (coupled.s.h * stiffness[i]);
+            if (!inverse.compute([&](std::size_t, std::size_t) { return square; })) {
+                return false;
+            }
+            for (std::size_t j = 0; j < stages; ++j) {
+                LaneRows<Scalar, stages, 1> column{};
+                column[0].set(j, Scalar(1));
+                inverse.solve(column);
+                inverse_[i][j] = column[0];
+            }
+        }
+        h_ = coupled.s.h;
+        return true;
+    }
+
+    /// Slopes at the present stages, corrected.
+    template <class Coupled>
+    void correct(Coupled& coupled) {
+        auto& s = coupled.s;
+        for (std::size_t i = 0; i < count; ++i) { Lane(s.Lp[Coupled::stiff[i]]).store(before_[i]); }
+        coupled.slopes_of_momenta();
+        for (std::size_t i = 0; i < count; ++i) {
+            Row& Lp = s.Lp[Coupled::stiff[i]];
+            Row residual;
+            const Lane before(before_[i]);
+            (before - Lane(Lp)).store(residual);
+            (before - product(inverse_[i], residual, Lane(Scalar(0)))).store(Lp);
+        }
+        s.drifts(coupled.system);
+    }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+    using Lane = Lanes<Scalar, stages, most>;
+    using Row = typename Lane::Row;
+
+    Scalar h_ = 0;  ///< that of the matrices; 0: there are none
+    std::array<LaneMatrix<Scalar, stages>, count> inverse_;
+    std::array<Row, count> before_{};
 };
 
 /// The same for StageLanes: L -= J^-1 (L - slopes), L being Lq and then Lp, J = 1 - h (C x S) with
