@@ -37,20 +37,38 @@ SecondDerivatives second_derivatives(const System& system, const Step& step) {
     return result;
 }
 
-Tangents tangents(const System& system) {
-    const Structure& found = system.structure;
-    Tangents result{kernel_of_direction(system.graph, found.qq_along), {}, {}};
-    const auto is_among = [](Node node, const std::vector<Node>& nodes) {
-        return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-    };
-    std::vector<Scaled> values = system.by_q;
-    for (const Node node : result.along.given) {
-        const bool is_argument = is_among(node, system.q) || is_among(node, found.direction);
-        if (is_argument || !varies(system.graph.at(node).roles)) { continue; }
-        result.kept.push_back(node);
-        values.push_back({{1, 1}, node});
+/// What a kernel is given that varies, and is no input.
+std::vector<Node> computed_before(const System& system, const Kernel& kernel) {
+    std::vector<Node> result;
+    for (const Node node : kernel.given) {
+        const Computation& computation = system.graph.at(node);
+        if (computation.operation != Operation::input && varies(computation.roles)) {
+            result.push_back(node);
+        }
     }
-    result.slope = kernel(system.graph, std::move(values));
+    return result;
+}
+
+/// dH/dq, then these.
+Kernel force_and(const System& system, const std::vector<Node>& kept) {
+    std::vector<Scaled> values = system.by_q;
+    for (const Node node : kept) { values.push_back({{1, 1}, node}); }
+    return kernel(system.graph, std::move(values));
+}
+
+Tangents tangents(const System& system) {
+    Tangents result{kernel_of_direction(system.graph, system.structure.qq_along), {}, {}};
+    result.kept = computed_before(system, result.along);
+    result.slope = force_and(system, result.kept);
+    return result;
+}
+
+std::optional<SharedSlopes> shared_slopes(const System& system, const Step& step) {
+    if (step.layout != Layout::stages || step.slopes != Slopes::one_by_one) { return {}; }
+    SharedSlopes result{kernel_of_momenta(system.graph, system.by_conjugates), {}, {}};
+    result.kept = computed_before(system, result.by_p);
+    if (result.kept.empty()) { return {}; }
+    result.by_q = force_and(system, result.kept);
     return result;
 }
 
@@ -70,6 +88,7 @@ Evaluations evaluations(const System& system, GradientKernels gradients, const S
     if (std::holds_alternative<VelocityStep>(step.form)) {
         result.inverse_mass = kernel(system.graph, system.structure.inverse_mass);
     }
+    result.shared = shared_slopes(system, step);
     if (step.corrections && !step.corrections->stiff.empty()) {
         std::vector<Scaled> values;
         for (const LinearStiffness& linear : system.structure.stiffness) {

@@ -30,16 +30,16 @@ public:
         constexpr bool is_joint = HasJointSlopes<Coupled>::value;
         if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
         round_off_.begin(coupled.s.n);
-        sweep(coupled);  // what it changes is measured against values of no meaning
+        sweep<true>(coupled);  // what it changes is measured against values of no meaning
         for (int iteration = 2; iteration <= most; ++iteration) {
             evaluate(coupled);
-            sweep(coupled);
+            sweep<false>(coupled);
             switch (judge(coupled)) {
             case Verdict::go_on:
                 if (round_off_.grows()) { return Status(Status::Code::not_converged, iteration); }
                 break;
             case Verdict::unchanged: return Status(Status::Code::ok, iteration);
-            case Verdict::at_noise: close(coupled); return Status(Status::Code::ok, iteration);
+            case Verdict::at_noise: finish(coupled); return Status(Status::Code::ok, iteration);
             case Verdict::not_finite:
                 // NOTE: later than in the first sweeps it is the iteration that diverges.
                 return Status(iteration == 2 ? Status::Code::not_finite
@@ -48,7 +48,7 @@ public:
             }
             if constexpr (first_order) {
                 coupled.forces_by_tangents();
-                sweep(coupled);
+                sweep<false>(coupled);
             }
         }
         return Status(Status::Code::not_converged, most);
@@ -74,10 +74,20 @@ private:
         }
     }
 
+    /// The same, not inlined once more.
     template <class Coupled>
+    [[gnu::noinline]] static void finish(Coupled& coupled) {
+        close(coupled);
+    }
+
+    template <bool is_first, class Coupled>
     [[gnu::always_inline]] static void sweep(Coupled& coupled) {
         coupled.momenta();
-        if constexpr (!HasJointSlopes<Coupled>::value) { coupled.velocities(); }
+        if constexpr (HasSharedSlopes<Coupled>::value && !is_first) {
+            coupled.velocities_after_forces();
+        } else if constexpr (!HasJointSlopes<Coupled>::value) {
+            coupled.velocities();
+        }
         coupled.positions();
     }
 

@@ -11,8 +11,9 @@ namespace {
 
 using Kind = StageNode::Kind;
 
-std::string make_coupled(const Step& step) {
-    return fmt::format("Coupled{{{}s_{}}}", coupled_arguments(step),
+std::string make_coupled(const Step& step, std::size_t shared = 0) {
+    return fmt::format("Coupled{{{}s_{}{}}}", coupled_arguments(step),
+                       shared > 0 ? ", shared_" : "",
                        !step.corrections                 ? ""
                        : step.corrections->stiff.empty() ? ", corrections_"
                                                          : ", corrections_, linear_");
@@ -28,12 +29,12 @@ std::string lane_arguments(const Step& step, std::string_view between = "") {
 
 /// `first`: what is done before the starting values.
 std::string steps_of_lanes(const Step& step, const std::vector<std::string>& first,
-                           std::string_view table) {
+                           std::string_view table, std::size_t shared = 0) {
     Writer writer(2);
     writer.line("s_.weigh(b);");
     for (const std::string& line : first) { writer.line("{}", line); }
     writer.line("predict();").blank();
-    writer.line("status = solver_.solve({});", make_coupled(step));
+    writer.line("status = solver_.solve({});", make_coupled(step, shared));
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance({});", table);
     return writer.line("return {};", end_of_step(step, "status.iterations")).str();
@@ -56,7 +57,7 @@ std::string extrapolation_of(const Extrapolation& from, std::string_view slope) 
 }
 
 std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
-                                const auto& extrapolate) {
+                                const auto& extrapolate, std::size_t shared = 0) {
     Writer writer(1);
     open_predict(writer, iteration, "slopes");
     if (iteration.extrapolation) {
@@ -64,7 +65,7 @@ std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
         extrapolate(writer, *iteration.extrapolation);
         close_extrapolation(writer, *iteration.extrapolation, predicted_slopes(step));
     }
-    writer.line("{}.predict();", make_coupled(step));
+    writer.line("{}.predict();", make_coupled(step, shared));
     return writer.close().str();
 }
 
@@ -104,10 +105,14 @@ std::string members_for_corrections(const Step& step, const std::string& begin,
     return writer.str();
 }
 
-std::string members_of_lanes(const Step& step, std::string_view stages) {
+std::string members_of_lanes(const Step& step, std::string_view stages, std::size_t shared = 0) {
     Writer writer(1);
     writer.line("System system_;").insert(clock_member(step));
     writer.line("hvi::detail::{}<Vector, {}> s_;", stages, lane_arguments(step));
+    if (shared > 0) {
+        writer.line("hvi::detail::LaneRows<Scalar, {}, {}> shared_{{}};", step.positions.size(),
+                    shared);
+    }
     if (step.corrections) { writer.line("Corrections corrections_;"); }
     if (step.corrections && !step.corrections->stiff.empty()) {
         writer.line("LinearPart linear_;");
@@ -204,13 +209,14 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
 namespace {
 
 /// NOTE: for separable H the slopes of p are enough.
-std::string pair_predict_text(const Step& step, const Iteration& iteration) {
-    return prediction_of_lanes(step, iteration, [&](Writer& writer, const Extrapolation& from) {
+std::string pair_predict_text(const Step& step, const Iteration& iteration, std::size_t shared) {
+    const auto extrapolate = [&](Writer& writer, const Extrapolation& from) {
         if (!step.is_separable()) {
             writer.line("s_.extrapolate_q({});", extrapolation_of(from, "Lq"));
         }
         writer.line("s_.extrapolate_p({});", extrapolation_of(from, "Lp"));
-    });
+    };
+    return prediction_of_lanes(step, iteration, extrapolate, shared);
 }
 
 /// The body of predict() of the stage equations.
@@ -231,7 +237,7 @@ std::string pairs_from_start(const Step& step) {
     return writer.line("s.predict_p(slope);").str();
 }
 
-std::string corrections_of_pairs(const Step& step) {
+std::string corrections_of_pairs(const Step& step, std::size_t shared) {
     const SlopePoint at{"q", "p",
                         time_of_stage(step, std::to_string(step.positions.size() / 2), "s")};
     Writer hessian(2);
@@ -242,16 +248,26 @@ std::string corrections_of_pairs(const Step& step) {
     hessian.line("system.{};", hessian_qq_call(step, at, "qq"));
     if (!step.is_separable()) { hessian.line("system.{};", hessian_qp_call(at, "qp")); }
     hessian.line("system.{};", hessian_pp_call(step, at, "pp")).close();
-    hessian.line("void all_slopes() {{ {} }}",
-                 step.slopes == Slopes::joint ? "slopes();" : "velocities(); forces();");
+    hessian.line("void all_slopes() {{ {} }}", step.slopes == Slopes::joint ? "slopes();"
+                                               : shared > 0 ? "forces(); velocities_after_forces();"
+                                                            : "velocities(); forces();");
     return members_for_corrections(step,
                                    step.is_separable() ? "momenta(); velocities(); positions();"
                                                        : "momenta(); positions();",
                                    hessian.str());
 }
 
+std::string shared_reference(const Step& step, std::size_t shared) {
+    if (shared == 0) { return {}; }
+    Writer writer(2);
+    writer.line("/// What dH/dp takes from the dH/dq before it.");
+    return writer
+        .line("hvi::detail::LaneRows<Scalar, {}, {}>& shared;", step.positions.size(), shared)
+        .str();
+}
+
 /// Members of the stage equations that evaluate H.
-std::string slopes_of_lanes(const Step& step) {
+std::string slopes_of_lanes(const Step& step, std::size_t shared) {
     const SlopePoint at{"s.all_positions()", "s.all_momenta()", times_of_lanes(step)};
     Writer writer(2);
     if (step.slopes == Slopes::joint) {
@@ -262,12 +278,23 @@ std::string slopes_of_lanes(const Step& step) {
     writer.open("[[gnu::always_inline]] void velocities() {{").line("auto out = s.velocities();");
     writer.line("system.{};", velocity_call(step, at, "out")).close();
     writer.open("[[gnu::always_inline]] void forces() {{").line("auto out = s.forces();");
-    return writer.line("system.{};", force_call(step, at, "out")).close().str();
+    if (shared == 0) {
+        return writer.line("system.{};", force_call(step, at, "out")).close().str();
+    }
+    writer.line("auto kept = s.write_to(shared);");
+    writer.line("system.{};", force_call(step, at, "out, kept")).close().blank();
+    writer.comment("At the positions where forces() was.", "/// ");
+    writer.open("[[gnu::always_inline]] void velocities_after_forces() {{");
+    writer.line("auto out = s.velocities();");
+    return writer.line("system.{};", velocity_call(step, at, "s.read_from(shared), out"))
+        .close()
+        .str();
 }
 
 }  // namespace
 
-ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWishes& wishes) {
+ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWishes& wishes,
+                         std::size_t shared) {
     HVI_CHECK(form.iteration.has_value());
     const Iteration& iteration = *form.iteration;
     const Block& block = step.blocks.front();
@@ -280,21 +307,22 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
     constants.insert(types_of_corrections(step, "PairCorrections", "b_i m_ij"));
     ImplicitParts parts;
     parts.runtime = runtime_of_lanes(step, "stage_lanes");
-    parts.steps = steps_of_lanes(step, {}, "");
+    parts.steps = steps_of_lanes(step, {}, "", shared);
     parts.constants = constants.str();
-    parts.predict = pair_predict_text(step, iteration);
+    parts.predict = pair_predict_text(step, iteration, shared);
     parts.coupled = fill_part(
         "pair_lanes.hpp.in", {{"unknowns", unknowns(block)},
                               {"member", clock_reference(step)},
                               {"type", fmt::format("StageLanes<Vector, {}>", lane_arguments(step))},
                               {"stages", stages},
+                              {"shared", shared_reference(step, shared)},
                               {"predict", pairs_from_start(step)},
-                              {"corrections", corrections_of_pairs(step)},
+                              {"corrections", corrections_of_pairs(step, shared)},
                               {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
                               {"separable", std::string(truth(step.is_separable()))},
                               {"mt", std::string(table_mt(step))},
-                              {"slopes", slopes_of_lanes(step)}});
-    parts.members = members_of_lanes(step, "StageLanes");
+                              {"slopes", slopes_of_lanes(step, shared)}});
+    parts.members = members_of_lanes(step, "StageLanes", shared);
     if (wishes.curve) {
         parts.curve = curve_text(
             *wishes.curve, step.momenta.size(), "s_.increment_q(static_cast<std::size_t>(k))",

@@ -170,6 +170,22 @@ void add_tangents(std::vector<SystemFunction>& functions, const Tangents& tangen
     functions.push_back(std::move(along));
 }
 
+/// Adds dH/dq that keeps what dH/dp at the same q takes of it, and that dH/dp.
+void add_shared(std::vector<SystemFunction>& functions, const SharedSlopes& shared,
+                const System& system, const Step& step) {
+    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
+    const std::vector<std::string> kept = components("at", shared.kept.size());
+    SystemFunction by_q{"dHdq", out, shared.by_q, true, true, "Values& out, Values& at"};
+    SystemFunction by_p{"dHdp", out, shared.by_p, true, true, "const Values& at, Values& out"};
+    by_q.targets.insert(by_q.targets.end(), kept.begin(), kept.end());
+    for (std::size_t k = 0; k < kept.size(); ++k) { by_p.names[shared.kept[k]] = kept[k]; }
+    for (SystemFunction* function : {&by_q, &by_p}) {
+        function->has_time = step.depends_on_time();
+        function->takes_lanes = true;
+        functions.push_back(std::move(*function));
+    }
+}
+
 /// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
 /// there is sin, or much, the call does not matter; and of sin inlined into a loop the constants
 /// are kept in registers, which are then wanted for other things.
@@ -233,6 +249,7 @@ std::vector<SystemFunction> slopes(const System& system, const Step& step,
         result.push_back(slope(system, step, "inverse_mass", *evaluations.inverse_mass));
         result.back().has_q = false;
     }
+    if (evaluations.shared) { add_shared(result, *evaluations.shared, system, step); }
     if (evaluations.stiffness) {
         SystemFunction function{"stiffness", {}, *evaluations.stiffness, false, false, ""};
         function.targets = components("out", evaluations.stiffness->results.size());

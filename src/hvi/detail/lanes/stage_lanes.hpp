@@ -67,6 +67,18 @@ struct StageLanes : StepMemory<Vector> {
         stage_values(mt, Lp, this->at.p, this->remainder.p, P, this->change.p);
     }
 
+    /// What functions of the system write for later ones to read.
+    template <std::size_t count>
+    [[nodiscard, gnu::always_inline]] LaneAccess<Lane>
+    write_to(LaneRows<Scalar, stages, count>& rows) const {
+        return write<Lane>(rows, Lane(Scalar(1)));
+    }
+    template <std::size_t count>
+    [[nodiscard, gnu::always_inline]] LaneAccess<Lane>
+    read_from(const LaneRows<Scalar, stages, count>& rows) const {
+        return read<Lane>(rows);
+    }
+
     /// Where dH/dp becomes Lq_j = h b_j dH/dp, and dH/dq becomes Lp_i = -h b_i dH/dq.
     [[nodiscard, gnu::always_inline]] LaneAccess<Lane> velocities() {
         return write<Lane>(Lq, Lane(hb));

@@ -13,4 +13,12 @@ struct HasJointSlopes : std::false_type {};
 template <class Coupled>
 struct HasJointSlopes<Coupled, std::void_t<decltype(&Coupled::slopes)>> : std::true_type {};
 
+/// Whether dH/dp takes what it needs of the positions from the dH/dq before it.
+template <class Coupled, class = void>
+struct HasSharedSlopes : std::false_type {};
+template <class Coupled>
+struct HasSharedSlopes<Coupled,
+                       std::void_t<decltype(std::declval<Coupled&>().velocities_after_forces())>>
+    : std::true_type {};
+
 }  // namespace hvi::detail
