@@ -27,6 +27,14 @@ std::string text(const OperationCounts& counts) {
     return result.empty() ? "nothing to compute" : result;
 }
 
+std::string text(const SolverCosts& costs) {
+    const std::string linear =
+        costs.linear > 0 ? fmt::format(", one with its linear part solved {}", costs.linear) : "";
+    return fmt::format("operations on the stages side by side: a sweep {}{}, one with a correction "
+                       "{}, its factors {}",
+                       costs.sweep, linear, costs.correction, costs.factors);
+}
+
 /// Of L = v^T M v/2 + a v - U.
 std::string kind_of_lagrangian(const System& system) {
     for (const std::vector<Scaled>& row : system.hessian.conjugates) {
@@ -150,6 +158,7 @@ std::vector<std::string> costs(const System& system, const Step& step,
         result.push_back("d2H/dq2 times a vector, after dH/dq: " +
                          text(evaluations.tangents->along.counts));
     }
+    if (step.corrections) { result.push_back(text(step.corrections->costs)); }
     const std::size_t forces = step.forces_evaluated();
     const std::size_t velocities = step.velocities_evaluated();
     result.push_back(fmt::format("{}: {} of {}, {} of {}",

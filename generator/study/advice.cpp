@@ -24,20 +24,20 @@ namespace {
 constexpr const char* explicit_methods[] = {"stormer-verlet", "stormer-verlet-yoshida:4",
                                             "stormer-verlet-blanes-moan:6",
                                             "stormer-verlet-kahan-li:8"};
-constexpr const char* implicit_methods[] = {"gauss:2", "gauss:3", "gauss:4", "gauss:6", "gauss:8"};
+// Stages fill registers: of 9 to 12 as many lanes are computed as of 16 where registers hold 8.
+constexpr const char* implicit_methods[] = {"gauss:2", "gauss:3", "gauss:4",
+                                            "gauss:6", "gauss:8", "gauss:16"};
 
 ComposedMethod named(const char* name) { return composed_method(given("--accuracy", name)); }
 
-/// Those that solve nothing first, where there are any. Of a quadratic H the steps are a matrix,
-/// which fixed points would not be.
+/// Those that solve nothing first, where there are any.
 std::vector<Candidate> candidates(const Structure& structure, const AdviceWishes& wishes) {
     std::vector<Candidate> all;
     if (structure.is_separable)
         for (const char* name : explicit_methods)
             if (ComposedMethod method = named(name); !wishes.has_curve || !method.composition)
                 all.push_back({std::move(method)});
-    const Solver solver = structure.has_linear_map ? Solver::automatic : Solver::fixed_point;
-    for (const char* name : implicit_methods) all.push_back({named(name), solver});
+    for (const char* name : implicit_methods) all.push_back({named(name)});
     return all;
 }
 

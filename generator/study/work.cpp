@@ -73,7 +73,7 @@ constexpr double coarse = 1e-2, fine = 1e-8;
 /// NOTE: of gauss:12 twice as many steps go from 1e-4 to round-off: of the points of a curve over a
 /// range that was doubled more than half measured rounding.
 std::int64_t fewest_to_round_off(Runs& runs, std::int64_t most) {
-    constexpr double about = 3;
+    constexpr double about = 8;
     constexpr int halvings = 3;
     const double least_error = runs.with(most).error;
     if (!(least_error < fine)) return most;
@@ -81,15 +81,15 @@ std::int64_t fewest_to_round_off(Runs& runs, std::int64_t most) {
         const WorkPoint& point = runs.with(count);
         return point.ok() && point.error <= about * least_error;
     };
-    std::int64_t enough = most;
-    while (enough > 1 && is_enough(enough / 2)) enough /= 2;
-    std::int64_t too_few = enough / 2;
-    for (int i = 0; i < halvings && enough - too_few > 1; ++i) {
+    std::int64_t good = most;
+    while (good > 1 && is_enough(good / 2)) good /= 2;
+    std::int64_t too_few = good / 2;
+    for (int i = 0; i < halvings && good - too_few > 1; ++i) {
         const std::int64_t between =
-            std::llround(std::sqrt(static_cast<double>(too_few) * static_cast<double>(enough)));
-        (is_enough(between) ? enough : too_few) = between;
+            std::llround(std::sqrt(static_cast<double>(too_few) * static_cast<double>(good)));
+        (is_enough(between) ? good : too_few) = between;
     }
-    return enough;
+    return good;
 }
 
 Range useful_range(Runs& runs, std::int64_t first, double longest) {

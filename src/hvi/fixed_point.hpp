@@ -74,9 +74,10 @@ private:
         }
     }
 
-    /// The same, not inlined once more.
+    /// The same, not inlined once more. NOTE: of a copy, so that nothing else may point to what the
+    /// loop works with.
     template <class Coupled>
-    [[gnu::noinline]] static void finish(Coupled& coupled) {
+    [[gnu::noinline]] static void finish(Coupled coupled) {
         close(coupled);
     }
 

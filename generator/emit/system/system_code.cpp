@@ -187,11 +187,12 @@ void add_shared(std::vector<SystemFunction>& functions, const SharedSlopes& shar
 }
 
 /// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
-/// there is sin, or much, the call does not matter; and of sin inlined into a loop the constants
+/// there is much, the call does not matter; and of several sin inlined into a loop the constants
 /// are kept in registers, which are then wanted for other things.
 bool is_inlined(const Kernel& kernel, const Step& step) {
     constexpr std::size_t small = 32;
-    return step.has_lanes() && kernel.counts.calls == 0 && kernel.nodes.size() <= small;
+    const std::size_t most_calls = step.layout == Layout::stages ? 1 : 0;
+    return step.has_lanes() && kernel.counts.calls <= most_calls && kernel.nodes.size() <= small;
 }
 
 SystemFunction of_lanes(SystemFunction function, const Step& step) {

@@ -144,16 +144,20 @@ void subtract(const typename Lane::Row& x, const typename Lane::Row& y, typename
     (Lane(x) - Lane(y)).store(out);
 }
 
-/// Has a row in memory, where processors spread its numbers over the lanes of registers while they
-/// load them. g++ would take them from the register that was stored there, by instructions that
-/// compete with those that compute.
-template <class Number, std::size_t count>
-[[gnu::always_inline]] inline void keep_in_memory(const LaneRow<Number, count>& row) {
+/// Whether there is so little to compute that a step waits for what was stored before it.
+inline constexpr std::size_t few_components = 3;
+
+/// Has many rows in memory, where processors spread their numbers over the lanes of registers while
+/// they load them. g++ would take them from the registers that were stored there, by instructions
+/// that compete with those that compute.
+template <class Number, std::size_t count, std::size_t dimension>
+[[gnu::always_inline]] inline void keep_in_memory(const LaneRows<Number, count, dimension>& rows) {
 #if defined(__GNUC__) && HVI_HAS_XSIMD
-    asm("" : "+m"(const_cast<LaneRow<Number, count>&>(row)));
-#else
-    static_cast<void>(row);
+    if constexpr (dimension > few_components) {
+        asm("" : "+m"(const_cast<LaneRows<Number, count, dimension>&>(rows)));
+    }
 #endif
+    static_cast<void>(rows);
 }
 
 /// start + matrix x, the matrix being columns.
@@ -165,7 +169,6 @@ template <class Number, std::size_t rows, std::size_t columns, std::size_t most>
 product(const std::array<LaneRow<Number, rows>, columns>& matrix, const LaneRow<Number, columns>& x,
         Lanes<Number, rows, most> start) {
     using Lane = Lanes<Number, rows, most>;
-    keep_in_memory(x);
     start = start + x[0] * Lane(matrix[0]);
     if constexpr (columns > 1) {
         Lane other = x[1] * Lane(matrix[1]);

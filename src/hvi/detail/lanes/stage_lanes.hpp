@@ -131,6 +131,7 @@ private:
     [[gnu::always_inline]] static void stage_values(const Matrix& m, const Rows& slopes,
                                                     const Vector& start, const Vector& cut_off,
                                                     Rows& values, Vector& changes) {
+        keep_in_memory(slopes);
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane value =
                 moved(detail::at(start, k), product(m, slopes[k], Lane(detail::at(cut_off, k))));

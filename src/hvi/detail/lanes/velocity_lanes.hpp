@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include <hvi/detail/coefficients/weights.hpp>
@@ -80,6 +81,7 @@ struct VelocityLanes : StepMemory<Vector> {
 
     /// Q_i = q + (e_q + c_i hv + sum_j n_ij W_j).
     [[gnu::always_inline]] void positions(const Table& table) {
+        keep_in_memory(W);
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane place =
                 moved(detail::at(this->at.q, k), product(table.n, W[k], Lane(drifted[k])));
@@ -93,6 +95,26 @@ struct VelocityLanes : StepMemory<Vector> {
     [[gnu::always_inline]] void forces(const System& system, const Time&... time) {
         auto out = write<Lane>(Lp, -Lane(hb));
         system.dHdq(read<Lane>(Q), Lane(time)..., out);
+    }
+
+    /// Both. NOTE: of few components in registers, which then nothing is waited for to be stored.
+    template <class System, class... Time>
+    [[gnu::always_inline]] void push(const System& system, const Time&... time) {
+        if constexpr (dimension > few_components) {
+            forces(system, time...);
+            drifts(system);
+        } else {
+            std::array<Lane, dimension> Q_i, Lp_i, W_i;
+            for (std::size_t k = 0; k < dimension; ++k) { Q_i[k] = Lane(Q[k]); }
+            system.dHdq(Q_i, Lane(time)..., Lp_i);
+            const Lane minus_hb = -Lane(hb);
+            for (std::size_t k = 0; k < dimension; ++k) {
+                Lp_i[k] = minus_hb * Lp_i[k];
+                Lp_i[k].store(Lp[k]);
+            }
+            system.inverse_mass(Lp_i, W_i);
+            for (std::size_t k = 0; k < dimension; ++k) { (this->h * W_i[k]).store(W[k]); }
+        }
     }
 
     /// W_i = h K Lp_i.
