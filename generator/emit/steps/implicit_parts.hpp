@@ -98,7 +98,7 @@ void add_action(ImplicitParts& parts, const Step& step, const GalerkinStep& form
 
 /// The struct `name` of the equations of Newton's method, of a matrix C, given as text.
 [[nodiscard]] std::string modes_text(const std::optional<RealModes>& modes, std::string_view name,
-                                     std::string_view C, int indent);
+                                     std::string_view C, std::size_t indent);
 
 /// "The stage equations of Q_1, P_1, which are solved at once."
 [[nodiscard]] std::string unknowns(const Block& block);

@@ -32,7 +32,7 @@ void matrix(Writer& writer, std::string_view name, const std::vector<std::vector
 }  // namespace
 
 std::string modes_text(const std::optional<RealModes>& found, std::string_view name,
-                       std::string_view C, int indent) {
+                       std::string_view C, std::size_t indent) {
     Writer writer(indent);
     if (!found) {
         return writer.open("struct {} {{", name)

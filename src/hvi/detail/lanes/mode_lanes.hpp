@@ -40,9 +40,9 @@ struct ComplexLanes {
     /// 1/x. NOTE: scaled first, as squares may be beyond the range of numbers.
     [[nodiscard]] friend ComplexLanes inverse(const ComplexLanes& x) {
         const Lane unit = Lane(1) / size(x);
-        const Lane re = unit * x.re, im = unit * x.im;
-        const Lane scale = unit / (re * re + im * im);
-        return {scale * re, -(scale * im)};
+        const ComplexLanes y{unit * x.re, unit * x.im};
+        const Lane scale = unit / (y.re * y.re + y.im * y.im);
+        return {scale * y.re, -(scale * y.im)};
     }
 };
 
