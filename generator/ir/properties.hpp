@@ -42,7 +42,8 @@ struct SystemProperties {
     std::vector<std::size_t> stiff = {};  ///< components with a constant stiffness, see Structure
     bool has_any_size = false;            ///< they are as many as a state has
     HessianForm hessian = HessianForm::dense;
-    EvaluationCosts costs = {};  ///< zeros: not known
+    EvaluationCosts costs = {};     ///< zeros: not known
+    std::size_t shared_slopes = 0;  ///< values that dH/dp takes from the dH/dq at the same q
 };
 
 }  // namespace hvi::gen

@@ -229,6 +229,8 @@ enum class Layout {
     components,    ///< components of vectors of any size
 };
 
+inline constexpr std::size_t widest_register = 8;  ///< numbers
+
 /// What the ways to solve for the stages cost, in operations on the lanes of all of them; see
 /// SolverCosts of the runtime.
 struct SolverCosts {
@@ -239,7 +241,7 @@ struct SolverCosts {
 
 /// Newton's corrections of all slopes at once, with one Hessian.
 struct StageCorrections {
-    RealModes modes;  ///< of diag(b) n, or of diag(b) m
+    RealModes modes;  ///< of diag(b) n, or of diag(b) m; Newton's method has them from here
     /// Components whose constant stiffness is solved for exactly in each sweep; see
     /// LinearStiffness.
     std::vector<std::size_t> stiff = {};
@@ -277,7 +279,9 @@ struct Step {
     /// Of stages in lanes whose solver is automatic; none where the stages do not decouple.
     std::optional<StageCorrections> corrections = {};
     /// How many numbers go into a register, of stages in lanes.
-    std::size_t register_width = 8;
+    std::size_t register_width = widest_register;
+    /// How many values dH/dp takes from the dH/dq before it, of stages in lanes.
+    std::size_t shared_slopes = 0;
     std::vector<Decision> decisions;
 
     [[nodiscard]] bool is_separable() const { return slopes == Slopes::of_parts; }

@@ -235,6 +235,7 @@ std::string dump(const Step& step) {
     result += fmt::format("lanes: {}\n", text(step.layout));
     if (step.layout == Layout::stages) {
         result += fmt::format("registers of: {}\n", step.register_width);
+        result += fmt::format("shared slopes: {}\n", step.shared_slopes);
     }
     if (step.corrections) {
         const SolverCosts& costs = step.corrections->costs;

@@ -219,10 +219,27 @@ void verify_form(const Step& step, const GalerkinStep& form) {
     HVI_CHECK(P.has_value() == (form.side == Side::hamiltonian) && (!P || is_table(*P, r, r)));
 }
 
+/// What only stages side by side have.
+void verify_lanes(const Step& step) {
+    const bool are_lanes = step.layout == Layout::stages;
+    HVI_CHECK(step.register_width == widest_register || (are_lanes && step.register_width == 4));
+    HVI_CHECK(step.shared_slopes == 0 || (are_lanes && step.slopes == Slopes::one_by_one));
+    if (!step.corrections) { return; }
+    const auto& [modes, stiff, costs] = *step.corrections;
+    const bool has_positions_alone = std::holds_alternative<VelocityStep>(step.form);
+    HVI_CHECK(are_lanes && step.iteration()->solver == Solver::automatic);
+    HVI_CHECK(has_positions_alone || step.partner == Partner::same);
+    HVI_CHECK(modes.to.size() == step.positions.size());
+    HVI_CHECK(stiff.empty() || has_positions_alone);
+    HVI_CHECK(costs.sweep > 0 && costs.correction > costs.sweep && costs.factors > 0);
+    HVI_CHECK((costs.linear > costs.sweep) == !stiff.empty());
+}
+
 }  // namespace
 
 void verify(const Step& step) {
     verify_stages(step);
+    verify_lanes(step);
     std::visit([&](const auto& form) { verify_form(step, form); }, step.form);
 }
 

@@ -148,6 +148,7 @@ SystemProperties properties(const System& system, const GradientKernels& gradien
         .rotations = system.rotations.size(),
         .stiff = std::move(stiff),
         .costs = evaluation_costs(system, gradients),
+        .shared_slopes = gradients.shared.size(),
     };
 }
 

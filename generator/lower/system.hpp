@@ -7,7 +7,7 @@
 
 #include "generator/ir/properties.hpp"
 #include "generator/ir/system.hpp"
-#include "generator/lower/joint_gradient.hpp"
+#include "generator/lower/gradient_kernels.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {

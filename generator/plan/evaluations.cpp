@@ -37,18 +37,6 @@ SecondDerivatives second_derivatives(const System& system, const Step& step) {
     return result;
 }
 
-/// What a kernel is given that varies, and is no input.
-std::vector<Node> computed_before(const System& system, const Kernel& kernel) {
-    std::vector<Node> result;
-    for (const Node node : kernel.given) {
-        const Computation& computation = system.graph.at(node);
-        if (computation.operation != Operation::input && varies(computation.roles)) {
-            result.push_back(node);
-        }
-    }
-    return result;
-}
-
 /// dH/dq, then these.
 Kernel force_and(const System& system, const std::vector<Node>& kept) {
     std::vector<Scaled> values = system.by_q;
@@ -58,17 +46,8 @@ Kernel force_and(const System& system, const std::vector<Node>& kept) {
 
 Tangents tangents(const System& system) {
     Tangents result{kernel_of_direction(system.graph, system.structure.qq_along), {}, {}};
-    result.kept = computed_before(system, result.along);
+    result.kept = computed_before(system.graph, result.along);
     result.slope = force_and(system, result.kept);
-    return result;
-}
-
-std::optional<SharedSlopes> shared_slopes(const System& system, const Step& step) {
-    if (step.layout != Layout::stages || step.slopes != Slopes::one_by_one) { return {}; }
-    SharedSlopes result{kernel_of_momenta(system.graph, system.by_conjugates), {}, {}};
-    result.kept = computed_before(system, result.by_p);
-    if (result.kept.empty()) { return {}; }
-    result.by_q = force_and(system, result.kept);
     return result;
 }
 
@@ -88,7 +67,7 @@ Evaluations evaluations(const System& system, GradientKernels gradients, const S
     if (std::holds_alternative<VelocityStep>(step.form)) {
         result.inverse_mass = kernel(system.graph, system.structure.inverse_mass);
     }
-    result.shared = shared_slopes(system, step);
+    if (step.shared_slopes > 0) { result.shared = force_and(system, result.gradients.shared); }
     if (step.corrections && !step.corrections->stiff.empty()) {
         std::vector<Scaled> values;
         for (const LinearStiffness& linear : system.structure.stiffness) {

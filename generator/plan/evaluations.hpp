@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/ir/step.hpp"
-#include "generator/lower/joint_gradient.hpp"
+#include "generator/lower/gradient_kernels.hpp"
 
 namespace hvi::gen {
 
@@ -36,18 +36,11 @@ struct Tangents {
     Kernel slope;            ///< dH/dq, then what is kept
 };
 
-/// dH/dp at the same q as the dH/dq before it, of stages in lanes.
-struct SharedSlopes {
-    Kernel by_p;             ///< for each p
-    std::vector<Node> kept;  ///< what it shares with dH/dq, or needs of q alone
-    Kernel by_q;             ///< dH/dq, then what is kept
-};
-
 /// A tabulated step evaluates nothing, and one of joint slopes both gradients at once alone.
 struct Evaluations {
     GradientKernels gradients;
     std::optional<Kernel> inverse_mass;       ///< see Structure
-    std::optional<SharedSlopes> shared;       ///< where slopes are evaluated in turn
+    std::optional<Kernel> shared;             ///< by_q, then what by_conjugates_at_q takes of it
     std::optional<Kernel> stiffness;          ///< see Structure
     std::optional<SecondDerivatives> second;  ///< where an iteration needs some
     std::optional<Tangents> tangents;         ///< for Solver::newton_taylor

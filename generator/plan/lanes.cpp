@@ -90,6 +90,13 @@ void set_lanes(Step& step, Lanes wished, const SystemProperties& system) {
         {"the stages are computed side by side",
          fmt::format("one evaluation of dH/dq, in vectors of the processor, serves all {}",
                      step.positions.size())});
+    if (step.slopes == Slopes::one_by_one && system.shared_slopes > 0) {
+        step.shared_slopes = system.shared_slopes;
+        step.decisions.push_back(
+            {fmt::format("dH/dp takes {} value{} from the dH/dq before it", step.shared_slopes,
+                         step.shared_slopes == 1 ? "" : "s"),
+             "they depend on q alone, which has not moved"});
+    }
     if (waits_for_sums(step, system)) {
         step.register_width = 4;
         step.decisions.push_back({"in registers of 4 at most",

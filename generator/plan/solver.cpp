@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "generator/plan/costs.hpp"
 
 namespace hvi::gen {
@@ -90,11 +92,11 @@ NumberMatrix coupling(const Step& step) {
     return C;
 }
 
-/// What Newton's method for the positions of the stages decouples by as well, or its like for
-/// pairs.
-std::optional<RealModes> modes_of_lanes(const Step& step) {
-    if (const auto* velocities = std::get_if<VelocityStep>(&step.form)) {
-        return velocities->modes;
+/// Those that are there for Newton's method for positions, which then finds them with the
+/// corrections, or their like for pairs.
+std::optional<RealModes> modes_of_lanes(Step& step) {
+    if (auto* velocities = std::get_if<VelocityStep>(&step.form)) {
+        return std::exchange(velocities->modes, std::nullopt);
     }
     const bool is_runge_kutta = step.partner == Partner::same && step.m.size() <= most_of_modes;
     return is_runge_kutta ? real_modes(coupling(step)) : std::nullopt;

@@ -23,9 +23,10 @@ class Sweeps {
 public:
     static constexpr int most_iterations = 200;
 
-    /// Gives up after `most` iterations. Precondition: Lq and Lp hold starting values; for
+    /// Gives up after `most` iterations, and where `ends_growth`, as soon as changes grow beyond
+    /// measure; see RoundOff. Precondition: Lq and Lp hold starting values; for
     /// separable H Lp does.
-    template <class Coupled>
+    template <bool ends_growth = false, class Coupled>
     [[nodiscard]] Status solve(Coupled coupled, int most = most_iterations) {
         constexpr bool is_joint = HasJointSlopes<Coupled>::value;
         if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
@@ -36,7 +37,12 @@ public:
             sweep<false>(coupled);
             switch (judge(coupled)) {
             case Verdict::go_on:
-                if (round_off_.grows()) { return Status(Status::Code::not_converged, iteration); }
+                if constexpr (ends_growth) {
+                    if (round_off_.template grows<Coupled::has_q, by_p<Coupled>>(coupled.s.change,
+                                                                                 coupled)) {
+                        return Status(Status::Code::not_converged, iteration);
+                    }
+                }
                 break;
             case Verdict::unchanged: return Status(Status::Code::ok, iteration);
             case Verdict::at_noise: finish(coupled); return Status(Status::Code::ok, iteration);
@@ -94,9 +100,11 @@ private:
 
     /// For separable H a sweep is a map of the positions alone: when they stay, all stays.
     template <class Coupled>
+    static constexpr bool by_p = Coupled::has_p && !(Coupled::separable && Coupled::has_q);
+
+    template <class Coupled>
     [[nodiscard]] Verdict judge(const Coupled& coupled) {
-        constexpr bool by_p = Coupled::has_p && !(Coupled::separable && Coupled::has_q);
-        return round_off_.template judge<Coupled::has_q, by_p>(coupled.s.change, coupled);
+        return round_off_.template judge<Coupled::has_q, by_p<Coupled>>(coupled.s.change, coupled);
     }
 
     RoundOff<Vector> round_off_{8 * epsilon<ScalarOf<Vector>>};

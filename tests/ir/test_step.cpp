@@ -55,9 +55,35 @@ TEST_CASE("a step that contradicts itself is found") {
     CHECK(is_found<Step>(pairs, [&](Step& step) { mt(step).pop_back(); }));
 }
 
+TEST_CASE("a step of stages side by side that contradicts itself is found") {
+    const EvaluationCosts costs{.by_q = 9, .by_p_at_q = 1, .joint = 90, .second = 3};
+    const StepWishes wishes{.solver = Solver::automatic, .lanes = Lanes::automatic};
+    const Step positions = plan({derive(method("gauss:3"))},
+                                {.is_separable = true,
+                                 .kinetic_is_quadratic = true,
+                                 .degrees_of_freedom = 2,
+                                 .stiff = {1},
+                                 .costs = costs},
+                                wishes);
+    REQUIRE(positions.corrections);
+    REQUIRE(positions.corrections->stiff.size() == 1);
+    CHECK(is_found<Step>(positions, [](Step& step) { step.layout = Layout::one; }));
+    CHECK(is_found<Step>(positions, [](Step& step) { step.register_width = 2; }));
+    CHECK(is_found<Step>(positions, [](Step& step) { step.shared_slopes = 1; }));
+    CHECK(is_found<Step>(positions, [](Step& step) { step.corrections->stiff.clear(); }));
+    CHECK(is_found<Step>(positions, [](Step& step) { step.corrections->modes.to.pop_back(); }));
+    CHECK(is_found<Step>(positions, [](Step& step) { step.corrections->costs.sweep = 0; }));
+    const Step pairs = plan({derive(method("gauss:3"))},
+                            {.degrees_of_freedom = 2, .costs = costs, .shared_slopes = 3}, wishes);
+    REQUIRE(pairs.corrections);
+    CHECK(pairs.shared_slopes == 3);
+    CHECK(is_found<Step>(pairs, [](Step& step) { step.partner = Partner::different; }));
+    CHECK(is_found<Step>(pairs, [](Step& step) { step.slopes = Slopes::joint; }));
+    CHECK(is_found<Step>(pairs, [](Step& step) { step.corrections->stiff = {0}; }));
+}
+
 TEST_CASE("a step of the general Galerkin form that contradicts itself is found") {
-    const Step curve = plan({derive_any(method("1, tau", "gauss:3"))},
-                            {.degrees_of_freedom = 1},
+    const Step curve = plan({derive_any(method("1, tau", "gauss:3"))}, {.degrees_of_freedom = 1},
                             {.solver = Solver::automatic});
     const auto form = [](Step& step) -> GalerkinStep& { return std::get<GalerkinStep>(step.form); };
     CHECK(

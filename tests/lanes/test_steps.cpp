@@ -29,6 +29,8 @@
 #include <lanes/quartic_lanes.hpp>
 #include <lanes/quartic_plain.hpp>
 
+#include "iterations.hpp"
+
 using namespace hvi::generated;
 
 namespace {
@@ -187,15 +189,6 @@ TEST_CASE("iterations do not depend on the machine") {
     // the same end of an iteration: 6.43 and 4.91 a step on Kepler's problem, 6.92 on the pendulum;
     // 12.29 where both slopes come from the same Q and P; 4.21 and 6.96 where starting values come
     // from two steps.
-    const auto iterations = [](auto stepper, auto x, double h, int steps) {
-        long count = 0;
-        for (int i = 0; i < steps; ++i) {
-            const auto status = stepper.step(x, h);
-            REQUIRE(status.ok());
-            count += status.iterations;
-        }
-        return static_cast<double>(count) / steps;
-    };
     const double orbit = 8 * std::atan(1.0);
     CHECK(iterations(Kepler8Lanes{}, Kepler8Lanes::initial(), orbit / 20, 2000) ==
           Approx(6.43).margin(0.1));

@@ -1,55 +1,18 @@
 // When hvi::Automatic leaves fixed points for Newton's method, and when it comes back.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 #include <catch2/catch.hpp>
 #include <hvi/detail/solvers/automatic.hpp>
 
+#include "contracting_stages.hpp"
+
 namespace {
 
-using Vector = std::array<double, 1>;
-
-/// Q = 1 + W, W = rate Q: sweeps change Q by `rate` times what the one before did.
-struct Stages {
-    double rate = 0.5;
-    bool continues = true;
-    double h = 1, h_before = 1;
-    std::size_t n = 1;
-    hvi::State<Vector> change;
-    double Q = 0, W = 0;
-    int newtons = 0;
-};
-
-struct Coupled {
-    Stages& s;
-
-    static constexpr bool separable = true;
-    static constexpr bool has_q = true;
-    static constexpr bool has_p = false;
-
-    void momenta() {}
-    void velocities() {}
-    void positions() {
-        const double before = s.Q;
-        s.Q = 1 + s.W;
-        s.change.q[0] = std::abs(s.Q - before);
-    }
-    void forces() { s.W = s.rate * s.Q; }
-    [[nodiscard]] double size_q(std::size_t) const { return std::abs(s.Q) + std::abs(s.W); }
-};
-
-struct CountedNewton {
-    template <class>
-    struct Iteration {
-        [[nodiscard]] hvi::Status solve(Coupled coupled) const {
-            ++coupled.s.newtons;
-            return hvi::Status(hvi::Status::Code::ok, 1);
-        }
-    };
-};
+using contracting::CountedNewton;
+using contracting::Coupled;
+using contracting::Stages;
+using contracting::Vector;
 
 /// Steps that all contract by some rate, or do not.
 class Run {
@@ -60,7 +23,7 @@ public:
         stages_.continues = continues;
         stages_.W = 0;
         const int before = stages_.newtons;
-        last_ = solver_.solve(Coupled{stages_});
+        last_ = solver_.solve(Coupled<Stages>{stages_});
         REQUIRE(last_.ok());
         return stages_.newtons > before;
     }
@@ -120,4 +83,35 @@ TEST_CASE("a step from elsewhere knows nothing of pauses") {
     CHECK(run.takes_newton(never, false));
     CHECK(run.takes_newton(in_50_sweeps));
     CHECK_FALSE(run.takes_newton(in_50_sweeps));
+}
+
+namespace {
+
+/// As Picard's iteration of a long step: changes grow tenfold in three sweeps, and then fall.
+struct Growing : Stages {
+    double W_of_sweep() {
+        rate = sweeps <= 3 ? 10 : 0.1;
+        return rate * Q;
+    }
+};
+
+struct CoupledGrowing : Coupled<Growing> {
+    explicit CoupledGrowing(Growing& stages) : Coupled<Growing>{stages} {}
+    void forces() {
+        ++s.sweeps;
+        s.W = s.W_of_sweep();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("changes that grow end fixed points only where there is another way") {
+    Growing stages;
+    hvi::detail::Sweeps<Vector, false> sweeps;
+    CHECK(sweeps.solve(CoupledGrowing(stages)).ok());
+    CHECK(stages.sweeps > 10);
+    stages = Growing();
+    const hvi::Status ended = sweeps.solve<true>(CoupledGrowing(stages));
+    CHECK(ended.code() == hvi::Status::Code::not_converged);
+    CHECK(stages.sweeps < 5);
 }

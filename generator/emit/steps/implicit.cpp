@@ -37,19 +37,13 @@ std::string runtime_includes(std::vector<std::string> names) {
 
 namespace {
 
-ImplicitParts parts_of(const Step& step, const VelocityStep& form, const EmitOptions& options) {
-    return step.layout == Layout::stages ? lane_parts(step, form, options.wishes)
-                                         : parts(step, form, options.wishes);
+ImplicitParts parts_of(const Step& step, const auto& form, const SceneWishes& wishes) {
+    return step.layout == Layout::stages ? lane_parts(step, form, wishes)
+                                         : parts(step, form, wishes);
 }
 
-ImplicitParts parts_of(const Step& step, const PairStep& form, const EmitOptions& options) {
-    if (step.layout != Layout::stages) { return parts(step, form, options.wishes); }
-    const std::optional<SharedSlopes>& shared = options.evaluations->shared;
-    return lane_parts(step, form, options.wishes, shared ? shared->kept.size() : 0);
-}
-
-ImplicitParts parts_of(const Step& step, const GalerkinStep& form, const EmitOptions& options) {
-    return parts(step, form, options.wishes);
+ImplicitParts parts_of(const Step& step, const GalerkinStep& form, const SceneWishes& wishes) {
+    return parts(step, form, wishes);
 }
 
 /// NOTE: the action looks at the time itself.
@@ -79,7 +73,7 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
                           const EmitOptions& options) {
     const SystemPart system = system_part(method, step, options);
     const bool has_action = options.wishes.action;
-    ImplicitParts parts = parts_of(step, form, options);
+    ImplicitParts parts = parts_of(step, form, options.wishes);
     for (const std::string& header : clock_runtime(step)) { parts.runtime.push_back(header); }
     if (options.wishes.curve) { parts.runtime.push_back("detail/stages/curve"); }
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }

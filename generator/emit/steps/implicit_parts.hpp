@@ -31,9 +31,9 @@ struct ImplicitParts {
 [[nodiscard]] ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form,
                                              const SceneWishes& wishes);
 
-/// The same, with the stages in lanes. `shared`: how many values dH/dp takes from the dH/dq before.
+/// The same, with the stages in lanes.
 [[nodiscard]] ImplicitParts lane_parts(const Step& step, const PairStep& form,
-                                       const SceneWishes& wishes, std::size_t shared);
+                                       const SceneWishes& wishes);
 [[nodiscard]] ImplicitParts lane_parts(const Step& step, const VelocityStep& form,
                                        const SceneWishes& wishes);
 

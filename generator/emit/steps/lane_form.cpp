@@ -11,30 +11,39 @@ namespace {
 
 using Kind = StageNode::Kind;
 
-std::string make_coupled(const Step& step, std::size_t shared = 0) {
-    return fmt::format("Coupled{{{}s_{}{}}}", coupled_arguments(step),
-                       shared > 0 ? ", shared_" : "",
-                       !step.corrections                 ? ""
-                       : step.corrections->stiff.empty() ? ", corrections_"
-                                                         : ", corrections_, linear_");
+bool has_linear_part(const Step& step) {
+    return step.corrections && !step.corrections->stiff.empty();
+}
+
+/// The stage equations of this step.
+std::string make_coupled(const Step& step) {
+    return fmt::format(
+        "Coupled{{{}s_{}{}{}}}", coupled_arguments(step), step.shared_slopes > 0 ? ", shared_" : "",
+        step.corrections ? ", corrections_" : "", has_linear_part(step) ? ", linear_" : "");
+}
+
+/// The rows of what dH/dp takes from the dH/dq before it.
+std::string type_of_shared(const Step& step) {
+    return fmt::format("hvi::detail::LaneRows<Scalar, {}, {}>", step.positions.size(),
+                       step.shared_slopes);
 }
 
 /// The template arguments of lanes of stages: `8`, or `8, 4` in registers of 4.
 std::string lane_arguments(const Step& step, std::string_view between = "") {
     const std::string stages = fmt::format("{}{}", step.positions.size(), between);
-    constexpr std::size_t widest = 8;
-    return step.register_width == widest ? stages
-                                         : fmt::format("{}, {}", stages, step.register_width);
+    return step.register_width == widest_register
+               ? stages
+               : fmt::format("{}, {}", stages, step.register_width);
 }
 
 /// `first`: what is done before the starting values.
 std::string steps_of_lanes(const Step& step, const std::vector<std::string>& first,
-                           std::string_view table, std::size_t shared = 0) {
+                           std::string_view table) {
     Writer writer(2);
     writer.line("s_.weigh(b);");
     for (const std::string& line : first) { writer.line("{}", line); }
     writer.line("predict();").blank();
-    writer.line("status = solver_.solve({});", make_coupled(step, shared));
+    writer.line("status = solver_.solve({});", make_coupled(step));
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance({});", table);
     return writer.line("return {};", end_of_step(step, "status.iterations")).str();
@@ -57,7 +66,7 @@ std::string extrapolation_of(const Extrapolation& from, std::string_view slope) 
 }
 
 std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
-                                const auto& extrapolate, std::size_t shared = 0) {
+                                const auto& extrapolate) {
     Writer writer(1);
     open_predict(writer, iteration, "slopes");
     if (iteration.extrapolation) {
@@ -65,7 +74,7 @@ std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
         extrapolate(writer, *iteration.extrapolation);
         close_extrapolation(writer, *iteration.extrapolation, predicted_slopes(step));
     }
-    writer.line("{}.predict();", make_coupled(step, shared));
+    writer.line("{}.predict();", make_coupled(step));
     return writer.close().str();
 }
 
@@ -78,9 +87,10 @@ std::string types_of_corrections(const Step& step, std::string_view type, std::s
     writer.blank().insert(modes_text(step.corrections->modes, "StageModes", matrix, 1)).blank();
     writer.line("using Corrections = hvi::detail::{}<Vector, {}>;", type,
                 lane_arguments(step, ", StageModes"));
-    if (const std::size_t stiff = step.corrections->stiff.size(); stiff > 0) {
+    if (has_linear_part(step)) {
+        const std::string between = fmt::format(", {}, StageModes", step.corrections->stiff.size());
         writer.line("using LinearPart = hvi::detail::LinearCorrections<Vector, {}>;",
-                    lane_arguments(step, fmt::format(", {}, StageModes", stiff)));
+                    lane_arguments(step, between));
     }
     return writer.str();
 }
@@ -92,7 +102,8 @@ std::string members_for_corrections(const Step& step, const std::string& begin,
     const SolverCosts& costs = step.corrections->costs;
     Writer writer(2);
     writer.line("Corrections& corrections;");
-    if (const std::vector<std::size_t>& stiff = step.corrections->stiff; !stiff.empty()) {
+    if (has_linear_part(step)) {
+        const std::vector<std::size_t>& stiff = step.corrections->stiff;
         writer.line("LinearPart& linear;").blank();
         writer.line("static constexpr std::array<std::size_t, {}> stiff{{{}}};", stiff.size(),
                     fmt::join(stiff, ", "));
@@ -105,18 +116,13 @@ std::string members_for_corrections(const Step& step, const std::string& begin,
     return writer.str();
 }
 
-std::string members_of_lanes(const Step& step, std::string_view stages, std::size_t shared = 0) {
+std::string members_of_lanes(const Step& step, std::string_view stages) {
     Writer writer(1);
     writer.line("System system_;").insert(clock_member(step));
     writer.line("hvi::detail::{}<Vector, {}> s_;", stages, lane_arguments(step));
-    if (shared > 0) {
-        writer.line("hvi::detail::LaneRows<Scalar, {}, {}> shared_{{}};", step.positions.size(),
-                    shared);
-    }
+    if (step.shared_slopes > 0) { writer.line("{} shared_{{}};", type_of_shared(step)); }
     if (step.corrections) { writer.line("Corrections corrections_;"); }
-    if (step.corrections && !step.corrections->stiff.empty()) {
-        writer.line("LinearPart linear_;");
-    }
+    if (has_linear_part(step)) { writer.line("LinearPart linear_;"); }
     writer.line("typename Solver::template Iteration<Vector> solver_;");
     declare_slopes_before(writer, step);
     return writer.str();
@@ -209,14 +215,13 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
 namespace {
 
 /// NOTE: for separable H the slopes of p are enough.
-std::string pair_predict_text(const Step& step, const Iteration& iteration, std::size_t shared) {
-    const auto extrapolate = [&](Writer& writer, const Extrapolation& from) {
+std::string pair_predict_text(const Step& step, const Iteration& iteration) {
+    return prediction_of_lanes(step, iteration, [&](Writer& writer, const Extrapolation& from) {
         if (!step.is_separable()) {
             writer.line("s_.extrapolate_q({});", extrapolation_of(from, "Lq"));
         }
         writer.line("s_.extrapolate_p({});", extrapolation_of(from, "Lp"));
-    };
-    return prediction_of_lanes(step, iteration, extrapolate, shared);
+    });
 }
 
 /// The body of predict() of the stage equations.
@@ -237,7 +242,7 @@ std::string pairs_from_start(const Step& step) {
     return writer.line("s.predict_p(slope);").str();
 }
 
-std::string corrections_of_pairs(const Step& step, std::size_t shared) {
+std::string corrections_of_pairs(const Step& step) {
     const SlopePoint at{"q", "p",
                         time_of_stage(step, std::to_string(step.positions.size() / 2), "s")};
     Writer hessian(2);
@@ -249,25 +254,24 @@ std::string corrections_of_pairs(const Step& step, std::size_t shared) {
     if (!step.is_separable()) { hessian.line("system.{};", hessian_qp_call(at, "qp")); }
     hessian.line("system.{};", hessian_pp_call(step, at, "pp")).close();
     hessian.line("void all_slopes() {{ {} }}", step.slopes == Slopes::joint ? "slopes();"
-                                               : shared > 0 ? "forces(); velocities_after_forces();"
-                                                            : "velocities(); forces();");
+                                               : step.shared_slopes > 0
+                                                   ? "forces(); velocities_after_forces();"
+                                                   : "velocities(); forces();");
     return members_for_corrections(step,
                                    step.is_separable() ? "momenta(); velocities(); positions();"
                                                        : "momenta(); positions();",
                                    hessian.str());
 }
 
-std::string shared_reference(const Step& step, std::size_t shared) {
-    if (shared == 0) { return {}; }
+std::string shared_reference(const Step& step) {
+    if (step.shared_slopes == 0) { return {}; }
     Writer writer(2);
     writer.line("/// What dH/dp takes from the dH/dq before it.");
-    return writer
-        .line("hvi::detail::LaneRows<Scalar, {}, {}>& shared;", step.positions.size(), shared)
-        .str();
+    return writer.line("{}& shared;", type_of_shared(step)).str();
 }
 
 /// Members of the stage equations that evaluate H.
-std::string slopes_of_lanes(const Step& step, std::size_t shared) {
+std::string slopes_of_lanes(const Step& step) {
     const SlopePoint at{"s.all_positions()", "s.all_momenta()", times_of_lanes(step)};
     Writer writer(2);
     if (step.slopes == Slopes::joint) {
@@ -278,7 +282,7 @@ std::string slopes_of_lanes(const Step& step, std::size_t shared) {
     writer.open("[[gnu::always_inline]] void velocities() {{").line("auto out = s.velocities();");
     writer.line("system.{};", velocity_call(step, at, "out")).close();
     writer.open("[[gnu::always_inline]] void forces() {{").line("auto out = s.forces();");
-    if (shared == 0) {
+    if (step.shared_slopes == 0) {
         return writer.line("system.{};", force_call(step, at, "out")).close().str();
     }
     writer.line("auto kept = s.write_to(shared);");
@@ -293,8 +297,7 @@ std::string slopes_of_lanes(const Step& step, std::size_t shared) {
 
 }  // namespace
 
-ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWishes& wishes,
-                         std::size_t shared) {
+ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWishes& wishes) {
     HVI_CHECK(form.iteration.has_value());
     const Iteration& iteration = *form.iteration;
     const Block& block = step.blocks.front();
@@ -307,22 +310,22 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
     constants.insert(types_of_corrections(step, "PairCorrections", "b_i m_ij"));
     ImplicitParts parts;
     parts.runtime = runtime_of_lanes(step, "stage_lanes");
-    parts.steps = steps_of_lanes(step, {}, "", shared);
+    parts.steps = steps_of_lanes(step, {}, "");
     parts.constants = constants.str();
-    parts.predict = pair_predict_text(step, iteration, shared);
+    parts.predict = pair_predict_text(step, iteration);
     parts.coupled = fill_part(
         "pair_lanes.hpp.in", {{"unknowns", unknowns(block)},
                               {"member", clock_reference(step)},
                               {"type", fmt::format("StageLanes<Vector, {}>", lane_arguments(step))},
                               {"stages", stages},
-                              {"shared", shared_reference(step, shared)},
+                              {"shared", shared_reference(step)},
                               {"predict", pairs_from_start(step)},
-                              {"corrections", corrections_of_pairs(step, shared)},
+                              {"corrections", corrections_of_pairs(step)},
                               {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
                               {"separable", std::string(truth(step.is_separable()))},
                               {"mt", std::string(table_mt(step))},
-                              {"slopes", slopes_of_lanes(step, shared)}});
-    parts.members = members_of_lanes(step, "StageLanes", shared);
+                              {"slopes", slopes_of_lanes(step)}});
+    parts.members = members_of_lanes(step, "StageLanes");
     if (wishes.curve) {
         parts.curve = curve_text(
             *wishes.curve, step.momenta.size(), "s_.increment_q(static_cast<std::size_t>(k))",

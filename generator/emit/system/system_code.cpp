@@ -171,14 +171,15 @@ void add_tangents(std::vector<SystemFunction>& functions, const Tangents& tangen
 }
 
 /// Adds dH/dq that keeps what dH/dp at the same q takes of it, and that dH/dp.
-void add_shared(std::vector<SystemFunction>& functions, const SharedSlopes& shared,
-                const System& system, const Step& step) {
+void add_shared(std::vector<SystemFunction>& functions, const Kernel& by_q_and_shared,
+                const GradientKernels& gradients, const System& system, const Step& step) {
     const std::vector<std::string> out = components("out", system.degrees_of_freedom());
-    const std::vector<std::string> kept = components("at", shared.kept.size());
-    SystemFunction by_q{"dHdq", out, shared.by_q, true, true, "Values& out, Values& at"};
-    SystemFunction by_p{"dHdp", out, shared.by_p, true, true, "const Values& at, Values& out"};
+    const std::vector<std::string> kept = components("at", gradients.shared.size());
+    SystemFunction by_q{"dHdq", out, by_q_and_shared, true, true, "Values& out, Values& at"};
+    SystemFunction by_p{"dHdp", out,  gradients.by_conjugates_at_q,
+                        true,   true, "const Values& at, Values& out"};
     by_q.targets.insert(by_q.targets.end(), kept.begin(), kept.end());
-    for (std::size_t k = 0; k < kept.size(); ++k) { by_p.names[shared.kept[k]] = kept[k]; }
+    for (std::size_t k = 0; k < kept.size(); ++k) { by_p.names[gradients.shared[k]] = kept[k]; }
     for (SystemFunction* function : {&by_q, &by_p}) {
         function->has_time = step.depends_on_time();
         function->takes_lanes = true;
@@ -250,7 +251,9 @@ std::vector<SystemFunction> slopes(const System& system, const Step& step,
         result.push_back(slope(system, step, "inverse_mass", *evaluations.inverse_mass));
         result.back().has_q = false;
     }
-    if (evaluations.shared) { add_shared(result, *evaluations.shared, system, step); }
+    if (evaluations.shared) {
+        add_shared(result, *evaluations.shared, evaluations.gradients, system, step);
+    }
     if (evaluations.stiffness) {
         SystemFunction function{"stiffness", {}, *evaluations.stiffness, false, false, ""};
         function.targets = components("out", evaluations.stiffness->results.size());

@@ -33,6 +33,11 @@ public:
         return true;
     }
 
+    /// All zeros. Allocates when the size changes.
+    void set_zero(std::size_t size) {
+        size_ = size;
+        entries_.assign(size * size, Scalar(0));
+    }
     void set_zero() { entries_.assign(entries_.size(), Scalar(0)); }
     void set_identity() {
         set_zero();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <hvi/detail/solvers/pause.hpp>
 #include <hvi/fixed_point.hpp>
 #include <hvi/state.hpp>
 
@@ -20,20 +21,15 @@ struct Automatic {
         /// Preconditions: those of FixedPoint.
         template <class Coupled>
         [[nodiscard]] Status solve(Coupled coupled) {
-            const bool goes_on = coupled.s.continues && coupled.s.h == coupled.s.h_before;
-            if (!goes_on) { pause_ = 1; }
-            if (stiff_steps_ > 0 && goes_on) {
-                --stiff_steps_;
-                return solve_stiff(coupled);
-            }
+            if (!coupled.s.continues || coupled.s.h != coupled.s.h_before) { pause_.forget(); }
+            pause_.pass();
+            if (!pause_.is_over()) { return solve_stiff(coupled); }
             const Status status = fixed_point_.solve(coupled, most_iterations);
             if (status.ok() && status.iterations <= slow) {
-                stiff_steps_ = 0;
-                pause_ = 1;
+                pause_.forget();
                 return status;
             }
-            stiff_steps_ = pause_;
-            pause_ = pause_ < longest_pause ? 2 * pause_ : pause_;
+            pause_.begin();
             return status.ok() ? status : solve_stiff(coupled);
         }
 
@@ -43,22 +39,16 @@ struct Automatic {
         // (with cheap steps of two stages as 40).
         static constexpr int slow = 100;
         static constexpr int most_iterations = 2 * slow;
-        static constexpr int longest_pause = 64;
 
         /// NOTE: apart, so that compilers keep the fixed point's registers for itself.
         template <class Coupled>
-#if defined(__GNUC__)
-        [[gnu::noinline, gnu::cold]]
-#endif
-        [[nodiscard]] Status
-        solve_stiff(Coupled coupled) {
+        [[nodiscard, gnu::noinline, gnu::cold]] Status solve_stiff(Coupled coupled) {
             return newton_.solve(coupled);
         }
 
         FixedPoint::template Iteration<Vector> fixed_point_;
         typename Newton::template Iteration<Vector> newton_;
-        int stiff_steps_ = 0;  ///< so many more before fixed points are tried again
-        int pause_ = 1;        ///< so many after the next step on which they are slow or fail
+        detail::Pause<1> pause_;  ///< before fixed points are tried again
     };
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hvi/detail/solvers/end_of_corrections.hpp>
+#include <hvi/detail/solvers/pause.hpp>
 #include <hvi/fixed_point.hpp>
 #include <hvi/state.hpp>
 
@@ -45,7 +46,7 @@ public:
             coupled.positions();
             const Now now = end_.judge(coupled);
             is_last = now == Now::ended;
-            if (now == Now::not_finite || end_.grows()) { break; }
+            if (now == Now::not_finite || end_.grows(coupled)) { break; }
             if (is_last || !keeps_factors || end_.contracts()) { continue; }
             if (has_new_factors) { break; }
             has_factors = corrections.factorise(coupled);
@@ -62,25 +63,6 @@ private:
 
     EndOfCorrections<Vector> end_;
     bool has_factors_ = false;
-};
-
-/// For how many steps what has failed is not tried again: `shortest` and twice, four times, ... 64
-/// as it goes on to fail.
-template <int shortest>
-class Pause {
-public:
-    [[nodiscard]] bool is_over() const { return left_ == 0; }
-    /// At the beginning of a step.
-    void pass() { left_ -= left_ > 0 ? 1 : 0; }
-    void begin() {
-        left_ = next_ + 1;  // with the pass() of the step to come
-        next_ = next_ < longest ? 2 * next_ : next_;
-    }
-    void forget() { *this = Pause(); }
-
-private:
-    static constexpr int longest = 64;
-    int left_ = 0, next_ = shortest;
 };
 
 }  // namespace detail
@@ -114,7 +96,7 @@ struct AutomaticOfLanes {
                 if (now.is_from_start) { coupled.predict(); }
                 const int most = most_iterations(now, costs);
                 const Status status = now.way == Way::sweeps
-                                          ? sweeps_.solve(coupled, most)
+                                          ? sweeps_.template solve<true>(coupled, most)
                                           : solve_corrected(coupled, now.way, most);
                 iterations += status.iterations;
                 if (status.ok()) {
@@ -221,11 +203,8 @@ struct AutomaticOfLanes {
 
         // NOTE: both apart, so that compilers keep the registers of sweeps for themselves.
         template <class Coupled>
-#if defined(__GNUC__)
-        [[gnu::noinline]]
-#endif
-        [[nodiscard]] Status
-        solve_corrected(Coupled& coupled, [[maybe_unused]] Way way, int most) {
+        [[nodiscard, gnu::noinline]] Status solve_corrected(Coupled& coupled,
+                                                            [[maybe_unused]] Way way, int most) {
             if constexpr (Coupled::costs.linear > 0) {
                 if (way == Way::linear) {
                     return corrected_.template solve<false>(coupled, coupled.linear, most);
@@ -235,11 +214,7 @@ struct AutomaticOfLanes {
         }
 
         template <class Coupled>
-#if defined(__GNUC__)
-        [[gnu::noinline, gnu::cold]]
-#endif
-        [[nodiscard]] Status
-        solve_stiff(Coupled coupled) {
+        [[nodiscard, gnu::noinline, gnu::cold]] Status solve_stiff(Coupled coupled) {
             return newton_.solve(coupled);
         }
 

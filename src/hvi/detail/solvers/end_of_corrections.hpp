@@ -48,7 +48,10 @@ public:
     }
 
     /// See RoundOff.
-    [[nodiscard]] bool grows() const { return round_off_.grows(); }
+    template <class Coupled>
+    [[nodiscard]] bool grows(const Coupled& coupled) const {
+        return round_off_.template grows<Coupled::has_q, Coupled::has_p>(coupled.s.change, coupled);
+    }
 
     /// Whether the last correction was small enough beside the one before.
     [[nodiscard]] bool contracts() const { return contracts_; }

@@ -26,7 +26,8 @@ public:
     /// stages, which is nearer to those of all than that of the start.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
-        G_ = hGK_ = SquareMatrix<Scalar>(dimension);
+        G_.set_zero(dimension);
+        hGK_.set_zero(dimension);
         coupled.hessian_in_the_middle(G_);
         set_hGK(coupled, G_, hGK_);
         return modes_.compute(
@@ -77,15 +78,12 @@ public:
         coupled.system.stiffness(stiffness);
         h_ = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            ModeLanes<Scalar, stages, 1, Modes, most> inverse;
             const Scalar square = coupled.s.h * (coupled.s.h * stiffness[i]);
-            if (!inverse.compute([&](std::size_t, std::size_t) { return square; })) {
-                return false;
-            }
+            if (!one_.compute([&](std::size_t, std::size_t) { return square; })) { return false; }
             for (std::size_t j = 0; j < stages; ++j) {
                 LaneRows<Scalar, stages, 1> column{};
                 column[0].set(j, Scalar(1));
-                inverse.solve(column);
+                one_.solve(column);
                 inverse_[i][j] = column[0];
             }
         }
@@ -115,6 +113,7 @@ private:
     using Row = typename Lane::Row;
 
     Scalar h_ = 0;  ///< that of the matrices; 0: there are none
+    ModeLanes<Scalar, stages, 1, Modes, most> one_;
     std::array<LaneMatrix<Scalar, stages>, count> inverse_;
     std::array<Row, count> before_{};
 };
@@ -127,9 +126,7 @@ public:
     /// See PositionCorrections.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
-        for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) {
-            *block = SquareMatrix<Scalar>(dimension);
-        }
+        for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) { block->set_zero(dimension); }
         coupled.hessian_in_the_middle(Hqq_, Hqp_, Hpp_);
         const Scalar h = coupled.s.h;
         return modes_.compute([&](std::size_t k, std::size_t l) {

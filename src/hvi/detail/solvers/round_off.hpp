@@ -53,15 +53,19 @@ public:
         if constexpr (by_p) { look(change.p, smallest_.p, seen); }
         if (!(seen.total < infinity<Scalar>)) { return Verdict::not_finite; }
         if (seen.total == 0) { return Verdict::unchanged; }
-        grows_ = seen.total > growth * smallest_total_ && !is_noise<by_q, by_p>(change, coupled);
-        smallest_total_ = seen.total < smallest_total_ ? seen.total : smallest_total_;
+        total_ = seen.total;
+        smallest_total_ = total_ < smallest_total_ ? total_ : smallest_total_;
         stalls_ = seen.falls != 0 ? 0 : stalls_ + 1;
         if (stalls_ < 2) { return Verdict::go_on; }
         return is_noise<by_q, by_p>(change, coupled) ? Verdict::at_noise : Verdict::go_on;
     }
 
-    /// Whether the last change was beyond what an iteration that converges passes through.
-    [[nodiscard]] bool grows() const { return grows_; }
+    /// Whether the last sweep that was judged changed so much more than another before that a
+    /// solution is not worth waiting for, where there are other ways to it.
+    template <bool by_q, bool by_p, class Coupled>
+    [[nodiscard]] bool grows(const State<Vector>& change, const Coupled& coupled) const {
+        return total_ > growth * smallest_total_ && !is_noise<by_q, by_p>(change, coupled);
+    }
 
 private:
     static constexpr Scalar noise = power_of_two<Scalar>(-(3 * bits<Scalar> + 3) / 4);
@@ -109,10 +113,9 @@ private:
     }
 
     Scalar rounding_;
-    Scalar smallest_total_ = infinity<Scalar>;  // change of all components so far
-    bool grows_ = false;
-    State<Vector> smallest_;  // change of each component so far
-    int stalls_ = 0;          // sweeps in a row in which no component changed by less than ever
+    Scalar total_ = 0, smallest_total_ = infinity<Scalar>;  // change of all components, and so far
+    State<Vector> smallest_;                                // change of each component so far
+    int stalls_ = 0;  // sweeps in a row in which no component changed by less than ever
 };
 
 }  // namespace hvi::detail

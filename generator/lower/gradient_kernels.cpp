@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/lower/joint_gradient.hpp"
+#include "generator/lower/gradient_kernels.hpp"
 
 #include <utility>
 
@@ -21,8 +21,24 @@ double cost(const OperationCounts& counts) {
 GradientKernels gradient_kernels(const System& system) {
     std::vector<Scaled> both = system.by_q;
     both.insert(both.end(), system.by_conjugates.begin(), system.by_conjugates.end());
-    return {kernel(system.graph, system.by_q), kernel(system.graph, system.by_conjugates),
-            kernel(system.graph, std::move(both))};
+    GradientKernels result;
+    result.by_q = kernel(system.graph, system.by_q);
+    result.by_conjugates = kernel(system.graph, system.by_conjugates);
+    result.joint = kernel(system.graph, std::move(both));
+    result.by_conjugates_at_q = kernel_of_momenta(system.graph, system.by_conjugates);
+    result.shared = computed_before(system.graph, result.by_conjugates_at_q);
+    return result;
+}
+
+std::vector<Node> computed_before(const Graph& graph, const Kernel& kernel) {
+    std::vector<Node> result;
+    for (const Node node : kernel.given) {
+        const Computation& computation = graph.at(node);
+        if (computation.operation != Operation::input && varies(computation.roles)) {
+            result.push_back(node);
+        }
+    }
+    return result;
 }
 
 EvaluationCosts evaluation_costs(const System& system, const GradientKernels& kernels) {
@@ -35,7 +51,7 @@ EvaluationCosts evaluation_costs(const System& system, const GradientKernels& ke
     }
     return {
         .by_q = cost(kernels.by_q.counts),
-        .by_p_at_q = cost(kernel_of_momenta(system.graph, system.by_conjugates).counts),
+        .by_p_at_q = cost(kernels.by_conjugates_at_q.counts),
         .joint = cost(kernels.joint.counts),
         .second = cost(kernel(system.graph, std::move(second)).counts),
         .has_calls = kernels.joint.counts.calls > 0,
