@@ -86,11 +86,11 @@ TEST_CASE("the constant stiffness of components, where none couples with another
     const System spring = analysed("p^2/(2*m)+k*q^2+q^4");
     REQUIRE(spring.structure.stiffness.size() == 1);
     CHECK(spring.structure.stiffness[0].component == 0);
-    CHECK(value(spring.graph, spring.structure.stiffness[0].value, {{"m", 4}, {"k", 3}}) == 1.5);
+    CHECK(value(spring.graph, spring.structure.stiffness[0].value, {{"m", 4}, {"k", 3}}) == 1.5L);
     // A hill: the sum is kept as -(2 k - 12 q^2).
     const System hill = analysed("p^2/(2*m)-k*q^2+q^4");
     REQUIRE(hill.structure.stiffness.size() == 1);
-    CHECK(value(hill.graph, hill.structure.stiffness[0].value, {{"m", 4}, {"k", 3}}) == -1.5);
+    CHECK(value(hill.graph, hill.structure.stiffness[0].value, {{"m", 4}, {"k", 3}}) == -1.5L);
     // x^2/2 - x^3/3 has the second derivative 1 - 2 x, and cos none that is constant.
     const System two = analysed("(a^2+b^2)/2-cos(x)+y^2/2-y^3/3", "x, y", "a, b");
     REQUIRE(two.structure.stiffness.size() == 1);
