@@ -58,6 +58,24 @@ std::string table(const Advice& advice, double accuracy) {
     return rows;
 }
 
+/// What the model says that a sweep costs, beside what steps took: of one model both have one
+/// quotient.
+std::string model_table(const Advice& advice, double accuracy) {
+    std::string rows =
+        fmt::format("  {:<29} {:>16} {:>14} {:>10} {:>17}\n", "method", "iterations/step",
+                    "operations/it.", "time/step", "time/operation");
+    for (std::size_t i = 0; i < advice.curves.size(); ++i) {
+        const auto there = cheapest(advice.curves[i], accuracy);
+        if (!there || !advice.costs[i]) continue;
+        const double step = there->seconds / static_cast<double>(there->steps);
+        const int sweep = advice.costs[i]->sweep;
+        rows += fmt::format("  {:<29} {:>16.1f} {:>14} {:>10} {:>17}\n", advice.curves[i].name,
+                            there->iterations, sweep, duration(step),
+                            duration(step / (there->iterations * sweep)));
+    }
+    return "costs by the model, of sweeps, and as measured:\n" + rows;
+}
+
 /// Of a quotient: `200`, or `(2*pi)`.
 std::string factor(const Expression& expression) {
     const std::string text = to_text(expression);
@@ -87,6 +105,7 @@ AdvisedOptions advised(const AccuracyQuestion& question) {
                            found.reference.kind == "exact" ? " values" : "", table(found, accuracy))
                    .c_str(),
                stderr);
+    if (question.explain) std::fputs(model_table(found, accuracy).c_str(), stderr);
     return {chosen.method.method.name,          chosen.solver, chosen.method.composition,
             {found.point.h, found.point.steps}, step,          note};
 }

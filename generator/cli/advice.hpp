@@ -18,6 +18,7 @@ struct AccuracyQuestion {
     Given until;                    ///< in place of the scene's
     double accuracy = 0;
     bool has_curve = false;  ///< of the steps, which compositions have not
+    bool explain = false;    ///< what the runs cost beside what the model of costs says
 };
 
 /// In place of options that are not given.

@@ -81,8 +81,9 @@ void write_scene(const StepperOptions& options) {
 /// With the method and the solver that measuring finds.
 void write_advised(const StepperOptions& options) {
     const InterruptionsHeld held;
-    const AdvisedOptions advice = advised({options.method.parameters, *options.system,
-                                           options.until, *options.accuracy, options.wishes.dense});
+    const AdvisedOptions advice =
+        advised({options.method.parameters, *options.system, options.until, *options.accuracy,
+                 options.wishes.dense, options.explain});
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
     const auto [method, scene] = read_scene(method_options, *options.system);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <variant>
 #include <vector>
 
 #include "generator/expr/side.hpp"
@@ -16,6 +17,22 @@ enum class HessianForm {
     sparse,    ///< each degree of freedom is coupled with few others
     products,  ///< G is not kept: its products with vectors are computed
 };
+
+/// Components k each by itself: (d2H/dp2)_kk (d2H/dq2)_kk has a constant term.
+struct StiffComponents {
+    std::vector<std::size_t> components;
+};
+
+/// Constant terms of second derivatives couple components.
+struct CoupledConstants {};
+
+/// What of the equations of the stages is linear, and can be solved exactly in each sweep; see
+/// ConstantTerms.
+using LinearPart = std::variant<std::monostate, StiffComponents, CoupledConstants>;
+
+[[nodiscard]] inline bool exists(const LinearPart& part) {
+    return !std::holds_alternative<std::monostate>(part);
+}
 
 /// What evaluations cost, in additions about, as OperationCounts tell.
 struct EvaluationCosts {
@@ -32,15 +49,15 @@ struct EvaluationCosts {
 /// says. What is false may be true and not seen.
 struct SystemProperties {
     Side side = Side::hamiltonian;
-    bool is_separable = false;            ///< H = T(p) + U(q), or T(p) + U(q, t)
-    bool depends_on_time = false;         ///< H = H(q, p, t)
-    bool kinetic_is_quadratic = false;    ///< it is separable, and T = p^T K p/2 with constant K
-    bool has_linear_map = false;          ///< all second derivatives are constant, without t
-    bool is_degenerate = false;           ///< a row of d2H/dp2 is zero
-    std::size_t degrees_of_freedom = 0;   ///< 0: not known
-    std::size_t rotations = 0;            ///< of them, with three each
-    std::vector<std::size_t> stiff = {};  ///< components with a constant stiffness, see Structure
-    bool has_any_size = false;            ///< they are as many as a state has
+    bool is_separable = false;           ///< H = T(p) + U(q), or T(p) + U(q, t)
+    bool depends_on_time = false;        ///< H = H(q, p, t)
+    bool kinetic_is_quadratic = false;   ///< it is separable, and T = p^T K p/2 with constant K
+    bool has_linear_map = false;         ///< all second derivatives are constant, without t
+    bool is_degenerate = false;          ///< a row of d2H/dp2 is zero
+    std::size_t degrees_of_freedom = 0;  ///< 0: not known
+    std::size_t rotations = 0;           ///< of them, with three each
+    LinearPart linear = {};
+    bool has_any_size = false;  ///< they are as many as a state has
     HessianForm hessian = HessianForm::dense;
     EvaluationCosts costs = {};     ///< zeros: not known
     std::size_t shared_slopes = 0;  ///< values that dH/dp takes from the dH/dq at the same q

@@ -241,11 +241,9 @@ struct SolverCosts {
 
 /// Newton's corrections of all slopes at once, with one Hessian.
 struct StageCorrections {
-    RealModes modes;  ///< of diag(b) n, or of diag(b) m; Newton's method has them from here
-    /// Components whose constant stiffness is solved for exactly in each sweep; see
-    /// LinearStiffness.
-    std::vector<std::size_t> stiff = {};
-    SolverCosts costs;
+    RealModes modes;         ///< of diag(b) n, or of diag(b) m; Newton's method has them from here
+    LinearPart linear = {};  ///< is solved exactly in each sweep
+    SolverCosts costs = {};
 };
 
 /// A choice, and why.

@@ -216,6 +216,14 @@ std::string lines(const ChartStep& form) {
     return "form: natural charts\n" + lines(form.coefficients) + lines(form.iteration);
 }
 
+std::string lines(std::monostate) { return {}; }
+std::string lines(CoupledConstants) { return "linear: all constant terms\n"; }
+std::string lines(const StiffComponents& stiff) {
+    std::string result;
+    for (const std::size_t k : stiff.components) { result += fmt::format("stiff: {}\n", k + 1); }
+    return result;
+}
+
 }  // namespace
 
 std::string dump(const Step& step) {
@@ -242,9 +250,8 @@ std::string dump(const Step& step) {
         result += lines(step.corrections->modes) +
                   fmt::format("costs: sweep {}, linear {}, correction {}, factors {}\n",
                               costs.sweep, costs.linear, costs.correction, costs.factors);
-        for (const std::size_t k : step.corrections->stiff) {
-            result += fmt::format("stiff: {}\n", k + 1);
-        }
+        result +=
+            std::visit([](const auto& part) { return lines(part); }, step.corrections->linear);
     }
     for (const Decision& decision : step.decisions) {
         result += fmt::format("{}: {}\n", decision.what, decision.why);

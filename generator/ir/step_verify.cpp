@@ -225,14 +225,15 @@ void verify_lanes(const Step& step) {
     HVI_CHECK(step.register_width == widest_register || (are_lanes && step.register_width == 4));
     HVI_CHECK(step.shared_slopes == 0 || (are_lanes && step.slopes == Slopes::one_by_one));
     if (!step.corrections) { return; }
-    const auto& [modes, stiff, costs] = *step.corrections;
+    const auto& [modes, linear, costs] = *step.corrections;
     const bool has_positions_alone = std::holds_alternative<VelocityStep>(step.form);
     HVI_CHECK(are_lanes && step.iteration()->solver == Solver::automatic);
     HVI_CHECK(has_positions_alone || step.partner == Partner::same);
     HVI_CHECK(modes.to.size() == step.positions.size());
-    HVI_CHECK(stiff.empty() || has_positions_alone);
+    const auto* stiff = std::get_if<StiffComponents>(&linear);
+    HVI_CHECK(stiff == nullptr || (has_positions_alone && !stiff->components.empty()));
     HVI_CHECK(costs.sweep > 0 && costs.correction > costs.sweep && costs.factors > 0);
-    HVI_CHECK((costs.linear > costs.sweep) == !stiff.empty());
+    HVI_CHECK((costs.linear > costs.sweep) == exists(linear));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "generator/graph/graph.hpp"
@@ -27,6 +28,11 @@ struct LinearStiffness {
     Scaled value;
 };
 
+/// Terms of second derivatives that do not vary: of springs, or of a magnetic field. Those of
+/// components that are coupled with no other, where T is quadratic, or of all; nothing where no
+/// motion comes from them alone.
+using ConstantTerms = std::variant<std::monostate, std::vector<LinearStiffness>, Hessian>;
+
 /// What the derivatives of H tell; of an L nothing is looked for. What is true here is proved: a
 /// graph computes by exact algebra, and what it does not see to be constant may be proved so in a
 /// field; see constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p.
@@ -34,10 +40,9 @@ struct Structure {
     bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
     bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix d2H/dp2
     std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
-    /// Then, where the constant terms of d2H/dq2 are on its diagonal, and d2H/dp2 is diagonal.
-    std::vector<LinearStiffness> stiffness;
-    std::vector<Node> direction;     ///< then inputs v_k of their own,
-    std::vector<Scaled> qq_along;    ///< and d2H/dq2 v
+    std::vector<Node> direction;        ///< then inputs v_k of their own,
+    std::vector<Scaled> qq_along;       ///< and d2H/dq2 v
+    ConstantTerms constant;
     bool is_quadratic = false;       ///< all second derivatives are constant
     bool has_linear_map = false;     ///< and H has no t: all steps are one linear map
     std::vector<Scaled> by_q, by_p;  ///< then the first derivatives at q = p = 0

@@ -63,25 +63,6 @@ std::string lines(const std::string& second, const HessianBlock& block,
     return result;
 }
 
-std::string found(const System& system) {
-    const Structure& structure = system.structure;
-    const std::string f(1, system.function_letter()), y(1, system.conjugate_letter());
-    std::string result;
-    const auto add = [&](bool holds, const std::string& what) {
-        if (holds) { result += line("found", what); }
-    };
-    add(structure.is_separable, f + " = T(" + y + ") + U(q)");
-    add(structure.kinetic_is_quadratic, "T is quadratic");
-    for (const LinearStiffness& linear : structure.stiffness) {
-        result += line("stiffness " + system.coordinates[linear.component], text(linear.value));
-    }
-    add(structure.is_quadratic, f + " is quadratic");
-    add(structure.is_linear_in_p, f + " is linear in " + y);
-    add(structure.is_linear_in_q, f + " is linear in q");
-    add(system.time.has_value(), f + " depends on the time");
-    return result;
-}
-
 /// What derivatives are by: coordinates, and turns of bodies, `R~1`.
 std::vector<std::string> names_of_degrees(const System& system) {
     std::vector<std::string> names(system.coordinates.begin(),
@@ -91,6 +72,42 @@ std::vector<std::string> names_of_degrees(const System& system) {
         for (const char* axis : {"~1", "~2", "~3"}) { names.push_back(rotation.rotation + axis); }
     }
     return names;
+}
+
+/// Blocks of second derivatives; `second` is d2H or d2L.
+std::string lines(const std::string& second, const Hessian& all, const System& system) {
+    const std::vector<std::string> q = names_of_degrees(system);
+    const std::vector<std::string>& y = system.conjugate_names();
+    return lines(second, all.qq, q, q) + lines(second, all.mixed, q, y) +
+           lines(second, all.conjugates, y, y);
+}
+
+std::string lines(const ConstantTerms& constant, const System& system) {
+    std::string result;
+    if (const auto* stiff = std::get_if<std::vector<LinearStiffness>>(&constant)) {
+        for (const LinearStiffness& each : *stiff) {
+            result += line("stiffness " + system.coordinates[each.component], text(each.value));
+        }
+    }
+    const auto* all = std::get_if<Hessian>(&constant);
+    return all == nullptr ? result : lines("constant d2H", *all, system);
+}
+
+std::string found(const System& system) {
+    const Structure& structure = system.structure;
+    const std::string f(1, system.function_letter()), y(1, system.conjugate_letter());
+    std::string result;
+    const auto add = [&](bool holds, const std::string& what) {
+        if (holds) { result += line("found", what); }
+    };
+    add(structure.is_separable, f + " = T(" + y + ") + U(q)");
+    add(structure.kinetic_is_quadratic, "T is quadratic");
+    result += lines(structure.constant, system);
+    add(structure.is_quadratic, f + " is quadratic");
+    add(structure.is_linear_in_p, f + " is linear in " + y);
+    add(structure.is_linear_in_q, f + " is linear in q");
+    add(system.time.has_value(), f + " depends on the time");
+    return result;
 }
 
 std::string derivatives(const System& system) {
@@ -104,9 +121,7 @@ std::string derivatives(const System& system) {
     for (std::size_t i = 0; i < y.size(); ++i) {
         result += line("d" + f + "/d" + y[i], text(system.by_conjugates[i]));
     }
-    const Hessian& second = system.hessian;
-    result += lines("d2" + f, second.qq, q, q) + lines("d2" + f, second.mixed, q, y) +
-              lines("d2" + f, second.conjugates, y, y);
+    result += lines("d2" + f, system.hessian, system);
     return system.side == Side::hamiltonian ? result : result + line("energy", text(system.energy));
 }
 

@@ -46,6 +46,33 @@ void verify(const Graph& graph, const std::vector<SystemValue>& values) {
     for (const SystemValue& each : values) { HVI_CHECK(each.value.node < graph.size()); }
 }
 
+void verify_constant(const System& system, const Scaled& value) {
+    HVI_CHECK(value.node < system.graph.size() && !varies(system.graph.at(value.node).roles));
+}
+
+void verify_constant(const System& system, const HessianBlock& block, bool is_symmetric) {
+    verify(system.graph, block, system.degrees_of_freedom(), is_symmetric);
+    for (const std::vector<Scaled>& row : block) {
+        for (const Scaled& entry : row) { verify_constant(system, entry); }
+    }
+}
+
+void verify_constant(const System& system) {
+    const ConstantTerms& constant = system.structure.constant;
+    if (const auto* stiff = std::get_if<std::vector<LinearStiffness>>(&constant)) {
+        HVI_CHECK(!stiff->empty() && system.structure.kinetic_is_quadratic);
+        for (const LinearStiffness& each : *stiff) {
+            HVI_CHECK(each.component < system.degrees_of_freedom());
+            verify_constant(system, each.value);
+        }
+    }
+    if (const auto* all = std::get_if<Hessian>(&constant)) {
+        verify_constant(system, all->qq, true);
+        verify_constant(system, all->mixed, false);
+        verify_constant(system, all->conjugates, true);
+    }
+}
+
 void verify_variables(const System& system) {
     const std::size_t n = system.degrees_of_freedom();
     HVI_CHECK(system.q.size() == n + 6 * system.rotations.size());
@@ -75,10 +102,7 @@ void verify(const System& system) {
     verify(graph, system.invariants);
     HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);
     HVI_CHECK(found.kinetic_is_quadratic == (found.inverse_mass.size() == n));
-    for (const LinearStiffness& linear : found.stiffness) {
-        HVI_CHECK(found.kinetic_is_quadratic && linear.component < n);
-        HVI_CHECK(!varies(graph.at(linear.value.node).roles));
-    }
+    verify_constant(system);
     HVI_CHECK(!found.has_linear_map || (found.by_q.size() == n && found.by_p.size() == n));
 }
 

@@ -84,19 +84,35 @@ bool is_diagonal(const Matrix& matrix) {
     return true;
 }
 
-/// See Structure. Precondition: T is quadratic.
-std::vector<LinearStiffness> stiffness(System& system) {
-    Matrix constant = system.hessian.qq;
-    for (std::vector<Scaled>& row : constant) {
-        for (Scaled& entry : row) { entry = constant_terms(system.graph, entry); }
+Hessian constant_terms(System& system) {
+    Hessian constant = system.hessian;
+    for (Matrix* block : {&constant.qq, &constant.mixed, &constant.conjugates}) {
+        for (std::vector<Scaled>& row : *block) {
+            for (Scaled& entry : row) { entry = constant_terms(system.graph, entry); }
+        }
     }
-    if (!is_diagonal(constant) || !is_diagonal(system.hessian.conjugates)) { return {}; }
+    return constant;
+}
+
+ConstantTerms stiffness(System& system, const Matrix& qq) {
     std::vector<LinearStiffness> result;
-    for (std::size_t k = 0; k < constant.size(); ++k) {
-        const Scaled value = system.graph.product(system.hessian.conjugates[k][k], constant[k][k]);
+    for (std::size_t k = 0; k < qq.size(); ++k) {
+        const Scaled value = system.graph.product(system.hessian.conjugates[k][k], qq[k][k]);
         if (!value.is_zero()) { result.push_back({k, value}); }
     }
-    return result;
+    return result.empty() ? ConstantTerms{} : result;
+}
+
+/// NOTE: (Hpq Hpp; -Hqq -Hqp) with nothing but Hqq, or Hpp, has no square, and nothing is stiff.
+ConstantTerms constant_part(System& system, const Structure& found) {
+    if (system.side == Side::lagrangian || !system.rotations.empty()) { return {}; }
+    Hessian constant = constant_terms(system);
+    const bool is_by_components =
+        found.kinetic_is_quadratic && is_diagonal(constant.qq) && is_diagonal(constant.conjugates);
+    if (is_by_components) { return stiffness(system, constant.qq); }
+    const bool moves =
+        !is_zero(constant.mixed) || (!is_zero(constant.qq) && !is_zero(constant.conjugates));
+    return moves ? constant : ConstantTerms{};
 }
 
 /// NOTE: where a slope has no value at the origin as it is written there is no linear map.
@@ -153,9 +169,9 @@ Structure structure(System& system) {
     found.kinetic_is_quadratic = found.is_separable && is_smooth_in_p && is_constant(graph, pp);
     if (found.kinetic_is_quadratic) {
         found.inverse_mass = product(system, pp);
-        found.stiffness = stiffness(system);
         set_direction(found, system);
     }
+    found.constant = constant_part(system, found);
     found.is_quadratic = is_smooth_in_p && is_smooth_in_q && is_constant(graph, pp) &&
                          is_constant(graph, mixed) && is_constant(graph, qq);
     found.has_linear_map = found.is_quadratic && !system.time;

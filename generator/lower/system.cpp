@@ -132,11 +132,23 @@ System system_of(const Scene& scene) {
     return std::move(system);
 }
 
-SystemProperties properties(const System& system, const GradientKernels& gradients) {
-    std::vector<std::size_t> stiff;
-    for (const LinearStiffness& linear : system.structure.stiffness) {
-        stiff.push_back(linear.component);
+namespace {
+
+LinearPart linear_part(const ConstantTerms& constant) {
+    if (const auto* components = std::get_if<std::vector<LinearStiffness>>(&constant)) {
+        StiffComponents stiff;
+        for (const LinearStiffness& linear : *components) {
+            stiff.components.push_back(linear.component);
+        }
+        return stiff;
     }
+    return std::holds_alternative<Hessian>(constant) ? LinearPart{CoupledConstants{}}
+                                                     : LinearPart{};
+}
+
+}  // namespace
+
+SystemProperties properties(const System& system, const GradientKernels& gradients) {
     return {
         .side = system.side,
         .is_separable = system.structure.is_separable,
@@ -146,7 +158,7 @@ SystemProperties properties(const System& system, const GradientKernels& gradien
         .is_degenerate = system.rotations.empty() && is_degenerate(system.hessian),
         .degrees_of_freedom = system.degrees_of_freedom(),
         .rotations = system.rotations.size(),
-        .stiff = std::move(stiff),
+        .linear = linear_part(system.structure.constant),
         .costs = evaluation_costs(system, gradients),
         .shared_slopes = gradients.shared.size(),
     };

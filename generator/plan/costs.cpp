@@ -21,6 +21,17 @@ double cost_of_correction(double stages, double unknowns) {
     return to_and_from + inverse + judged(unknowns) + 3 * wait;
 }
 
+/// 0 where there is none.
+double cost_of_linear_part(const LinearPart& linear, double stages, double unknowns) {
+    if (std::holds_alternative<CoupledConstants>(linear)) {
+        return cost_of_correction(stages, unknowns);
+    }
+    const auto* stiff = std::get_if<StiffComponents>(&linear);
+    if (stiff == nullptr) { return 0; }
+    const auto count = static_cast<double>(stiff->components.size());
+    return count * (stages + 4) + judged(unknowns) + wait;
+}
+
 }  // namespace
 
 /// NOTE: iterations of gauss:8 with a joint gradient, and with each slope used at once:
@@ -50,10 +61,10 @@ SolverCosts solver_costs(const Step& step, const SystemProperties& system) {
     const double correction = sweep + cost_of_correction(s, unknowns);
     const double factors = costs.second + 4 * unknowns * unknowns * (unknowns + 4) / 2 + 3 * wait;
     const auto rounded = [](double cost) { return static_cast<int>(std::lround(cost)); };
-    // Where nothing is stiff there is no such sweep.
-    const auto stiff = static_cast<double>(has_momenta ? 0 : system.stiff.size());
-    const double linear = stiff > 0 ? sweep + stiff * (s + 4) + judged(unknowns) + wait : 0;
-    return {rounded(sweep), rounded(linear), rounded(correction), rounded(factors)};
+    const double linear =
+        !step.corrections ? 0 : cost_of_linear_part(step.corrections->linear, s, unknowns);
+    const double with_linear = linear > 0 ? sweep + linear : 0;
+    return {rounded(sweep), rounded(with_linear), rounded(correction), rounded(factors)};
 }
 
 }  // namespace hvi::gen

@@ -23,18 +23,35 @@ BlockKernel block(const Graph& graph, const HessianBlock& entries, bool is_symme
     return result;
 }
 
-SecondDerivatives second_derivatives(const System& system, const Step& step) {
+/// The blocks that Newton's method takes, or their constant terms.
+SecondDerivatives blocks(const System& system, const Hessian& hessian, const Step& step) {
     const Graph& graph = system.graph;
-    const Hessian& hessian = system.hessian;
     SecondDerivatives result;
-    const bool has_conjugates = !std::holds_alternative<VelocityStep>(step.form);
-    if (has_conjugates) { result.conjugates = block(graph, hessian.conjugates, true); }
-    if (!step.iteration()->takes_newton()) { return result; }
     result.qq = block(graph, hessian.qq, system.rotations.empty());
-    if (has_conjugates && !step.is_separable()) {
-        result.mixed = block(graph, hessian.mixed, false);
-    }
+    if (std::holds_alternative<VelocityStep>(step.form)) { return result; }
+    result.conjugates = block(graph, hessian.conjugates, true);
+    if (!step.is_separable()) { result.mixed = block(graph, hessian.mixed, false); }
     return result;
+}
+
+SecondDerivatives second_derivatives(const System& system, const Step& step) {
+    if (step.iteration()->takes_newton()) { return blocks(system, system.hessian, step); }
+    SecondDerivatives result;
+    result.conjugates = block(system.graph, system.hessian.conjugates, true);
+    return result;
+}
+
+void add_linear_part(Evaluations& evaluations, const System& system, const Step& step) {
+    if (const auto* all = std::get_if<Hessian>(&system.structure.constant)) {
+        evaluations.constant = blocks(system, *all, step);
+        return;
+    }
+    std::vector<Scaled> values;
+    for (const LinearStiffness& linear :
+         std::get<std::vector<LinearStiffness>>(system.structure.constant)) {
+        values.push_back(linear.value);
+    }
+    evaluations.stiffness = kernel(system.graph, std::move(values));
 }
 
 /// dH/dq, then these.
@@ -68,12 +85,8 @@ Evaluations evaluations(const System& system, GradientKernels gradients, const S
         result.inverse_mass = kernel(system.graph, system.structure.inverse_mass);
     }
     if (step.shared_slopes > 0) { result.shared = force_and(system, result.gradients.shared); }
-    if (step.corrections && !step.corrections->stiff.empty()) {
-        std::vector<Scaled> values;
-        for (const LinearStiffness& linear : system.structure.stiffness) {
-            values.push_back(linear.value);
-        }
-        result.stiffness = kernel(system.graph, std::move(values));
+    if (step.corrections && exists(step.corrections->linear)) {
+        add_linear_part(result, system, step);
     }
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return result; }

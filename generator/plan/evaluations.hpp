@@ -39,11 +39,12 @@ struct Tangents {
 /// A tabulated step evaluates nothing, and one of joint slopes both gradients at once alone.
 struct Evaluations {
     GradientKernels gradients;
-    std::optional<Kernel> inverse_mass;       ///< see Structure
-    std::optional<Kernel> shared;             ///< by_q, then what by_conjugates_at_q takes of it
-    std::optional<Kernel> stiffness;          ///< see Structure
-    std::optional<SecondDerivatives> second;  ///< where an iteration needs some
-    std::optional<Tangents> tangents;         ///< for Solver::newton_taylor
+    std::optional<Kernel> inverse_mass;         ///< see Structure
+    std::optional<Kernel> shared;               ///< by_q, then what by_conjugates_at_q takes of it
+    std::optional<Kernel> stiffness;            ///< of StiffComponents
+    std::optional<SecondDerivatives> constant;  ///< their terms, where CoupledConstants
+    std::optional<SecondDerivatives> second;    ///< where an iteration needs some
+    std::optional<Tangents> tangents;           ///< for Solver::newton_taylor
 };
 
 [[nodiscard]] Evaluations evaluations(const System& system, GradientKernels gradients,

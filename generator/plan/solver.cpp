@@ -102,6 +102,23 @@ std::optional<RealModes> modes_of_lanes(Step& step) {
     return is_runge_kutta ? real_modes(coupling(step)) : std::nullopt;
 }
 
+/// Components by themselves are solved for where there are positions alone.
+LinearPart linear_part(const Step& step, const SystemProperties& system) {
+    const bool is_by_components = std::holds_alternative<StiffComponents>(system.linear);
+    const bool has_momenta = std::holds_alternative<PairStep>(step.form);
+    return is_by_components && has_momenta ? LinearPart{} : system.linear;
+}
+
+std::string why_linear(std::monostate) { return {}; }
+std::string why_linear(const StiffComponents& stiff) {
+    const std::size_t count = stiff.components.size();
+    return fmt::format("{} component{} constant stiffness", count,
+                       count == 1 ? " has a" : "s have a");
+}
+std::string why_linear(CoupledConstants) {
+    return "second derivatives of coupled components have constant terms";
+}
+
 }  // namespace
 
 Iteration* iteration_of(Step& step) {
@@ -134,16 +151,16 @@ void set_corrections(Step& step, const SystemProperties& system) {
     if (step.layout != Layout::stages || step.iteration()->solver != Solver::automatic) { return; }
     std::optional<RealModes> modes = modes_of_lanes(step);
     if (!modes) { return; }
-    step.corrections = StageCorrections{std::move(*modes), {}, solver_costs(step, system)};
-    if (std::holds_alternative<VelocityStep>(step.form)) { step.corrections->stiff = system.stiff; }
+    step.corrections = StageCorrections{std::move(*modes), linear_part(step, system)};
+    step.corrections->costs = solver_costs(step, system);
     step.decisions.push_back(
         {"slopes are corrected with one Hessian for all stages where that costs less than sweeps",
          "in the basis of eigenvectors of A the stages decouple, and are corrected side by side"});
-    if (!step.corrections->stiff.empty()) {
+    if (exists(step.corrections->linear)) {
         step.decisions.push_back(
-            {"of steps that are not small the linear part of dH/dq is solved exactly in each sweep",
-             fmt::format("{} component{} constant stiffness", step.corrections->stiff.size(),
-                         step.corrections->stiff.size() == 1 ? " has a" : "s have a")});
+            {"of steps that are not small the linear part of dH is solved exactly in each sweep",
+             std::visit([](const auto& part) { return why_linear(part); },
+                        step.corrections->linear)});
     }
 }
 

@@ -210,6 +210,7 @@ Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     for (const Candidate& candidate : result.candidates)
         contenders.push_back(contender(builds, candidate.method, scene, candidate.solver));
     for (const Contender& contender : contenders) {
+        result.costs.push_back(contender.costs);
         show("compiling " + contender.title);
         static_cast<void>(built(contender.build));
     }

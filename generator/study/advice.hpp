@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct AdviceWishes {
 
 struct Advice {
     std::vector<Candidate> candidates;
-    std::vector<WorkCurve> curves;  ///< of each the runs that were made
+    std::vector<WorkCurve> curves;                  ///< of each the runs that were made
+    std::vector<std::optional<SolverCosts>> costs;  ///< of each; see Contender
     std::size_t chosen = 0;
     WorkPoint point;  ///< of the chosen one, at that accuracy
     Reference reference;

@@ -43,8 +43,10 @@ Contender contender(Builds& builds, const ComposedMethod& method, const Scene& s
     const SceneStepper stepper =
         scene_stepper(method.method, scene, simulation_wishes(solver, method.composition));
     check_simulation(stepper);
+    const std::optional<StageCorrections>& corrections = stepper.step.corrections;
     return {stepper.method.title(), order_of(stepper.method),
-            builds.order(simulation_program(stepper))};
+            builds.order(simulation_program(stepper)),
+            corrections ? std::optional(corrections->costs) : std::nullopt};
 }
 
 Contender contender(Builds& builds, const ComposedMethod& method, const IndexedScene& scene) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "generator/exact/methods/composed_method.hpp"
+#include "generator/ir/step.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
@@ -18,6 +20,7 @@ struct Contender {
     std::string title;
     int order;
     Build build;
+    std::optional<SolverCosts> costs = {};  ///< of the ways to solve for its stages
 };
 
 /// Throws what scene_stepper() does.

@@ -62,15 +62,15 @@ TEST_CASE("a step of stages side by side that contradicts itself is found") {
                                 {.is_separable = true,
                                  .kinetic_is_quadratic = true,
                                  .degrees_of_freedom = 2,
-                                 .stiff = {1},
+                                 .linear = StiffComponents{{1}},
                                  .costs = costs},
                                 wishes);
     REQUIRE(positions.corrections);
-    REQUIRE(positions.corrections->stiff.size() == 1);
+    REQUIRE(std::get<StiffComponents>(positions.corrections->linear).components.size() == 1);
     CHECK(is_found<Step>(positions, [](Step& step) { step.layout = Layout::one; }));
     CHECK(is_found<Step>(positions, [](Step& step) { step.register_width = 2; }));
     CHECK(is_found<Step>(positions, [](Step& step) { step.shared_slopes = 1; }));
-    CHECK(is_found<Step>(positions, [](Step& step) { step.corrections->stiff.clear(); }));
+    CHECK(is_found<Step>(positions, [](Step& step) { step.corrections->linear = {}; }));
     CHECK(is_found<Step>(positions, [](Step& step) { step.corrections->modes.to.pop_back(); }));
     CHECK(is_found<Step>(positions, [](Step& step) { step.corrections->costs.sweep = 0; }));
     const Step pairs = plan({derive(method("gauss:3"))},
@@ -79,7 +79,8 @@ TEST_CASE("a step of stages side by side that contradicts itself is found") {
     CHECK(pairs.shared_slopes == 3);
     CHECK(is_found<Step>(pairs, [](Step& step) { step.partner = Partner::different; }));
     CHECK(is_found<Step>(pairs, [](Step& step) { step.slopes = Slopes::joint; }));
-    CHECK(is_found<Step>(pairs, [](Step& step) { step.corrections->stiff = {0}; }));
+    CHECK(
+        is_found<Step>(pairs, [](Step& step) { step.corrections->linear = StiffComponents{{0}}; }));
 }
 
 TEST_CASE("a step of the general Galerkin form that contradicts itself is found") {

@@ -250,19 +250,63 @@ struct Pairs {
 }  // namespace
 
 TEST_CASE("one correction of positions solves what is linear") {
-    using Corrections = hvi::detail::PositionCorrections<Two, 2, ModesOfSquare>;
+    using Corrections =
+        hvi::detail::PositionCorrections<Two, hvi::detail::HessianInTheMiddle, 2, ModesOfSquare>;
     const Springs coupled{{{4, 1.5}, {1.5, 9}}, {2, 0.5}};
     CHECK(residual_of_positions<Corrections>(coupled, 0.5) < 1e-14);
     CHECK(residual_of_positions<Corrections>(coupled, 20) < 1e-13);
 }
 
 TEST_CASE("one correction of what is stiff solves that, and leaves the rest to the sweep") {
-    using Corrections = hvi::detail::LinearCorrections<Two, 2, 1, ModesOfSquare>;
+    using Corrections = hvi::detail::ComponentCorrections<Two, 2, 1, ModesOfSquare>;
     // The first component has no force, the second is stiff.
     const Springs stiff{{{0, 0}, {0, 900}}, {2, 0.5}};
     CHECK(residual_of_positions<Corrections>(stiff, 0.5) < 1e-12);
     const Springs both{{{4, 0}, {0, 900}}, {2, 0.5}};
     CHECK(residual_of_positions<Corrections>(both, 0.5) > 1e-2);
+}
+
+namespace {
+
+/// The same matrix, constant; how often it is asked for.
+struct ConstantPositions : Positions {
+    int& asked;
+
+    template <class Matrix>
+    void constant_hessian(Matrix& out) const {
+        ++asked;
+        this->hessian_in_the_middle(out);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("factors of a constant Hessian are computed when h changes") {
+    using One =
+        hvi::detail::PositionCorrections<Two, hvi::detail::ConstantHessian, 2, ModesOfSquare>;
+    hvi::detail::OfStepSize<One> corrections;
+    Springs system{{{4, 1.5}, {1.5, 9}}, {2, 0.5}};
+    hvi::detail::VelocityLanes<Two, 2> s;
+    int asked = 0;
+    const ConstantPositions coupled{{system, s}, asked};
+    const auto factorise = [&](double h) {
+        s.h = h;
+        return corrections.factorise(coupled);
+    };
+    CHECK(factorise(0.5));
+    CHECK(factorise(0.5));
+    CHECK(asked == 1);
+    CHECK(factorise(0.25));
+    CHECK(asked == 2);
+    // Nothing is kept of a matrix that is none.
+    system.G[0][0] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(factorise(0.5));
+    system.G[0][0] = 4;
+    CHECK(factorise(0.25));
+    CHECK(asked == 4);
+    // A step of no length has factors, too.
+    CHECK(factorise(0));
+    CHECK(asked == 5);
 }
 
 TEST_CASE("one correction of pairs solves what is linear") {
@@ -272,7 +316,7 @@ TEST_CASE("one correction of pairs solves what is linear") {
     s.weigh(half);
     Pairs coupled{system, s};
     coupled.stages();
-    hvi::detail::PairCorrections<Two, 2, ModesOfA> corrections;
+    hvi::detail::PairCorrections<Two, hvi::detail::HessianInTheMiddle, 2, ModesOfA> corrections;
     REQUIRE(corrections.factorise(coupled));
     corrections.correct(coupled);
     const auto Lq = s.Lq, Lp = s.Lp;
@@ -298,6 +342,8 @@ struct Stages : contracting::Stages {
     double corrected_rate = 0.1, start = 0;
     int corrections = 0, factors = 0;
     bool is_regular = true;
+
+    void rest() { W = start = 0; }
 };
 
 struct Coupled : contracting::Coupled<Stages> {
@@ -389,7 +435,7 @@ TEST_CASE("corrected slopes come nearer than their stages show") {
         stages.W = start;
         hvi::detail::CorrectedSweeps<Vector> sweeps;
         Coupled coupled(stages);
-        REQUIRE(sweeps.solve<true>(coupled, coupled.corrections, 40).ok());
+        REQUIRE(sweeps.solve<true>(coupled, coupled.corrections, {1, 0}, 40).ok());
         CHECK(std::abs(stages.W - stages.rate / (1 - stages.rate)) < 1.2e-17);
     }
 }
@@ -418,4 +464,55 @@ TEST_CASE("where corrections fail too, Newton's method has the last word") {
     run.stages.is_regular = true;
     for (int step = 0; step < 100; ++step) { REQUIRE(run.step().ok()); }
     CHECK(run.stages.corrections > 0);
+}
+
+TEST_CASE("what is spent counts the factors, and stops what is not worth it") {
+    Stages stages;
+    stages.rate = 0.5;
+    stages.corrected_rate = 0.5;  // of which factors are computed anew in each iteration
+    hvi::detail::CorrectedSweeps<Vector> sweeps;
+    Coupled coupled(stages);
+    const hvi::Status stopped = sweeps.solve<true>(coupled, coupled.corrections, {3, 10}, 50);
+    CHECK(stopped.code() == hvi::Status::Code::not_converged);
+    CHECK(stopped.iterations == stages.corrections);
+    CHECK(sweeps.spent() == 3 * stages.corrections + 10 * stages.factors);
+    CHECK(sweeps.spent() >= 50);
+    CHECK(sweeps.spent() < 50 + 13);
+    // Those of the step size alone are not.
+    stages.factors = 0;
+    stages.W = 0;
+    REQUIRE(sweeps.solve<false>(coupled, coupled.corrections, {3, 0}, 400).ok());
+    CHECK(stages.factors == 1);
+}
+
+TEST_CASE("corrections that are fast end with the one that is below rounding") {
+    Stages stages;
+    stages.rate = 0.5;
+    stages.corrected_rate = 1e-4;  // of 1: 1e-4, ..., 1e-16, and one more
+    stages.W = 0;
+    hvi::detail::CorrectedSweeps<Vector> sweeps;
+    Coupled coupled(stages);
+    const hvi::Status status = sweeps.solve<true>(coupled, coupled.corrections, {1, 0}, 40);
+    REQUIRE(status.ok());
+    CHECK(status.iterations <= 6);
+    CHECK(stages.W == 1);
+}
+
+TEST_CASE("starting values that lead on a way round are not taken for a while") {
+    Run run;
+    run.stages.rate = 0.6;
+    for (int step = 0; step < 50; ++step) { REQUIRE(run.step(1).ok()); }
+    int far = 0;
+    for (int step = 0; step < 100; ++step) {
+        REQUIRE(run.step(1e9).ok());  // ten corrections more than from rest
+        far += run.stages.start != 0;
+    }
+    CHECK(far < 10);
+    // And are tried again.
+    int near = 0;
+    for (int step = 0; step < 200; ++step) {
+        REQUIRE(run.step(1.5).ok());  // the solution is 1.5
+        near += run.stages.start != 0;
+    }
+    CHECK(near > 100);
 }

@@ -79,27 +79,69 @@ TEST_CASE("the first derivatives of a quadratic H at the origin") {
     CHECK(analysed("q*p").structure.by_q[0].is_zero());
 }
 
+namespace {
+
+/// Empty where there are none, or where constant terms couple.
+std::vector<LinearStiffness> by_components(const System& system) {
+    const auto* found = std::get_if<std::vector<LinearStiffness>>(&system.structure.constant);
+    return found == nullptr ? std::vector<LinearStiffness>{} : *found;
+}
+
+}  // namespace
+
 TEST_CASE("the constant stiffness of components, where none couples with another") {
     const auto stiff = [](const std::string& H, const std::string& q, const std::string& p) {
-        return analysed(H, q, p).structure.stiffness;
+        return by_components(analysed(H, q, p));
     };
     const System spring = analysed("p^2/(2*m)+k*q^2+q^4");
-    REQUIRE(spring.structure.stiffness.size() == 1);
-    CHECK(spring.structure.stiffness[0].component == 0);
-    CHECK(value(spring.graph, spring.structure.stiffness[0].value, {{"m", 4}, {"k", 3}}) == 1.5L);
+    REQUIRE(by_components(spring).size() == 1);
+    CHECK(by_components(spring)[0].component == 0);
+    CHECK(value(spring.graph, by_components(spring)[0].value, {{"m", 4}, {"k", 3}}) == 1.5L);
     // A hill: the sum is kept as -(2 k - 12 q^2).
     const System hill = analysed("p^2/(2*m)-k*q^2+q^4");
-    REQUIRE(hill.structure.stiffness.size() == 1);
-    CHECK(value(hill.graph, hill.structure.stiffness[0].value, {{"m", 4}, {"k", 3}}) == -1.5L);
+    REQUIRE(by_components(hill).size() == 1);
+    CHECK(value(hill.graph, by_components(hill)[0].value, {{"m", 4}, {"k", 3}}) == -1.5L);
     // x^2/2 - x^3/3 has the second derivative 1 - 2 x, and cos none that is constant.
     const System two = analysed("(a^2+b^2)/2-cos(x)+y^2/2-y^3/3", "x, y", "a, b");
-    REQUIRE(two.structure.stiffness.size() == 1);
-    CHECK(two.structure.stiffness[0].component == 1);
-    CHECK(value(two.graph, two.structure.stiffness[0].value, {}) == 1);
+    REQUIRE(by_components(two).size() == 1);
+    CHECK(by_components(two)[0].component == 1);
+    CHECK(value(two.graph, by_components(two)[0].value, {}) == 1);
     CHECK(stiff("(a^2+b^2)/2+x^2+x*y+x^4", "x, y", "a, b").empty());
     CHECK(stiff("(a^2+a*b+b^2)/2+x^2+x^4", "x, y", "a, b").empty());
     CHECK(stiff("p^2/2-cos(q)", "q", "p").empty());
-    CHECK(stiff("(p^2+1)*(q^2+1)", "q", "p").empty());
+}
+
+TEST_CASE("the constant terms of second derivatives, where components couple") {
+    const auto entries = [](const HessianBlock& block, const System& system, const Values& at) {
+        std::vector<Real> values;
+        for (const std::vector<Scaled>& row : block) {
+            for (const Scaled& entry : row) { values.push_back(value(system.graph, entry, at)); }
+        }
+        return values;
+    };
+    using All = std::vector<Real>;
+    const Values at{{"k", 3}, {"B", 5}};
+    const System chain = analysed("(a^2+b^2)/2+k*(x-y)^2/2+x^4", "x, y", "a, b");
+    REQUIRE(std::holds_alternative<Hessian>(chain.structure.constant));
+    const auto& springs = std::get<Hessian>(chain.structure.constant);
+    CHECK(entries(springs.qq, chain, at) == All{3, -3, -3, 3});
+    CHECK(entries(springs.mixed, chain, at) == All{0, 0, 0, 0});
+    CHECK(entries(springs.conjugates, chain, at) == All{1, 0, 0, 1});
+    // ((a + B y)^2 + (b - B x)^2)/2: by x, x, B^2; by x and b, -B; by y and a, B.
+    const System magnet = analysed("((a+B*y)^2+(b-B*x)^2)/2+x^4+k*x*y^3", "x, y", "a, b");
+    REQUIRE(std::holds_alternative<Hessian>(magnet.structure.constant));
+    const auto& field = std::get<Hessian>(magnet.structure.constant);
+    CHECK(entries(field.qq, magnet, at) == All{25, 0, 0, 25});
+    CHECK(entries(field.mixed, magnet, at) == All{0, -5, 5, 0});
+    CHECK(entries(field.conjugates, magnet, at) == All{1, 0, 0, 1});
+    // Nothing moves by constant terms of one kind alone.
+    const auto has_none = [](const std::string& H) {
+        return std::holds_alternative<std::monostate>(
+            analysed(H, "x, y", "a, b").structure.constant);
+    };
+    CHECK(has_none("a^2/2+a^4+b^2/2+cos(x)*y"));
+    CHECK(has_none("(a^2+a*b+b^2)/2+cos(x)*y"));
+    CHECK_FALSE(has_none("(a^2+a*b+b^2)/2+cos(x)*y+y^2"));
 }
 
 TEST_CASE("what H does not depend on") {

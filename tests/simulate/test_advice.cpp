@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -202,6 +203,32 @@ TEST_CASE("stepper --accuracy writes the header of the method that it advises") 
     const auto& point = json["scenes"][0]["methods"][0]["points"][0];
     CHECK(point["error"].get<double>() <= 1e-6);
     CHECK(point["error"].get<double>() > 0);
+}
+
+TEST_CASE("stepper --accuracy --explain shows what the model says beside what was measured") {
+    use_cache();
+    const Directory directory;
+    const Outcome result = hvi_gen(
+        {"stepper", "pendulum", "--until", "5", "--accuracy", "1e-4", "--explain", "-o", "x.hpp"},
+        directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    std::istringstream lines(result.err.substr(result.err.find("costs by the model")));
+    std::string line, method;
+    std::getline(lines, line);
+    std::getline(lines, line);
+    int rows = 0;
+    while (std::getline(lines, line) && line.compare(0, 8, "  gauss:") == 0) {
+        std::istringstream row(line);
+        double iterations = 0;
+        int operations = 0;
+        REQUIRE((row >> method >> iterations >> operations));
+        CHECK(iterations >= 2);
+        // A component of s stages: s products for its sum, and sin.
+        CHECK(operations > std::stoi(method.substr(6)));
+        ++rows;
+    }
+    CHECK(rows >= 3);
 }
 
 TEST_CASE("run --accuracy takes the steps that it advises") {

@@ -12,7 +12,11 @@ namespace {
 using Kind = StageNode::Kind;
 
 bool has_linear_part(const Step& step) {
-    return step.corrections && !step.corrections->stiff.empty();
+    return step.corrections && exists(step.corrections->linear);
+}
+
+bool has_constant_hessian(const Step& step) {
+    return step.corrections && std::holds_alternative<CoupledConstants>(step.corrections->linear);
 }
 
 /// The stage equations of this step.
@@ -80,17 +84,31 @@ std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
 
 // ---- corrections ----
 
-/// The basis of modes, and the type of what corrects. `matrix`: what C is, as text.
-std::string types_of_corrections(const Step& step, std::string_view type, std::string_view matrix) {
+/// What solves the linear part of the equations of `unknowns`, Position or Pair.
+std::string type_of_linear_part(const Step& step, std::string_view unknowns) {
+    const auto* stiff = std::get_if<StiffComponents>(&step.corrections->linear);
+    if (stiff == nullptr) {
+        return fmt::format("hvi::detail::{}Corrections<Vector, hvi::detail::ConstantHessian, {}>",
+                           unknowns, lane_arguments(step, ", StageModes"));
+    }
+    const std::string between = fmt::format(", {}, StageModes", stiff->components.size());
+    return fmt::format("hvi::detail::ComponentCorrections<Vector, {}>",
+                       lane_arguments(step, between));
+}
+
+/// The basis of modes, and the types of what corrects. `matrix`: what C is, as text.
+std::string types_of_corrections(const Step& step, std::string_view unknowns,
+                                 std::string_view matrix) {
     if (!step.corrections) { return {}; }
     Writer writer(1);
     writer.blank().insert(modes_text(step.corrections->modes, "StageModes", matrix, 1)).blank();
-    writer.line("using Corrections = hvi::detail::{}<Vector, {}>;", type,
-                lane_arguments(step, ", StageModes"));
+    const std::string lanes = lane_arguments(step, ", StageModes");
+    writer.line("using Corrections =");
+    writer.line("    hvi::detail::{}Corrections<Vector, hvi::detail::HessianInTheMiddle, {}>;",
+                unknowns, lanes);
     if (has_linear_part(step)) {
-        const std::string between = fmt::format(", {}, StageModes", step.corrections->stiff.size());
-        writer.line("using LinearPart = hvi::detail::LinearCorrections<Vector, {}>;",
-                    lane_arguments(step, between));
+        writer.line("using LinearPart = hvi::detail::OfStepSize<{}>;",
+                    type_of_linear_part(step, unknowns));
     }
     return writer.str();
 }
@@ -102,11 +120,10 @@ std::string members_for_corrections(const Step& step, const std::string& begin,
     const SolverCosts& costs = step.corrections->costs;
     Writer writer(2);
     writer.line("Corrections& corrections;");
-    if (has_linear_part(step)) {
-        const std::vector<std::size_t>& stiff = step.corrections->stiff;
-        writer.line("LinearPart& linear;").blank();
-        writer.line("static constexpr std::array<std::size_t, {}> stiff{{{}}};", stiff.size(),
-                    fmt::join(stiff, ", "));
+    if (has_linear_part(step)) { writer.line("LinearPart& linear;"); }
+    if (const auto* stiff = std::get_if<StiffComponents>(&step.corrections->linear)) {
+        writer.blank().line("static constexpr std::array<std::size_t, {}> stiff{{{}}};",
+                            stiff->components.size(), fmt::join(stiff->components, ", "));
     }
     writer.blank();
     writer.line("static constexpr hvi::detail::SolverCosts costs{{{}, {}, {}, {}}};", costs.sweep,
@@ -170,6 +187,10 @@ std::string corrections_of_positions(const Step& step) {
     hessian.line("template <class Matrix>");
     hessian.line("void hessian_in_the_middle(Matrix& out) const {{ system.{}; }}",
                  hessian_call(at, "out"));
+    if (has_constant_hessian(step)) {
+        hessian.line("template <class Matrix>");
+        hessian.line("void constant_hessian(Matrix& out) const {{ system.constant_d2Hdq2(out); }}");
+    }
     return members_for_corrections(step, "positions();", hessian.str());
 }
 
@@ -181,7 +202,7 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
     constants.insert(constants_text(step, form, wishes)).blank();
     constants.line("static constexpr hvi::detail::VelocityTable<Scalar, stages> cn_lanes{{c, n}};");
     columns_of_extrapolation(constants, form.iteration);
-    constants.insert(types_of_corrections(step, "PositionCorrections", "b_i n_ij"));
+    constants.insert(types_of_corrections(step, "Position", "b_i n_ij"));
     ImplicitParts parts;
     parts.runtime = runtime_of_lanes(step, "velocity_lanes");
     parts.steps = steps_of_lanes(
@@ -253,6 +274,14 @@ std::string corrections_of_pairs(const Step& step) {
     hessian.line("system.{};", hessian_qq_call(step, at, "qq"));
     if (!step.is_separable()) { hessian.line("system.{};", hessian_qp_call(at, "qp")); }
     hessian.line("system.{};", hessian_pp_call(step, at, "pp")).close();
+    if (has_constant_hessian(step)) {
+        hessian.line("template <class Matrix>");
+        hessian.open("void constant_hessian(Matrix& qq, {}Matrix& qp, Matrix& pp) const {{",
+                     step.is_separable() ? "[[maybe_unused]] " : "");
+        hessian.line("system.constant_d2Hdq2(qq);");
+        if (!step.is_separable()) { hessian.line("system.constant_d2Hdqdp(qp);"); }
+        hessian.line("system.constant_d2Hdp2(pp);").close();
+    }
     hessian.line("void all_slopes() {{ {} }}", step.slopes == Slopes::joint ? "slopes();"
                                                : step.shared_slopes > 0
                                                    ? "forces(); velocities_after_forces();"
@@ -307,7 +336,7 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
     columns(constants, "m");
     if (step.partner != Partner::same) { columns(constants, "mt"); }
     columns_of_extrapolation(constants, iteration);
-    constants.insert(types_of_corrections(step, "PairCorrections", "b_i m_ij"));
+    constants.insert(types_of_corrections(step, "Pair", "b_i m_ij"));
     ImplicitParts parts;
     parts.runtime = runtime_of_lanes(step, "stage_lanes");
     parts.steps = steps_of_lanes(step, {}, "");

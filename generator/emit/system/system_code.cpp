@@ -149,6 +149,18 @@ void add_second_derivatives(std::vector<SystemFunction>& functions, const Second
     }
 }
 
+/// Adds constant terms of second derivatives, as functions of nothing.
+void add_constant_terms(std::vector<SystemFunction>& functions, const SecondDerivatives& constant) {
+    const auto add = [&](std::string name, const std::optional<BlockKernel>& block) {
+        if (!block) { return; }
+        functions.push_back(hessian(std::move(name), *block));
+        functions.back().has_q = functions.back().has_p = false;
+    };
+    add("constant_d2Hdq2", constant.qq);
+    add("constant_d2Hdqdp", constant.mixed);
+    add("constant_d2Hdp2", constant.conjugates);
+}
+
 /// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
 void add_tangents(std::vector<SystemFunction>& functions, const Tangents& tangents,
                   const System& system) {
@@ -260,6 +272,7 @@ std::vector<SystemFunction> slopes(const System& system, const Step& step,
         function.out = fmt::format("std::array<Scalar, {}>& out", function.targets.size());
         result.push_back(std::move(function));
     }
+    if (evaluations.constant) { add_constant_terms(result, *evaluations.constant); }
     if (evaluations.second) { add_second_derivatives(result, *evaluations.second, system, step); }
     if (evaluations.tangents) { add_tangents(result, *evaluations.tangents, system); }
     return result;

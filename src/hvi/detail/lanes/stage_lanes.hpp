@@ -41,6 +41,9 @@ struct StageLanes : StepMemory<Vector> {
     void predict_q(const Vector& gradient) { fill(Lq, gradient, Lane(hb)); }
     void predict_p(const Vector& gradient) { fill(Lp, gradient, -Lane(hb)); }
 
+    /// No slopes at all.
+    void rest() { Lq = Lp = {}; }
+
     /// Starting values of those of the last step, or of two.
     template <class... Before>
     void extrapolate_q(const Matrix& N, Before&&... before) {

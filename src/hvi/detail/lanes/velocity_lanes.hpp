@@ -73,6 +73,9 @@ struct VelocityLanes : StepMemory<Vector> {
         drifts(system);
     }
 
+    /// No slopes at all.
+    void rest() { Lp = W = {}; }
+
     /// Starting values of those of the last step, or of two.
     template <class... Before>
     void extrapolate(const LaneMatrix<Scalar, stages>& N, Before&&... before) {

@@ -24,16 +24,29 @@ struct SolverCosts {
 template <class Vector>
 class CorrectedSweeps {
 public:
-    /// Gives up after `most`. `keeps_factors`: from step to step, and they are computed anew where
-    /// corrections do not contract; else they depend on h alone. Preconditions: those of Sweeps.
+    struct Prices {
+        int iteration, factors;
+    };
+
+    /// Gives up where more than `most` would be spent. `keeps_factors`: from step to step, and they
+    /// are computed anew where corrections do not contract; else they depend on h alone.
+    /// Preconditions: those of Sweeps.
     template <bool keeps_factors, class Coupled, class Corrections>
-    [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, int most) {
+    [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, const Prices& prices,
+                               int most) {
         coupled.begin_corrections();
         end_.begin(coupled.s.n);
-        bool has_new_factors = !keeps_factors || !has_factors_;
-        bool has_factors = (keeps_factors && has_factors_) || corrections.factorise(coupled);
+        spent_ = 0;
+        const auto factorise = [&] {
+            spent_ += prices.factors;
+            return corrections.factorise(coupled);
+        };
+        bool has_factors = (keeps_factors && has_factors_) || factorise();
         bool is_last = false;
-        for (int iteration = 1; has_factors && iteration <= most; ++iteration) {
+        int iteration = 0;
+        while (has_factors && spent_ < most) {
+            ++iteration;
+            spent_ += prices.iteration;
             corrections.correct(coupled);
             // NOTE: the stages do not show what is left in the slopes below their own rounding,
             // which has the sign of the starting values' error: without the last correction the
@@ -45,16 +58,17 @@ public:
             coupled.momenta();
             coupled.positions();
             const Now now = end_.judge(coupled);
-            is_last = now == Now::ended;
+            is_last = now == Now::ended || end_.next_is_last();
             if (now == Now::not_finite || end_.grows(coupled)) { break; }
             if (is_last || !keeps_factors || end_.contracts()) { continue; }
-            if (has_new_factors) { break; }
-            has_factors = corrections.factorise(coupled);
-            has_new_factors = true;
+            has_factors = factorise();
         }
         if constexpr (keeps_factors) { has_factors_ = false; }
-        return Status(Status::Code::not_converged, most);
+        return Status(Status::Code::not_converged, iteration);
     }
+
+    /// By the last solve().
+    [[nodiscard]] int spent() const { return spent_; }
 
     void forget() { has_factors_ = false; }
 
@@ -63,14 +77,15 @@ private:
 
     EndOfCorrections<Vector> end_;
     bool has_factors_ = false;
+    int spent_ = 0;
 };
 
 }  // namespace detail
 
 /// Solver policy of steppers whose stages are lanes: fixed points, those whose linear part is
 /// solved exactly, or corrections with one Hessian for all stages, whichever have cost least on the
-/// steps before, and `Newton` where all fail. What has not been the cheapest is tried again after
-/// 8, 16, 32, 64, 64, ... steps, for as long as it costs no more. All solve the equations to
+/// steps before, and `Newton` where all fail. What has not been the cheapest is tried again
+/// after 8, 16, 32, 64, 64, ... steps, for as long as it costs no more. All solve the equations to
 /// round-off, so that a change from one to the other does not show in the energy.
 ///
 /// Costs are counts of iterations times numbers of the header, so that the same steps are solved in
@@ -93,14 +108,10 @@ struct AutomaticOfLanes {
             if (!others_.is_over()) { return solve_stiff(coupled); }
             int iterations = 0;
             for (Attempt now = first(costs); now.way != Way::newton; now = after(now, costs)) {
-                if (now.is_from_start) { coupled.predict(); }
-                const int most = most_iterations(now, costs);
-                const Status status = now.way == Way::sweeps
-                                          ? sweeps_.template solve<true>(coupled, most)
-                                          : solve_corrected(coupled, now.way, most);
-                iterations += status.iterations;
-                if (status.ok()) {
-                    learn(now, cost(now.way, status.iterations, costs), costs);
+                const Result result = solved(coupled, now, costs);
+                iterations += result.status.iterations;
+                if (result.status.ok()) {
+                    learn(now, result.spent, costs);
                     return Status(Status::Code::ok, iterations);
                 }
             }
@@ -116,10 +127,15 @@ struct AutomaticOfLanes {
             bool is_from_start;     ///< with slopes as at the start of the step
             bool is_trial = false;  ///< of a way that has not been the cheapest
         };
-        static constexpr int most_corrections = 25;
+        /// What it came to.
+        struct Result {
+            Status status;
+            int spent;  ///< in units of the costs
+        };
 
-        [[nodiscard]] static constexpr int cost(Way way, int iterations,
-                                                const detail::SolverCosts& costs) {
+        /// Of the first iterations that are worth a trial.
+        [[nodiscard]] static constexpr int least_cost(Way way, const detail::SolverCosts& costs) {
+            constexpr int iterations = 6;
             switch (way) {
             case Way::sweeps: return iterations * costs.sweep;
             case Way::linear: return iterations * costs.linear;
@@ -129,10 +145,32 @@ struct AutomaticOfLanes {
             return 0;
         }
 
+        /// NOTE: what is tried may cost as much as what is known.
+        [[nodiscard]] int most_cost(const Attempt& now, const detail::SolverCosts& costs) const {
+            constexpr int corrections = 25;
+            return now.is_trial ? cost_ : corrections * costs.correction + 8 * costs.factors;
+        }
+
+        /// NOTE: from slopes as at the start long steps of what is stiff lead far away, where
+        /// second derivatives have no meaning; without any slopes stages are near to where H is
+        /// defined.
+        template <class Coupled>
+        [[nodiscard]] Result solved(Coupled& coupled, const Attempt& now,
+                                    const detail::SolverCosts& costs) {
+            const int most = most_cost(now, costs);
+            if (now.way != Way::sweeps) {
+                if (now.is_from_start) { coupled.s.rest(); }
+                const Status status = solve_corrected(coupled, now.way, most);
+                return {status, corrected_.spent()};
+            }
+            if (now.is_from_start) { coupled.predict(); }
+            const Status status = sweeps_.template solve<true>(coupled, most / costs.sweep);
+            return {status, status.iterations * costs.sweep};
+        }
+
         [[nodiscard]] Attempt first(const detail::SolverCosts& costs) const {
-            constexpr int least = 6;  // iterations
             const bool is_from_start = !from_start_.is_over();
-            if (cost_ > cost(other_, least, costs) && other_way_.is_over()) {
+            if (cost_ > least_cost(other_, costs) && other_way_.is_over()) {
                 return {other_, is_from_start, true};
             }
             return {usual_, is_from_start};
@@ -161,10 +199,20 @@ struct AutomaticOfLanes {
             if (is_new) {
                 other_way_.forget();
                 has_tried(costs);
+            }
+            learn_start(ended, cost, is_new);
+        }
+
+        /// Which starting values are the better ones. NOTE: extrapolated slopes may lead to the
+        /// solution, and on a way round.
+        void learn_start(const Attempt& ended, int cost, bool is_new) {
+            if (is_new) { cost_from_start_ = 0; }
+            if (ended.is_from_start) { cost_from_start_ = cost; }
+            const bool is_round = cost_from_start_ > 0 && cost > cost_from_start_;
+            if (ended.is_from_start ? from_start_.is_over() && !is_new : is_round) {
+                from_start_.begin();
             } else if (!ended.is_from_start) {
                 from_start_.forget();
-            } else if (from_start_.is_over()) {
-                from_start_.begin();
             }
         }
 
@@ -178,22 +226,9 @@ struct AutomaticOfLanes {
             } while (other_ == usual_ || (other_ == Way::linear && costs.linear == 0));
         }
 
-        /// NOTE: what is tried may cost as much as what is known.
-        [[nodiscard]] int most_iterations(const Attempt& now,
-                                          const detail::SolverCosts& costs) const {
-            const int most = now.is_trial ? cost_ : cost(Way::corrected, most_corrections, costs);
-            switch (now.way) {
-            case Way::sweeps: return most / costs.sweep;
-            case Way::linear: return most / costs.linear;
-            case Way::corrected: return (most - costs.factors) / costs.correction;
-            case Way::newton: break;
-            }
-            return 0;
-        }
-
         void forget(const detail::SolverCosts& costs) {
             usual_ = other_ = Way::sweeps;
-            cost_ = 0;
+            cost_ = cost_from_start_ = 0;
             from_start_.forget();
             other_way_.forget();
             others_.forget();
@@ -205,12 +240,15 @@ struct AutomaticOfLanes {
         template <class Coupled>
         [[nodiscard, gnu::noinline]] Status solve_corrected(Coupled& coupled,
                                                             [[maybe_unused]] Way way, int most) {
-            if constexpr (Coupled::costs.linear > 0) {
+            constexpr detail::SolverCosts costs = Coupled::costs;
+            if constexpr (costs.linear > 0) {
                 if (way == Way::linear) {
-                    return corrected_.template solve<false>(coupled, coupled.linear, most);
+                    return corrected_.template solve<false>(coupled, coupled.linear,
+                                                            {costs.linear, 0}, most);
                 }
             }
-            return corrected_.template solve<true>(coupled, coupled.corrections, most);
+            return corrected_.template solve<true>(coupled, coupled.corrections,
+                                                   {costs.correction, costs.factors}, most);
         }
 
         template <class Coupled>
@@ -224,6 +262,7 @@ struct AutomaticOfLanes {
         Way usual_ = Way::sweeps;      ///< the one that has cost least
         Way other_ = Way::corrected;   ///< that is tried next
         int cost_ = 0;                 ///< of the last step, by the usual one; 0: not known
+        int cost_from_start_ = 0;      ///< of the last that began with slopes at its start
         detail::Pause<8> other_way_;   ///< until then
         detail::Pause<1> others_;      ///< while Newton's method alone is used
         detail::Pause<1> from_start_;  ///< while the slopes at the start are the better ones

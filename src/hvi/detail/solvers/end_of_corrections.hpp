@@ -20,6 +20,7 @@ public:
         round_off_.begin(n);
         is_first_ = true;
         contracts_ = true;
+        next_is_last_ = false;
         smallest_change_ = infinity<Scalar>;
         stalls_ = 0;
     }
@@ -38,6 +39,7 @@ public:
         const Scalar change =
             by_largest ? change_of_largest(coupled) : largest_relative_change(coupled);
         const bool falls = is_first_ || 8 * change < 7 * last_change_;
+        next_is_last_ = !is_first_ && change <= nearly && change <= fast * last_change_;
         contracts_ = is_first_ || 4 * change <= last_change_ || change <= well;
         is_first_ = false;
         last_change_ = change;
@@ -52,6 +54,12 @@ public:
     [[nodiscard]] bool grows(const Coupled& coupled) const {
         return round_off_.template grows<Coupled::has_q, Coupled::has_p>(coupled.s.change, coupled);
     }
+
+    /// Whether the next correction changes what is far below rounding, and what it leaves over is
+    /// as much smaller.
+    ///
+    /// NOTE: one that is done all the same; see CorrectedSweeps.
+    [[nodiscard]] bool next_is_last() const { return next_is_last_; }
 
     /// Whether the last correction was small enough beside the one before.
     [[nodiscard]] bool contracts() const { return contracts_; }
@@ -72,6 +80,8 @@ private:
     // So near to the solution any contraction does: with half of the digits and some more.
     static constexpr Scalar well = power_of_two<Scalar>(-4 * bits<Scalar> / 7);
     static constexpr Scalar far = power_of_two<Scalar>(-4);
+    // The next change is below 2^-58 of a double then, and the one after it below 2^-66.
+    static constexpr Scalar nearly = 4 * epsilon<Scalar>, fast = power_of_two<Scalar>(-8);
 
     /// NOTE: the sizes are those of the last stages that were still far from the solution: near to
     /// it they stay what they are.
@@ -122,7 +132,7 @@ private:
     State<Vector> part_;  ///< 1/size of each component, see RoundOff::judge()
     Scalar last_change_ = 0, smallest_change_ = infinity<Scalar>;
     int stalls_ = 0;  ///< corrections in a row that were not smaller than all before
-    bool is_first_ = true, contracts_ = true;
+    bool is_first_ = true, contracts_ = true, next_is_last_ = false;
 };
 
 }  // namespace hvi::detail

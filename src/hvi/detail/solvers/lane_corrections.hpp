@@ -15,20 +15,57 @@
 
 namespace hvi::detail {
 
+/// The Hessian of corrections: that between the middle stages, which is nearer to those of all than
+/// that of the start.
+struct HessianInTheMiddle {
+    template <class Coupled, class... Blocks>
+    static void evaluate(const Coupled& coupled, Blocks&... blocks) {
+        coupled.hessian_in_the_middle(blocks...);
+    }
+};
+
+/// The terms of all Hessians that do not vary. What is solved with them is the linear part of the
+/// equations, as the motion of linear springs, and the sweeps to the solution, which is the same,
+/// do not depend on how stiff these are.
+struct ConstantHessian {
+    template <class Coupled, class... Blocks>
+    static void evaluate(const Coupled& coupled, Blocks&... blocks) {
+        coupled.constant_hessian(blocks...);
+    }
+};
+
+/// Corrections whose factors depend on h alone.
+template <class Corrections>
+class OfStepSize : public Corrections {
+public:
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        if (has_factors_ && coupled.s.h == h_) { return true; }
+        h_ = coupled.s.h;
+        has_factors_ = Corrections::factorise(coupled);
+        return has_factors_;
+    }
+
+private:
+    typename Corrections::Scalar h_ = 0;  ///< that of the factors
+    bool has_factors_ = false;
+};
+
 /// Simplified Newton for VelocityLanes: Lp -= J^-1 (Lp + h b dH/dq), with J = 1 + h^2 (C x G K) and
 /// C_ij = b_i n_ij, where all stages have the G of one state.
 ///
 /// NOTE: the corrected slopes are what the step adds up, as in PairEquations.
-template <class Vector, std::size_t stages, class Modes, std::size_t most = widest>
+template <class Vector, class Hessian, std::size_t stages, class Modes, std::size_t most = widest>
 class PositionCorrections {
 public:
-    /// False where J is singular, nearly so, or not finite. With the G of the middle of the present
-    /// stages, which is nearer to those of all than that of the start.
+    using Scalar = ScalarOf<Vector>;
+
+    /// False where J is singular, nearly so, or not finite.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
         G_.set_zero(dimension);
         hGK_.set_zero(dimension);
-        coupled.hessian_in_the_middle(G_);
+        Hessian::evaluate(coupled, G_);
         set_hGK(coupled, G_, hGK_);
         return modes_.compute(
             [&](std::size_t k, std::size_t l) { return coupled.s.h * hGK_(k, l); });
@@ -52,7 +89,6 @@ public:
 
 private:
     static constexpr std::size_t dimension = fixed_size<Vector>();
-    using Scalar = ScalarOf<Vector>;
     using Lane = Lanes<Scalar, stages, most>;
     using Slopes = LaneRows<Scalar, stages, dimension>;
 
@@ -63,20 +99,18 @@ private:
 
 /// The same for the components Coupled::stiff alone, whose stiffness has a part that is constant
 /// and, as the matrix of T, diagonal: each is a Lp_k -= (1 + h^2 omega_k^2 C)^-1 (Lp_k + h b
-/// dH/dq_k) of its own, the others are what dH/dq says. The solution is the same, and the sweeps to
-/// it no longer depend on h omega.
+/// dH/dq_k) of its own, the others are what dH/dq says.
 template <class Vector, std::size_t stages, std::size_t count, class Modes,
           std::size_t most = widest>
-class LinearCorrections {
+class ComponentCorrections {
 public:
-    /// The matrices for h, which depend on nothing else. False where one is singular, nearly so, or
-    /// not finite.
+    using Scalar = ScalarOf<Vector>;
+
+    /// The matrices for h. False where one is singular, nearly so, or not finite.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
-        if (coupled.s.h == h_) { return true; }
         std::array<Scalar, count> stiffness;
         coupled.system.stiffness(stiffness);
-        h_ = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const Scalar square = coupled.s.h * (coupled.s.h * stiffness[i]);
             if (!one_.compute([&](std::size_t, std::size_t) { return square; })) { return false; }
@@ -87,7 +121,6 @@ public:
                 inverse_[i][j] = column[0];
             }
         }
-        h_ = coupled.s.h;
         return true;
     }
 
@@ -108,11 +141,9 @@ public:
     }
 
 private:
-    using Scalar = ScalarOf<Vector>;
     using Lane = Lanes<Scalar, stages, most>;
     using Row = typename Lane::Row;
 
-    Scalar h_ = 0;  ///< that of the matrices; 0: there are none
     ModeLanes<Scalar, stages, 1, Modes, most> one_;
     std::array<LaneMatrix<Scalar, stages>, count> inverse_;
     std::array<Row, count> before_{};
@@ -120,14 +151,16 @@ private:
 
 /// The same for StageLanes: L -= J^-1 (L - slopes), L being Lq and then Lp, J = 1 - h (C x S) with
 /// C = diag(b) m, and S = (Hpq Hpp; -Hqq -Hqp) of one state. Precondition: m == mt.
-template <class Vector, std::size_t stages, class Modes, std::size_t most = widest>
+template <class Vector, class Hessian, std::size_t stages, class Modes, std::size_t most = widest>
 class PairCorrections {
 public:
+    using Scalar = ScalarOf<Vector>;
+
     /// See PositionCorrections.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
         for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) { block->set_zero(dimension); }
-        coupled.hessian_in_the_middle(Hqq_, Hqp_, Hpp_);
+        Hessian::evaluate(coupled, Hqq_, Hqp_, Hpp_);
         const Scalar h = coupled.s.h;
         return modes_.compute([&](std::size_t k, std::size_t l) {
             const bool by_q = l < dimension;
@@ -158,7 +191,6 @@ public:
 
 private:
     static constexpr std::size_t dimension = fixed_size<Vector>();
-    using Scalar = ScalarOf<Vector>;
     using Lane = Lanes<Scalar, stages, most>;
     using Slopes = LaneRows<Scalar, stages, dimension>;
 
