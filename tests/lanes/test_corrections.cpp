@@ -113,7 +113,6 @@ constexpr double times[2] = {0.5 - root / 6, 0.5 + root / 6};
 constexpr double A[2][2] = {{0.25, 0.25 - root / 6}, {0.25 + root / 6, 0.25}};
 
 struct ModesOfA {
-    static constexpr bool exist = true;
     static constexpr std::size_t real_ones = 0, pairs = 1;
     static constexpr double real_parts[1] = {0.25};
     static constexpr double imaginary_parts[1] = {root / 12};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <hvi/detail/solvers/end_of_corrections.hpp>
+#include <hvi/detail/solvers/corrected_sweeps.hpp>
 #include <hvi/detail/solvers/pause.hpp>
 #include <hvi/fixed_point.hpp>
 #include <hvi/state.hpp>
@@ -17,67 +17,6 @@ struct SolverCosts {
     int linear;      ///< of those whose linear part is solved exactly; 0: H has none
     int correction;  ///< a sweep and a correction of its slopes
     int factors;     ///< of the Jacobian with one Hessian
-};
-
-/// Sweeps whose slopes are corrected, down to round-off. `Corrections` have factors to compute, and
-/// with these correct the slopes at the present stages.
-template <class Vector>
-class CorrectedSweeps {
-public:
-    struct Prices {
-        int iteration, factors;
-    };
-
-    /// Gives up where more than `most` would be spent. `keeps_factors`: from step to step, and they
-    /// are computed anew where corrections do not contract; else they depend on h alone.
-    /// Preconditions: those of Sweeps.
-    template <bool keeps_factors, class Coupled, class Corrections>
-    [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, const Prices& prices,
-                               int most) {
-        coupled.begin_corrections();
-        end_.begin(coupled.s.n);
-        spent_ = 0;
-        const auto factorise = [&] {
-            spent_ += prices.factors;
-            return corrections.factorise(coupled);
-        };
-        bool has_factors = (keeps_factors && has_factors_) || factorise();
-        bool is_last = false;
-        int iteration = 0;
-        while (has_factors && spent_ < most) {
-            ++iteration;
-            spent_ += prices.iteration;
-            corrections.correct(coupled);
-            // NOTE: the stages do not show what is left in the slopes below their own rounding,
-            // which has the sign of the starting values' error: without the last correction the
-            // energy of Kepler's problem drifted by 4e-19 a step.
-            if (is_last) {
-                if constexpr (keeps_factors) { has_factors_ = true; }
-                return Status(Status::Code::ok, iteration);
-            }
-            coupled.momenta();
-            coupled.positions();
-            const Now now = end_.judge(coupled);
-            is_last = now == Now::ended || end_.next_is_last();
-            if (now == Now::not_finite || end_.grows(coupled)) { break; }
-            if (is_last || !keeps_factors || end_.contracts()) { continue; }
-            has_factors = factorise();
-        }
-        if constexpr (keeps_factors) { has_factors_ = false; }
-        return Status(Status::Code::not_converged, iteration);
-    }
-
-    /// By the last solve().
-    [[nodiscard]] int spent() const { return spent_; }
-
-    void forget() { has_factors_ = false; }
-
-private:
-    using Now = typename EndOfCorrections<Vector>::Now;
-
-    EndOfCorrections<Vector> end_;
-    bool has_factors_ = false;
-    int spent_ = 0;
 };
 
 }  // namespace detail
@@ -124,7 +63,7 @@ struct AutomaticOfLanes {
         /// What a step tries.
         struct Attempt {
             Way way;
-            bool is_from_start;     ///< with slopes as at the start of the step
+            bool is_from_start;     ///< not with extrapolated slopes; see solved()
             bool is_trial = false;  ///< of a way that has not been the cheapest
         };
         /// What it came to.
@@ -208,8 +147,8 @@ struct AutomaticOfLanes {
         void learn_start(const Attempt& ended, int cost, bool is_new) {
             if (is_new) { cost_from_start_ = 0; }
             if (ended.is_from_start) { cost_from_start_ = cost; }
-            const bool is_round = cost_from_start_ > 0 && cost > cost_from_start_;
-            if (ended.is_from_start ? from_start_.is_over() && !is_new : is_round) {
+            const bool is_longer = cost_from_start_ > 0 && cost > cost_from_start_;
+            if (ended.is_from_start ? from_start_.is_over() && !is_new : is_longer) {
                 from_start_.begin();
             } else if (!ended.is_from_start) {
                 from_start_.forget();
