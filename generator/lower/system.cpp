@@ -99,6 +99,18 @@ std::vector<SystemValue> values(NamedSystem& into,
     return result;
 }
 
+LinearPart linear_part(const ConstantTerms& constant) {
+    if (const auto* components = std::get_if<std::vector<LinearStiffness>>(&constant)) {
+        StiffComponents stiff;
+        for (const LinearStiffness& linear : *components) {
+            stiff.components.push_back(linear.component);
+        }
+        return stiff;
+    }
+    return std::holds_alternative<Hessian>(constant) ? LinearPart{CoupledConstants{}}
+                                                     : LinearPart{};
+}
+
 }  // namespace
 
 System system_of(const Hamiltonian& hamiltonian, const std::vector<std::string>& parameters) {
@@ -131,22 +143,6 @@ System system_of(const Scene& scene) {
     verify(system);
     return std::move(system);
 }
-
-namespace {
-
-LinearPart linear_part(const ConstantTerms& constant) {
-    if (const auto* components = std::get_if<std::vector<LinearStiffness>>(&constant)) {
-        StiffComponents stiff;
-        for (const LinearStiffness& linear : *components) {
-            stiff.components.push_back(linear.component);
-        }
-        return stiff;
-    }
-    return std::holds_alternative<Hessian>(constant) ? LinearPart{CoupledConstants{}}
-                                                     : LinearPart{};
-}
-
-}  // namespace
 
 SystemProperties properties(const System& system, const GradientKernels& gradients) {
     return {

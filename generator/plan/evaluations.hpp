@@ -42,7 +42,7 @@ struct Evaluations {
     std::optional<Kernel> inverse_mass;         ///< see Structure
     std::optional<Kernel> shared;               ///< by_q, then what by_conjugates_at_q takes of it
     std::optional<Kernel> stiffness;            ///< of StiffComponents
-    std::optional<SecondDerivatives> constant;  ///< their terms, where CoupledConstants
+    std::optional<SecondDerivatives> constant;  ///< terms of them, of CoupledConstants
     std::optional<SecondDerivatives> second;    ///< where an iteration needs some
     std::optional<Tangents> tangents;           ///< for Solver::newton_taylor
 };

@@ -416,7 +416,7 @@ TEST_CASE("corrections take over where they cost less, and sweeps come back") {
     CHECK(corrections < 20);
 }
 
-TEST_CASE("where sweeps diverge, the step is corrected from slopes at its start") {
+TEST_CASE("where sweeps diverge, the step is corrected from the start on") {
     Run run;
     run.stages.rate = 3;
     REQUIRE(run.step(1e3).ok());

@@ -86,11 +86,12 @@ TEST_CASE("evaluations are those of the iterations") {
 
 namespace {
 
-/// h omega from `from` on, a factor of sqrt(10) at a time; the stiff spring that moves has the
-/// energy of the soft ones, or their amplitude. `start(omega)` is where the chain begins.
+/// A factor of sqrt(10) at a time; the stiff spring that moves has the energy of the soft ones, or
+/// their amplitude. `start(d)` is where the chain begins, that spring being longer by d.
 template <class Chain, class Start>
-void check_stiff(double h, double from, Start start) {
-    for (double z = from; z < 1.1e4; z *= std::sqrt(10.0)) {
+void check_stiff(Start start) {
+    constexpr double h = 0.02;
+    for (double z = 1e-3; z < 1.1e4; z *= std::sqrt(10.0)) {
         const double omega = z / h;
         typename Chain::Parameters parameters;
         parameters.omega = omega;
@@ -103,13 +104,13 @@ void check_stiff(double h, double from, Start start) {
 }  // namespace
 
 TEST_CASE("h omega from 1e-3 to 1e4: iterations of chains with stiff springs by themselves") {
-    check_stiff<FpuLanes>(0.02, 1e-3, [](double d) {
+    check_stiff<FpuLanes>([](double d) {
         return FpuLanes::State{{1, 0, 0, d, 0, 0}, {1, 0, 0, 1, 0, 0}};
     });
 }
 
 TEST_CASE("h omega from 1e-3 to 1e4: iterations of chains whose stiff springs couple") {
-    check_stiff<Masses>(0.02, 1e-3, [](double d) {
+    check_stiff<Masses>([](double d) {
         const double r = std::sqrt(0.5);
         return Masses::State{{r * (1 - d), r * (1 + d), 0, 0, 0, 0}, {0, 2 * r, 0, 0, 0, 0}};
     });

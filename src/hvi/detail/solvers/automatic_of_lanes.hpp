@@ -23,8 +23,8 @@ struct SolverCosts {
 
 /// Solver policy of steppers whose stages are lanes: fixed points, those whose linear part is
 /// solved exactly, or corrections with one Hessian for all stages, whichever have cost least on the
-/// steps before, and `Newton` where all fail. What has not been the cheapest is tried again
-/// after 8, 16, 32, 64, 64, ... steps, for as long as it costs no more. All solve the equations to
+/// steps before, and `Newton` where all fail. What has not been the cheapest is tried again after
+/// 8, 16, 32, 64, 64, ... steps, for as long as it costs no more. All solve the equations to
 /// round-off, so that a change from one to the other does not show in the energy.
 ///
 /// Costs are counts of iterations times numbers of the header, so that the same steps are solved in
@@ -84,7 +84,8 @@ struct AutomaticOfLanes {
             return 0;
         }
 
-        /// NOTE: what is tried may cost as much as what is known.
+        /// NOTE: what is tried may cost as much as what is known. And from rest the first factors
+        /// serve for a correction or two each.
         [[nodiscard]] int most_cost(const Attempt& now, const detail::SolverCosts& costs) const {
             constexpr int corrections = 25;
             return now.is_trial ? cost_ : corrections * costs.correction + 8 * costs.factors;
@@ -146,11 +147,12 @@ struct AutomaticOfLanes {
         /// solution, and on a way round.
         void learn_start(const Attempt& ended, int cost, bool is_new) {
             if (is_new) { cost_from_start_ = 0; }
-            if (ended.is_from_start) { cost_from_start_ = cost; }
-            const bool is_longer = cost_from_start_ > 0 && cost > cost_from_start_;
-            if (ended.is_from_start ? from_start_.is_over() && !is_new : is_longer) {
+            if (ended.is_from_start) {
+                cost_from_start_ = cost;
+                if (from_start_.is_over() && !is_new) { from_start_.begin(); }
+            } else if (cost_from_start_ > 0 && cost > cost_from_start_) {
                 from_start_.begin();
-            } else if (!ended.is_from_start) {
+            } else {
                 from_start_.forget();
             }
         }
