@@ -267,17 +267,18 @@ std::string corrections_of_pairs(const Step& step) {
     const SlopePoint at{"q", "p",
                         time_of_stage(step, std::to_string(step.positions.size() / 2), "s")};
     Writer hessian(2);
-    hessian.line("template <class Matrix>");
-    hessian.open("void hessian_in_the_middle(Matrix& qq, {}Matrix& qp, Matrix& pp) const {{",
-                 step.is_separable() ? "[[maybe_unused]] " : "");
+    const auto open = [&](std::string_view name) {
+        hessian.line("template <class Matrix>");
+        hessian.open("void {}(Matrix& qq, {}Matrix& qp, Matrix& pp) const {{", name,
+                     step.is_separable() ? "[[maybe_unused]] " : "");
+    };
+    open("hessian_in_the_middle");
     hessian.line("const Vector q = s.middle_q(), p = s.middle_p();");
     hessian.line("system.{};", hessian_qq_call(step, at, "qq"));
     if (!step.is_separable()) { hessian.line("system.{};", hessian_qp_call(at, "qp")); }
     hessian.line("system.{};", hessian_pp_call(step, at, "pp")).close();
     if (has_constant_hessian(step)) {
-        hessian.line("template <class Matrix>");
-        hessian.open("void constant_hessian(Matrix& qq, {}Matrix& qp, Matrix& pp) const {{",
-                     step.is_separable() ? "[[maybe_unused]] " : "");
+        open("constant_hessian");
         hessian.line("system.constant_d2Hdq2(qq);");
         if (!step.is_separable()) { hessian.line("system.constant_d2Hdqdp(qp);"); }
         hessian.line("system.constant_d2Hdp2(pp);").close();
