@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_functions.hpp>
 #include <hvi/detail/loops/along.hpp>
 #include <hvi/detail/loops/chunks.hpp>
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include <catch2/catch.hpp>
-#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_functions.hpp>
 #include <hvi/detail/lanes/lanes.hpp>
 
 namespace {

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 #include <driver/dual.hpp>
-#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_functions.hpp>
 #include <hvi/detail/lanes/lane_tables.hpp>
 #include <hvi/detail/numbers/more_math.hpp>
 

@@ -21,7 +21,7 @@ namespace {
 
 /// Long runs are made in part where lanes are computed one by one, which takes ten times as long
 /// under sanitizers.
-#ifdef HVI_NO_XSIMD
+#ifdef HVI_NO_REGISTERS
 constexpr int shorter = 5;
 #else
 constexpr int shorter = 1;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
-#include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_functions.hpp>
 #include <hvi/detail/loops/along.hpp>
 #include <hvi/detail/loops/chunks.hpp>
 

@@ -49,7 +49,7 @@ std::string emit_sites(const OneStepMethod& method, const Step& step, const Expl
     const std::string include = include_of_files(code.system) +
                                 own_includes(code.system.own_headers) +
                                 "#include <hvi/detail/coefficients/rounded.hpp>\n"
-                                "#include <hvi/detail/lanes/lane_math.hpp>\n"
+                                "#include <hvi/detail/lanes/lane_functions.hpp>\n"
                                 "#include <hvi/detail/loops/along.hpp>\n"
                                 "#include <hvi/detail/loops/ranges.hpp>\n"
                                 "#include <hvi/detail/loops/site_moves.hpp>\n"

@@ -187,6 +187,9 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
     if (!step.is_explicit() && calls_more_math(*options.system, options.wishes)) {
         part.include += "\n#include <hvi/detail/numbers/more_math.hpp>";
     }
+    if (step.has_lanes() && calls_lane_functions(*options.system)) {
+        part.include += "\n#include <hvi/detail/lanes/lane_functions.hpp>";
+    }
     part.purpose = purpose_for_scene(provenance, options);
     part.class_name = "Basic" + options.class_name;
     const std::size_t n = options.system->degrees_of_freedom();
@@ -211,7 +214,7 @@ std::string include_of_loops(const LoopCode& code, const Step& step) {
     std::string text = "#include <algorithm>\n#include <array>\n#include <cstdint>\n"
                        "#include <limits>\n#include <type_traits>\n#include <vector>\n\n"
                        "#include <hvi/detail/coefficients/rounded.hpp>\n"
-                       "#include <hvi/detail/lanes/lane_math.hpp>\n"
+                       "#include <hvi/detail/lanes/lane_functions.hpp>\n"
                        "#include <hvi/detail/loops/along.hpp>\n"
                        "#include <hvi/detail/loops/ranges.hpp>\n";
     text += include_of_files(code.system);

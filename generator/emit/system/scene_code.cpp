@@ -129,6 +129,20 @@ bool calls_more_math(const System& system, const SceneWishes& wishes) {
     return false;
 }
 
+bool calls_lane_functions(const System& system) {
+    constexpr std::string_view without_library[] = {"sin", "cos", "tan"};
+    for (Node node = 0; node < system.graph.size(); ++node) {
+        const Computation& computation = system.graph.at(node);
+        if (computation.operation != Operation::call) { continue; }
+        const Function* const function = find_function(computation.name);
+        const bool is_needed = function != nullptr && function->nature == Nature::analytic &&
+                               std::count(std::begin(without_library), std::end(without_library),
+                                          computation.name) == 0;
+        if (is_needed) { return true; }
+    }
+    return false;
+}
+
 std::string initializer(const Expression& expression) {
     // NOTE: read again, so that an error points into a text that stands for the number alone.
     const std::string name = to_text(expression);

@@ -29,6 +29,9 @@ struct SceneWishes {
 /// The namespace of the functions that it calls: `std`, or that of src/hvi/detail/numbers/math.hpp.
 [[nodiscard]] std::string_view library(const SceneWishes& wishes);
 
+/// Whether H calls what src/hvi/detail/lanes/lane_functions.hpp has, which others need not include.
+[[nodiscard]] bool calls_lane_functions(const System& system);
+
 /// Whether H calls what src/hvi/detail/numbers/more_math.hpp has.
 [[nodiscard]] bool calls_more_math(const System& system, const SceneWishes& wishes);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // NOTE: the runtime calls none of them. Headers of scenes do, as hvi::math::sin(x), of one number
-// and of several, and find them by what they include.
+// and of several, and find them by what they include; more of them are in lane_functions.hpp.
 #pragma once
 
 #include <cstddef>
@@ -83,24 +83,8 @@ template <class Value, class F, class... Given>
 namespace math {
 
 template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> acos(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) { return acos(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> acosh(const Lanes<Number, count, most>& x) {
     return detail::one_by_one(x, [](const Number& a) { return acosh(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> asin(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) { return asin(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> asinh(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) { return asinh(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> atan(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) { return atan(a); });
 }
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> atan2(const Lanes<Number, count, most>& y,
@@ -118,23 +102,9 @@ template <class Number, std::size_t count, std::size_t most>
     return atan2(Lanes<Number, count, most>(y), x);
 }
 template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> atanh(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) { return atanh(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> cbrt(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) { return cbrt(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
 [[nodiscard, gnu::always_inline]] inline Lanes<Number, count, most>
 cos(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) __attribute__((always_inline)) { return detail::cos_of(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> cosh(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) {
-        return detail::exponential(a, [](const auto& b) { return cosh(b); });
-    });
 }
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> erf(const Lanes<Number, count, most>& x) {
@@ -143,25 +113,6 @@ template <class Number, std::size_t count, std::size_t most>
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> erfc(const Lanes<Number, count, most>& x) {
     return detail::one_by_one(x, [](const Number& a) { return erfc(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> exp(const Lanes<Number, count, most>& x) {
-    return x.map(
-        [](const auto& a) { return detail::exponential(a, [](const auto& b) { return exp(b); }); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> expm1(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) {
-        return detail::exponential(a, [](const auto& b) { return expm1(b); });
-    });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> log(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) { return log(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> log10(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) { return log10(a); });
 }
 /// NOTE: one by one. That of xsimd is exp(y log(x)), off by as many units in the last place as that
 /// exponent is large.
@@ -184,24 +135,12 @@ sin(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) __attribute__((always_inline)) { return detail::sin_of(a); });
 }
 template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> sinh(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) {
-        return detail::exponential(a, [](const auto& b) { return sinh(b); });
-    });
-}
-template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> sqrt(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return sqrt(a); });
 }
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> tan(const Lanes<Number, count, most>& x) {
     return x.map([](const auto& a) { return detail::tan_of(a); });
-}
-template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Lanes<Number, count, most> tanh(const Lanes<Number, count, most>& x) {
-    return x.map([](const auto& a) {
-        return detail::exponential(a, [](const auto& b) { return tanh(b); });
-    });
 }
 
 }  // namespace math

@@ -152,7 +152,7 @@ inline constexpr std::size_t few_components = 3;
 /// that compete with those that compute.
 template <class Number, std::size_t count, std::size_t dimension>
 [[gnu::always_inline]] inline void keep_in_memory(const LaneRows<Number, count, dimension>& rows) {
-#if defined(__GNUC__) && HVI_HAS_XSIMD
+#if HVI_REGISTER_BYTES
     if constexpr (dimension > few_components) {
         asm("" : "+m"(const_cast<LaneRows<Number, count, dimension>&>(rows)));
     }

@@ -1,11 +1,11 @@
 // Numbers side by side: one operation computes them all.
 // SPDX-License-Identifier: MIT
 //
-// Where xsimd (8 or later) is found, double and float are computed in vectors of the processor, as
-// wide as the compiler is told that it has them, functions included. Without xsimd, with
-// -DHVI_NO_XSIMD and for other numbers the same is done one by one, in plain C++. Both round
-// differently in the last bits, and so do vectors of different width where a compiler fuses
-// products and sums; each build gives the same bits again.
+// double and float are computed in vectors of the processor, as wide as the compiler is told that
+// it has them. With a compiler that is not like g++, with -DHVI_NO_REGISTERS and for other numbers
+// the same is done one by one, in plain C++. Both round differently in the last bits, and so do
+// vectors of different width where a compiler fuses products and sums; each build gives the same
+// bits again.
 #pragma once
 
 #include <array>
@@ -79,7 +79,7 @@ public:
     }
 
     [[nodiscard]] friend bool any(const LaneMask& x) {
-        using detail::any;  // xsimd's is found by its argument
+        using detail::any;  // that of registers is found by its argument
         return any(x.one_of(std::make_index_sequence<parts - 1>()));
     }
     [[nodiscard]] friend bool all(const LaneMask& x) {
@@ -182,7 +182,7 @@ public:
 
     [[nodiscard]] friend Lanes abs(const Lanes& x) {
         return x.map([](const Part& a) -> Part {
-            using detail::abs;  // xsimd's is found by its argument
+            using detail::abs;  // that of registers is found by its argument
             return abs(a);
         });
     }
@@ -276,7 +276,7 @@ private:
     template <std::size_t... i>
     [[nodiscard]] static Lanes choose(const Mask& mask, const Lanes& yes, const Lanes& no,
                                       std::index_sequence<i...>) {
-        using detail::select;  // xsimd's is found by its arguments
+        using detail::select;  // that of registers is found by its arguments
         return Lanes(Parts{select(mask[i], yes.parts_[i], no.parts_[i])...});
     }
 

@@ -27,7 +27,7 @@ template <class Number>
     return math::tan(x);
 }
 
-#if HVI_HAS_XSIMD
+#if HVI_REGISTER_BYTES
 
 /// pi/2 in three parts, the first two of so few bits that products with small integers are exact,
 /// and sin r = r + r^3 S(r^2), cos r = 1 - r^2/2 + r^4 C(r^2) for |r| <= pi/4.
@@ -107,44 +107,40 @@ private:
     }
 };
 
-template <class Number, class Architecture, class F>
-[[nodiscard, gnu::noinline]] xsimd::batch<Number, Architecture>
-one_by_one(const xsimd::batch<Number, Architecture>& x, F f) {
-    using Part = xsimd::batch<Number, Architecture>;
-    alignas(64) Number from[Part::size];
-    x.store_aligned(from);
-    for (Number& number : from) { number = f(number); }
-    return Part::load_aligned(from);
+/// NOTE: not inlined, as what is seldom computed takes registers from what is.
+template <class Number, std::size_t width, class F>
+[[nodiscard, gnu::noinline, gnu::cold]] PackedNumbers<Number, width>
+one_by_one(const PackedNumbers<Number, width>& x, F f) {
+    return each_of(x, f);
 }
 
 /// `values`, and f(x), number by number, where |x| is large.
-template <class Number, class Architecture, class F>
-[[nodiscard, gnu::always_inline]] inline xsimd::batch<Number, Architecture>
-with_large(const xsimd::batch<Number, Architecture>& x,
-           const xsimd::batch<Number, Architecture>& values, F f) {
-    using Part = xsimd::batch<Number, Architecture>;
+template <class Number, std::size_t width, class F>
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<Number, width>
+with_large(const PackedNumbers<Number, width>& x, const PackedNumbers<Number, width>& values, F f) {
+    using Part = PackedNumbers<Number, width>;
     const auto is_large = Part(Trigonometry<Number>::largest) < abs(x);
     return any(is_large) ? select(is_large, one_by_one(x, f), values) : values;
 }
 
-template <class Number, class Architecture>
-[[nodiscard, gnu::always_inline]] inline xsimd::batch<Number, Architecture>
-sin_of(const xsimd::batch<Number, Architecture>& x) {
-    using Part = xsimd::batch<Number, Architecture>;
+template <class Number, std::size_t width>
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<Number, width>
+sin_of(const PackedNumbers<Number, width>& x) {
+    using Part = PackedNumbers<Number, width>;
     return with_large(x, RegisterSinCos<Part>(x).sin, [](Number a) { return std::sin(a); });
 }
 
-template <class Number, class Architecture>
-[[nodiscard, gnu::always_inline]] inline xsimd::batch<Number, Architecture>
-cos_of(const xsimd::batch<Number, Architecture>& x) {
-    using Part = xsimd::batch<Number, Architecture>;
+template <class Number, std::size_t width>
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<Number, width>
+cos_of(const PackedNumbers<Number, width>& x) {
+    using Part = PackedNumbers<Number, width>;
     return with_large(x, RegisterSinCos<Part>(x).cos, [](Number a) { return std::cos(a); });
 }
 
-template <class Number, class Architecture>
-[[nodiscard, gnu::always_inline]] inline xsimd::batch<Number, Architecture>
-tan_of(const xsimd::batch<Number, Architecture>& x) {
-    using Part = xsimd::batch<Number, Architecture>;
+template <class Number, std::size_t width>
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<Number, width>
+tan_of(const PackedNumbers<Number, width>& x) {
+    using Part = PackedNumbers<Number, width>;
     const RegisterSinCos<Part> both(x);
     return with_large(x, both.sin / both.cos, [](Number a) { return std::tan(a); });
 }

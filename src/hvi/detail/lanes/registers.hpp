@@ -1,23 +1,33 @@
 // What the processor computes at once.
 // SPDX-License-Identifier: MIT
+//
+// NOTE: vectors of the compilers, which g++ and clang++ know without a header. Those of a library,
+// as xsimd, take as long to read as all the rest of a stepper takes to be compiled; what only such
+// a library has, exp and log, is in register_functions.hpp.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <type_traits>
+#include <utility>
 
-#if !defined(HVI_NO_XSIMD) && defined(__has_include)
-#if __has_include(<xsimd/xsimd.hpp>)
-#define HVI_HAS_XSIMD 1
-#include <xsimd/xsimd.hpp>
+#if !defined(HVI_NO_REGISTERS) && defined(__GNUC__)
+#if defined(__AVX512F__)
+#define HVI_REGISTER_BYTES 64
+#elif defined(__AVX__)
+#define HVI_REGISTER_BYTES 32
+#elif defined(__SSE2__) || defined(__ARM_NEON) || defined(__ALTIVEC__)
+#define HVI_REGISTER_BYTES 16
 #endif
 #endif
-#ifndef HVI_HAS_XSIMD
-#define HVI_HAS_XSIMD 0
+#ifndef HVI_REGISTER_BYTES
+#define HVI_REGISTER_BYTES 0
 #endif
 
 /// Of functions of scenes that are called often. Without registers g++ vectorises what is called,
 /// and not what is inlined.
-#if HVI_HAS_XSIMD
+#if HVI_REGISTER_BYTES
 #define HVI_INLINE_IN_LANES [[gnu::always_inline]]
 #else
 #define HVI_INLINE_IN_LANES
@@ -25,63 +35,15 @@
 
 namespace hvi::detail {
 
-/// `width` numbers in one register; void where the processor has none of that size.
-template <class Number, std::size_t width, class = void>
-struct RegisterOf {
-    using type = void;
-};
-
-#if HVI_HAS_XSIMD
+/// Whether there is a register of `width` numbers.
 template <class Number, std::size_t width>
-struct RegisterOf<
-    Number, width,
-    std::enable_if_t<std::is_same_v<Number, float> || std::is_same_v<Number, double>>> {
-    using type = typename xsimd::make_sized_batch<Number, width>::type;
-};
-#endif
-
-/// What a comparison of registers gives.
-template <class Part>
-struct MaskOf {
-    using type = bool;
-};
-
-#if HVI_HAS_XSIMD
-template <class Number, class Architecture>
-struct MaskOf<xsimd::batch<Number, Architecture>> {
-    using type = typename xsimd::batch<Number, Architecture>::batch_bool_type;
-};
-#endif
-
-/// f(x), for f made of exp.
-template <class Number, class F>
-[[nodiscard]] Number exponential(const Number& x, F f) {
-    return f(x);
-}
-
-#if HVI_HAS_XSIMD
-/// NOTE: xsimd makes an integer of the exponent, which is undefined where there is none so large,
-/// and for NaN. Beyond +-1000 all of these functions are what they are there.
-template <class Number, class Architecture, class F>
-[[nodiscard]] xsimd::batch<Number, Architecture>
-exponential(const xsimd::batch<Number, Architecture>& x, F f) {
-    using Part = xsimd::batch<Number, Architecture>;
-    const Part most(static_cast<Number>(1000));
-    const auto is_number = x == x;
-    const Part near = min(max(select(is_number, x, most), -most), most);
-    return select(is_number, f(near), x);
-}
-#endif
-
-[[nodiscard]] inline bool any(bool mask) { return mask; }
-[[nodiscard]] inline bool all(bool mask) { return mask; }
-template <class Number>
-[[nodiscard]] Number select(bool mask, const Number& yes, const Number& no) {
-    return mask ? yes : no;
-}
-
-template <class Number, std::size_t width>
-inline constexpr bool has_register = !std::is_void_v<typename RegisterOf<Number, width>::type>;
+inline constexpr bool
+    has_register = width > 1 &&
+                   (std::is_same_v<Number, float> ||
+                    std::is_same_v<Number, double>)&&(width * sizeof(Number) == 16 ||
+                                                      width * sizeof(Number) == 32 ||
+                                                      width * sizeof(Number) == 64) &&
+                   width * sizeof(Number) <= HVI_REGISTER_BYTES;
 
 /// As many as a register holds.
 inline constexpr std::size_t widest = 8;
@@ -96,23 +58,236 @@ template <class Number, std::size_t places, std::size_t most = widest>
     return 1;
 }
 
+// ---- of one number ----
+
+[[nodiscard]] inline bool any(bool mask) { return mask; }
+[[nodiscard]] inline bool all(bool mask) { return mask; }
+template <class Number>
+[[nodiscard]] Number select(bool mask, const Number& yes, const Number& no) {
+    return mask ? yes : no;
+}
+
+/// What a comparison gives.
+template <class Part>
+struct MaskOf {
+    using type = bool;
+};
+
+#if HVI_REGISTER_BYTES
+
+// ---- of several ----
+
+/// Integers as large as a number.
+template <class Number>
+using BitsOf = std::conditional_t<sizeof(Number) == 4, std::int32_t, std::int64_t>;
+
+/// The vectors of the compiler.
+template <class Number, std::size_t width>
+struct CompilerVector {
+    typedef Number Type __attribute__((vector_size(width * sizeof(Number))));
+    typedef BitsOf<Number> Bits __attribute__((vector_size(width * sizeof(Number))));
+    // In memory that holds numbers.
+    typedef Number Aligned __attribute__((vector_size(width * sizeof(Number)), may_alias));
+    typedef Number Anywhere
+        __attribute__((vector_size(width * sizeof(Number)), aligned(alignof(Number)), may_alias));
+};
+
+/// Yes or no for each number: all bits, or none.
+template <class Number, std::size_t width>
+struct RegisterMask {
+    using Bits = typename CompilerVector<Number, width>::Bits;
+
+    Bits bits;
+
+    RegisterMask() = default;
+    explicit RegisterMask(const Bits& x) : bits(x) {}
+    /// The same for all.
+    explicit RegisterMask(bool x) : bits(x ? ~Bits{} : Bits{}) {}
+
+    [[nodiscard]] friend RegisterMask operator!(const RegisterMask& x) {
+        return RegisterMask(~x.bits);
+    }
+    [[nodiscard]] friend RegisterMask operator&&(const RegisterMask& x, const RegisterMask& y) {
+        return RegisterMask(x.bits & y.bits);
+    }
+    [[nodiscard]] friend RegisterMask operator||(const RegisterMask& x, const RegisterMask& y) {
+        return RegisterMask(x.bits | y.bits);
+    }
+    [[nodiscard]] friend bool any(const RegisterMask& x) { return some(x.bits); }
+    [[nodiscard]] friend bool all(const RegisterMask& x) { return !some(~x.bits); }
+
+private:
+    /// Whether there is a bit.
+    [[nodiscard]] static bool some(const Bits& bits) {
+#if defined(__AVX__)
+        if constexpr (sizeof(Bits) == 32) {
+            typedef long long Words __attribute__((vector_size(32)));
+            return __builtin_ia32_ptestz256(Words(bits), Words(bits)) == 0;
+        }
+#endif
+        BitsOf<Number> joined = bits[0];
+        for (std::size_t i = 1; i < width; ++i) { joined |= bits[i]; }
+        return joined != 0;
+    }
+};
+
+/// `width` numbers.
+template <class Number, std::size_t width>
+struct PackedNumbers {
+    using value_type = Number;
+    using Vector = typename CompilerVector<Number, width>::Type;
+    using Bits = typename CompilerVector<Number, width>::Bits;
+    using Mask = RegisterMask<Number, width>;
+
+    Vector vector;
+
+    PackedNumbers() = default;
+    PackedNumbers(const Vector& x) : vector(x) {}
+    /// The same in all places. NOTE: x - 0 is x, and x + 0 is not where x is -0.
+    PackedNumbers(const Number& x) : vector(x - Vector{}) {}
+
+    [[nodiscard]] friend PackedNumbers operator-(const PackedNumbers& x) { return -x.vector; }
+    [[nodiscard]] friend PackedNumbers operator+(const PackedNumbers& x, const PackedNumbers& y) {
+        return x.vector + y.vector;
+    }
+    [[nodiscard]] friend PackedNumbers operator-(const PackedNumbers& x, const PackedNumbers& y) {
+        return x.vector - y.vector;
+    }
+    [[nodiscard]] friend PackedNumbers operator*(const PackedNumbers& x, const PackedNumbers& y) {
+        return x.vector * y.vector;
+    }
+    [[nodiscard]] friend PackedNumbers operator/(const PackedNumbers& x, const PackedNumbers& y) {
+        return x.vector / y.vector;
+    }
+    [[nodiscard]] friend Mask operator<(const PackedNumbers& x, const PackedNumbers& y) {
+        return Mask(x.vector < y.vector);
+    }
+    [[nodiscard]] friend Mask operator<=(const PackedNumbers& x, const PackedNumbers& y) {
+        return Mask(x.vector <= y.vector);
+    }
+    [[nodiscard]] friend Mask operator==(const PackedNumbers& x, const PackedNumbers& y) {
+        return Mask(x.vector == y.vector);
+    }
+    [[nodiscard]] friend PackedNumbers select(const Mask& mask, const PackedNumbers& yes,
+                                              const PackedNumbers& no) {
+        return Vector(mask.bits ? yes.vector : no.vector);
+    }
+
+    /// Without the bit of the sign.
+    [[nodiscard]] friend PackedNumbers abs(const PackedNumbers& x) {
+        constexpr BitsOf<Number> others = std::numeric_limits<BitsOf<Number>>::max();
+        return Vector(Bits(x.vector) & others);
+    }
+};
+
+template <class Number, std::size_t width>
+struct MaskOf<PackedNumbers<Number, width>> {
+    using type = RegisterMask<Number, width>;
+};
+
+/// f of each number.
+template <class Number, std::size_t width, class F>
+[[nodiscard]] PackedNumbers<Number, width> each_of(const PackedNumbers<Number, width>& x, F f) {
+    PackedNumbers<Number, width> result = x;
+    for (std::size_t i = 0; i < width; ++i) { result.vector[i] = f(x.vector[i]); }
+    return result;
+}
+
+template <class Number, std::size_t width>
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<Number, width>
+sqrt(const PackedNumbers<Number, width>& x) {
+    return each_of(x, [](Number a) { return __builtin_sqrt(a); });
+}
+template <std::size_t width>
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<float, width>
+sqrt(const PackedNumbers<float, width>& x) {
+    return each_of(x, [](float a) { return __builtin_sqrtf(a); });
+}
+
+// NOTE: a compiler does not know without a header that the processor has these, and g++ and
+// clang++ say what is the same of 64 bytes in two ways.
+#if defined(__SSE2__)
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<double, 2>
+sqrt(const PackedNumbers<double, 2>& x) {
+    return __builtin_ia32_sqrtpd(x.vector);
+}
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<float, 4>
+sqrt(const PackedNumbers<float, 4>& x) {
+    return __builtin_ia32_sqrtps(x.vector);
+}
+#endif
+#if defined(__AVX__)
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<double, 4>
+sqrt(const PackedNumbers<double, 4>& x) {
+    return __builtin_ia32_sqrtpd256(x.vector);
+}
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<float, 8>
+sqrt(const PackedNumbers<float, 8>& x) {
+    return __builtin_ia32_sqrtps256(x.vector);
+}
+#endif
+#if defined(__AVX512F__)
+[[nodiscard, gnu::always_inline]] inline PackedNumbers<double, 8>
+sqrt(const PackedNumbers<double, 8>& x) {
+    constexpr int rounding = 4;  // the present one
+#if defined(__clang__)
+    return __builtin_ia32_sqrtpd512(x.vector, rounding);
+#else
+    return __builtin_ia32_sqrtpd512_mask(x.vector, x.vector, static_cast<char>(-1), rounding);
+#endif
+}
+#endif
+
+#endif
+
 /// What computes `width` numbers at once.
 template <class Number, std::size_t width>
 struct Register {
-    using Type = typename RegisterOf<Number, width>::type;
-    [[nodiscard]] static Type load(const Number* from) { return Type::load_aligned(from); }
-    static void store(const Type& x, Number* to) { x.store_aligned(to); }
+#if HVI_REGISTER_BYTES
+    using Type = PackedNumbers<Number, width>;
+
+    // NOTE: by these and not by memcpy, behind which g++ copies lanes from memory to memory; and
+    // said here, since an argument of a template loses what a type says of its alignment.
+    [[nodiscard]] static Type load(const Number* from) {
+        const Vector vector = *reinterpret_cast<const typename Compiled::Aligned*>(from);
+        return vector;
+    }
+    static void store(const Type& x, Number* to) {
+        *reinterpret_cast<typename Compiled::Aligned*>(to) = x.vector;
+    }
     [[nodiscard]] static Type load_anywhere(const Number* from) {
-        return Type::load_unaligned(from);
+        const Vector vector = *reinterpret_cast<const typename Compiled::Anywhere*>(from);
+        return vector;
     }
-    static void store_anywhere(const Type& x, Number* to) { x.store_unaligned(to); }
+    static void store_anywhere(const Type& x, Number* to) {
+        *reinterpret_cast<typename Compiled::Anywhere*>(to) = x.vector;
+    }
     [[nodiscard]] static Number sum(const Type& x) {
-#if HVI_HAS_XSIMD && XSIMD_VERSION_MAJOR < 9
-        return hadd(x);
-#else
-        return reduce_add(x);
-#endif
+        if constexpr (width == 2) {
+            return x.vector[0] + x.vector[1];
+        } else {
+            return sum_of_halves(x.vector, std::make_index_sequence<width / 2>());
+        }
     }
+
+private:
+    using Compiled = CompilerVector<Number, width>;
+    using Vector = typename Compiled::Type;
+
+    template <std::size_t... i>
+    [[nodiscard]] static Number sum_of_halves(const Vector& x, std::index_sequence<i...>) {
+        using Half = typename CompilerVector<Number, width / 2>::Type;
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+        const Half low = __builtin_shufflevector(x, x, static_cast<int>(i)...);
+        const Half high = __builtin_shufflevector(x, x, static_cast<int>(i + width / 2)...);
+        return Register<Number, width / 2>::sum(low + high);
+#endif
+#endif
+        const Half joined{(x[i] + x[i + width / 2])...};
+        return Register<Number, width / 2>::sum(joined);
+    }
+#endif
 };
 
 template <class Number>
