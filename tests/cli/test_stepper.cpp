@@ -77,7 +77,7 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
     CHECK(has(plain, "static constexpr State initial("));
     CHECK_FALSE(has(plain, "energy("));
     CHECK_FALSE(has(plain, "angular_momentum("));
-    CHECK(has(plain, "using Solver = hvi::AutomaticOfLanes<hvi::NewtonOfPositions>;"));
+    CHECK(has(plain, "using Solver = hvi::AutomaticOfLanes<hvi::NewtonOfPositionLanes>;"));
     CHECK_FALSE(has(plain, "Vector position("));
     CHECK_FALSE(has(plain, "curve"));
     CHECK_FALSE(has(plain, "action"));

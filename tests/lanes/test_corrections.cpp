@@ -434,7 +434,7 @@ TEST_CASE("corrected slopes come nearer than their stages show") {
         stages.W = start;
         hvi::detail::CorrectedSweeps<Vector> sweeps;
         Coupled coupled(stages);
-        REQUIRE(sweeps.solve<true>(coupled, coupled.corrections, {1, 0}, 40).ok());
+        REQUIRE(sweeps.solve<true>(coupled, coupled.corrections, {1, 0, 40}).ok());
         CHECK(std::abs(stages.W - stages.rate / (1 - stages.rate)) < 1.2e-17);
     }
 }
@@ -471,7 +471,7 @@ TEST_CASE("what is spent counts the factors, and stops what is not worth it") {
     stages.corrected_rate = 0.5;  // of which factors are computed anew in each iteration
     hvi::detail::CorrectedSweeps<Vector> sweeps;
     Coupled coupled(stages);
-    const hvi::Status stopped = sweeps.solve<true>(coupled, coupled.corrections, {3, 10}, 50);
+    const hvi::Status stopped = sweeps.solve<true>(coupled, coupled.corrections, {3, 10, 50});
     CHECK(stopped.code() == hvi::Status::Code::not_converged);
     CHECK(stopped.iterations == stages.corrections);
     CHECK(sweeps.spent() == 3 * stages.corrections + 10 * stages.factors);
@@ -480,7 +480,7 @@ TEST_CASE("what is spent counts the factors, and stops what is not worth it") {
     // Those of the step size alone are not.
     stages.factors = 0;
     stages.W = 0;
-    REQUIRE(sweeps.solve<false>(coupled, coupled.corrections, {3, 0}, 400).ok());
+    REQUIRE(sweeps.solve<false>(coupled, coupled.corrections, {3, 0, 400}).ok());
     CHECK(stages.factors == 1);
 }
 
@@ -491,7 +491,7 @@ TEST_CASE("corrections that are fast end with the one that is below rounding") {
     stages.W = 0;
     hvi::detail::CorrectedSweeps<Vector> sweeps;
     Coupled coupled(stages);
-    const hvi::Status status = sweeps.solve<true>(coupled, coupled.corrections, {1, 0}, 40);
+    const hvi::Status status = sweeps.solve<true>(coupled, coupled.corrections, {1, 0, 40});
     REQUIRE(status.ok());
     CHECK(status.iterations == 7);
     CHECK(stages.W == 1);

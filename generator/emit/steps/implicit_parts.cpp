@@ -26,8 +26,10 @@ NewtonPolicy newton_policy(const Step& step) {
         return {"newton_charts", "hvi::NewtonOfCharts"};
     }
     if (std::holds_alternative<PairStep>(step.form)) {
-        return {"newton_pairs", "hvi::NewtonOfPairs"};
+        return step.corrections ? NewtonPolicy{"newton_of_lanes", "hvi::NewtonOfPairLanes"}
+                                : NewtonPolicy{"newton_pairs", "hvi::NewtonOfPairs"};
     }
+    if (step.corrections) { return {"newton_of_lanes", "hvi::NewtonOfPositionLanes"}; }
     switch (std::get<VelocityStep>(step.form).hessian) {
     case HessianForm::dense: break;
     case HessianForm::band: return {"newton_chains", "hvi::NewtonOfChains"};

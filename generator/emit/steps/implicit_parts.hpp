@@ -57,6 +57,9 @@ struct ImplicitParts {
                                               const std::vector<std::size_t>& unknown,
                                               std::string_view drifts);
 
+/// Of these dH/dq at the start of the step, and d2H/dq2 there and at stages.
+[[nodiscard]] std::string linearised(const Step& step);
+
 /// Whether it is `true` or `false`, as C++ says it.
 [[nodiscard]] constexpr std::string_view truth(bool value) { return value ? "true" : "false"; }
 

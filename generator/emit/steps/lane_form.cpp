@@ -133,6 +133,16 @@ std::string members_for_corrections(const Step& step, const std::string& begin,
     return writer.str();
 }
 
+/// See hvi::detail::JacobianOfStages.
+Writer coefficients_of_stages(const Step& step, std::string_view table) {
+    Writer writer(2);
+    writer.line("static constexpr std::size_t stages = {};", step.positions.size());
+    writer.line("static constexpr Scalar coefficient(std::size_t j, std::size_t i) {{ return "
+                "{}[j][i]; }}",
+                table);
+    return writer;
+}
+
 std::string members_of_lanes(const Step& step, std::string_view stages) {
     Writer writer(1);
     writer.line("System system_;").insert(clock_member(step));
@@ -194,6 +204,16 @@ std::string corrections_of_positions(const Step& step) {
     return members_for_corrections(step, "positions();", hessian.str());
 }
 
+/// What Newton's method asks for.
+std::string newton_of_position_lanes(const Step& step, const VelocityStep& form) {
+    if (!form.iteration.takes_newton()) { return {}; }
+    if (!step.corrections) {
+        return newton_of_positions(step, form, step.blocks.front().of(Kind::Q),
+                                   "s.drifts(system);");
+    }
+    return coefficients_of_stages(step, "n").insert(linearised(step)).str();
+}
+
 }  // namespace
 
 ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const SceneWishes& wishes) {
@@ -209,17 +229,15 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
         step, {"system_.dHdp(s_.at.p, s_.free_path);", "s_.drift_freely(cn_lanes);"}, "cn_lanes");
     parts.constants = constants.str();
     parts.predict = velocity_predict_text(step, form.iteration);
-    parts.coupled = fill_part(
-        "velocity_lanes.hpp.in",
-        {{"unknowns", unknowns(block)},
-         {"member", clock_reference(step)},
-         {"type", fmt::format("VelocityLanes<Vector, {}>", lane_arguments(step))},
-         {"times", times_as_argument(step)},
-         {"predict", velocities_from_start(step)},
-         {"corrections", corrections_of_positions(step)},
-         {"newton", form.iteration.takes_newton()
-                        ? newton_of_positions(step, form, block.of(Kind::Q), "s.drifts(system);")
-                        : ""}});
+    parts.coupled =
+        fill_part("velocity_lanes.hpp.in",
+                  {{"unknowns", unknowns(block)},
+                   {"member", clock_reference(step)},
+                   {"type", fmt::format("VelocityLanes<Vector, {}>", lane_arguments(step))},
+                   {"times", times_as_argument(step)},
+                   {"predict", velocities_from_start(step)},
+                   {"corrections", corrections_of_positions(step)},
+                   {"newton", newton_of_position_lanes(step, form)}});
     parts.members = members_of_lanes(step, "VelocityLanes");
     if (wishes.curve) {
         parts.curve =
@@ -263,22 +281,27 @@ std::string pairs_from_start(const Step& step) {
     return writer.line("s.predict_p(slope);").str();
 }
 
+/// A member that evaluates all second derivatives; `first`: what goes before those.
+void open_hessian(Writer& writer, const Step& step, std::string_view name, std::string_view first) {
+    writer.line("template <class Matrix>");
+    writer.open("void {}({}Matrix& qq, {}Matrix& qp, Matrix& pp) const {{", name, first,
+                step.is_separable() ? "[[maybe_unused]] " : "");
+}
+
+void hessians_at(Writer& writer, const Step& step, const SlopePoint& at) {
+    writer.line("system.{};", hessian_qq_call(step, at, "qq"));
+    if (!step.is_separable()) { writer.line("system.{};", hessian_qp_call(at, "qp")); }
+    writer.line("system.{};", hessian_pp_call(step, at, "pp")).close();
+}
+
 std::string corrections_of_pairs(const Step& step) {
-    const SlopePoint at{"q", "p",
-                        time_of_stage(step, std::to_string(step.positions.size() / 2), "s")};
     Writer hessian(2);
-    const auto open = [&](std::string_view name) {
-        hessian.line("template <class Matrix>");
-        hessian.open("void {}(Matrix& qq, {}Matrix& qp, Matrix& pp) const {{", name,
-                     step.is_separable() ? "[[maybe_unused]] " : "");
-    };
-    open("hessian_in_the_middle");
+    open_hessian(hessian, step, "hessian_in_the_middle", "");
     hessian.line("const Vector q = s.middle_q(), p = s.middle_p();");
-    hessian.line("system.{};", hessian_qq_call(step, at, "qq"));
-    if (!step.is_separable()) { hessian.line("system.{};", hessian_qp_call(at, "qp")); }
-    hessian.line("system.{};", hessian_pp_call(step, at, "pp")).close();
+    hessians_at(hessian, step,
+                {"q", "p", time_of_stage(step, std::to_string(step.positions.size() / 2), "s")});
     if (has_constant_hessian(step)) {
-        open("constant_hessian");
+        open_hessian(hessian, step, "constant_hessian", "");
         hessian.line("system.constant_d2Hdq2(qq);");
         if (!step.is_separable()) { hessian.line("system.constant_d2Hdqdp(qp);"); }
         hessian.line("system.constant_d2Hdp2(pp);").close();
@@ -291,6 +314,34 @@ std::string corrections_of_pairs(const Step& step) {
                                    step.is_separable() ? "momenta(); velocities(); positions();"
                                                        : "momenta(); positions();",
                                    hessian.str());
+}
+
+/// What Newton's method asks for.
+std::string newton_of_pair_lanes(const Step& step, const Iteration& iteration) {
+    if (!iteration.takes_newton()) { return {}; }
+    if (step.corrections) {
+        Writer writer = coefficients_of_stages(step, "m");
+        open_hessian(writer, step, "hessian", "std::size_t i, ");
+        hessians_at(writer, step,
+                    {"s.position(i)", "s.momentum(i)", time_of_stage(step, "i", "s")});
+        return writer.str();
+    }
+    const std::vector<std::size_t> unknown = step.blocks.front().of(Kind::Lq);
+    Writer writer(2);
+    writer.line("static constexpr std::array<std::size_t, {}> unknown_q{{{}}};", unknown.size(),
+                fmt::join(unknown, ", "));
+    writer.line("static constexpr std::array<std::size_t, {}> unknown_p = unknown_q;",
+                unknown.size());
+    const auto function = [&](std::string_view name, std::string_view arguments,
+                              std::string_view value) {
+        writer.line("static constexpr Scalar {}({}) {{ return {}; }}", name, arguments, value);
+    };
+    function("coefficient_q", "std::size_t i, std::size_t j", "m[i][j]");
+    function("coefficient_p", "std::size_t j, std::size_t i",
+             fmt::format("{}[j][i]", table_mt(step)));
+    function("weight_q", "std::size_t j", "b[j]");
+    function("weight_p", "std::size_t i", "b[i]");
+    return writer.str();
 }
 
 std::string shared_reference(const Step& step) {
@@ -331,7 +382,6 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
     HVI_CHECK(form.iteration.has_value());
     const Iteration& iteration = *form.iteration;
     const Block& block = step.blocks.front();
-    const std::string stages = std::to_string(step.positions.size());
     Writer constants(1);
     constants.insert(constants_text(step, form, wishes)).blank();
     columns(constants, "m");
@@ -347,11 +397,10 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
         "pair_lanes.hpp.in", {{"unknowns", unknowns(block)},
                               {"member", clock_reference(step)},
                               {"type", fmt::format("StageLanes<Vector, {}>", lane_arguments(step))},
-                              {"stages", stages},
                               {"shared", shared_reference(step)},
                               {"predict", pairs_from_start(step)},
                               {"corrections", corrections_of_pairs(step)},
-                              {"indices", fmt::format("{}", fmt::join(block.of(Kind::Lq), ", "))},
+                              {"newton", newton_of_pair_lanes(step, iteration)},
                               {"separable", std::string(truth(step.is_separable()))},
                               {"mt", std::string(table_mt(step))},
                               {"slopes", slopes_of_lanes(step)}});

@@ -306,6 +306,14 @@ std::string members_of_velocities(const Step& step, const VelocityStep& form) {
     return writer.str();
 }
 
+std::string force_at_start(const Step& step) {
+    const SlopePoint start{"s.at.q", "", time_of_start(step, "s")};
+    return Writer(2)
+        .line("void force_at_start(Vector& out) const {{ system.{}; }}",
+              force_call(step, start, "out"))
+        .str();
+}
+
 }  // namespace
 
 std::string newton_of_positions(const Step& step, const VelocityStep& form,
@@ -315,22 +323,21 @@ std::string newton_of_positions(const Step& step, const VelocityStep& form,
                 fmt::join(unknown, ", "));
     writer.line("static constexpr Scalar coefficient(std::size_t i, std::size_t j) {{ return "
                 "n[i][j]; }}");
-    if (step.corrections) {
-        writer.line("using Modes = StageModes;").blank();
-    } else {
-        writer.insert(modes_text(form.modes, "Modes", "b_i n_ij", 2)).blank();
-    }
+    writer.insert(modes_text(form.modes, "Modes", "b_i n_ij", 2)).blank();
     writer.comment("W_j = h K Lp_j.", "/// ").open("void drifts() {{");
     writer.insert(drifts).close().blank();
+    if (form.hessian != HessianForm::products) { return writer.insert(linearised(step)).str(); }
+    writer.insert(force_at_start(step));
+    writer.comment("d2H/dq2 at Q, times v.", "/// ");
+    writer.line("void hessian_times(const Vector& Q, const Vector& v, Vector& out) const {{ "
+                "system.d2Hdq2(Q, v, out); }}");
+    return writer.str();
+}
+
+std::string linearised(const Step& step) {
+    Writer writer(2);
+    writer.insert(force_at_start(step));
     const SlopePoint start{"s.at.q", "", time_of_start(step, "s")};
-    writer.line("void force_at_start(Vector& out) const {{ system.{}; }}",
-                force_call(step, start, "out"));
-    if (form.hessian == HessianForm::products) {
-        writer.comment("d2H/dq2 at Q, times v.", "/// ");
-        writer.line("void hessian_times(const Vector& Q, const Vector& v, Vector& out) const {{ "
-                    "system.d2Hdq2(Q, v, out); }}");
-        return writer.str();
-    }
     writer.line("template <class Matrix>");
     writer.line("void hessian_at_start(Matrix& out) const {{ system.{}; }}",
                 hessian_call(start, "out"));

@@ -185,11 +185,11 @@ struct AutomaticOfLanes {
             if constexpr (costs.linear > 0) {
                 if (way == Way::linear) {
                     return corrected_.template solve<false>(coupled, coupled.linear,
-                                                            {costs.linear, 0}, most);
+                                                            {costs.linear, 0, most});
                 }
             }
             return corrected_.template solve<true>(coupled, coupled.corrections,
-                                                   {costs.correction, costs.factors}, most);
+                                                   {costs.correction, costs.factors, most});
         }
 
         template <class Coupled>

@@ -12,29 +12,31 @@ namespace hvi::detail {
 template <class Vector>
 class CorrectedSweeps {
 public:
-    struct Prices {
-        int iteration, factors;
+    struct Terms {
+        int iteration, factors;  ///< what they cost
+        int most;                ///< that may be spent
+        bool may_grow = false;   ///< before they fall
     };
 
-    /// Gives up where more than `most` would be spent. `keeps_factors`: from step to step, and they
-    /// are computed anew where corrections do not contract; else they depend on h alone.
-    /// Preconditions: those of Sweeps.
+    /// Says that it is singular where there are no factors, for whatever reason. `keeps_factors`:
+    /// from step to step, and they are computed anew where corrections do not contract; else they
+    /// depend on h alone. Preconditions: those of Sweeps.
     template <bool keeps_factors, class Coupled, class Corrections>
-    [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, const Prices& prices,
-                               int most) {
+    [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, const Terms& terms) {
         coupled.begin_corrections();
         end_.begin(coupled.s.n);
         spent_ = 0;
         const auto factorise = [&] {
-            spent_ += prices.factors;
+            spent_ += terms.factors;
             return corrections.factorise(coupled);
         };
         bool has_factors = (keeps_factors && has_factors_) || factorise();
         bool is_last = false;
+        bool is_finite = true;
         int iteration = 0;
-        while (has_factors && spent_ < most) {
+        while (has_factors && spent_ < terms.most) {
             ++iteration;
-            spent_ += prices.iteration;
+            spent_ += terms.iteration;
             corrections.correct(coupled);
             // NOTE: the stages do not show what is left in the slopes below their own rounding,
             // which has the sign of the starting values' error: without the last correction the
@@ -47,18 +49,23 @@ public:
             coupled.positions();
             const Now now = end_.judge(coupled);
             is_last = now == Now::ended || end_.next_is_last();
-            if (now == Now::not_finite || end_.grows(coupled)) { break; }
+            is_finite = now != Now::not_finite;
+            if (!is_finite || (!terms.may_grow && end_.grows(coupled))) { break; }
             if (is_last || !keeps_factors || end_.contracts()) { continue; }
             has_factors = factorise();
         }
         if constexpr (keeps_factors) { has_factors_ = false; }
-        return Status(Status::Code::not_converged, iteration);
+        return Status(!has_factors                   ? Status::Code::singular
+                      : !is_finite && iteration == 1 ? Status::Code::not_finite
+                                                     : Status::Code::not_converged,
+                      iteration);
     }
 
     /// By the last solve().
     [[nodiscard]] int spent() const { return spent_; }
 
     void forget() { has_factors_ = false; }
+    void assume_factors() { has_factors_ = true; }
 
 private:
     using Now = typename EndOfCorrections<Vector>::Now;

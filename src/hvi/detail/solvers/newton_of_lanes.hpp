@@ -1,0 +1,286 @@
+// Newton's method for stages in lanes, for steps on which one Hessian for all does not do.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: stage by stage and in loops, as this is for few steps, and every header of lanes is
+// compiled with it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <hvi/detail/linear/dense.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/solvers/corrected_sweeps.hpp>
+#include <hvi/detail/solvers/stiffness.hpp>
+#include <hvi/state.hpp>
+
+namespace hvi {
+namespace detail {
+
+/// The Jacobian of the slopes of all stages, J_ji = 1_ji + h b_j C_ji R_j, where R_j has the second
+/// derivatives at stage j and C is what the method's coefficients are to this form of the
+/// equations: n for positions, m for pairs.
+template <class Scalar>
+class JacobianOfStages {
+public:
+    /// `set_R(j)` makes R that of stage j. False where J is singular, or not finite.
+    template <class Coupled, class Set>
+    [[nodiscard, gnu::cold]] bool compute(const Coupled& coupled, std::size_t rows, Set set_R) {
+        R.set_zero(rows);
+        J_.set_zero(Coupled::stages * rows);
+        for (std::size_t j = 0; j < Coupled::stages; ++j) {
+            set_R(j);
+            for (std::size_t i = 0; i < Coupled::stages; ++i) {
+                add(j * rows, i * rows, coupled.s.hb[j] * Coupled::coefficient(j, i), i == j);
+            }
+        }
+        return J_.is_finite() && factors_.compute(J_);
+    }
+
+    void solve(std::vector<Scalar>& x) const { factors_.solve(x.data()); }
+
+    /// Whether J was, or should have been.
+    [[nodiscard]] bool is_finite() const { return J_.is_finite(); }
+
+    SquareMatrix<Scalar> R;
+
+private:
+    [[gnu::cold]] void add(std::size_t row, std::size_t column, Scalar factor, bool is_diagonal) {
+        for (std::size_t k = 0; k < R.size(); ++k) {
+            for (std::size_t l = 0; l < R.size(); ++l) {
+                J_(row + k, column + l) = factor * R(k, l);
+            }
+            if (is_diagonal) { J_(row + k, column + k) += 1; }
+        }
+    }
+
+    SquareMatrix<Scalar> J_;
+    Factors<Scalar> factors_;
+};
+
+/// What is solved for in VelocityLanes: the Lp_j of PositionUnknowns.
+template <class Vector>
+class PositionsOfLanes {
+public:
+    template <class Coupled>
+    void rest(Coupled& coupled) {
+        n_ = static_cast<std::size_t>(coupled.s.n);
+        coupled.s.rest();
+        coupled.begin_corrections();
+    }
+
+    /// All stages have the second derivatives at the start of the step.
+    template <class Coupled>
+    [[nodiscard]] bool factorise_start(const Coupled& coupled) {
+        set_G([&](auto& G) { coupled.hessian_at_start(G); });
+        return jacobian_.compute(coupled, n_, [&](std::size_t) { set_R(coupled); });
+    }
+
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        return jacobian_.compute(coupled, n_, [&](std::size_t j) {
+            set_G([&](auto& G) { coupled.hessian(j, G); });
+            set_R(coupled);
+        });
+    }
+
+    /// From rest to where dH/dq = g + G (Q - q) of the start leads.
+    ///
+    /// NOTE: where h is not small against the fastest period, q + h c v is no place for H to be
+    /// evaluated at.
+    template <class Coupled>
+    [[gnu::cold]] void begin(Coupled& coupled) {
+        auto& s = coupled.s;
+        set_G([&](auto& G) { coupled.hessian_at_start(G); });
+        coupled.force_at_start(s.slope);
+        Lp_.resize(Coupled::stages * n_);
+        for (std::size_t j = 0; j < Coupled::stages; ++j) {
+            for (std::size_t k = 0; k < n_; ++k) {
+                Scalar slope = at(s.slope, k);
+                for (std::size_t l = 0; l < n_; ++l) {
+                    slope += G_(k, l) * (s.Q[l][j] - at(s.at.q, l));
+                }
+                Lp_[j * n_ + k] = -s.hb[j] * slope;
+            }
+        }
+        jacobian_.solve(Lp_);
+        put(coupled);
+    }
+
+    /// Lp -= J^-1 (Lp + h b dH/dq).
+    template <class Coupled>
+    [[gnu::noinline, gnu::cold]] void correct(Coupled& coupled) {
+        get(coupled, Lp_);
+        coupled.slopes_of_momenta();
+        get(coupled, residual_);
+        for (std::size_t i = 0; i < Lp_.size(); ++i) { residual_[i] = Lp_[i] - residual_[i]; }
+        jacobian_.solve(residual_);
+        for (std::size_t i = 0; i < Lp_.size(); ++i) { Lp_[i] -= residual_[i]; }
+        put(coupled);
+    }
+
+    [[nodiscard]] bool is_finite() const { return jacobian_.is_finite(); }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+
+    template <class Set>
+    void set_G(Set set) {
+        G_.set_zero(n_);
+        set(G_);
+    }
+
+    /// h G K.
+    template <class Coupled>
+    void set_R(const Coupled& coupled) {
+        set_hGK(coupled, G_, jacobian_.R);
+    }
+
+    template <class Coupled>
+    void get(const Coupled& coupled, std::vector<Scalar>& Lp) const {
+        Lp.resize(Coupled::stages * n_);
+        for (std::size_t j = 0; j < Coupled::stages; ++j) {
+            for (std::size_t k = 0; k < n_; ++k) { Lp[j * n_ + k] = coupled.s.Lp[k][j]; }
+        }
+    }
+
+    template <class Coupled>
+    void put(Coupled& coupled) const {
+        for (std::size_t j = 0; j < Coupled::stages; ++j) {
+            for (std::size_t k = 0; k < n_; ++k) { coupled.s.Lp[k].set(j, Lp_[j * n_ + k]); }
+        }
+        coupled.s.drifts(coupled.system);
+    }
+
+    std::size_t n_ = 0;
+    SquareMatrix<Scalar> G_;
+    JacobianOfStages<Scalar> jacobian_;
+    std::vector<Scalar> Lp_, residual_;  ///< component k of stage j at j n + k
+};
+
+/// What is solved for in StageLanes: Lq_j and then Lp_j. Precondition: m == mt.
+template <class Vector>
+class PairsOfLanes {
+public:
+    template <class Coupled>
+    void rest(Coupled& coupled) {
+        n_ = static_cast<std::size_t>(coupled.s.n);
+        coupled.s.rest();
+        coupled.begin_corrections();
+    }
+    template <class Coupled>
+    [[nodiscard]] bool factorise_start(const Coupled& coupled) {
+        return factorise(coupled);
+    }
+    template <class Coupled>
+    void begin(Coupled&) {}
+
+    /// With R = -(Hpq Hpp; -Hqq -Hqp).
+    template <class Coupled>
+    [[nodiscard]] bool factorise(const Coupled& coupled) {
+        auto& R = jacobian_.R;
+        return jacobian_.compute(coupled, 2 * n_, [&](std::size_t j) {
+            for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) { block->set_zero(n_); }
+            coupled.hessian(j, Hqq_, Hqp_, Hpp_);
+            for (std::size_t k = 0; k < n_; ++k) {
+                for (std::size_t l = 0; l < n_; ++l) {
+                    R(k, l) = -Hqp_(l, k);
+                    R(k, n_ + l) = -Hpp_(k, l);
+                    R(n_ + k, l) = Hqq_(k, l);
+                    R(n_ + k, n_ + l) = Hqp_(k, l);
+                }
+            }
+        });
+    }
+
+    /// L -= J^-1 (L - slopes at the stages of L).
+    template <class Coupled>
+    [[gnu::noinline, gnu::cold]] void correct(Coupled& coupled) {
+        get(coupled, L_);
+        coupled.all_slopes();
+        get(coupled, residual_);
+        for (std::size_t i = 0; i < L_.size(); ++i) { residual_[i] = L_[i] - residual_[i]; }
+        jacobian_.solve(residual_);
+        for (std::size_t i = 0; i < L_.size(); ++i) { L_[i] -= residual_[i]; }
+        for (std::size_t j = 0; j < Coupled::stages; ++j) {
+            const Scalar* const of_stage = L_.data() + 2 * j * n_;
+            for (std::size_t k = 0; k < n_; ++k) {
+                coupled.s.Lq[k].set(j, of_stage[k]);
+                coupled.s.Lp[k].set(j, of_stage[n_ + k]);
+            }
+        }
+    }
+
+    [[nodiscard]] bool is_finite() const { return jacobian_.is_finite(); }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+
+    template <class Coupled>
+    void get(const Coupled& coupled, std::vector<Scalar>& L) const {
+        L.resize(2 * Coupled::stages * n_);
+        for (std::size_t j = 0; j < Coupled::stages; ++j) {
+            Scalar* const of_stage = L.data() + 2 * j * n_;
+            for (std::size_t k = 0; k < n_; ++k) {
+                of_stage[k] = coupled.s.Lq[k][j];
+                of_stage[n_ + k] = coupled.s.Lp[k][j];
+            }
+        }
+    }
+
+    std::size_t n_ = 0;
+    SquareMatrix<Scalar> Hqq_, Hqp_, Hpp_;
+    JacobianOfStages<Scalar> jacobian_;
+    std::vector<Scalar> L_, residual_;  ///< of stage j from 2 j n on
+};
+
+/// Newton's method. The factors are kept from step to step while h stays, and computed anew where
+/// it does not contract.
+template <class Vector, class Unknowns>
+class NewtonOfLanes {
+public:
+    template <class Coupled>
+    [[nodiscard]] Status solve(Coupled& coupled) {
+        if (!coupled.s.continues || coupled.s.h != coupled.s.h_before) { has_factors_ = false; }
+        Status status(Status::Code::singular);
+        if (has_factors_) { status = correct(coupled); }
+        if (!status.ok()) {
+            has_factors_ = false;
+            status = correct(coupled);
+        }
+        has_factors_ = status.ok();
+        const bool has_none = status.code() == Status::Code::singular && !unknowns_.is_finite();
+        return has_none ? Status(Status::Code::not_finite, status.iterations) : status;
+    }
+
+private:
+    template <class Coupled>
+    [[nodiscard]] Status correct(Coupled& coupled) {
+        constexpr int most_iterations = 60;
+        unknowns_.rest(coupled);
+        if (!has_factors_ && !unknowns_.factorise_start(coupled)) {
+            return Status(Status::Code::singular);
+        }
+        unknowns_.begin(coupled);
+        sweeps_.assume_factors();
+        return sweeps_.template solve<true>(coupled, unknowns_, {1, 0, most_iterations, true});
+    }
+
+    Unknowns unknowns_;
+    CorrectedSweeps<Vector> sweeps_;
+    bool has_factors_ = false;
+};
+
+}  // namespace detail
+
+/// What AutomaticOfLanes takes to last.
+struct NewtonOfPositionLanes {
+    template <class Vector>
+    using Iteration = detail::NewtonOfLanes<Vector, detail::PositionsOfLanes<Vector>>;
+};
+struct NewtonOfPairLanes {
+    template <class Vector>
+    using Iteration = detail::NewtonOfLanes<Vector, detail::PairsOfLanes<Vector>>;
+};
+
+}  // namespace hvi
