@@ -58,9 +58,9 @@ private:
     Factors<Scalar> factors_;
 };
 
-/// What is solved for in VelocityLanes: the Lp_j of PositionUnknowns.
+/// What both forms of the equations have in common.
 template <class Vector>
-class PositionsOfLanes {
+class SlopesOfLanes {
 public:
     template <class Coupled>
     void rest(Coupled& coupled) {
@@ -69,6 +69,35 @@ public:
         coupled.begin_corrections();
     }
 
+    /// Whether J was, or should have been.
+    [[nodiscard]] bool is_finite() const { return jacobian_.is_finite(); }
+
+protected:
+    using Scalar = ScalarOf<Vector>;
+
+    /// L -= J^-1 (L - slopes at the stages of L). `get` copies the slopes, `put` replaces them.
+    template <class Get, class Evaluate, class Put>
+    [[gnu::cold]] void correct_by(Get get, Evaluate evaluate, Put put) {
+        get(L_);
+        evaluate();
+        get(residual_);
+        for (std::size_t i = 0; i < L_.size(); ++i) { residual_[i] = L_[i] - residual_[i]; }
+        jacobian_.solve(residual_);
+        for (std::size_t i = 0; i < L_.size(); ++i) { L_[i] -= residual_[i]; }
+        put(L_);
+    }
+
+    std::size_t n_ = 0;
+    JacobianOfStages<Scalar> jacobian_;
+
+private:
+    std::vector<Scalar> L_, residual_;
+};
+
+/// What is solved for in VelocityLanes: the Lp_j of PositionUnknowns, component k at j n + k.
+template <class Vector>
+class PositionsOfLanes : public SlopesOfLanes<Vector> {
+public:
     /// All stages have the second derivatives at the start of the step.
     template <class Coupled>
     [[nodiscard]] bool factorise_start(const Coupled& coupled) {
@@ -93,36 +122,32 @@ public:
         auto& s = coupled.s;
         set_G([&](auto& G) { coupled.hessian_at_start(G); });
         coupled.force_at_start(s.slope);
-        Lp_.resize(Coupled::stages * n_);
+        std::vector<Scalar> Lp(Coupled::stages * n_);
         for (std::size_t j = 0; j < Coupled::stages; ++j) {
             for (std::size_t k = 0; k < n_; ++k) {
                 Scalar slope = at(s.slope, k);
                 for (std::size_t l = 0; l < n_; ++l) {
                     slope += G_(k, l) * (s.Q[l][j] - at(s.at.q, l));
                 }
-                Lp_[j * n_ + k] = -s.hb[j] * slope;
+                Lp[j * n_ + k] = -s.hb[j] * slope;
             }
         }
-        jacobian_.solve(Lp_);
-        put(coupled);
+        jacobian_.solve(Lp);
+        put(Lp, coupled);
     }
 
     /// Lp -= J^-1 (Lp + h b dH/dq).
     template <class Coupled>
     [[gnu::noinline, gnu::cold]] void correct(Coupled& coupled) {
-        get(coupled, Lp_);
-        coupled.slopes_of_momenta();
-        get(coupled, residual_);
-        for (std::size_t i = 0; i < Lp_.size(); ++i) { residual_[i] = Lp_[i] - residual_[i]; }
-        jacobian_.solve(residual_);
-        for (std::size_t i = 0; i < Lp_.size(); ++i) { Lp_[i] -= residual_[i]; }
-        put(coupled);
+        this->correct_by([&](auto& Lp) { get(coupled, Lp); },
+                         [&] { coupled.slopes_of_momenta(); },
+                         [&](const auto& Lp) { put(Lp, coupled); });
     }
 
-    [[nodiscard]] bool is_finite() const { return jacobian_.is_finite(); }
-
 private:
-    using Scalar = ScalarOf<Vector>;
+    using typename SlopesOfLanes<Vector>::Scalar;
+    using SlopesOfLanes<Vector>::n_;
+    using SlopesOfLanes<Vector>::jacobian_;
 
     template <class Set>
     void set_G(Set set) {
@@ -145,29 +170,21 @@ private:
     }
 
     template <class Coupled>
-    void put(Coupled& coupled) const {
+    void put(const std::vector<Scalar>& Lp, Coupled& coupled) const {
         for (std::size_t j = 0; j < Coupled::stages; ++j) {
-            for (std::size_t k = 0; k < n_; ++k) { coupled.s.Lp[k].set(j, Lp_[j * n_ + k]); }
+            for (std::size_t k = 0; k < n_; ++k) { coupled.s.Lp[k].set(j, Lp[j * n_ + k]); }
         }
         coupled.s.drifts(coupled.system);
     }
 
-    std::size_t n_ = 0;
     SquareMatrix<Scalar> G_;
-    JacobianOfStages<Scalar> jacobian_;
-    std::vector<Scalar> Lp_, residual_;  ///< component k of stage j at j n + k
 };
 
-/// What is solved for in StageLanes: Lq_j and then Lp_j. Precondition: m == mt.
+/// What is solved for in StageLanes: component k of Lq_j at 2 j n + k, and of Lp_j n further on.
+/// Precondition: m == mt.
 template <class Vector>
-class PairsOfLanes {
+class PairsOfLanes : public SlopesOfLanes<Vector> {
 public:
-    template <class Coupled>
-    void rest(Coupled& coupled) {
-        n_ = static_cast<std::size_t>(coupled.s.n);
-        coupled.s.rest();
-        coupled.begin_corrections();
-    }
     template <class Coupled>
     [[nodiscard]] bool factorise_start(const Coupled& coupled) {
         return factorise(coupled);
@@ -193,28 +210,16 @@ public:
         });
     }
 
-    /// L -= J^-1 (L - slopes at the stages of L).
     template <class Coupled>
     [[gnu::noinline, gnu::cold]] void correct(Coupled& coupled) {
-        get(coupled, L_);
-        coupled.all_slopes();
-        get(coupled, residual_);
-        for (std::size_t i = 0; i < L_.size(); ++i) { residual_[i] = L_[i] - residual_[i]; }
-        jacobian_.solve(residual_);
-        for (std::size_t i = 0; i < L_.size(); ++i) { L_[i] -= residual_[i]; }
-        for (std::size_t j = 0; j < Coupled::stages; ++j) {
-            const Scalar* const of_stage = L_.data() + 2 * j * n_;
-            for (std::size_t k = 0; k < n_; ++k) {
-                coupled.s.Lq[k].set(j, of_stage[k]);
-                coupled.s.Lp[k].set(j, of_stage[n_ + k]);
-            }
-        }
+        this->correct_by([&](auto& L) { get(coupled, L); }, [&] { coupled.all_slopes(); },
+                         [&](const auto& L) { put(L, coupled); });
     }
 
-    [[nodiscard]] bool is_finite() const { return jacobian_.is_finite(); }
-
 private:
-    using Scalar = ScalarOf<Vector>;
+    using typename SlopesOfLanes<Vector>::Scalar;
+    using SlopesOfLanes<Vector>::n_;
+    using SlopesOfLanes<Vector>::jacobian_;
 
     template <class Coupled>
     void get(const Coupled& coupled, std::vector<Scalar>& L) const {
@@ -228,10 +233,18 @@ private:
         }
     }
 
-    std::size_t n_ = 0;
+    template <class Coupled>
+    void put(const std::vector<Scalar>& L, Coupled& coupled) const {
+        for (std::size_t j = 0; j < Coupled::stages; ++j) {
+            const Scalar* const of_stage = L.data() + 2 * j * n_;
+            for (std::size_t k = 0; k < n_; ++k) {
+                coupled.s.Lq[k].set(j, of_stage[k]);
+                coupled.s.Lp[k].set(j, of_stage[n_ + k]);
+            }
+        }
+    }
+
     SquareMatrix<Scalar> Hqq_, Hqp_, Hpp_;
-    JacobianOfStages<Scalar> jacobian_;
-    std::vector<Scalar> L_, residual_;  ///< of stage j from 2 j n on
 };
 
 /// Newton's method. The factors are kept from step to step while h stays, and computed anew where
