@@ -484,6 +484,30 @@ TEST_CASE("what is spent counts the factors, and stops what is not worth it") {
     CHECK(stages.factors == 1);
 }
 
+TEST_CASE("when factors are computed anew") {
+    using Sweeps = hvi::detail::CorrectedSweeps<Vector>;
+    using Renewal = Sweeps::Renewal;
+    const auto factors = [](double corrected_rate, Renewal renewal) {
+        Stages stages;
+        stages.rate = 0.5;
+        stages.corrected_rate = corrected_rate;
+        stages.W = 0;
+        Sweeps sweeps;
+        sweeps.assume_factors();
+        Coupled coupled(stages);
+        const hvi::Status status =
+            sweeps.solve<true>(coupled, coupled.corrections, {1, 0, 200, renewal});
+        CHECK(status.ok() == (renewal != Renewal::never || corrected_rate < 0.25));
+        return stages.factors;
+    };
+    CHECK(factors(0.1, Renewal::where_slow) == 0);
+    CHECK(factors(0.1, Renewal::eager) == 1);
+    CHECK(factors(0.1, Renewal::never) == 0);
+    CHECK(factors(0.5, Renewal::where_slow) > 10);
+    CHECK(factors(0.5, Renewal::eager) == factors(0.5, Renewal::where_slow) + 1);
+    CHECK(factors(0.5, Renewal::never) == 0);
+}
+
 TEST_CASE("corrections that are fast end with the one that is below rounding") {
     Stages stages;
     stages.rate = 0.5;

@@ -12,15 +12,21 @@ namespace hvi::detail {
 template <class Vector>
 class CorrectedSweeps {
 public:
+    /// When factors are computed anew.
+    enum class Renewal {
+        where_slow,  ///< and changes that grow are given up
+        eager,       ///< after the first correction and wherever they do not contract
+        never,       ///< which is given up
+    };
     struct Terms {
         int iteration, factors;  ///< what they cost
         int most;                ///< that may be spent
-        bool may_grow = false;   ///< before they fall
+        Renewal renewal = Renewal::where_slow;
     };
 
     /// Says that it is singular where there are no factors, for whatever reason. `keeps_factors`:
-    /// from step to step, and they are computed anew where corrections do not contract; else they
-    /// depend on h alone. Preconditions: those of Sweeps.
+    /// from step to step, and renews them; else they depend on h alone. Preconditions: those of
+    /// Sweeps.
     template <bool keeps_factors, class Coupled, class Corrections>
     [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, const Terms& terms) {
         coupled.begin_corrections();
@@ -50,8 +56,11 @@ public:
             const Now now = end_.judge(coupled);
             is_last = now == Now::ended || end_.next_is_last();
             is_finite = now != Now::not_finite;
-            if (!is_finite || (!terms.may_grow && end_.grows(coupled))) { break; }
-            if (is_last || !keeps_factors || end_.contracts()) { continue; }
+            const bool is_eager = terms.renewal == Renewal::eager;
+            if (!is_finite || (!is_eager && end_.grows(coupled))) { break; }
+            if (is_last || !keeps_factors) { continue; }
+            if (end_.contracts() && !(is_eager && iteration == 1)) { continue; }
+            if (terms.renewal == Renewal::never) { break; }
             has_factors = factorise();
         }
         if constexpr (keeps_factors) { has_factors_ = false; }

@@ -247,8 +247,11 @@ private:
     SquareMatrix<Scalar> Hqq_, Hqp_, Hpp_;
 };
 
-/// Newton's method. The factors are kept from step to step while h stays, and computed anew where
-/// it does not contract.
+/// Newton's method. The factors are kept from step to step while h stays. Where it does not
+/// contract with those it begins anew, and then with factors of the present stages.
+///
+/// NOTE: to go on with, or from where, factors of other stages have led may end in another solution,
+/// far away.
 template <class Vector, class Unknowns>
 class NewtonOfLanes {
 public:
@@ -267,6 +270,8 @@ public:
     }
 
 private:
+    using Renewal = typename CorrectedSweeps<Vector>::Renewal;
+
     template <class Coupled>
     [[nodiscard]] Status correct(Coupled& coupled) {
         constexpr int most_iterations = 60;
@@ -276,7 +281,8 @@ private:
         }
         unknowns_.begin(coupled);
         sweeps_.assume_factors();
-        return sweeps_.template solve<true>(coupled, unknowns_, {1, 0, most_iterations, true});
+        const Renewal renewal = has_factors_ ? Renewal::never : Renewal::eager;
+        return sweeps_.template solve<true>(coupled, unknowns_, {1, 0, most_iterations, renewal});
     }
 
     Unknowns unknowns_;
