@@ -25,11 +25,12 @@ NewtonPolicy newton_policy(const Step& step) {
     if (std::holds_alternative<ChartStep>(step.form)) {
         return {"newton_charts", "hvi::NewtonOfCharts"};
     }
-    if (std::holds_alternative<PairStep>(step.form)) {
-        return step.corrections ? NewtonPolicy{"newton_of_lanes", "hvi::NewtonOfPairLanes"}
-                                : NewtonPolicy{"newton_pairs", "hvi::NewtonOfPairs"};
+    const bool has_momenta = std::holds_alternative<PairStep>(step.form);
+    if (step.corrections) {
+        return {"newton_of_lanes",
+                has_momenta ? "hvi::NewtonOfPairLanes" : "hvi::NewtonOfPositionLanes"};
     }
-    if (step.corrections) { return {"newton_of_lanes", "hvi::NewtonOfPositionLanes"}; }
+    if (has_momenta) { return {"newton_pairs", "hvi::NewtonOfPairs"}; }
     switch (std::get<VelocityStep>(step.form).hessian) {
     case HessianForm::dense: break;
     case HessianForm::band: return {"newton_chains", "hvi::NewtonOfChains"};

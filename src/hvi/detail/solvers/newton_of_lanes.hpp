@@ -250,8 +250,8 @@ private:
 /// Newton's method. The factors are kept from step to step while h stays. Where it does not
 /// contract with those it begins anew, and then with factors of the present stages.
 ///
-/// NOTE: to go on with, or from where, factors of other stages have led may end in another solution,
-/// far away.
+/// NOTE: from where old factors have led, and with those of stages at rest, it may come to another
+/// solution, far away.
 template <class Vector, class Unknowns>
 class NewtonOfLanes {
 public:
