@@ -207,9 +207,8 @@ struct GalerkinStep {
     RoundedGalerkinForm rounded;
     Iteration iteration;  ///< without extrapolation of slopes
     std::optional<CurveExtrapolation> extrapolation;
-    NumberVector steps;  ///< of a composition: gamma_1, ..., gamma_k; else empty
-    /// Every second one of them is a step of the adjoint, which is another one: A and D change
-    /// places, and c_i is 1 - c_i.
+    /// Every second one of the steps of a composition is a step of the adjoint, which is another
+    /// one: A and D change places, and c_i is 1 - c_i.
     bool has_adjoint = false;
 };
 
@@ -273,6 +272,9 @@ struct Step {
     KeptSlopes kept;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free
     std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep, GalerkinStep, ChartStep> form;
+    /// Of a composition whose steps are taken one after the other, and of which this is one:
+    /// gamma_1, ..., gamma_k. Else empty: all that a step does is here.
+    NumberVector in_a_row;
     Layout layout = Layout::one;
     /// Of stages in lanes whose solver is automatic; none where the stages do not decouple.
     std::optional<StageCorrections> corrections = {};

@@ -209,7 +209,7 @@ std::string lines(const GalerkinStep& form) {
     std::string result = std::string("form: curves") + (is_lagrangian ? " of L\n" : "\n") +
                          lines(form.form) + lines(form.rounded) + lines(form.iteration);
     if (form.extrapolation) { result += lines(*form.extrapolation); }
-    return result + line_of_steps(form.steps) + (form.has_adjoint ? "of the adjoint too\n" : "");
+    return result + (form.has_adjoint ? "of the adjoint too\n" : "");
 }
 
 std::string lines(const ChartStep& form) {
@@ -240,6 +240,7 @@ std::string dump(const Step& step) {
         result += fmt::format("parameter: {}\n", step.from_parameter->numbers.parameter);
     }
     result += std::visit([](const auto& form) { return lines(form); }, step.form);
+    result += line_of_steps(step.in_a_row);
     result += fmt::format("lanes: {}\n", text(step.layout));
     if (step.layout == Layout::stages) {
         result += fmt::format("registers of: {}\n", step.register_width);

@@ -212,7 +212,7 @@ void verify_form(const Step& step, const GalerkinStep& form) {
     verify_curve(step, form.form, form.rounded);
     HVI_CHECK(step.slopes != Slopes::one_by_one);
     HVI_CHECK(form.side == Side::hamiltonian || step.slopes == Slopes::joint);
-    HVI_CHECK(!form.iteration.extrapolation && (!form.has_adjoint || !form.steps.empty()));
+    HVI_CHECK(!form.iteration.extrapolation && (!form.has_adjoint || !step.in_a_row.empty()));
     if (!form.extrapolation) { return; }
     const std::optional<NumberMatrix>& P = form.extrapolation->P;
     HVI_CHECK(is_table(form.extrapolation->W, s, s));
@@ -239,6 +239,8 @@ void verify_lanes(const Step& step) {
 }  // namespace
 
 void verify(const Step& step) {
+    HVI_CHECK(step.in_a_row.empty() || step.layout == Layout::stages ||
+              std::holds_alternative<GalerkinStep>(step.form));
     verify_stages(step);
     verify_lanes(step);
     std::visit([&](const auto& form) { verify_form(step, form); }, step.form);

@@ -135,10 +135,12 @@ std::vector<std::string> costs(const System& system, const Step& step,
     const std::string by_q = fmt::format("d{}/dq", system.function_letter());
     const std::string by_p =
         fmt::format("d{}/d{}", system.function_letter(), system.conjugate_letter());
+    const std::size_t parts = step.in_a_row.size();
+    const std::string where = parts == 0 ? "a step" : fmt::format("each of {} steps", parts);
     std::vector<std::string> result;
-    result.push_back(
-        unknowns == 0 ? "no unknowns: nothing is solved for"
-                      : fmt::format("{} are solved for in a step", counted(unknowns, "unknown")));
+    result.push_back(unknowns == 0 ? "no unknowns: nothing is solved for"
+                                   : fmt::format("{} are solved for in {}",
+                                                 counted(unknowns, "unknown"), where));
     if (step.slopes == Slopes::joint) {
         result.push_back(by_q + " and " + by_p +
                          " once: " + text(evaluations.gradients.joint.counts));
@@ -161,10 +163,9 @@ std::vector<std::string> costs(const System& system, const Step& step,
     if (step.corrections) { result.push_back(text(step.corrections->costs)); }
     const std::size_t forces = step.forces_evaluated();
     const std::size_t velocities = step.velocities_evaluated();
-    result.push_back(fmt::format("{}: {} of {}, {} of {}",
-                                 unknowns == 0 ? "evaluations in a step"
-                                               : "evaluations in a step of one iteration",
-                                 forces, by_q, velocities, by_p));
+    result.push_back(fmt::format("evaluations in {}{}: {} of {}, {} of {}", where,
+                                 unknowns == 0 ? "" : " of one iteration", forces, by_q, velocities,
+                                 by_p));
     return result;
 }
 

@@ -74,7 +74,7 @@ void set_galerkin(Step& step, const OneStepMethod& method, const SystemPropertie
     GalerkinStep galerkin;
     galerkin.side = system.side;
     galerkin.form = galerkin_form(method.base);
-    galerkin.steps = steps_in_a_row(method);
+    step.in_a_row = steps_in_a_row(method);
     galerkin.has_adjoint = method.composition && method.composition->with_adjoint &&
                            !is_symmetric(galerkin.form).holds;
     set_nodes(step, method, galerkin.form);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "generator/exact/methods/composed_method.hpp"
+#include "generator/exact/methods/properties.hpp"
 #include "generator/ir/equal.hpp"
 #include "generator/plan/chart_step.hpp"
 #include "generator/plan/free_parameter.hpp"
@@ -337,8 +338,9 @@ Step planned_in_charts(Step step, const Tableau& tableau, const OneStepMethod& m
     return completed(std::move(step));
 }
 
-Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemProperties& system,
-             const StepWishes& wishes) {
+/// All steps of a composition as one.
+Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
+                    const SystemProperties& system, const StepWishes& wishes) {
     const std::optional<Composition>& composition = method.composition;
     Step step;
     const bool has_charts = system.rotations > 0;
@@ -349,9 +351,7 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
     WeightedStages stages = weighted_stages(tableau);
     if (composition) {
         stages = composed(stages, *composition);
-        step.decisions.push_back({fmt::format("{} steps in a row", composition->steps.size()),
-                                  fmt::format("they make a method of order {}: {}",
-                                              composition->order, composition->name)});
+        note_composition(step, method);
     }
     set_stages(step, stages);
     if (has_charts) { return planned_in_charts(std::move(step), tableau, method, system, wishes); }
@@ -376,6 +376,32 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
     set_corrections(step, system);
     if (!composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
     return completed(std::move(step));
+}
+
+/// The steps of a composition one after the other, each with its stages in lanes; nothing where
+/// these have none.
+///
+/// NOTE: of its own adjoint, as each of the steps has the same tables.
+std::optional<Step> planned_in_a_row(const Tableau& tableau, const OneStepMethod& method,
+                                     const SystemProperties& system, const StepWishes& wishes) {
+    if (method.composition->with_adjoint && !is_symmetric(tableau).holds) { return {}; }
+    OneStepMethod base = method;
+    base.composition.reset();
+    Step step = planned_as_one(tableau, base, system, wishes);
+    if (step.layout != Layout::stages) { return {}; }
+    step.in_a_row = steps_in_a_row(method);
+    note_composition(step, method);
+    verify(step);
+    return step;
+}
+
+Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemProperties& system,
+             const StepWishes& wishes) {
+    if (method.composition) {
+        std::optional<Step> one_by_one = planned_in_a_row(tableau, method, system, wishes);
+        if (one_by_one) { return *std::move(one_by_one); }
+    }
+    return planned_as_one(tableau, method, system, wishes);
 }
 
 /// By the general Galerkin form with its own unknowns. Decisions that are made are kept.

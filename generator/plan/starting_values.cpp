@@ -162,7 +162,7 @@ void set_extrapolation(Step& step, GalerkinStep& galerkin) {
                                   "starting values of the iteration",
                                   reason});
     };
-    if (!galerkin.steps.empty()) {
+    if (!step.in_a_row.empty()) {
         begins_at_the_start("the steps of a composition differ in size");
     } else if (!are_distinct(form.c)) {
         begins_at_the_start("no polynomial interpolates momenta at equal nodes");

@@ -48,7 +48,7 @@ TEST_CASE("stages stand side by side where they can") {
         {{"midpoint", "kepler"}, "there is one stage"},
         {{"lobatto:3", "kepler"}, "the stages are not solved for all at once"},
         {{"gauss:2", "kepler", "--solver", "newton"}, "they are built for fixed points"},
-        {{"gauss:2", "kepler", "--compose", "yoshida:4"}, "not solved for all at once"}};
+        {{"midpoint", "kepler", "--compose", "yoshida:4"}, "not solved for all at once"}};
     for (const auto& [words, obstacle] : obstacles) {
         const std::vector<std::string> options(words.begin() + 2, words.end());
         INFO(obstacle);
@@ -59,6 +59,15 @@ TEST_CASE("stages stand side by side where they can") {
         CHECK(has(refused.err, "^~~~~~"));
         CHECK(refused.out.empty());
     }
+    const std::string composed = header("gauss:2", "kepler", {"--compose", "yoshida:4"}).out;
+    CHECK(has(composed, "hvi::detail::VelocityLanes<Vector, 2> s_;"));
+    CHECK(has(composed, "weights_of_step(h, gamma)"));
+    // The adjoint, which is another method, would want other tables.
+    const Outcome with_adjoint =
+        hvi_gen({"stepper", "--basis", "1, tau", "--nodes", "1/4, 1", "--hamiltonian",
+                 "(q^2+1)*(p^2+1)/2", "--compose", "blanes-moan:6", "--lanes", "stages"});
+    CHECK(with_adjoint.status == 2);
+    CHECK(has(with_adjoint.err, "not solved for all at once"));
     const Outcome unknown = header("gauss:2", "kepler", {"--lanes", "stage"});
     CHECK(unknown.status == 2);
     CHECK(has(unknown.err, "stages"));

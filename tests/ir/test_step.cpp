@@ -31,6 +31,7 @@ TEST_CASE("a step that contradicts itself is found") {
     CHECK(is_found<Step>(verlet, [](Step& step) { step.form = TabulatedStep{}; }));
     CHECK(is_found<Step>(verlet, [](Step& step) { step.form = PairStep{Iteration{}}; }));
     CHECK(is_found<Step>(verlet, [](Step& step) { step.c.emplace_back(0); }));
+    CHECK(is_found<Step>(verlet, [](Step& step) { step.in_a_row.emplace_back(1); }));
     CHECK(is_found<Step>(verlet,
                          [](Step& step) { step.positions[1].place = StageValue::Place::start; }));
 
@@ -99,7 +100,7 @@ TEST_CASE("a step of the general Galerkin form that contradicts itself is found"
     CHECK(is_found<Step>(curve, [](Step& step) { step.layout = Layout::stages; }));
     CHECK(is_found<Step>(curve, [](Step& step) { step.blocks.clear(); }));
     Step other = curve;
-    form(other).steps = {Number(1)};
+    other.in_a_row = {Number(1)};
     CHECK_FALSE(other == curve);
 }
 

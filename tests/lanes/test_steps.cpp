@@ -6,6 +6,8 @@
 #include <limits>
 
 #include <catch2/catch.hpp>
+#include <lanes/composed_lanes.hpp>
+#include <lanes/composed_plain.hpp>
 #include <lanes/double_pendulum_lanes.hpp>
 #include <lanes/double_pendulum_plain.hpp>
 #include <lanes/driven_lanes.hpp>
@@ -14,6 +16,8 @@
 #include <lanes/fejer_plain.hpp>
 #include <lanes/growing_lanes.hpp>
 #include <lanes/growing_plain.hpp>
+#include <lanes/grown_lanes.hpp>
+#include <lanes/grown_plain.hpp>
 #include <lanes/kepler_2_lanes.hpp>
 #include <lanes/kepler_2_plain.hpp>
 #include <lanes/kepler_3_lanes.hpp>
@@ -114,6 +118,35 @@ TEST_CASE("so have those of a driven system that is not separable") {
     for (int i = 0; i < 500; ++i) { REQUIRE(without.step(z, time / 500).ok()); }
     CHECK(x.q[0] == Approx(z.q[0]).epsilon(1e-4));
     CHECK(x.p[0] == Approx(z.p[0]).epsilon(1e-4));
+}
+
+TEST_CASE("compositions take their steps in lanes one after the other") {
+    compare<ComposedLanes, ComposedPlain>(0.2);
+    GrownLanes lanes;
+    GrownPlain plain;
+    auto x = GrownLanes::State{{{{0.5}}, {{1.0}}}, 0.75};
+    auto y = GrownPlain::State{{{{0.5}}, {{1.0}}}, 0.75};
+    for (int i = 0; i < 20; ++i) {
+        REQUIRE(lanes.step(x, 0.2).ok());
+        REQUIRE(plain.step(y, 0.2).ok());
+    }
+    CHECK(x.t == Approx(y.t).epsilon(1e-15));
+    CHECK(distance(x, y) <= 200);
+}
+
+TEST_CASE("a composition of which one step fails leaves the state where it was") {
+    ComposedLanes stepper;
+    auto x = ComposedLanes::initial();
+    auto y = x, fresh = x;
+    constexpr int most_of_newton = 60;
+    const hvi::Status failed = stepper.step(y, 1.85);
+    CHECK(failed.code() == hvi::Status::Code::not_converged);
+    CHECK(failed.iterations > most_of_newton);  // of those before the one that failed, too
+    CHECK(y.q == x.q);
+    CHECK(y.p == x.p);
+    REQUIRE(stepper.step(x, 0.2).ok());
+    REQUIRE(ComposedLanes().step(fresh, 0.2).ok());
+    CHECK(distance(x, fresh) <= 4);
 }
 
 TEST_CASE("where fixed points do not contract, Newton's method finds the stages in lanes") {

@@ -73,14 +73,6 @@ void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWis
     parts.curve = curve_text(*wishes.curve, form.form.functions(), chord, W);
 }
 
-std::string gamma_table(const NumberVector& steps) {
-    if (steps.empty()) { return {}; }
-    Writer writer(1);
-    writer.blank().comment("A step is steps of these parts of h.");
-    rough_table(writer, "gamma", "gamma", steps);
-    return writer.str();
-}
-
 bool has_adjoint(const Step& step) {
     const auto* form = std::get_if<GalerkinStep>(&step.form);
     return form != nullptr && form->has_adjoint;
@@ -118,25 +110,6 @@ std::string tables_for_newton(const GalerkinStep& form) {
     return writer.str();
 }
 
-void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact) {
-    std::vector<std::vector<Constant>> rows(exact.size());
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        for (std::size_t j = 0; j < exact[i].size(); ++j) {
-            rows[i].push_back(constant(fmt::format("{}_{},{}", name, i + 1, j + 1), exact[i][j]));
-        }
-    }
-    table(writer, name, rows);
-}
-
-void rough_table(Writer& writer, std::string_view name, std::string_view formula,
-                 const NumberVector& exact) {
-    std::vector<Constant> entries;
-    for (std::size_t j = 0; j < exact.size(); ++j) {
-        entries.push_back(constant(fmt::format("{}_{}", formula, j + 1), exact[j]));
-    }
-    table(writer, name, entries);
-}
-
 NumberVector inverses(const NumberVector& numbers) {
     NumberVector result;
     for (const Number& number : numbers) { result.push_back(Number(1) / number); }
@@ -144,9 +117,9 @@ NumberVector inverses(const NumberVector& numbers) {
 }
 
 /// NOTE: the action takes several in a row as one: see composed_step.hpp.in.
-std::string end_of_curve(const Step& step, const GalerkinStep& form, const SceneWishes& wishes) {
+std::string end_of_curve(const Step& step, const SceneWishes& wishes) {
     const std::string end = end_of_step(step, "status.iterations");
-    if (wishes.action && form.steps.empty()) {
+    if (wishes.action && step.in_a_row.empty()) {
         return end_with_action("integral_over_step()", end);
     }
     return Writer(2).line("return {};", end).str();

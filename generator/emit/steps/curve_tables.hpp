@@ -22,9 +22,6 @@ namespace hvi::gen {
 /// Adds position(tau) where it is wished for; its table is one of `curve_tables`.
 void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWishes& wishes);
 
-/// The parts of a composition; empty where there is none.
-[[nodiscard]] std::string gamma_table(const NumberVector& steps);
-
 // ---- every second step one of the adjoint ----
 
 [[nodiscard]] bool has_adjoint(const Step& step);
@@ -40,18 +37,11 @@ void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWis
 /// The tables by their names, for Newton's method; those that are chosen are there.
 [[nodiscard]] std::string tables_for_newton(const GalerkinStep& form);
 
-/// Each entry rounded on its own: for starting values, and for the way to a solution.
-void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact);
-/// `formula` is what comments call the entries.
-void rough_table(Writer& writer, std::string_view name, std::string_view formula,
-                 const NumberVector& exact);
-
 /// 1/x of each.
 [[nodiscard]] NumberVector inverses(const NumberVector& numbers);
 
 /// The last lines of step(), or of one of several in a row.
-[[nodiscard]] std::string end_of_curve(const Step& step, const GalerkinStep& form,
-                                       const SceneWishes& wishes);
+[[nodiscard]] std::string end_of_curve(const Step& step, const SceneWishes& wishes);
 
 /// Fixed points are iterated, at first or throughout.
 [[nodiscard]] bool takes_fixed_points(const GalerkinStep& form);

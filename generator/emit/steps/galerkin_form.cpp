@@ -105,7 +105,7 @@ std::string steps_of_curves(const Step& step, const GalerkinStep& form, const Sc
     writer.blank().line("status = solver_.solve({});", make_coupled(step, form));
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance(B);");
-    return writer.insert(end_of_curve(step, form, wishes)).str();
+    return writer.insert(end_of_curve(step, wishes)).str();
 }
 
 std::string prediction(const Step& step, const GalerkinStep& form) {
@@ -154,7 +154,7 @@ std::string constants_of_curves(const Step& step, const GalerkinStep& galerkin,
         rough_table(writer, "N_W", galerkin.extrapolation->W);
         rough_table(writer, "N_P", *galerkin.extrapolation->P);
     }
-    return with_rounding(writer.insert(gamma_table(galerkin.steps)).str());
+    return with_rounding(writer.insert(gamma_table(step.in_a_row)).str());
 }
 
 std::string members_of_curves(const Step& step, const GalerkinStep& form) {
@@ -181,7 +181,6 @@ ImplicitParts parts(const Step& step, const GalerkinStep& form, const SceneWishe
     parts.predict = prediction(step, form);
     parts.coupled = coupled_curve(step, form);
     parts.members = members_of_curves(step, form);
-    parts.composes = !form.steps.empty();
     add_position(parts, form, wishes);
     if (wishes.action) { add_action(parts, step, form); }
     return parts;

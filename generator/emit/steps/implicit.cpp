@@ -78,25 +78,25 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
     if (options.wishes.curve) { parts.runtime.push_back("detail/stages/curve"); }
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }
     for (const std::string& header : solver_headers(step)) { parts.runtime.push_back(header); }
+    const bool composes = !step.in_a_row.empty();
     const std::string step_text =
-        one_step(step, parts.steps, parts.composes ? "part_of_step" : "step", options);
+        one_step(step, parts.steps, composes ? "part_of_step" : "step", options);
     Holes holes = holes_of(system);
-    holes.merge(
-        Holes{{"banner", banner(method, step, options)},
-              {"format", std::to_string(hvi::runtime_format)},
-              {"runtime", runtime_includes(std::move(parts.runtime))},
-              {"parameter", parameter_text(step)},
-              {"state", system.state},
-              {"curve", parts.curve},
-              {"step", parts.composes ? composed_step(has_action, has_adjoint(step)) : step_text},
-              {"part", parts.composes ? step_text : ""},
-              {"action", parts.action},
-              {"integral", parts.integral},
-              {"forget", has_action ? "s_.forget(); action_.forget();" : "s_.forget();"},
-              {"constants", parts.constants},
-              {"predict", parts.predict},
-              {"coupled", parts.coupled},
-              {"members", parts.members}});
+    holes.merge(Holes{{"banner", banner(method, step, options)},
+                      {"format", std::to_string(hvi::runtime_format)},
+                      {"runtime", runtime_includes(std::move(parts.runtime))},
+                      {"parameter", parameter_text(step)},
+                      {"state", system.state},
+                      {"curve", parts.curve},
+                      {"step", composes ? composed_step(has_action, has_adjoint(step)) : step_text},
+                      {"part", composes ? step_text : ""},
+                      {"action", parts.action},
+                      {"integral", parts.integral},
+                      {"forget", has_action ? "s_.forget(); action_.forget();" : "s_.forget();"},
+                      {"constants", parts.constants},
+                      {"predict", parts.predict},
+                      {"coupled", parts.coupled},
+                      {"members", parts.members}});
     return fill("implicit.hpp.in", holes);
 }
 

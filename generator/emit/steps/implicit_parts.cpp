@@ -66,6 +66,14 @@ std::string end_of_step(const Step& step, std::string_view iterations) {
     return clock_ends(step, fmt::format("s_.end(x, {})", iterations));
 }
 
+std::string gamma_table(const NumberVector& steps) {
+    if (steps.empty()) { return {}; }
+    Writer writer(1);
+    writer.blank().comment("A step is steps of these parts of h.");
+    rough_table(writer, "gamma", "gamma", steps);
+    return writer.str();
+}
+
 std::string coefficients_text(const Step& step, const RoundedCoefficients& coefficients) {
     Writer writer(1);
     table(writer, weights_p(step), weights(step.positions));

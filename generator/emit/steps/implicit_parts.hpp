@@ -15,7 +15,6 @@ struct ImplicitParts {
     std::string steps, constants, predict, coupled, members;
     std::string curve;             ///< empty where none is asked for
     std::string action, integral;  ///< the same
-    bool composes = false;         ///< `steps` is one of several in a row, of the sizes gamma_i h
 };
 
 /// Positions and momenta, and positions alone.
@@ -44,6 +43,9 @@ struct ImplicitParts {
 
 /// The headers of hvi with the solver of the step.
 [[nodiscard]] std::vector<std::string> solver_headers(const Step& step);
+
+/// The parts of a composition; empty where there is none.
+[[nodiscard]] std::string gamma_table(const NumberVector& steps);
 
 /// The tables of either form.
 [[nodiscard]] std::string constants_text(const Step& step, const PairStep& form,

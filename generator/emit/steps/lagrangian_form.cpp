@@ -70,7 +70,7 @@ std::string steps_of_lagrangian(const Step& step, const GalerkinStep& form,
                 adjoint_argument(form), takes_fixed_points(form) ? "mass_, " : "");
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance(B);");
-    return writer.insert(end_of_curve(step, form, wishes)).str();
+    return writer.insert(end_of_curve(step, wishes)).str();
 }
 
 /// Of the nodes that nearest to the middle of the step.
@@ -143,7 +143,7 @@ std::string constants_of_lagrangian(const Step& step, const GalerkinStep& galerk
         writer.blank().comment("W of the next step is about N_W times that of this one.");
         rough_table(writer, "N_W", galerkin.extrapolation->W);
     }
-    return with_rounding(writer.insert(gamma_table(galerkin.steps)).str());
+    return with_rounding(writer.insert(gamma_table(step.in_a_row)).str());
 }
 
 std::string members_of_lagrangian(const Step& step, const GalerkinStep& form) {
@@ -169,7 +169,6 @@ ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form,
     parts.predict = prediction_of_lagrangian(step, form);
     parts.coupled = coupled_lagrangian(step, form);
     parts.members = members_of_lagrangian(step, form);
-    parts.composes = !form.steps.empty();
     add_position(parts, form, wishes);
     if (wishes.action) { add_action(parts, step, form); }
     return parts;

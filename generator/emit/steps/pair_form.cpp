@@ -326,6 +326,7 @@ std::string constants_text(const Step& step, const PairStep& form, const SceneWi
     }
     if (form.iteration) { writer.insert(extrapolation_text(*form.iteration)); }
     if (wishes.curve) { writer.insert(curve_table(step, *wishes.curve, library(wishes))); }
+    writer.insert(gamma_table(step.in_a_row));
     return with_rounding(writer.str());
 }
 

@@ -369,6 +369,7 @@ std::string constants_text(const Step& step, const VelocityStep& velocities,
     writer.line("static_assert(hvi::detail::symplectic(c, n), \"the method is symplectic\");");
     writer.insert(extrapolation_text(velocities.iteration));
     if (wishes.curve) { writer.insert(curve_table(step, *wishes.curve, library(wishes))); }
+    writer.insert(gamma_table(step.in_a_row));
     return with_rounding(writer.str());
 }
 
