@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
+#include <utility>
 
 #include <hvi/detail/lanes/lanes.hpp>
 #include <hvi/detail/stages/system.hpp>
@@ -184,21 +186,65 @@ product(const std::array<LaneRow<Number, rows>, columns>& matrix, const LaneRow<
     return start;
 }
 
+/// How many rows are multiplied with the columns of a matrix at once.
+///
+/// NOTE: so many that their sums do not wait for each other, and no more than stay in registers
+/// beside a column.
+template <class Lane>
+inline constexpr std::size_t rows_at_once = Lane::registers > 8   ? 1
+                                            : Lane::registers > 2 ? 9 / Lane::registers
+                                                                  : 4;
+
+/// `use(k, y)` of y = start(k) + matrix x_k for each of the rows k, ..., which are taken by `i`.
+template <class Lane, class Rows, class Start, class Use, std::size_t columns, std::size_t... i>
+[[gnu::always_inline]] inline void
+products_at(std::size_t k, const std::array<typename Lane::Row, columns>& matrix, const Rows& x,
+            Start start, Use use, std::index_sequence<i...>) {
+    if constexpr (sizeof...(i) * Lane::registers < 8) {
+        (use(k + i, product(matrix, x[k + i], start(k + i))), ...);
+    } else {
+        std::array<Lane, sizeof...(i)> sums{start(k + i)...};
+        for (std::size_t j = 0; j < columns; ++j) {
+            const Lane column(matrix[j]);
+            ((sums[i] = sums[i] + x[k + i][j] * column), ...);
+        }
+        (use(k + i, sums[i]), ...);
+    }
+}
+
+/// The same for all rows.
+template <class Lane, class Rows, class Start, class Use, std::size_t columns>
+[[gnu::always_inline]] inline void
+products(const std::array<typename Lane::Row, columns>& matrix, const Rows& x, Start start,
+         Use use) {
+    constexpr std::size_t dimension = std::tuple_size_v<Rows>;
+    constexpr std::size_t block = rows_at_once<Lane> < dimension ? rows_at_once<Lane> : dimension;
+    for (std::size_t k = 0; k + block <= dimension; k += block) {
+        products_at<Lane>(k, matrix, x, start, use, std::make_index_sequence<block>());
+    }
+    constexpr std::size_t rest = dimension % block;
+    products_at<Lane>(dimension - rest, matrix, x, start, use, std::make_index_sequence<rest>());
+}
+
 /// rows = now rows + before (the rows before), and the rows before become these.
 template <class Lane, class Matrix, std::size_t dimension>
 void extrapolate(std::array<typename Lane::Row, dimension>& rows, const Matrix& now,
                  const Matrix& before, std::array<typename Lane::Row, dimension>& rows_before) {
-    for (std::size_t k = 0; k < dimension; ++k) {
-        const Lane row(rows[k]);
-        const Lane far = product(before, rows_before[k], Lane(0));
-        product(now, rows[k], far).store(rows[k]);
-        row.store(rows_before[k]);
-    }
+    std::array<typename Lane::Row, dimension> far;
+    products<Lane>(
+        before, rows_before, [](std::size_t) { return Lane(0); },
+        [&](std::size_t k, const Lane& y) { y.store(far[k]); });
+    copy<Lane>(rows, rows_before);
+    products<Lane>(
+        now, rows, [&](std::size_t k) { return Lane(far[k]); },
+        [&](std::size_t k, const Lane& y) { y.store(rows[k]); });
 }
 
 template <class Lane, class Matrix, std::size_t dimension>
 void extrapolate(std::array<typename Lane::Row, dimension>& rows, const Matrix& now) {
-    for (typename Lane::Row& row : rows) { product(now, row, Lane(0)).store(row); }
+    products<Lane>(
+        now, rows, [](std::size_t) { return Lane(0); },
+        [&](std::size_t k, const Lane& y) { y.store(rows[k]); });
 }
 
 }  // namespace hvi::detail

@@ -128,6 +128,7 @@ class Lanes {
 public:
     using Row = detail::LaneRow<Number, count>;
     using Mask = LaneMask<Part, parts>;
+    static constexpr std::size_t registers = parts;
 
     Lanes() = default;
 

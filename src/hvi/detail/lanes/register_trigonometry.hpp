@@ -64,45 +64,51 @@ struct Trigonometry<float> {
 
 /// sin x and cos x where |x| is not large.
 ///
-/// NOTE: inlined, as no register of this size lives through a call.
+/// NOTE: inlined, as no register of this size lives through a call; compilers leave out what only
+/// the other one of both needs.
 template <class Part>
 struct RegisterSinCos {
     Part sin, cos;
 
     [[gnu::always_inline]] inline explicit RegisterSinCos(const Part& x) {
-        // NOTE: n = round(2 x/pi) = 2 m + o with o = -1, 0 or 1, all as numbers: sin(r + n pi/2) is
-        // sin r or o cos r, and changes its sign where m is odd.
-        const Part half(static_cast<Number>(0.5));
-        const Part n = integer(x * Part(Table::two_over_pi));
-        const Part m = integer(n * half);
-        const Part o = n - (m + m);
-        const Part half_m = integer(m * half);
-        const Part odd = m - (half_m + half_m);
-        const Part sign = Part(1) - (odd * odd + odd * odd);
-
+        // NOTE: n = round(2 x/pi) are the last bits of x 2/pi + to_integer.
+        const Part shifted = x * Part(Table::two_over_pi) + Part(Table::to_integer);
+        const Part n = shifted - Part(Table::to_integer);
         const Part r = ((x - n * Part(Table::half_pi[0])) - n * Part(Table::half_pi[1])) -
                        n * Part(Table::half_pi[2]);
-        const Part z = r * r;
-        const Part s = r + (r * z) * polynomial(Table::S, z);
-        const Part c = Part(1) - (half * z - (z * z) * polynomial(Table::C, z));
+        const Part z = r * r, zz = z * z;
+        const Part s = r + (r * z) * polynomial(Table::S, z, zz);
+        const Part c =
+            Part(1) - (Part(static_cast<Number>(0.5)) * z - zz * polynomial(Table::C, z, zz));
 
-        const auto is_even = o == Part(0);
-        sin = sign * select(is_even, s, o * c);
-        cos = sign * select(is_even, c, -(o * s));
+        // sin(r + n pi/2) is sin r, cos r, -sin r, -cos r for n = 0, 1, 2, 3, and so on.
+        const Bits quadrant = Bits(shifted.vector);
+        const typename Part::Mask is_odd(-(quadrant & 1));
+        sin = changed_in_sign(select(is_odd, c, s), quadrant);
+        cos = changed_in_sign(select(is_odd, s, c), quadrant + 1);
     }
 
 private:
     using Number = typename Part::value_type;
+    using Bits = typename Part::Bits;
     using Table = Trigonometry<Number>;
+    static constexpr int to_sign = 8 * sizeof(Number) - 2;  ///< from the last bit but one
 
-    [[nodiscard]] static Part integer(const Part& x) {
-        return (x + Part(Table::to_integer)) - Part(Table::to_integer);
+    /// -x where the last bit but one is set.
+    [[nodiscard]] static Part changed_in_sign(const Part& x, const Bits& bits) {
+        using Vector = typename Part::Vector;
+        return Vector(Bits(x.vector) ^ ((bits & 2) << to_sign));
     }
 
+    /// sum a_i z^i. NOTE: in pairs, which do not wait for each other.
     template <std::size_t n>
-    [[nodiscard]] static Part polynomial(const Number (&coefficients)[n], const Part& z) {
-        Part value(coefficients[n - 1]);
-        for (std::size_t i = n - 1; i > 0; --i) { value = value * z + Part(coefficients[i - 1]); }
+    [[nodiscard]] static Part polynomial(const Number (&a)[n], const Part& z, const Part& zz) {
+        constexpr std::size_t last = (n - 1) / 2 * 2;
+        Part value(a[last]);
+        if constexpr (n % 2 == 0) { value = value + Part(a[last + 1]) * z; }
+        for (std::size_t i = last; i > 0; i -= 2) {
+            value = value * zz + (Part(a[i - 2]) + Part(a[i - 1]) * z);
+        }
         return value;
     }
 };

@@ -135,12 +135,13 @@ private:
                                                     const Vector& start, const Vector& cut_off,
                                                     Rows& values, Vector& changes) {
         keep_in_memory(slopes);
-        for (std::size_t k = 0; k < dimension; ++k) {
-            const Lane value =
-                moved(detail::at(start, k), product(m, slopes[k], Lane(detail::at(cut_off, k))));
-            detail::at(changes, k) = sum(abs(value - Lane(values[k])));
-            value.store(values[k]);
-        }
+        products<Lane>(
+            m, slopes, [&](std::size_t k) { return Lane(detail::at(cut_off, k)); },
+            [&](std::size_t k, const Lane& way) __attribute__((always_inline)) {
+                const Lane value = moved(detail::at(start, k), way);
+                detail::at(changes, k) = sum(abs(value - Lane(values[k])));
+                value.store(values[k]);
+            });
     }
 
     Scalar weighed_ = 0;  ///< the step size of hb

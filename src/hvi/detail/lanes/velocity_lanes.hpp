@@ -85,12 +85,13 @@ struct VelocityLanes : StepMemory<Vector> {
     /// Q_i = q + (e_q + c_i hv + sum_j n_ij W_j).
     [[gnu::always_inline]] void positions(const Table& table) {
         keep_in_memory(W);
-        for (std::size_t k = 0; k < dimension; ++k) {
-            const Lane place =
-                moved(detail::at(this->at.q, k), product(table.n, W[k], Lane(drifted[k])));
-            detail::at(this->change.q, k) = sum(abs(place - Lane(Q[k])));
-            place.store(Q[k]);
-        }
+        products<Lane>(
+            table.n, W, [&](std::size_t k) { return Lane(drifted[k]); },
+            [&](std::size_t k, const Lane& way) __attribute__((always_inline)) {
+                const Lane place = moved(detail::at(this->at.q, k), way);
+                detail::at(this->change.q, k) = sum(abs(place - Lane(Q[k])));
+                place.store(Q[k]);
+            });
     }
 
     /// Lp_i = -h b_i dH/dq; `time` are the T_i, where H depends on them.
