@@ -1,7 +1,9 @@
 // What is solved for and what is left out.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -189,6 +191,54 @@ TEST_CASE("extrapolation is exact for polynomials through the nodes") {
             }
             CHECK((sum - tableau.b[i] * power(Number(1) + tableau.c[i])).is_zero());
         }
+    }
+}
+
+TEST_CASE("of many stages a polynomial of lower degree, near to the slopes, is extrapolated") {
+    const std::size_t s = 16, degree = 10;
+    const Tableau tableau = named("gauss:16");
+    const Step step = plan({tableau}, {.is_separable = true}, {.solver = Solver::automatic});
+    CHECK(dump(step).find("by the nearest polynomial of degree 10") != std::string::npos);
+    const NumberMatrix N = iteration(step).extrapolation.value().last;
+    // f(c_j) goes to f(1 + c_i) for f of this degree, and not for others.
+    const auto is_exact = [&](std::size_t k) {
+        const auto power = [k](double x) { return std::pow(x - 0.5, static_cast<double>(k)); };
+        double farthest = 0, size = 0, largest_sum = 0;
+        for (std::size_t i = 0; i < s; ++i) {
+            double sum = 0, sizes = 0;
+            for (std::size_t j = 0; j < s; ++j) {
+                const double entry = N[i][j].nearest_double();
+                sum += entry * tableau.b[j].nearest_double() * power(tableau.c[j].nearest_double());
+                sizes += std::abs(entry);
+            }
+            const double right =
+                tableau.b[i].nearest_double() * power(1 + tableau.c[i].nearest_double());
+            farthest = std::max(farthest, std::abs(sum - right));
+            size = std::max(size, std::abs(right));
+            largest_sum = std::max(largest_sum, sizes);
+        }
+        CHECK(largest_sum < 1e8);
+        return farthest < 1e-7 * size;
+    };
+    for (std::size_t k = 0; k <= degree; ++k) { CHECK(is_exact(k)); }
+    CHECK_FALSE(is_exact(degree + 1));
+    // Least squares: what is left over is orthogonal to polynomials of this degree, so that what
+    // is orthogonal to them goes to 0. Of 16 alternating weights sum_j w_j c_j^k = 0 for k < 15,
+    // w_j = 1/prod (c_j - c_k).
+    std::vector<double> w(s, 1);
+    for (std::size_t j = 0; j < s; ++j) {
+        for (std::size_t k = 0; k < s; ++k) {
+            if (k != j) { w[j] /= tableau.c[j].nearest_double() - tableau.c[k].nearest_double(); }
+        }
+    }
+    const double largest = std::abs(*std::max_element(
+        w.begin(), w.end(), [](double x, double y) { return std::abs(x) < std::abs(y); }));
+    for (std::size_t i = 0; i < s; ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < s; ++j) {
+            sum += N[i][j].nearest_double() * tableau.b[j].nearest_double() * w[j] / largest;
+        }
+        CHECK(std::abs(sum) < 1e-8);
     }
 }
 
