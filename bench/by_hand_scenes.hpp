@@ -160,7 +160,7 @@ public:
 private:
     using Nystroem<S>::b, Nystroem<S>::c, Nystroem<S>::n, Nystroem<S>::N;
     static constexpr int most_iterations = 200;
-    static constexpr bool has_two_steps = S <= 3;
+    static constexpr bool has_two_steps = S <= 5;
 
     /// Weights that add up to h, and accelerations as at the start.
     void begin(double h) {

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "generator/exact/algebra/matrix.hpp"
 #include "generator/ir/equal.hpp"
+#include "generator/plan/extrapolation.hpp"
 #include "generator/plan/solver.hpp"
 
 namespace hvi::gen {
@@ -28,120 +28,76 @@ bool are_distinct(const NumberVector& c) {
     return true;
 }
 
-/// The c_j of the last `steps` steps, as the next one counts its time: first those of the last.
-NumberVector nodes_behind(const NumberVector& c, int steps) {
-    NumberVector nodes;
-    for (int step = 1; step <= steps; ++step) {
-        for (const Number& node : c) { nodes.push_back(node - Number(step)); }
-    }
-    return nodes;
+/// Whether none is where one of the next step is, as the end of one step may be the start of the
+/// next.
+bool are_distinct_in_two_steps(const NumberVector& c) {
+    const auto is_apart = [&](const Number& node) {
+        return std::all_of(c.begin(), c.end(),
+                           [&](const Number& other) { return differ(node + Number(1), other); });
+    };
+    return std::all_of(c.begin(), c.end(), is_apart);
 }
 
-/// The polynomial through the slopes f_j at these nodes, in the next step: f(c_i) is the sum of
-/// l_j(c_i) f_j, so N_ij = (b_i/b_j) l_j(c_i) for L_j = h b_j f_j. Of step `block` of the nodes.
-NumberMatrix extrapolation(const Quadrature& rule, const NumberVector& nodes, std::size_t block) {
-    const std::size_t s = rule.b.size();
-    NumberMatrix N(s, NumberVector(s));
-    for (std::size_t i = 0; i < s; ++i) {
-        for (std::size_t j = 0; j < s; ++j) {
-            Number value = rule.b[i] / rule.b[j];
-            const Number& node = nodes[block * s + j];
-            for (std::size_t k = 0; k < nodes.size(); ++k) {
-                if (k == block * s + j) { continue; }
-                value = value * ((rule.c[i] - nodes[k]) / (node - nodes[k]));
-            }
-            N[i][j] = value;
-        }
-    }
-    return N;
-}
-
-/// The same of the polynomial of a lower degree that is nearest to the slopes of the last step, by
-/// least squares: its values are the sums over k of pi_k(1 + c_i) pi_k(c_j) f_j/|pi_k|^2, of
-/// polynomials that are orthogonal on the nodes.
-template <class T>
-std::vector<std::vector<T>> extrapolation_of_degree(std::size_t degree, const std::vector<T>& c,
-                                                    const std::vector<T>& b) {
-    const std::size_t s = c.size();
-    std::vector<std::vector<T>> N(s, std::vector<T>(s, T(0)));
-    // pi_k at the nodes and in the next step, and the same of pi_k-1.
-    std::vector<T> here(s, T(1)), ahead(s, T(1)), here_before(s, T(0)), ahead_before(s, T(0));
-    T norm_before(1);
-    for (std::size_t k = 0;; ++k) {
-        T norm(0), moment(0);
-        for (std::size_t j = 0; j < s; ++j) {
-            norm = norm + here[j] * here[j];
-            moment = moment + c[j] * here[j] * here[j];
-        }
-        for (std::size_t i = 0; i < s; ++i) {
-            for (std::size_t j = 0; j < s; ++j) {
-                N[i][j] = N[i][j] + b[i] / b[j] * (ahead[i] * here[j] / norm);
-            }
-        }
-        if (k == degree) { return N; }
-        const T alpha = moment / norm, beta = norm / norm_before;
-        for (std::size_t i = 0; i < s; ++i) {
-            const T next = (c[i] - alpha) * here[i] - beta * here_before[i];
-            const T next_ahead = (T(1) + c[i] - alpha) * ahead[i] - beta * ahead_before[i];
-            here_before[i] = std::exchange(here[i], next);
-            ahead_before[i] = std::exchange(ahead[i], next_ahead);
-        }
-        norm_before = norm;
-    }
-}
-
-/// How much it may magnify rounding: the largest sum_j |N_ij|.
-double magnification(const std::vector<std::vector<double>>& N) {
-    double largest = 0.0;
-    for (const std::vector<double>& row : N) {
-        double sum = 0.0;
-        for (const double entry : row) { sum += std::abs(entry); }
-        largest = std::max(largest, sum);
-    }
-    return largest;
-}
-
-std::vector<double> doubles(const NumberVector& numbers) {
-    std::vector<double> result;
-    for (const Number& number : numbers) { result.push_back(number.nearest_double()); }
-    return result;
-}
-
-/// The highest degree, at most that of the polynomial through all slopes, that does not magnify
-/// rounding too much. None where it would have to be low.
+/// The polynomial of the last step of the highest degree, at most that through all slopes, that
+/// does not magnify rounding too much. None where it would have to be low.
 ///
 /// NOTE: iterations of gauss:16 with polynomials of degree 11 and with slopes at the start of the
 /// step: point vortices, h = 2, 7.6 and 13.6; Kepler's problem, h = 0.2, 4.9 and 7.2; double
 /// pendulum, h = 0.1, 7.7 and 10.7, and h = 0.4, 17.3 and 17.2. Degrees from 9 to 13 do about as
 /// well.
-std::optional<std::size_t> degree_of_extrapolation(const Quadrature& rule) {
+std::optional<SlopePolynomial> polynomial_of_one_step(const Quadrature& rule) {
     constexpr std::size_t low = 5;
-    const std::vector<double> c = doubles(rule.c), b = doubles(rule.b);
-    const std::size_t highest = c.size() - 1;
+    const std::size_t highest = rule.c.size() - 1;
     for (std::size_t degree = highest; degree == highest || degree >= low; --degree) {
-        if (magnification(extrapolation_of_degree(degree, c, b)) <= most) { return degree; }
+        const SlopePolynomial polynomial{1, degree};
+        if (magnification(rule, polynomial) <= most) { return polynomial; }
         if (degree == 0) { break; }
     }
     return {};
 }
 
-/// Of the last step.
-NumberMatrix extrapolation(const Quadrature& rule, std::size_t degree) {
-    return degree + 1 == rule.c.size() ? extrapolation(rule, nodes_behind(rule.c, 1), 0)
-                                       : extrapolation_of_degree(degree, rule.c, rule.b);
+/// Whether slopes of two steps are remembered. NOTE: a stepper for any H keeps to one step, so that
+/// what it remembers is simple.
+bool may_take_two_steps(Solver solver, Layout layout) {
+    return layout != Layout::trajectories &&
+           (solver == Solver::automatic || solver == Solver::fixed_point ||
+            solver == Solver::newton_taylor);
 }
 
-/// Whether the polynomial through the slopes of two steps is a better start.
+/// That of the last two steps where it is a better start. Precondition: the nodes are distinct.
 ///
 /// NOTE: measured on Kepler's problem, the pendulum and Henon-Heiles, with steps of two sizes: for
-/// two and three stages 7 to 20 % fewer evaluations than of one step, for four 0 to 11 %, for eight
-/// 5 to 30 % more. A stepper for any H keeps to one step, so that what it remembers is simple.
-bool takes_two_steps(Solver solver, Layout layout, const Quadrature& rule) {
-    constexpr std::size_t most_stages = 3;
-    const bool is_iterated = solver == Solver::automatic || solver == Solver::fixed_point ||
-                             solver == Solver::newton_taylor;
-    return is_iterated && layout != Layout::trajectories && rule.b.size() <= most_stages &&
-           are_distinct(nodes_behind(rule.c, 2));
+/// two and three stages the one through all slopes saves 7 to 20 % of the evaluations with that of
+/// one step. For four, that of degree s + 2 saves 6 to 15 % of them, with point vortices and the
+/// double pendulum too, and 0 to 12 % of the time; the one through all less. For six it saves 0 to
+/// 11 % of the evaluations and from 6 % to -7 % of the time.
+std::optional<SlopePolynomial> polynomial_of_two_steps(const Quadrature& rule) {
+    const std::size_t s = rule.c.size();
+    constexpr std::size_t few = 3, most_stages = 5;
+    if (s > most_stages || !are_distinct_in_two_steps(rule.c)) { return {}; }
+    return SlopePolynomial{2, s <= few ? 2 * s - 1 : s + 2};
+}
+
+Decision begins_at_the_start(const char* reason) {
+    return {"slopes at the start of the step are the starting values of the iteration", reason};
+}
+
+Decision begins_with(const SlopePolynomial& polynomial, const Quadrature& rule) {
+    const bool is_through_all = polynomial.is_through_all(rule);
+    const std::string how =
+        is_through_all
+            ? "extrapolated"
+            : fmt::format("extrapolated by the nearest polynomial of degree {}", polynomial.degree);
+    if (polynomial.steps > 1) {
+        return {fmt::format("the slopes of the last two steps, {}, are the starting values of the "
+                            "iteration",
+                            how),
+                "of few stages, those of one step make a polynomial of low order"};
+    }
+    return {
+        fmt::format("the last step's slopes, {}, are the starting values of the iteration", how),
+        is_through_all ? "they are good to the order of the interpolation and cost no evaluation"
+                       : "one through all of them would magnify their rounding too much"};
 }
 
 }  // namespace
@@ -150,9 +106,8 @@ void set_extrapolation(Step& step, const Quadrature& rule) {
     Iteration* iteration = iteration_of(step);
     if (iteration == nullptr) { return; }
     if (step.from_parameter) {
-        step.decisions.push_back(
-            {"slopes at the start of the step are the starting values of the iteration",
-             "extrapolation would need coefficients for each value of the parameter"});
+        step.decisions.push_back(begins_at_the_start(
+            "extrapolation would need coefficients for each value of the parameter"));
         return;
     }
     const bool has_no_momenta = std::holds_alternative<VelocityStep>(step.form);
@@ -160,39 +115,23 @@ void set_extrapolation(Step& step, const Quadrature& rule) {
                         (!has_no_momenta && step.momenta.size() != rule.b.size());
     if (merged || !are_distinct(rule.c)) {
         step.decisions.push_back(
-            {"slopes at the start of the step are the starting values of the iteration",
-             "no polynomial interpolates slopes at equal nodes"});
+            begins_at_the_start("no polynomial interpolates slopes at equal nodes"));
         return;
     }
-    const std::optional<std::size_t> degree = degree_of_extrapolation(rule);
-    if (!degree) {
-        step.decisions.push_back(
-            {"slopes at the start of the step are the starting values of the iteration",
-             "extrapolating the last step's slopes would magnify their rounding too much"});
+    std::optional<SlopePolynomial> polynomial;
+    if (may_take_two_steps(iteration->solver, step.layout)) {
+        polynomial = polynomial_of_two_steps(rule);
+    }
+    if (!polynomial) { polynomial = polynomial_of_one_step(rule); }
+    if (!polynomial) {
+        step.decisions.push_back(begins_at_the_start(
+            "extrapolating the last step's slopes would magnify their rounding too much"));
         return;
     }
-    if (takes_two_steps(iteration->solver, step.layout, rule)) {
-        const NumberVector nodes = nodes_behind(rule.c, 2);
-        iteration->extrapolation =
-            Extrapolation{extrapolation(rule, nodes, 0), extrapolation(rule, nodes, 1)};
-        step.decisions.push_back(
-            {"the slopes of the last two steps, extrapolated, are the starting values of the "
-             "iteration",
-             "of few stages, those of one step make a polynomial of low order"});
-        return;
-    }
-    iteration->extrapolation = Extrapolation{extrapolation(rule, *degree), {}};
-    if (*degree + 1 < rule.c.size()) {
-        step.decisions.push_back(
-            {fmt::format("the last step's slopes, extrapolated by the nearest polynomial of degree "
-                         "{}, are the starting values of the iteration",
-                         *degree),
-             "one through all of them would magnify their rounding too much"});
-    } else {
-        step.decisions.push_back(
-            {"the last step's slopes, extrapolated, are the starting values of the iteration",
-             "they are good to the order of the interpolation and cost no evaluation"});
-    }
+    std::vector<NumberMatrix> N = extrapolation(rule, *polynomial);
+    iteration->extrapolation = Extrapolation{std::move(N.front()), {}};
+    if (polynomial->steps > 1) { iteration->extrapolation->before = std::move(N.back()); }
+    step.decisions.push_back(begins_with(*polynomial, rule));
 }
 
 namespace {
@@ -203,9 +142,10 @@ Quadrature nodes_of(const GalerkinForm& form) {
 
 /// P(t) is the polynomial through the P_i, or near to them. Of the velocities U_i = sum_j phi_ij
 /// V_j that at the nodes of the next step too, and from there to W_j = sum_i b_i phi_ij U_i / G_j.
-CurveExtrapolation extrapolation(const GalerkinForm& form, Side side, std::size_t degree) {
+CurveExtrapolation extrapolation(const GalerkinForm& form, Side side,
+                                 const SlopePolynomial& polynomial) {
     const std::size_t r = form.nodes(), s = form.functions();
-    const NumberMatrix next = extrapolation(nodes_of(form), degree);
+    const NumberMatrix next = extrapolation(nodes_of(form), polynomial).front();
     const NumberMatrix U = next * form.phi;
     CurveExtrapolation result{NumberMatrix(s, NumberVector(s)), {}};
     for (std::size_t j = 0; j < s; ++j) {
@@ -236,12 +176,12 @@ void set_extrapolation(Step& step, GalerkinStep& galerkin) {
     if (!are_distinct(form.c)) {
         return begins_at_the_start("no polynomial interpolates momenta at equal nodes");
     }
-    const std::optional<std::size_t> degree = degree_of_extrapolation(nodes_of(form));
-    if (!degree) {
+    const std::optional<SlopePolynomial> polynomial = polynomial_of_one_step(nodes_of(form));
+    if (!polynomial) {
         return begins_at_the_start("extrapolating the last step's momenta would magnify their "
                                    "rounding too much");
     }
-    galerkin.extrapolation = extrapolation(form, galerkin.side, *degree);
+    galerkin.extrapolation = extrapolation(form, galerkin.side, *polynomial);
     step.decisions.push_back(
         {galerkin.side == Side::hamiltonian
              ? "the last step's curve and momenta, extrapolated, are the starting values of the "

@@ -3,13 +3,9 @@
 #pragma once
 
 #include "generator/ir/step.hpp"
+#include "generator/plan/extrapolation.hpp"
 
 namespace hvi::gen {
-
-/// Nodes and their weights.
-struct Quadrature {
-    NumberVector c, b;
-};
 
 /// Sets Iteration::extrapolation where it is of use, and says why. Precondition: as for
 /// set_solver().

@@ -250,7 +250,8 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
     };
     CHECK(takes_two("midpoint", Solver::fixed_point));
     CHECK(takes_two("gauss:3", Solver::automatic, Lanes::stages));
-    CHECK_FALSE(takes_two("gauss:4", Solver::automatic));
+    CHECK(takes_two("gauss:5", Solver::automatic));
+    CHECK_FALSE(takes_two("gauss:6", Solver::automatic));
     CHECK_FALSE(takes_two("gauss:2", Solver::of_user));
     CHECK_FALSE(takes_two("gauss:2", Solver::newton));
     CHECK_FALSE(takes_two("gauss:2", Solver::fixed_point, Lanes::ensemble));
@@ -277,6 +278,14 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
             CHECK((sum - tableau.b[i] * power(tableau.c[i])).is_zero());
         }
     }
+    // Of four stages by least squares, of degree 6; from the normal equations, to 60 digits.
+    const Extrapolation fitted =
+        iteration(plan({named("gauss:4")}, {.is_separable = true}, {.solver = Solver::automatic}))
+            .extrapolation.value();
+    CHECK(fitted.last[3][3].nearest_double() == 119.7540900668062);
+    CHECK(fitted.last[1][0].nearest_double() == -40.37571180266715);
+    CHECK(fitted.before.value()[0][0].nearest_double() == 0.20224718279206355);
+    CHECK(fitted.before.value()[2][3].nearest_double() == -312.89049875193206);
 }
 
 TEST_CASE("coefficients that depend on a parameter are quotients, constants are left out") {

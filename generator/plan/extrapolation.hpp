@@ -1,0 +1,38 @@
+// From the slopes of the last steps to those of the next one.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "generator/exact/algebra/number_vector.hpp"
+
+namespace hvi::gen {
+
+/// Nodes and their weights.
+struct Quadrature {
+    NumberVector c, b;
+};
+
+/// A polynomial near to the slopes of the last steps, by least squares; through them where its
+/// degree is one less than there are.
+struct SlopePolynomial {
+    std::size_t steps = 1;
+    std::size_t degree = 0;
+
+    [[nodiscard]] bool is_through_all(const Quadrature& rule) const {
+        return degree + 1 == steps * rule.c.size();
+    }
+};
+
+/// The N of each of the steps, that of the last one first: L_i = h b_i f_i of the next step is the
+/// sum of N_ij L_j over the stages and the steps. Precondition: the nodes of the steps are
+/// distinct.
+[[nodiscard]] std::vector<NumberMatrix> extrapolation(const Quadrature& rule,
+                                                      const SlopePolynomial& polynomial);
+
+/// How much that may magnify rounding: the largest sum of |N_ij| over j and the steps. In doubles,
+/// since for many stages the exact N is costly and then of no use.
+[[nodiscard]] double magnification(const Quadrature& rule, const SlopePolynomial& polynomial);
+
+}  // namespace hvi::gen
