@@ -3,10 +3,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <type_traits>
+
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/detail/solvers/joint_slopes.hpp>
 #include <hvi/detail/solvers/round_off.hpp>
+#include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi {
@@ -28,18 +31,40 @@ public:
     /// separable H Lp does.
     template <bool ends_growth = false, class Coupled>
     [[nodiscard]] Status solve(Coupled coupled, int most = most_iterations) {
+        if constexpr (is_fixed) {
+            RoundOff<Vector> round_off(rounding);
+            return iterate<ends_growth>(coupled, round_off, most);
+        } else {
+            return iterate<ends_growth>(coupled, kept_.round_off, most);
+        }
+    }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+    static constexpr Scalar rounding = 8 * epsilon<Scalar>;
+    /// NOTE: what looks at changes is on the stack where it can be: else all that is stored in
+    /// stages might be stored there, for a compiler, and sweeps took a tenth more instructions.
+    static constexpr bool is_fixed = fixed_size<Vector>() > 0;
+    struct Nothing {};
+    struct Kept {
+        RoundOff<Vector> round_off{rounding};
+    };
+
+    template <bool ends_growth, class Coupled>
+    [[nodiscard, gnu::always_inline]] Status iterate(Coupled& coupled, RoundOff<Vector>& round_off,
+                                                     int most) {
         constexpr bool is_joint = HasJointSlopes<Coupled>::value;
         if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
-        round_off_.begin(coupled.s.n);
+        round_off.begin(coupled.s.n);
         sweep<true>(coupled);  // what it changes is measured against values of no meaning
         for (int iteration = 2; iteration <= most; ++iteration) {
             evaluate(coupled);
             sweep<false>(coupled);
-            switch (judge(coupled)) {
+            switch (judge(coupled, round_off)) {
             case Verdict::go_on:
                 if constexpr (ends_growth) {
-                    if (round_off_.template grows<Coupled::has_q, by_p<Coupled>>(coupled.s.change,
-                                                                                 coupled)) {
+                    if (round_off.template grows<Coupled::has_q, by_p<Coupled>>(coupled.s.change,
+                                                                                coupled)) {
                         return Status(Status::Code::not_converged, iteration);
                     }
                 }
@@ -60,7 +85,6 @@ public:
         return Status(Status::Code::not_converged, most);
     }
 
-private:
     template <class Coupled>
     [[gnu::always_inline]] static void evaluate(Coupled& coupled) {
         if constexpr (first_order) {
@@ -103,11 +127,11 @@ private:
     static constexpr bool by_p = Coupled::has_p && !(Coupled::separable && Coupled::has_q);
 
     template <class Coupled>
-    [[nodiscard]] Verdict judge(const Coupled& coupled) {
-        return round_off_.template judge<Coupled::has_q, by_p<Coupled>>(coupled.s.change, coupled);
+    [[nodiscard]] static Verdict judge(const Coupled& coupled, RoundOff<Vector>& round_off) {
+        return round_off.template judge<Coupled::has_q, by_p<Coupled>>(coupled.s.change, coupled);
     }
 
-    RoundOff<Vector> round_off_{8 * epsilon<ScalarOf<Vector>>};
+    std::conditional_t<is_fixed, Nothing, Kept> kept_;
 };
 
 }  // namespace detail

@@ -249,7 +249,7 @@ TEST_CASE("one correction of positions solves what is linear") {
         hvi::detail::PositionCorrections<Two, hvi::detail::HessianInTheMiddle, 2, ModesOfSquare>;
     const Springs coupled{{{4, 1.5}, {1.5, 9}}, {2, 0.5}};
     CHECK(residual_of_positions<Corrections>(coupled, 0.5) < 1e-14);
-    CHECK(residual_of_positions<Corrections>(coupled, 20) < 1e-13);
+    CHECK(residual_of_positions<Corrections>(coupled, 20) < 5e-13);
 }
 
 TEST_CASE("one correction of what is stiff solves that, and leaves the rest to the sweep") {

@@ -189,10 +189,20 @@ public:
     }
 
     /// Over all places, those that are left over included.
-    [[nodiscard]] friend Number sum(const Lanes& x) {
-        Part total = x.parts_[0];
-        for (std::size_t i = 1; i < parts; ++i) { total = total + x.parts_[i]; }
-        return Register::sum(total);
+    [[nodiscard]] friend Number sum(const Lanes& x) { return Register::sum(x.total()); }
+
+    /// The same of each.
+    template <std::size_t n>
+    [[nodiscard, gnu::always_inline]] static std::array<Number, n>
+    sums(const std::array<Lanes, n>& x) {
+        std::array<Number, n> result;
+        for (std::size_t k = 0; k + 1 < n; k += 2) {
+            const std::array<Number, 2> both = Register::sums(x[k].total(), x[k + 1].total());
+            result[k] = both[0];
+            result[k + 1] = both[1];
+        }
+        if constexpr (n % 2 == 1) { result[n - 1] = sum(x[n - 1]); }
+        return result;
     }
 
     /// Over the lanes alone.
@@ -232,6 +242,12 @@ private:
     using each = std::make_index_sequence<parts>;
 
     explicit Lanes(const Parts& of) : parts_(of) {}
+
+    [[nodiscard]] Part total() const {
+        Part total = parts_[0];
+        for (std::size_t i = 1; i < parts; ++i) { total = total + parts_[i]; }
+        return total;
+    }
 
     template <std::size_t... i>
     [[nodiscard]] static Parts spread(const Number& x, std::index_sequence<i...>) {

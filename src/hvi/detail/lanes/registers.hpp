@@ -6,6 +6,7 @@
 // a library has, exp and log, is in register_functions.hpp.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -266,26 +267,76 @@ struct Register {
         if constexpr (width == 2) {
             return x.vector[0] + x.vector[1];
         } else {
-            return sum_of_halves(x.vector, std::make_index_sequence<width / 2>());
+            return Register<Number, width / 2>::sum(
+                low_and_high(x.vector, std::make_index_sequence<width / 2>()));
         }
+    }
+
+    /// Of two at once, which takes as long as of one.
+    [[nodiscard]] static std::array<Number, 2> sums(const Type& x, const Type& y) {
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+        if constexpr (std::is_same_v<Number, double>) {
+            return folded(in_turn(x.vector, y.vector, std::make_index_sequence<width>()));
+        }
+#endif
+#endif
+        return {sum(x), sum(y)};
     }
 
 private:
     using Compiled = CompilerVector<Number, width>;
     using Vector = typename Compiled::Type;
 
+    template <class, std::size_t>
+    friend struct Register;
+
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+    /// x_0 + x_1, y_0 + y_1, x_2 + x_3, ...
     template <std::size_t... i>
-    [[nodiscard]] static Number sum_of_halves(const Vector& x, std::index_sequence<i...>) {
+    [[nodiscard]] static Vector in_turn(const Vector& x, const Vector& y,
+                                        std::index_sequence<i...>) {
+        const Vector even =
+            __builtin_shufflevector(x, y, static_cast<int>(i % 2 * width + i / 2 * 2)...);
+        const Vector odd =
+            __builtin_shufflevector(x, y, static_cast<int>(i % 2 * width + i / 2 * 2 + 1)...);
+        return even + odd;
+    }
+
+    /// x_0 + x_2 + ..., and x_1 + x_3 + ...
+    [[nodiscard]] static std::array<Number, 2> folded(const Vector& x) {
+        if constexpr (width == 2) {
+            return {x[0], x[1]};
+        } else {
+            return Register<Number, width / 2>::folded(
+                low_and_high(x, std::make_index_sequence<width / 2>()));
+        }
+    }
+#endif
+#endif
+
+    /// x_0 + x_w/2, x_1 + x_w/2+1, ... of w.
+    template <std::size_t... i>
+    [[nodiscard]] static typename CompilerVector<Number, width / 2>::Type
+    low_and_high(const Vector& x, std::index_sequence<i...>) {
         using Half = typename CompilerVector<Number, width / 2>::Type;
+#if defined(__AVX__) && !defined(__clang__)
+        // NOTE: g++ permutes all of the register, for twice as long.
+        if constexpr (std::is_same_v<Number, double> && width == 4) {
+            const Half low = __builtin_ia32_pd_pd256(x);
+            const Half high = __builtin_ia32_vextractf128_pd256(x, 1);
+            return low + high;
+        }
+#endif
 #if defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
         const Half low = __builtin_shufflevector(x, x, static_cast<int>(i)...);
         const Half high = __builtin_shufflevector(x, x, static_cast<int>(i + width / 2)...);
-        return Register<Number, width / 2>::sum(low + high);
+        return low + high;
 #endif
 #endif
-        const Half joined{(x[i] + x[i + width / 2])...};
-        return Register<Number, width / 2>::sum(joined);
+        return Half{(x[i] + x[i + width / 2])...};
     }
 #endif
 };
@@ -298,6 +349,9 @@ struct Register<Number, 1> {
     [[nodiscard]] static const Number& load_anywhere(const Number* from) { return *from; }
     static void store_anywhere(const Number& x, Number* to) { *to = x; }
     [[nodiscard]] static const Number& sum(const Number& x) { return x; }
+    [[nodiscard]] static std::array<Number, 2> sums(const Number& x, const Number& y) {
+        return {x, y};
+    }
 };
 
 }  // namespace hvi::detail

@@ -137,11 +137,8 @@ private:
         keep_in_memory(slopes);
         products<Lane>(
             m, slopes, [&](std::size_t k) { return Lane(detail::at(cut_off, k)); },
-            [&](std::size_t k, const Lane& way) __attribute__((always_inline)) {
-                const Lane value = moved(detail::at(start, k), way);
-                detail::at(changes, k) = sum(abs(value - Lane(values[k])));
-                value.store(values[k]);
-            });
+            [&](std::size_t k, const auto& ways)
+                __attribute__((always_inline)) { move_from(k, start, ways, values, changes); });
     }
 
     Scalar weighed_ = 0;  ///< the step size of hb

@@ -87,10 +87,8 @@ struct VelocityLanes : StepMemory<Vector> {
         keep_in_memory(W);
         products<Lane>(
             table.n, W, [&](std::size_t k) { return Lane(drifted[k]); },
-            [&](std::size_t k, const Lane& way) __attribute__((always_inline)) {
-                const Lane place = moved(detail::at(this->at.q, k), way);
-                detail::at(this->change.q, k) = sum(abs(place - Lane(Q[k])));
-                place.store(Q[k]);
+            [&](std::size_t k, const auto& ways) __attribute__((always_inline)) {
+                move_from(k, this->at.q, ways, Q, this->change.q);
             });
     }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include <hvi/detail/solvers/corrected_sweeps.hpp>
 #include <hvi/detail/solvers/pause.hpp>
 #include <hvi/fixed_point.hpp>
@@ -40,22 +42,17 @@ struct AutomaticOfLanes {
         template <class Coupled>
         [[nodiscard]] Status solve(Coupled coupled) {
             constexpr detail::SolverCosts costs = Coupled::costs;
-            if (!coupled.s.continues || coupled.s.h != coupled.s.h_before) { forget(costs); }
-            from_start_.pass();
+            const bool is_next = coupled.s.continues && coupled.s.h == coupled.s.h_before;
+            if (!is_next || cheap_ == 0) { return choose(coupled, is_next); }
+            // NOTE: most steps of most scenes, of which nothing is learnt.
             other_way_.pass();
-            others_.pass();
-            if (!others_.is_over()) { return solve_stiff(coupled); }
-            int iterations = 0;
-            for (Attempt now = first(costs); now.way != Way::newton; now = after(now, costs)) {
-                const Result result = solved(coupled, now, costs);
-                iterations += result.status.iterations;
-                if (result.status.ok()) {
-                    learn(now, result.spent, costs);
-                    return Status(Status::Code::ok, iterations);
-                }
+            const Attempt sweeps{Way::sweeps, false};
+            const Result result = solved(coupled, sweeps, costs);
+            if (!result.status.ok() || result.spent > cheap_) {
+                return go_on(coupled, sweeps, result);
             }
-            others_.begin();
-            return solve_stiff(coupled);
+            cost_ = result.spent;
+            return result.status;
         }
 
     private:
@@ -71,6 +68,46 @@ struct AutomaticOfLanes {
             Status status;
             int spent;  ///< in units of the costs
         };
+
+        template <class Coupled>
+        [[nodiscard, gnu::noinline]] Status choose(Coupled& coupled, bool is_next) {
+            constexpr detail::SolverCosts costs = Coupled::costs;
+            if (!is_next) { forget(costs); }
+            from_start_.pass();
+            other_way_.pass();
+            others_.pass();
+            if (!others_.is_over()) { return solve_stiff(coupled); }
+            const Attempt now = first(costs);
+            return go_on(coupled, now, solved(coupled, now, costs));
+        }
+
+        /// What follows on this attempt and what it came to.
+        template <class Coupled>
+        [[nodiscard, gnu::noinline]] Status go_on(Coupled& coupled, Attempt now, Result result) {
+            constexpr detail::SolverCosts costs = Coupled::costs;
+            int iterations = result.status.iterations;
+            while (!result.status.ok()) {
+                now = after(now, costs);
+                if (now.way == Way::newton) {
+                    cheap_ = 0;
+                    others_.begin();
+                    return solve_stiff(coupled);
+                }
+                result = solved(coupled, now, costs);
+                iterations += result.status.iterations;
+            }
+            learn(now, result.spent, costs);
+            cheap_ = now.is_from_start || cost_ > cheap(costs) ? 0 : cheap(costs);
+            return Status(Status::Code::ok, iterations);
+        }
+
+        /// Up to which cost of sweeps nothing else is thought of; 0: it is.
+        [[nodiscard]] int cheap(const detail::SolverCosts& costs) const {
+            if (usual_ != Way::sweeps) { return 0; }
+            int least = least_cost(Way::corrected, costs);
+            if (costs.linear > 0) { least = std::min(least, least_cost(Way::linear, costs)); }
+            return cost_from_start_ > 0 ? std::min(least, cost_from_start_) : least;
+        }
 
         /// Of the first iterations that are worth a trial.
         [[nodiscard]] static constexpr int least_cost(Way way, const detail::SolverCosts& costs) {
@@ -168,6 +205,7 @@ struct AutomaticOfLanes {
         }
 
         void forget(const detail::SolverCosts& costs) {
+            cheap_ = 0;
             usual_ = other_ = Way::sweeps;
             cost_ = cost_from_start_ = 0;
             from_start_.forget();
@@ -203,6 +241,7 @@ struct AutomaticOfLanes {
         Way usual_ = Way::sweeps;      ///< the one that has cost least
         Way other_ = Way::corrected;   ///< that is tried next
         int cost_ = 0;                 ///< of the last step, by the usual one; 0: not known
+        int cheap_ = 0;                ///< see cheap(); of sweeps from extrapolated slopes
         int cost_from_start_ = 0;      ///< of the last that began with slopes at its start
         detail::Pause<8> other_way_;   ///< until then
         detail::Pause<1> others_;      ///< while Newton's method alone is used
