@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 #include <hvi/detail/lanes/lane_functions.hpp>
+#include <hvi/detail/lanes/lane_products.hpp>
 #include <hvi/detail/lanes/lane_tables.hpp>
 #include <hvi/detail/lanes/lanes.hpp>
 

@@ -66,6 +66,25 @@ std::string end_of_step(const Step& step, std::string_view iterations) {
     return clock_ends(step, fmt::format("s_.end(x, {})", iterations));
 }
 
+void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact) {
+    std::vector<std::vector<Constant>> rows(exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        for (std::size_t j = 0; j < exact[i].size(); ++j) {
+            rows[i].push_back(constant(fmt::format("{}_{},{}", name, i + 1, j + 1), exact[i][j]));
+        }
+    }
+    table(writer, name, rows);
+}
+
+void rough_table(Writer& writer, std::string_view name, std::string_view formula,
+                 const NumberVector& exact) {
+    std::vector<Constant> entries;
+    for (std::size_t j = 0; j < exact.size(); ++j) {
+        entries.push_back(constant(fmt::format("{}_{}", formula, j + 1), exact[j]));
+    }
+    table(writer, name, entries);
+}
+
 std::string gamma_table(const NumberVector& steps) {
     if (steps.empty()) { return {}; }
     Writer writer(1);

@@ -44,6 +44,12 @@ struct ImplicitParts {
 /// The headers of hvi with the solver of the step.
 [[nodiscard]] std::vector<std::string> solver_headers(const Step& step);
 
+/// Each entry rounded on its own: for starting values, and for the way to a solution.
+void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact);
+/// `formula` is what comments call the entries.
+void rough_table(Writer& writer, std::string_view name, std::string_view formula,
+                 const NumberVector& exact);
+
 /// The parts of a composition; empty where there is none.
 [[nodiscard]] std::string gamma_table(const NumberVector& steps);
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "generator/emit/text/text.hpp"
-#include "generator/exact/algebra/number_vector.hpp"
 #include "generator/exact/numbers/formats.hpp"
 
 namespace hvi::gen {
@@ -28,12 +27,6 @@ struct Constant {
 /// double, or a longer format, has no such number.
 void table(Writer& writer, std::string_view name, const std::vector<Constant>& row);
 void table(Writer& writer, std::string_view name, const std::vector<std::vector<Constant>>& rows);
-
-/// Each entry rounded on its own: for starting values, and for the way to a solution.
-void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact);
-/// `formula` is what comments call the entries.
-void rough_table(Writer& writer, std::string_view name, std::string_view formula,
-                 const NumberVector& exact);
 
 /// The number as C++ initialises a Scalar with it: a literal, or a call of rounded(). Throws
 /// MathError as table() does.

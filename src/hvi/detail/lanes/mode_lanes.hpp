@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <hvi/detail/lanes/lane_products.hpp>
 #include <hvi/detail/lanes/lane_tables.hpp>
 #include <hvi/detail/lanes/lanes.hpp>
 #include <hvi/detail/numbers/arithmetic.hpp>

@@ -6,6 +6,7 @@
 
 #include <hvi/detail/coefficients/weights.hpp>
 #include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_products.hpp>
 #include <hvi/detail/lanes/lane_tables.hpp>
 #include <hvi/detail/lanes/lanes.hpp>
 #include <hvi/detail/numbers/scalar.hpp>

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include <hvi/detail/lanes/lane_products.hpp>
 #include <hvi/detail/lanes/lane_tables.hpp>
 #include <hvi/detail/lanes/lanes.hpp>
 #include <hvi/detail/lanes/mode_lanes.hpp>
