@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hvi::gen {
@@ -23,8 +24,9 @@ std::vector<T> nodes_behind(const std::vector<T>& c, std::size_t steps) {
 }
 
 /// f(c_i) = sum_j l_j(c_i) f_j of the polynomial through the f_j at the nodes: l_j(c_i).
-Matrix<Number> interpolation(const NumberVector& c, const NumberVector& nodes) {
-    Matrix<Number> values(c.size(), NumberVector(nodes.size(), Number(1)));
+template <class T>
+Matrix<T> interpolation(const std::vector<T>& c, const std::vector<T>& nodes) {
+    Matrix<T> values(c.size(), std::vector<T>(nodes.size(), T(1)));
     for (std::size_t i = 0; i < c.size(); ++i) {
         for (std::size_t j = 0; j < nodes.size(); ++j) {
             for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -73,11 +75,16 @@ Matrix<T> least_squares(const std::vector<T>& c, const std::vector<T>& nodes, st
     }
 }
 
-/// From f to L = h b f, and a table for each step.
+/// A table for each step, from L = h b f to L.
 template <class T>
-std::vector<Matrix<T>> of_slopes(const Matrix<T>& values, const std::vector<T>& b) {
+std::vector<Matrix<T>> tables(const std::vector<T>& c, const std::vector<T>& b,
+                              const SlopePolynomial& polynomial) {
     const std::size_t s = b.size();
-    std::vector<Matrix<T>> result(values.front().size() / s, Matrix<T>(s, std::vector<T>(s, T(0))));
+    const std::vector<T> nodes = nodes_behind(c, polynomial.steps);
+    const bool is_through_all = polynomial.degree + 1 == nodes.size();
+    const Matrix<T> values =
+        is_through_all ? interpolation(c, nodes) : least_squares(c, nodes, polynomial.degree);
+    std::vector<Matrix<T>> result(polynomial.steps, Matrix<T>(s, std::vector<T>(s, T(0))));
     for (std::size_t step = 0; step < result.size(); ++step) {
         for (std::size_t i = 0; i < s; ++i) {
             for (std::size_t j = 0; j < s; ++j) {
@@ -97,23 +104,19 @@ std::vector<double> doubles(const NumberVector& numbers) {
 }  // namespace
 
 std::vector<NumberMatrix> extrapolation(const Quadrature& rule, const SlopePolynomial& polynomial) {
-    const NumberVector nodes = nodes_behind(rule.c, polynomial.steps);
-    return of_slopes(polynomial.is_through_all(rule)
-                         ? interpolation(rule.c, nodes)
-                         : least_squares(rule.c, nodes, polynomial.degree),
-                     rule.b);
+    return tables(rule.c, rule.b, polynomial);
 }
 
 double magnification(const Quadrature& rule, const SlopePolynomial& polynomial) {
-    const std::vector<double> c = doubles(rule.c), b = doubles(rule.b);
-    const auto tables =
-        of_slopes(least_squares(c, nodes_behind(c, polynomial.steps), polynomial.degree), b);
+    const std::vector<Matrix<double>> N = tables(doubles(rule.c), doubles(rule.b), polynomial);
     double largest = 0;
-    for (std::size_t i = 0; i < b.size(); ++i) {
+    for (std::size_t i = 0; i < rule.b.size(); ++i) {
         double sum = 0;
-        for (const Matrix<double>& N : tables) {
-            for (const double entry : N[i]) { sum += std::abs(entry); }
+        for (const Matrix<double>& of_step : N) {
+            for (const double entry : of_step[i]) { sum += std::abs(entry); }
         }
+        // Of nodes that are one in doubles there is no number.
+        if (!std::isfinite(sum)) { return std::numeric_limits<double>::infinity(); }
         largest = std::max(largest, sum);
     }
     return largest;

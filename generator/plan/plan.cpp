@@ -391,6 +391,10 @@ std::optional<Step> planned_in_a_row(const Tableau& tableau, const OneStepMethod
     if (step.layout != Layout::stages) { return {}; }
     step.in_a_row = steps_in_a_row(method);
     note_composition(step, method);
+    if (step.iteration()->extrapolation) {
+        step.decisions.push_back({"slopes are extrapolated to steps as large as the one before",
+                                  "the steps of a composition differ in size"});
+    }
     verify(step);
     return step;
 }

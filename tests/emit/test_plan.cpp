@@ -242,6 +242,18 @@ TEST_CASE("of many stages a polynomial of lower degree, near to the slopes, is e
     }
 }
 
+TEST_CASE("where nodes are near to each other, slopes are not extrapolated") {
+    const auto is_extrapolated = [](const char* nodes) {
+        const Iteration found =
+            iteration(plan({derive(method("1, tau, tau^2", nodes))}, {.is_separable = true},
+                           {.solver = Solver::automatic}));
+        return found.extrapolation.has_value();
+    };
+    CHECK(is_extrapolated("1/10, 2/10, 9/10"));
+    CHECK_FALSE(is_extrapolated("1/10, 1/10+1/10^10, 9/10"));
+    CHECK_FALSE(is_extrapolated("1/10, 1/10+1/10^20, 9/10"));  // one node, in doubles
+}
+
 TEST_CASE("of few stages the slopes of two steps are extrapolated") {
     const auto takes_two = [](const char* method, Solver solver, Lanes lanes = Lanes::none) {
         const Iteration found = iteration(

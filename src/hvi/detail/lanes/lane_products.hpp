@@ -64,9 +64,13 @@ product(const std::array<LaneRow<Number, rows>, columns>& matrix, const LaneRow<
 /// NOTE: so many that their sums do not wait for each other, and no more than stay in registers
 /// beside a column.
 template <class Lane>
-inline constexpr std::size_t rows_at_once = Lane::registers > 8   ? 1
-                                            : Lane::registers > 2 ? 9 / Lane::registers
-                                                                  : 4;
+inline constexpr std::size_t rows_at_once = Lane::registers <= 2   ? 4
+                                            : Lane::registers <= 8 ? 9 / Lane::registers
+                                                                   : 1;
+
+/// So many sums of registers do not wait for each other: two products and sums at once, of which
+/// each takes four cycles.
+inline constexpr std::size_t sums_at_once = 8;
 
 /// `use(k, y)` of the y_k = start(k) + matrix x_k of the rows k, ..., which are taken by `i`.
 template <class Lane, class Slopes, class Start, class Use, std::size_t columns, std::size_t... i>
@@ -74,7 +78,7 @@ template <class Lane, class Slopes, class Start, class Use, std::size_t columns,
 products_at(std::size_t k, const std::array<typename Lane::Row, columns>& matrix, const Slopes& x,
             Start start, Use use, std::index_sequence<i...>) {
     using Rows = std::array<Lane, sizeof...(i)>;
-    if constexpr (sizeof...(i) * Lane::registers < 8) {
+    if constexpr (sizeof...(i) * Lane::registers < sums_at_once) {
         use(k, Rows{product(matrix, x[k + i], start(k + i))...});
     } else {
         Rows y{start(k + i)...};
@@ -87,10 +91,10 @@ products_at(std::size_t k, const std::array<typename Lane::Row, columns>& matrix
 }
 
 /// The same for all rows.
-template <class Lane, class Rows, class Start, class Use, std::size_t columns>
+template <class Lane, class Slopes, class Start, class Use, std::size_t columns>
 [[gnu::always_inline]] inline void products(const std::array<typename Lane::Row, columns>& matrix,
-                                            const Rows& x, Start start, Use use) {
-    constexpr std::size_t dimension = std::tuple_size_v<Rows>;
+                                            const Slopes& x, Start start, Use use) {
+    constexpr std::size_t dimension = std::tuple_size_v<Slopes>;
     constexpr std::size_t block = rows_at_once<Lane> < dimension ? rows_at_once<Lane> : dimension;
     for (std::size_t k = 0; k + block <= dimension; k += block) {
         products_at<Lane>(k, matrix, x, start, use, std::make_index_sequence<block>());

@@ -128,7 +128,7 @@ class Lanes {
 public:
     using Row = detail::LaneRow<Number, count>;
     using Mask = LaneMask<Part, parts>;
-    static constexpr std::size_t registers = parts;
+    static constexpr std::size_t registers = parts;  ///< that hold them
 
     Lanes() = default;
 

@@ -69,6 +69,8 @@ struct AutomaticOfLanes {
             int spent;  ///< in units of the costs
         };
 
+        /// A step of which something is to be learnt. `is_next`: it goes on from the last one, with
+        /// its step size.
         template <class Coupled>
         [[nodiscard, gnu::noinline]] Status choose(Coupled& coupled, bool is_next) {
             constexpr detail::SolverCosts costs = Coupled::costs;
@@ -97,7 +99,8 @@ struct AutomaticOfLanes {
                 iterations += result.status.iterations;
             }
             learn(now, result.spent, costs);
-            cheap_ = now.is_from_start || cost_ > cheap(costs) ? 0 : cheap(costs);
+            cheap_ = now.is_from_start ? 0 : cheap(costs);
+            if (cost_ > cheap_) { cheap_ = 0; }
             return Status(Status::Code::ok, iterations);
         }
 
