@@ -243,15 +243,17 @@ TEST_CASE("of many stages a polynomial of lower degree, near to the slopes, is e
 }
 
 TEST_CASE("where nodes are near to each other, slopes are not extrapolated") {
-    const auto is_extrapolated = [](const char* nodes) {
-        const Iteration found =
-            iteration(plan({derive(method("1, tau, tau^2", nodes))}, {.is_separable = true},
-                           {.solver = Solver::automatic}));
+    const auto is_extrapolated = [](const char* nodes, const char* basis = "1, tau, tau^2") {
+        const Iteration found = iteration(plan(
+            {derive(method(basis, nodes))}, {.is_separable = true}, {.solver = Solver::automatic}));
         return found.extrapolation.has_value();
     };
     CHECK(is_extrapolated("1/10, 2/10, 9/10"));
     CHECK_FALSE(is_extrapolated("1/10, 1/10+1/10^10, 9/10"));
     CHECK_FALSE(is_extrapolated("1/10, 1/10+1/10^20, 9/10"));  // one node, in doubles
+    // One in each step, in doubles: no polynomial of degree 2 is orthogonal on these.
+    CHECK_FALSE(
+        is_extrapolated("1/2, 1/2+1/10^20, 1/2+2/10^20, 1/2+3/10^20", "1, tau, tau^2, tau^3"));
 }
 
 TEST_CASE("of few stages the slopes of two steps are extrapolated") {
