@@ -138,8 +138,8 @@ enum class Solver {
     automatic,      ///< hvi::Automatic: fixed points while they contract, else Newton's method
 };
 
-/// Slopes of the next step from those of this one, for unchanged h: L_i = sum_j N_ij L_j, with N
-/// in `last`; where there is `before`, that times those of the step before this one is added.
+/// Slopes of a step from those of the last one: L_i = sum_j N_ij L_j, with N in `last`; where there
+/// is `before`, that times those of the step before the last one is added. Of h unchanged.
 struct Extrapolation {
     NumberMatrix last;
     std::optional<NumberMatrix> before;
@@ -148,10 +148,14 @@ struct Extrapolation {
 /// How stage equations are solved.
 struct Iteration {
     Solver solver = Solver::of_user;
-    std::optional<Extrapolation> extrapolation;  ///< else it begins with slopes at the start
+    /// Of each of the steps in a row, or of the one step; empty: it begins with slopes at the
+    /// start.
+    std::vector<Extrapolation> extrapolation;
 
     /// Newton's method may be called for.
     [[nodiscard]] bool takes_newton() const;
+    /// Slopes are extrapolated to steps of several sizes.
+    [[nodiscard]] bool takes_parts() const { return extrapolation.size() > 1; }
 };
 
 /// Slopes of all stages, of positions and momenta, are computed and kept through the step.

@@ -107,10 +107,9 @@ std::string line(const Block& block) {
 
 std::string lines(const Iteration& iteration) {
     std::string result = fmt::format("solver: {}\n", text(iteration.solver));
-    if (!iteration.extrapolation) { return result; }
-    result += lines("N", iteration.extrapolation->last);
-    if (iteration.extrapolation->before) {
-        result += lines("N_before", *iteration.extrapolation->before);
+    for (const Extrapolation& from : iteration.extrapolation) {
+        result += lines("N", from.last);
+        if (from.before) { result += lines("N_before", *from.before); }
     }
     return result;
 }

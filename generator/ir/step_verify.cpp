@@ -86,11 +86,15 @@ void verify_order(const Step& step) {
 }
 
 void verify_iteration(const Step& step, const Iteration& iteration) {
-    if (!iteration.extrapolation) { return; }
+    const std::vector<Extrapolation>& all = iteration.extrapolation;
+    if (all.empty()) { return; }
+    HVI_CHECK(all.size() == std::max<std::size_t>(1, step.in_a_row.size()));
     const std::size_t s = step.positions.size();
-    HVI_CHECK(is_table(iteration.extrapolation->last, s, s));
-    const std::optional<NumberMatrix>& before = iteration.extrapolation->before;
-    HVI_CHECK(!before || is_table(*before, s, s));
+    for (const Extrapolation& from : all) {
+        HVI_CHECK(is_table(from.last, s, s));
+        HVI_CHECK(from.before.has_value() == all.front().before.has_value());
+        HVI_CHECK(!from.before || is_table(*from.before, s, s));
+    }
 }
 
 bool is_table(const RoundedMatrix& table, std::size_t rows, std::size_t columns) {
@@ -212,7 +216,8 @@ void verify_form(const Step& step, const GalerkinStep& form) {
     verify_curve(step, form.form, form.rounded);
     HVI_CHECK(step.slopes != Slopes::one_by_one);
     HVI_CHECK(form.side == Side::hamiltonian || step.slopes == Slopes::joint);
-    HVI_CHECK(!form.iteration.extrapolation && (!form.has_adjoint || !step.in_a_row.empty()));
+    HVI_CHECK(form.iteration.extrapolation.empty() &&
+              (!form.has_adjoint || !step.in_a_row.empty()));
     if (!form.extrapolation) { return; }
     const std::optional<NumberMatrix>& P = form.extrapolation->P;
     HVI_CHECK(is_table(form.extrapolation->W, s, s));

@@ -13,12 +13,13 @@ namespace {
 template <class T>
 using Matrix = std::vector<std::vector<T>>;
 
-/// The c_j of the last steps, as the next one counts its time: first those of the last.
 template <class T>
-std::vector<T> nodes_behind(const std::vector<T>& c, std::size_t steps) {
+std::vector<T> nodes_behind(const std::vector<T>& c, const std::vector<T>& sizes) {
     std::vector<T> nodes;
-    for (std::size_t step = 1; step <= steps; ++step) {
-        for (const T& node : c) { nodes.push_back(node - T(static_cast<int>(step))); }
+    T start(0);
+    for (const T& size : sizes) {
+        start = start - size;
+        for (const T& node : c) { nodes.push_back(start + size * node); }
     }
     return nodes;
 }
@@ -78,17 +79,17 @@ Matrix<T> least_squares(const std::vector<T>& c, const std::vector<T>& nodes, st
 /// A table for each step, from L = h b f to L.
 template <class T>
 std::vector<Matrix<T>> tables(const std::vector<T>& c, const std::vector<T>& b,
-                              const SlopePolynomial& polynomial) {
+                              const std::vector<T>& sizes, std::size_t degree) {
     const std::size_t s = b.size();
-    const std::vector<T> nodes = nodes_behind(c, polynomial.steps);
-    const bool is_through_all = polynomial.degree + 1 == nodes.size();
+    const std::vector<T> nodes = nodes_behind(c, sizes);
+    const bool is_through_all = degree + 1 == nodes.size();
     const Matrix<T> values =
-        is_through_all ? interpolation(c, nodes) : least_squares(c, nodes, polynomial.degree);
-    std::vector<Matrix<T>> result(polynomial.steps, Matrix<T>(s, std::vector<T>(s, T(0))));
+        is_through_all ? interpolation(c, nodes) : least_squares(c, nodes, degree);
+    std::vector<Matrix<T>> result(sizes.size(), Matrix<T>(s, std::vector<T>(s, T(0))));
     for (std::size_t step = 0; step < result.size(); ++step) {
         for (std::size_t i = 0; i < s; ++i) {
             for (std::size_t j = 0; j < s; ++j) {
-                result[step][i][j] = b[i] / b[j] * values[i][step * s + j];
+                result[step][i][j] = b[i] / (sizes[step] * b[j]) * values[i][step * s + j];
             }
         }
     }
@@ -103,12 +104,17 @@ std::vector<double> doubles(const NumberVector& numbers) {
 
 }  // namespace
 
+NumberVector nodes_behind(const Quadrature& rule, const NumberVector& sizes) {
+    return nodes_behind(rule.c, sizes);
+}
+
 std::vector<NumberMatrix> extrapolation(const Quadrature& rule, const SlopePolynomial& polynomial) {
-    return tables(rule.c, rule.b, polynomial);
+    return tables(rule.c, rule.b, polynomial.sizes, polynomial.degree);
 }
 
 double magnification(const Quadrature& rule, const SlopePolynomial& polynomial) {
-    const std::vector<Matrix<double>> N = tables(doubles(rule.c), doubles(rule.b), polynomial);
+    const std::vector<Matrix<double>> N =
+        tables(doubles(rule.c), doubles(rule.b), doubles(polynomial.sizes), polynomial.degree);
     double largest = 0;
     for (std::size_t i = 0; i < rule.b.size(); ++i) {
         double sum = 0;

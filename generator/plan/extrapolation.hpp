@@ -17,13 +17,16 @@ struct Quadrature {
 /// A polynomial near to the slopes of the last steps, by least squares; through them where its
 /// degree is one less than there are.
 struct SlopePolynomial {
-    std::size_t steps = 1;
+    NumberVector sizes;  ///< of these steps, the last one first, where that of the next one is 1
     std::size_t degree = 0;
 
     [[nodiscard]] bool is_through_all(const Quadrature& rule) const {
-        return degree + 1 == steps * rule.c.size();
+        return degree + 1 == sizes.size() * rule.c.size();
     }
 };
+
+/// The c_j of the steps behind, as the next one counts its time: first those of the last.
+[[nodiscard]] NumberVector nodes_behind(const Quadrature& rule, const NumberVector& sizes);
 
 /// The N of each of the steps, that of the last one first: L_i = h b_i f_i of the next step is the
 /// sum of N_ij L_j over the stages and the steps. Precondition: the nodes of the steps are

@@ -328,17 +328,16 @@ bool may_tabulate(const SystemProperties& system, const StepWishes& wishes) {
 Lanes lanes_for(const StepWishes& wishes) { return wishes.action ? Lanes::none : wishes.lanes; }
 
 /// In the charts of rotations. Precondition: the stages are set.
-Step planned_in_charts(Step step, const Tableau& tableau, const OneStepMethod& method,
-                       const SystemProperties& system, const StepWishes& wishes) {
+Step planned_in_charts(Step step, const OneStepMethod& method, const SystemProperties& system,
+                       const StepWishes& wishes) {
     check_no_parameter(method);
     set_charts(step);
     if (system.depends_on_time) { set_times(step, position_times(step)); }
     set_solver(step, solver_for(wishes), system);
-    if (!method.composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
-    return completed(std::move(step));
+    return step;
 }
 
-/// All steps of a composition as one.
+/// All steps of a composition as one, but where its iteration begins.
 Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
                     const SystemProperties& system, const StepWishes& wishes) {
     const std::optional<Composition>& composition = method.composition;
@@ -354,7 +353,7 @@ Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
         note_composition(step, method);
     }
     set_stages(step, stages);
-    if (has_charts) { return planned_in_charts(std::move(step), tableau, method, system, wishes); }
+    if (has_charts) { return planned_in_charts(std::move(step), method, system, wishes); }
     set_places(step);
     set_blocks(step);
     set_sums(step, method, wishes);
@@ -362,7 +361,7 @@ Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
     // The time is a coordinate with velocity 1: (4.18c) gives T_i = t + h sum_j a_ij.
     if (system.depends_on_time) { set_times(step, position_times(step)); }
     set_from_parameter(step, tableau, method.place);
-    if (may_tabulate(system, wishes) && tabulate(step, system)) { return completed(step); }
+    if (may_tabulate(system, wishes) && tabulate(step, system)) { return step; }
     if (!step.is_explicit()) { step.form = PairStep{Iteration{}}; }
     // NOTE: each of the steps of a composition is solved for itself, which the form of (Q, v) would
     // undo; and enclosures do not tell that entries between them are zero.
@@ -374,8 +373,7 @@ Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
     set_solver(step, solver_for(wishes), system);
     set_lanes(step, lanes_for(wishes), system);
     set_corrections(step, system);
-    if (!composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
-    return completed(std::move(step));
+    return step;
 }
 
 /// The steps of a composition one after the other, each with its stages in lanes; nothing where
@@ -391,11 +389,7 @@ std::optional<Step> planned_in_a_row(const Tableau& tableau, const OneStepMethod
     if (step.layout != Layout::stages) { return {}; }
     step.in_a_row = steps_in_a_row(method);
     note_composition(step, method);
-    if (step.iteration()->extrapolation) {
-        step.decisions.push_back({"slopes are extrapolated to steps as large as the one before",
-                                  "the steps of a composition differ in size"});
-    }
-    verify(step);
+    set_extrapolation(step, {tableau.c, tableau.b});
     return step;
 }
 
@@ -403,9 +397,11 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
              const StepWishes& wishes) {
     if (method.composition) {
         std::optional<Step> one_by_one = planned_in_a_row(tableau, method, system, wishes);
-        if (one_by_one) { return *std::move(one_by_one); }
+        if (one_by_one) { return completed(*std::move(one_by_one)); }
     }
-    return planned_as_one(tableau, method, system, wishes);
+    Step step = planned_as_one(tableau, method, system, wishes);
+    if (!method.composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
+    return completed(std::move(step));
 }
 
 /// By the general Galerkin form with its own unknowns. Decisions that are made are kept.

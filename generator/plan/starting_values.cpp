@@ -28,16 +28,6 @@ bool are_distinct(const NumberVector& c) {
     return true;
 }
 
-/// Whether none is where one of the next step is, as the end of one step may be the start of the
-/// next.
-bool are_distinct_in_two_steps(const NumberVector& c) {
-    const auto is_apart = [&](const Number& node) {
-        return std::all_of(c.begin(), c.end(),
-                           [&](const Number& other) { return differ(node + Number(1), other); });
-    };
-    return std::all_of(c.begin(), c.end(), is_apart);
-}
-
 /// The polynomial of the last step of the highest degree, at most that through all slopes, that
 /// does not magnify rounding too much. None where it would have to be low.
 ///
@@ -45,10 +35,11 @@ bool are_distinct_in_two_steps(const NumberVector& c) {
 /// step: point vortices, h = 2, 7.6 and 13.6; Kepler's problem, h = 0.2, 4.9 and 7.2; double
 /// pendulum, h = 0.1, 7.7 and 10.7, and h = 0.4, 17.3 and 17.2. Degrees from 9 to 13 do about as
 /// well.
-std::optional<SlopePolynomial> polynomial_of_one_step(const Quadrature& rule) {
+std::optional<SlopePolynomial> polynomial_of_one_step(const Quadrature& rule,
+                                                      const NumberVector& sizes) {
     const std::size_t highest = rule.c.size() - 1;
     const std::size_t lowest = std::min<std::size_t>(5, highest);
-    SlopePolynomial polynomial{1, highest};
+    SlopePolynomial polynomial{{sizes.front()}, highest};
     while (magnification(rule, polynomial) > most) {
         if (polynomial.degree == lowest) { return {}; }
         --polynomial.degree;
@@ -64,19 +55,19 @@ bool may_take_two_steps(Solver solver, Layout layout) {
             solver == Solver::newton_taylor);
 }
 
-/// That of the last two steps where it is a better start. Precondition: the nodes of one are
-/// distinct.
+/// That of the last two steps where it is a better start.
 ///
 /// NOTE: measured on Kepler's problem, the pendulum and Henon-Heiles, with steps of two sizes: for
 /// two and three stages the one through all slopes saves 7 to 20 % of the evaluations with that of
 /// one step. For four, that of degree s + 2 saves 6 to 15 % of them, with point vortices and the
 /// double pendulum too, and 0 to 12 % of the time; the one through all less. For six it saves 0 to
 /// 11 % of the evaluations and from 6 % to -7 % of the time.
-std::optional<SlopePolynomial> polynomial_of_two_steps(const Quadrature& rule) {
+std::optional<SlopePolynomial> polynomial_of_two_steps(const Quadrature& rule,
+                                                       const NumberVector& sizes) {
     const std::size_t s = rule.c.size();
     constexpr std::size_t few = 3, most_stages = 5;
-    if (s > most_stages || !are_distinct_in_two_steps(rule.c)) { return {}; }
-    const SlopePolynomial polynomial{2, s <= few ? 2 * s - 1 : s + 2};
+    if (s > most_stages || !are_distinct(nodes_behind(rule, sizes))) { return {}; }
+    const SlopePolynomial polynomial{sizes, s <= few ? 2 * s - 1 : s + 2};
     return magnification(rule, polynomial) <= most ? std::optional(polynomial) : std::nullopt;
 }
 
@@ -84,13 +75,23 @@ Decision begins_at_the_start(const char* reason) {
     return {"slopes at the start of the step are the starting values of the iteration", reason};
 }
 
-Decision begins_with(const SlopePolynomial& polynomial, const Quadrature& rule) {
-    const bool is_through_all = polynomial.is_through_all(rule);
-    const std::string how =
-        is_through_all
-            ? "extrapolated"
-            : fmt::format("extrapolated by the nearest polynomial of degree {}", polynomial.degree);
-    if (polynomial.steps > 1) {
+std::string described(const SlopePolynomial& polynomial, const Quadrature& rule) {
+    return polynomial.is_through_all(rule)
+               ? "extrapolated"
+               : fmt::format("extrapolated by the nearest polynomial of degree {}",
+                             polynomial.degree);
+}
+
+Decision begins_with(const std::vector<SlopePolynomial>& polynomials, const Quadrature& rule) {
+    const SlopePolynomial& polynomial = polynomials.front();
+    if (polynomials.size() > 1) {
+        return {fmt::format("the slopes of the {} before, extrapolated to the size of each of the "
+                            "steps in a row, are the starting values of the iteration",
+                            polynomial.sizes.size() > 1 ? "two steps" : "step"),
+                "how much larger one is than another is known"};
+    }
+    const std::string how = described(polynomial, rule);
+    if (polynomial.sizes.size() > 1) {
         return {fmt::format("the slopes of the last two steps, {}, are the starting values of the "
                             "iteration",
                             how),
@@ -98,8 +99,49 @@ Decision begins_with(const SlopePolynomial& polynomial, const Quadrature& rule) 
     }
     return {
         fmt::format("the last step's slopes, {}, are the starting values of the iteration", how),
-        is_through_all ? "they are good to the order of the interpolation and cost no evaluation"
-                       : "one through all of them would magnify their rounding too much"};
+        polynomial.is_through_all(rule)
+            ? "they are good to the order of the interpolation and cost no evaluation"
+            : "one through all of them would magnify their rounding too much"};
+}
+
+/// The sizes of the two steps before each of those in a row, which is 1 itself.
+std::vector<NumberVector> sizes_behind(const NumberVector& in_a_row) {
+    if (in_a_row.empty()) { return {{Number(1), Number(1)}}; }
+    const std::size_t k = in_a_row.size();
+    std::vector<NumberVector> result;
+    for (std::size_t part = 0; part < k; ++part) {
+        const auto behind = [&](std::size_t count) {
+            return in_a_row[(part + 2 * k - count) % k] / in_a_row[part];
+        };
+        result.push_back({behind(1), behind(2)});
+    }
+    return result;
+}
+
+/// Of each, or none where one of them has none.
+std::vector<SlopePolynomial> of_each(const std::vector<NumberVector>& sizes,
+                                     const auto& polynomial_of) {
+    std::vector<SlopePolynomial> result;
+    for (const NumberVector& behind : sizes) {
+        std::optional<SlopePolynomial> polynomial = polynomial_of(behind);
+        if (!polynomial) { return {}; }
+        result.push_back(*std::move(polynomial));
+    }
+    return result;
+}
+
+std::vector<SlopePolynomial> slope_polynomials(const Step& step, Solver solver,
+                                               const Quadrature& rule) {
+    const std::vector<NumberVector> sizes = sizes_behind(step.in_a_row);
+    std::vector<SlopePolynomial> polynomials;
+    if (may_take_two_steps(solver, step.layout)) {
+        polynomials = of_each(sizes, [&](const NumberVector& behind) {
+            return polynomial_of_two_steps(rule, behind);
+        });
+    }
+    if (!polynomials.empty()) { return polynomials; }
+    return of_each(
+        sizes, [&](const NumberVector& behind) { return polynomial_of_one_step(rule, behind); });
 }
 
 }  // namespace
@@ -120,20 +162,20 @@ void set_extrapolation(Step& step, const Quadrature& rule) {
             begins_at_the_start("no polynomial interpolates slopes at equal nodes"));
         return;
     }
-    std::optional<SlopePolynomial> polynomial;
-    if (may_take_two_steps(iteration->solver, step.layout)) {
-        polynomial = polynomial_of_two_steps(rule);
-    }
-    if (!polynomial) { polynomial = polynomial_of_one_step(rule); }
-    if (!polynomial) {
+    const std::vector<SlopePolynomial> polynomials =
+        slope_polynomials(step, iteration->solver, rule);
+    if (polynomials.empty()) {
         step.decisions.push_back(begins_at_the_start(
             "extrapolating the last step's slopes would magnify their rounding too much"));
         return;
     }
-    std::vector<NumberMatrix> N = extrapolation(rule, *polynomial);
-    iteration->extrapolation = Extrapolation{std::move(N.front()), {}};
-    if (polynomial->steps > 1) { iteration->extrapolation->before = std::move(N.back()); }
-    step.decisions.push_back(begins_with(*polynomial, rule));
+    for (const SlopePolynomial& polynomial : polynomials) {
+        std::vector<NumberMatrix> N = extrapolation(rule, polynomial);
+        Extrapolation& from = iteration->extrapolation.emplace_back();
+        from.last = std::move(N.front());
+        if (N.size() > 1) { from.before = std::move(N.back()); }
+    }
+    step.decisions.push_back(begins_with(polynomials, rule));
 }
 
 namespace {
@@ -178,7 +220,8 @@ void set_extrapolation(Step& step, GalerkinStep& galerkin) {
     if (!are_distinct(form.c)) {
         return begins_at_the_start("no polynomial interpolates momenta at equal nodes");
     }
-    const std::optional<SlopePolynomial> polynomial = polynomial_of_one_step(nodes_of(form));
+    const std::optional<SlopePolynomial> polynomial =
+        polynomial_of_one_step(nodes_of(form), {Number(1)});
     if (!polynomial) {
         return begins_at_the_start("extrapolating the last step's momenta would magnify their "
                                    "rounding too much");

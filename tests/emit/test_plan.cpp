@@ -176,8 +176,8 @@ TEST_CASE("extrapolation is exact for polynomials through the nodes") {
     // Slopes 1, c, c^2 of Lobatto: L_i = b_i c_i^k goes to b_i (1 + c_i)^k.
     const Tableau tableau = tableaux::lobatto_3();
     const Step step = plan({tableau}, {.is_separable = false});
-    REQUIRE(iteration(step).extrapolation);
-    const Extrapolation& from = *step.iteration()->extrapolation;
+    REQUIRE(iteration(step).extrapolation.size() == 1);
+    const Extrapolation& from = step.iteration()->extrapolation.front();
     for (int k = 0; k < 3; ++k) {
         const auto power = [&](const Number& x) {
             Number value = 1;
@@ -199,7 +199,7 @@ TEST_CASE("of many stages a polynomial of lower degree, near to the slopes, is e
     const Tableau tableau = named("gauss:16");
     const Step step = plan({tableau}, {.is_separable = true}, {.solver = Solver::automatic});
     CHECK(dump(step).find("by the nearest polynomial of degree 10") != std::string::npos);
-    const NumberMatrix N = iteration(step).extrapolation.value().last;
+    const NumberMatrix N = iteration(step).extrapolation.at(0).last;
     // f(c_j) goes to f(1 + c_i) for f of this degree, and not for others.
     const auto is_exact = [&](std::size_t k) {
         const auto power = [k](double x) { return std::pow(x - 0.5, static_cast<double>(k)); };
@@ -246,7 +246,7 @@ TEST_CASE("where nodes are near to each other, slopes are not extrapolated") {
     const auto is_extrapolated = [](const char* nodes, const char* basis = "1, tau, tau^2") {
         const Iteration found = iteration(plan(
             {derive(method(basis, nodes))}, {.is_separable = true}, {.solver = Solver::automatic}));
-        return found.extrapolation.has_value();
+        return !found.extrapolation.empty();
     };
     CHECK(is_extrapolated("1/10, 2/10, 9/10"));
     CHECK_FALSE(is_extrapolated("1/10, 1/10+1/10^10, 9/10"));
@@ -260,7 +260,7 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
     const auto takes_two = [](const char* method, Solver solver, Lanes lanes = Lanes::none) {
         const Iteration found = iteration(
             plan({named(method)}, {.is_separable = true}, {.solver = solver, .lanes = lanes}));
-        return found.extrapolation && found.extrapolation->before;
+        return !found.extrapolation.empty() && found.extrapolation.at(0).before.has_value();
     };
     CHECK(takes_two("midpoint", Solver::fixed_point));
     CHECK(takes_two("gauss:3", Solver::automatic, Lanes::stages));
@@ -275,7 +275,7 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
     // Exact for polynomials of degree 2 s - 1: slopes at c - 1 and at c - 2 go to those at c.
     const Tableau tableau = named("gauss:2");
     const Step step = plan({tableau}, {.is_separable = true}, {.solver = Solver::automatic});
-    const Extrapolation from = iteration(step).extrapolation.value();
+    const Extrapolation from = iteration(step).extrapolation.at(0);
     for (int k = 0; k < 4; ++k) {
         const auto power = [&](const Number& x) {
             Number value = 1;
@@ -295,11 +295,36 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
     // Of four stages by least squares, of degree 6; from the normal equations, to 60 digits.
     const Extrapolation fitted =
         iteration(plan({named("gauss:4")}, {.is_separable = true}, {.solver = Solver::automatic}))
-            .extrapolation.value();
+            .extrapolation.at(0);
     CHECK(fitted.last[3][3].nearest_double() == 119.7540900668062);
     CHECK(fitted.last[1][0].nearest_double() == -40.37571180266715);
     CHECK(fitted.before.value()[0][0].nearest_double() == 0.20224718279206355);
     CHECK(fitted.before.value()[2][3].nearest_double() == -312.89049875193206);
+}
+
+TEST_CASE("slopes of steps in a row are extrapolated to the size of the next one") {
+    const auto text = std::make_shared<const Source>(Source{"--compose", "suzuki:4"});
+    const Tableau tableau = named("gauss:6");
+    const Step step = plan({tableau, named_composition(text)},
+                           {.is_separable = true, .kinetic_is_quadratic = true},
+                           {.solver = Solver::automatic, .lanes = Lanes::stages});
+    const std::vector<Extrapolation>& from = iteration(step).extrapolation;
+    REQUIRE(from.size() == 5);
+    const auto polynomial = [](double t) { return 1 + t * (2 - t * (3 + t * (1 - t * t))); };
+    for (std::size_t part = 0; part < 5; ++part) {
+        const double size = step.in_a_row[part].nearest_double();
+        const double size_before = step.in_a_row[(part + 4) % 5].nearest_double();
+        for (std::size_t i = 0; i < 6; ++i) {
+            double sum = 0;
+            for (std::size_t j = 0; j < 6; ++j) {
+                const double time = (tableau.c[j].nearest_double() - 1) * size_before;
+                sum += from[part].last[i][j].nearest_double() * size_before *
+                       tableau.b[j].nearest_double() * polynomial(time);
+            }
+            const double time = tableau.c[i].nearest_double() * size;
+            CHECK(sum == Approx(size * tableau.b[i].nearest_double() * polynomial(time)));
+        }
+    }
 }
 
 TEST_CASE("coefficients that depend on a parameter are quotients, constants are left out") {
@@ -316,7 +341,7 @@ TEST_CASE("coefficients that depend on a parameter are quotients, constants are 
         }
     }
     CHECK(from.m[1][2]->b == 2);
-    CHECK_FALSE(iteration(step).extrapolation);
+    CHECK(iteration(step).extrapolation.empty());
 }
 
 TEST_CASE("the times of stages depend on a parameter where nodes do") {
@@ -360,7 +385,7 @@ TEST_CASE("the places without a method are among the choices") {
 TEST_CASE("a parameter that cancels is no argument") {
     const Step step = plan({derive(method("w, w*tau", "gauss:2"))}, {});
     CHECK_FALSE(step.from_parameter);
-    CHECK(iteration(step).extrapolation);
+    CHECK_FALSE(iteration(step).extrapolation.empty());
 }
 
 TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~") {

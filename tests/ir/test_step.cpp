@@ -43,7 +43,12 @@ TEST_CASE("a step that contradicts itself is found") {
     CHECK(is_found<Step>(gauss, [&](Step& step) { form(step).rounded.c[0][0].reset(); }));
     CHECK(is_found<Step>(gauss, [&](Step& step) { form(step).form.c.pop_back(); }));
     CHECK(is_found<Step>(gauss,
-                         [&](Step& step) { form(step).iteration.extrapolation->last.clear(); }));
+                         [&](Step& step) { form(step).iteration.extrapolation[0].last.clear(); }));
+    CHECK(is_found<Step>(
+        gauss, [&](Step& step) { form(step).iteration.extrapolation[0].before->pop_back(); }));
+    CHECK(is_found<Step>(gauss, [&](Step& step) {
+        form(step).iteration.extrapolation.push_back(form(step).iteration.extrapolation[0]);
+    }));
     CHECK(is_found<Step>(gauss, [](Step& step) { step.kept.velocity = true; }));
     CHECK(is_found<Step>(gauss, [](Step& step) { step.form = ExplicitStep{}; }));
 

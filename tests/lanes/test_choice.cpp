@@ -70,6 +70,23 @@ TEST_CASE("sweeps that cost less are kept to, and corrections are tried in vain 
     CHECK(tried <= 6);
 }
 
+TEST_CASE("factors are those of one step size, also where steps of several sizes go on") {
+    Run run;
+    run.stages.rate = 3;
+    REQUIRE(run.step().ok());
+    const auto factors_of_step = [&](double h) {
+        run.stages.h = h;
+        run.stages.factors = 0;
+        REQUIRE(run.step().ok());
+        CHECK(run.stages.sweeps == 0);
+        return run.stages.factors;
+    };
+    CHECK(factors_of_step(1) == 0);
+    CHECK(factors_of_step(-1.5) == 1);
+    CHECK(factors_of_step(-1.5) == 0);
+    CHECK(factors_of_step(1) == 1);
+}
+
 TEST_CASE("corrections take over where they cost less, and sweeps come back") {
     Run run;
     run.stages.rate = 0.6;
@@ -170,7 +187,7 @@ TEST_CASE("when factors are computed anew") {
         stages.corrected_rate = corrected_rate;
         stages.W = 0;
         Sweeps sweeps;
-        sweeps.assume_factors();
+        sweeps.assume_factors(1);
         Coupled coupled(stages);
         const hvi::Status status =
             sweeps.solve<true>(coupled, coupled.corrections, {1, 0, 200, renewal});

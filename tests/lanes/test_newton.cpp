@@ -156,18 +156,17 @@ TEST_CASE("factors are kept while the trajectory and h go on") {
     PositionStages s = begun(system, 0.1);
     Positions coupled{system, s};
     PositionNewton newton;
-    const auto evaluated = [&](bool continues, double h_before) {
-        s.continues = continues;
+    const auto evaluated = [&](double h_before) {
         s.h_before = h_before;
         coupled.hessians = 0;
         REQUIRE(newton.solve(coupled).ok());
         return coupled.hessians;
     };
-    const int first = evaluated(false, s.h);
+    const int first = evaluated(0);
     CHECK(first > 1);
-    CHECK(evaluated(true, s.h) == 1);  // that of where it begins
-    CHECK(evaluated(true, 0.2) == first);
-    CHECK(evaluated(false, s.h) == first);
+    CHECK(evaluated(s.h) == 1);  // that of where it begins
+    CHECK(evaluated(0.2) == first);
+    CHECK(evaluated(0) == first);
 }
 
 namespace {

@@ -15,8 +15,8 @@ using Vector = std::array<double, 1>;
 /// Q = 1 + W, W = rate Q: sweeps change Q by `rate` times what the one before did.
 struct Stages {
     double rate = 0.5;
-    bool continues = true;
-    double h = 1, h_before = 1;
+    bool goes_on = true;
+    double h = 1;
     std::size_t n = 1;
     hvi::State<Vector> change;
     double Q = 0, W = 0;

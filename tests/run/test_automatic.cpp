@@ -18,9 +18,9 @@ using contracting::Vector;
 class Run {
 public:
     /// Whether the step came to its end by Newton's method alone or after fixed points.
-    bool takes_newton(double rate, bool continues = true) {
+    bool takes_newton(double rate, bool goes_on = true) {
         stages_.rate = rate;
-        stages_.continues = continues;
+        stages_.goes_on = goes_on;
         stages_.W = 0;
         const int before = stages_.newtons;
         last_ = solver_.solve(Coupled<Stages>{stages_});

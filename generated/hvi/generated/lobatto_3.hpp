@@ -173,7 +173,7 @@ private:
     /// Starting values: the polynomial through the slopes of the last step, else slopes as at the
     /// start of this one.
     void predict() {
-        if (s_.h == s_.h_before) {
+        if (s_.goes_on) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
                 const Scalar Lq_1 = s_.Lq[0][k];
                 const Scalar Lq_2 = s_.Lq[1][k];

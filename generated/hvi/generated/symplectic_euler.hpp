@@ -107,7 +107,7 @@ private:
     /// Starting values: the polynomial through the slopes of the last step, else slopes as at the
     /// start of this one.
     void predict() {
-        if (s_.h == s_.h_before) {
+        if (s_.goes_on) {
             for (Index k = 0; k < s_.at.q.size(); ++k) {
                 const Scalar Lp_1 = s_.Lp[0][k];
                 s_.Lp[0][k] = N[0][0] * Lp_1;

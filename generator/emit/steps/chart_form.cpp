@@ -41,8 +41,9 @@ std::string constants_text(const Step& step, const ChartStep& form, const SceneW
 std::string prediction(const Step& step, const Iteration& iteration) {
     Writer writer(1);
     open_predict(writer, iteration, "slopes");
-    if (const std::optional<Extrapolation>& from = iteration.extrapolation) {
-        writer.line("if (s_.extrapolate(m, N{})) {{ return; }}", from->before ? ", N_before" : "");
+    if (!iteration.extrapolation.empty()) {
+        const bool takes_two = iteration.extrapolation.front().before.has_value();
+        writer.line("if (s_.extrapolate(m, N{})) {{ return; }}", takes_two ? ", N_before" : "");
     }
     writer.open("s_.predict(m, [this](const auto& q, const auto& p, auto& dHdq, auto& dHdp) {{");
     writer.line("system_.gradient(q, p, {}dHdq, dHdp);",

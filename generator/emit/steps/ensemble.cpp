@@ -87,7 +87,7 @@ SlopePoint inner(const Step& step) {
 /// The starting values.
 void predict(Writer& writer, const Iteration& iteration, const auto& extrapolated,
              const auto& constant) {
-    if (!iteration.extrapolation) {
+    if (iteration.extrapolation.empty()) {
         constant(writer);
         return;
     }

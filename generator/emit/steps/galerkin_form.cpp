@@ -118,7 +118,7 @@ std::string prediction(const Step& step, const GalerkinStep& form) {
                    "/// ");
     writer.open("void predict() {{");
     if (form.extrapolation) {
-        writer.open("if (s_.h == s_.h_before) {{").line("s_.extrapolate(N_W, N_P);");
+        writer.open("if (s_.goes_on) {{").line("s_.extrapolate(N_W, N_P);");
         writer.line("Coupled equations = {};", make_coupled(step, form));
         writer.line("s_.momenta();").line("equations.positions();").line("equations.slopes();");
         writer.line("return;").close();

@@ -46,27 +46,38 @@ ImplicitParts parts_of(const Step& step, const GalerkinStep& form, const SceneWi
     return parts(step, form, wishes);
 }
 
-/// NOTE: the action looks at the time itself.
-std::string one_step(const Step& step, const std::string& body, const std::string& name,
-                     const EmitOptions& options) {
+bool takes_parts(const Step& step) {
+    const Iteration* iteration = step.iteration();
+    return iteration != nullptr && iteration->takes_parts();
+}
+
+/// Of a step, or of one of several in a row. NOTE: the action looks at the time itself.
+std::string one_step(const Step& step, const std::string& body, const EmitOptions& options) {
+    const bool has_parts = takes_parts(step);
     return fill_part(
         "step.hpp.in",
-        {{"name", name},
+        {{"name", step.in_a_row.empty() ? "step" : "part_of_step"},
+         {"part", has_parts ? ", std::size_t part, Scalar size_before" : ""},
+         {"sizes", has_parts ? "h, size_before" : "h"},
          {"begins", begins(step, options)},
          {"clock", clock_begins(step, options.wishes.action ? "s_.forget()" : "reset()")},
          {"steps", body}});
 }
 
-std::string composed_step(bool has_action, bool has_adjoint) {
+std::string composed_step(const Step& step, bool has_action) {
+    const bool alternates = has_adjoint(step);
     const auto where = [&](std::string_view text) { return std::string(has_action ? text : ""); };
     const std::string status = "Status(Status::Code::ok, iterations)";
-    return fill_part("composed_step.hpp.in",
-                     {{"first", has_adjoint ? "is_adjoint_ = false;" : ""},
-                      {"next", has_adjoint ? "is_adjoint_ = !is_adjoint_;" : ""},
-                      {"integral", where("Scalar integral = 0;")},
-                      {"add", where("integral += integral_over_step();")},
-                      {"begins", where("action_.begin(x, integral);")},
-                      {"status", has_action ? fmt::format("action_.end(x, {})", status) : status}});
+    return fill_part(
+        "composed_step.hpp.in",
+        {{"part",
+          takes_parts(step) ? "sizes[k], k, sizes[(k == 0 ? sizes.size() : k) - 1]" : "sizes[k]"},
+         {"first", alternates ? "is_adjoint_ = false;" : ""},
+         {"next", alternates ? "is_adjoint_ = !is_adjoint_;" : ""},
+         {"integral", where("Scalar integral = 0;")},
+         {"add", where("integral += integral_over_step();")},
+         {"begins", where("action_.begin(x, integral);")},
+         {"status", has_action ? fmt::format("action_.end(x, {})", status) : status}});
 }
 
 std::string emit_implicit(const OneStepMethod& method, const Step& step, const auto& form,
@@ -79,8 +90,7 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }
     for (const std::string& header : solver_headers(step)) { parts.runtime.push_back(header); }
     const bool composes = !step.in_a_row.empty();
-    const std::string step_text =
-        one_step(step, parts.steps, composes ? "part_of_step" : "step", options);
+    const std::string step_text = one_step(step, parts.steps, options);
     Holes holes = holes_of(system);
     holes.merge(Holes{{"banner", banner(method, step, options)},
                       {"format", std::to_string(hvi::runtime_format)},
@@ -88,7 +98,7 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
                       {"parameter", parameter_text(step)},
                       {"state", system.state},
                       {"curve", parts.curve},
-                      {"step", composes ? composed_step(has_action, has_adjoint(step)) : step_text},
+                      {"step", composes ? composed_step(step, has_action) : step_text},
                       {"part", composes ? step_text : ""},
                       {"action", parts.action},
                       {"integral", parts.integral},

@@ -110,8 +110,8 @@ std::string prediction_of_lagrangian(const Step& step, const GalerkinStep& form)
                    "/// ");
     writer.open("[[nodiscard]] Status predict() {{");
     if (form.extrapolation) {
-        writer.line("if (s_.h == s_.h_before) {{ s_.extrapolate(N_W); }}");
-        writer.open("if (s_.h != s_.h_before) {{");
+        writer.line("if (s_.goes_on) {{ s_.extrapolate(N_W); }}");
+        writer.open("if (!s_.goes_on) {{");
     }
     writer.line("const Status start = freeze(s_.at.q{});", time);
     writer.line("if (!start.ok()) {{ return start; }}");

@@ -46,7 +46,7 @@ std::string steps_of_lanes(const Step& step, const std::vector<std::string>& fir
     Writer writer(2);
     writer.line("s_.weigh(b);");
     for (const std::string& line : first) { writer.line("{}", line); }
-    writer.line("predict();").blank();
+    writer.line("predict({});", step.iteration()->takes_parts() ? "part" : "").blank();
     writer.line("status = solver_.solve({});", make_coupled(step));
     writer.line("if (!status.ok()) {{ return status; }}").blank();
     writer.line("s_.advance({});", table);
@@ -58,25 +58,42 @@ void columns(Writer& writer, std::string_view name) {
     writer.line("static constexpr auto {0}_lanes = hvi::detail::lane_columns({0});", name);
 }
 
+/// `name`_lanes of the tables `name`_1, ..., `name`_k.
+void columns_of_each(Writer& writer, std::string_view name, std::size_t k) {
+    writer.open("static constexpr std::array {}_lanes{{", name);
+    for (std::size_t i = 1; i <= k; ++i) {
+        writer.line("hvi::detail::lane_columns({}_{}),", name, i);
+    }
+    writer.close("};");
+}
+
 void columns_of_extrapolation(Writer& writer, const Iteration& iteration) {
-    if (!iteration.extrapolation) { return; }
-    columns(writer, "N");
-    if (iteration.extrapolation->before) { columns(writer, "N_before"); }
+    const std::vector<Extrapolation>& all = iteration.extrapolation;
+    if (all.empty()) { return; }
+    const auto write = [&](std::string_view name) {
+        if (iteration.takes_parts()) { return columns_of_each(writer, name, all.size()); }
+        columns(writer, name);
+    };
+    write("N");
+    if (all.front().before) { write("N_before"); }
 }
 
 /// Arguments of what extrapolates a slope.
-std::string extrapolation_of(const Extrapolation& from, std::string_view slope) {
-    return from.before ? fmt::format("N_lanes, N_before_lanes, {}_before_", slope) : "N_lanes";
+std::string extrapolation_of(const Iteration& iteration, std::string_view slope) {
+    const char* const part = iteration.takes_parts() ? "[part]" : "";
+    if (!iteration.extrapolation.front().before) { return fmt::format("N_lanes{}", part); }
+    return fmt::format("N_lanes{0}, N_before_lanes{0}, {1}_before_", part, slope);
 }
 
 std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
                                 const auto& extrapolate) {
     Writer writer(1);
     open_predict(writer, iteration, "slopes");
-    if (iteration.extrapolation) {
-        open_extrapolation(writer, *iteration.extrapolation);
-        extrapolate(writer, *iteration.extrapolation);
-        close_extrapolation(writer, *iteration.extrapolation, predicted_slopes(step));
+    if (!iteration.extrapolation.empty()) {
+        const Extrapolation& from = iteration.extrapolation.front();
+        open_extrapolation(writer, from);
+        extrapolate(writer);
+        close_extrapolation(writer, from, predicted_slopes(step));
     }
     writer.line("{}.predict();", make_coupled(step));
     return writer.close().str();
@@ -170,8 +187,8 @@ std::string times_as_argument(const Step& step) {
 }
 
 std::string velocity_predict_text(const Step& step, const Iteration& iteration) {
-    return prediction_of_lanes(step, iteration, [&](Writer& writer, const Extrapolation& from) {
-        writer.line("s_.extrapolate({});", extrapolation_of(from, "Lp"));
+    return prediction_of_lanes(step, iteration, [&](Writer& writer) {
+        writer.line("s_.extrapolate({});", extrapolation_of(iteration, "Lp"));
         writer.line("s_.drifts(system_);");
     });
 }
@@ -255,11 +272,11 @@ namespace {
 
 /// NOTE: for separable H the slopes of p are enough.
 std::string pair_predict_text(const Step& step, const Iteration& iteration) {
-    return prediction_of_lanes(step, iteration, [&](Writer& writer, const Extrapolation& from) {
+    return prediction_of_lanes(step, iteration, [&](Writer& writer) {
         if (!step.is_separable()) {
-            writer.line("s_.extrapolate_q({});", extrapolation_of(from, "Lq"));
+            writer.line("s_.extrapolate_q({});", extrapolation_of(iteration, "Lq"));
         }
-        writer.line("s_.extrapolate_p({});", extrapolation_of(from, "Lp"));
+        writer.line("s_.extrapolate_p({});", extrapolation_of(iteration, "Lp"));
     });
 }
 

@@ -269,7 +269,9 @@ std::string prediction_of_pairs(const Step& step, const Iteration& iteration) {
     const std::vector<Slope> slopes = predicted(step);
     Writer writer(1);
     open_predict(writer, iteration, "slopes");
-    if (iteration.extrapolation) { extrapolate(writer, step, *iteration.extrapolation, slopes); }
+    if (!iteration.extrapolation.empty()) {
+        extrapolate(writer, step, iteration.extrapolation.front(), slopes);
+    }
     if (step.slopes == Slopes::joint) {
         constant_jointly(writer, step, slopes);
         return writer.close().str();

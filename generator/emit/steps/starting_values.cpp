@@ -22,33 +22,43 @@ RoundedMatrix nearest_or_small(const NumberMatrix& exact) {
 }  // namespace
 
 void open_predict(Writer& writer, const Iteration& iteration, std::string_view slopes) {
-    const std::optional<Extrapolation>& from = iteration.extrapolation;
+    const std::vector<Extrapolation>& from = iteration.extrapolation;
     writer.comment(
-        from ? fmt::format("Starting values: the polynomial through the {0} of the last {1}, else "
-                           "{0} as at the start of this one.",
-                           slopes, from->before ? "two steps" : "step")
-             : fmt::format("Starting values: {} as at the start of the step.", slopes),
+        from.empty()
+            ? fmt::format("Starting values: {} as at the start of the step.", slopes)
+            : fmt::format("Starting values: the polynomial through the {0} of the last {1}, else "
+                          "{0} as at the start of this one.",
+                          slopes, from.front().before ? "two steps" : "step"),
         "/// ");
-    writer.open("void predict() {{");
+    writer.open("void predict({}) {{", iteration.takes_parts() ? "std::size_t part" : "");
 }
 
 std::string extrapolation_text(const Iteration& iteration) {
-    if (!iteration.extrapolation) { return {}; }
-    const Extrapolation& from = *iteration.extrapolation;
+    const std::vector<Extrapolation>& all = iteration.extrapolation;
+    if (all.empty()) { return {}; }
+    const bool takes_parts = iteration.takes_parts();
+    const bool takes_two = all.front().before.has_value();
     Writer writer(1);
+    writer.blank().comment(fmt::format(
+        "{} are about {} times those of {}{}.",
+        takes_parts ? "Slopes of the k-th of steps in a row" : "Slopes of the next step",
+        takes_parts ? "N_k" : "N", takes_parts ? "the one before" : "this one",
+        !takes_two    ? ""
+        : takes_parts ? ", and N_before_k times those before that"
+                      : ", and N_before times those of the one before"));
     const auto write = [&](std::string_view name, const NumberMatrix& exact) {
         table(writer, name, constants(name, exact, nearest_or_small(exact)));
     };
-    writer.blank();
-    if (!from.before) {
-        writer.comment("Slopes of the next step are about N times those of this one.");
-        write("N", from.last);
-        return writer.str();
+    if (!takes_parts) {
+        write("N", all.front().last);
+        if (takes_two) { write("N_before", *all.front().before); }
     }
-    writer.comment("Slopes of the next step are about N times those of this one, and N_before "
-                   "times those of the one before.");
-    write("N", from.last);
-    write("N_before", *from.before);
+    for (std::size_t k = 0; k < all.size() && takes_parts; ++k) {
+        table_of_doubles(writer, fmt::format("N_{}", k + 1), all[k].last);
+        if (takes_two) {
+            table_of_doubles(writer, fmt::format("N_before_{}", k + 1), *all[k].before);
+        }
+    }
     return writer.str();
 }
 
@@ -69,32 +79,25 @@ std::vector<std::string_view> predicted_slopes(const Step& step) {
 }
 
 void open_extrapolation(Writer& writer, const Extrapolation& from) {
-    if (from.before) {
-        writer.line("const bool goes_on = s_.h == s_.h_before;");
-        writer.open("if (goes_on && has_slopes_before_) {{");
-    } else {
-        writer.open("if (s_.h == s_.h_before) {{");
-    }
+    writer.open("if (s_.goes_on{}) {{", from.before ? " && has_slopes_before_" : "");
 }
 
 void close_extrapolation(Writer& writer, const Extrapolation& from,
                          const std::vector<std::string_view>& slopes) {
     writer.line("return;").close();
     if (!from.before) { return; }
-    writer.line("has_slopes_before_ = goes_on;");
+    writer.line("has_slopes_before_ = s_.goes_on;");
     for (const std::string_view slope : slopes) { writer.line("{0}_before_ = s_.{0};", slope); }
 }
 
 void declare_slopes_before(Writer& writer, const Step& step) {
     const Iteration* iteration = step.iteration();
-    if (iteration == nullptr || !iteration->extrapolation || !iteration->extrapolation->before) {
-        return;
-    }
+    if (iteration == nullptr || iteration->extrapolation.empty()) { return; }
+    if (!iteration->extrapolation.front().before) { return; }
     for (const std::string_view slope : predicted_slopes(step)) {
         writer.line("decltype(s_.{0}) {0}_before_{{}};  // of the step before the last", slope);
     }
-    writer.line(
-        "bool has_slopes_before_ = false;  // it was of the same size, and led to the last");
+    writer.line("bool has_slopes_before_ = false;  // the last step went on from it");
 }
 
 std::string extrapolated(const Extrapolation& from, std::size_t i, std::string_view slope) {

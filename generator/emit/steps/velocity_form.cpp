@@ -281,7 +281,9 @@ std::string prediction_of_velocities(const Step& step, const Iteration& iteratio
     const std::vector<std::size_t> unknown = coupled_block(step).of(Kind::Lp);
     Writer writer(1);
     open_predict(writer, iteration, "forces");
-    if (iteration.extrapolation) { extrapolate(writer, *iteration.extrapolation, unknown); }
+    if (!iteration.extrapolation.empty()) {
+        extrapolate(writer, iteration.extrapolation.front(), unknown);
+    }
     if (!step.kept.force) {
         writer.line("system_.{};", force_call(step, start_of_step(step), "s_.slope"));
     }

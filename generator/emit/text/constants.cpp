@@ -61,28 +61,54 @@ void check_range(const Constant& constant) {
     }
 }
 
+/// NOTE: at most four braces are open around a table.
+constexpr std::size_t line_width = page_width - 16;
+
 void entries(Writer& writer, const std::vector<Constant>& row) {
     std::size_t width = 0;
-    // NOTE: at most four braces are open around a table.
-    constexpr std::size_t room = page_width - 16;
     const auto line = [&](const Constant& entry) {
         return fmt::format("{:<{}}  // {} = {}", text_of(entry.value) + ",", width, entry.name,
                            entry.exact);
     };
     for (const Constant& entry : row) {
         check_range(entry);
-        if (line(entry).size() <= room) {
+        if (line(entry).size() <= line_width) {
             width = std::max(width, text_of(entry.value).size() + 1);
         }
     }
     for (const Constant& entry : row) {
-        if (line(entry).size() <= room) {
+        if (line(entry).size() <= line_width) {
             writer.line("{}", line(entry));
         } else {
             writer.comment(entry.name + " = " + entry.exact);
             writer.line("{},", text_of(entry.value));
         }
     }
+}
+
+/// As many in a line as it has room for.
+void entries(Writer& writer, const NumberVector& row) {
+    std::string line;
+    for (const Number& entry : row) {
+        const std::string text = literal(of(nearest_or_small(entry), 53).to_double()) + ",";
+        if (!line.empty() && line.size() + 1 + text.size() > line_width) {
+            writer.line("{}", line);
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + text;
+    }
+    writer.line("{}", line);
+}
+
+/// Of rows, by entries() of each.
+void table_of_rows(Writer& writer, std::string_view name, const auto& rows) {
+    writer.open("static constexpr Scalar {}[{}][{}] = {{", name, rows.size(), rows.front().size());
+    for (const auto& row : rows) {
+        writer.open("{{");
+        entries(writer, row);
+        writer.close("},");
+    }
+    writer.close("};");
 }
 
 }  // namespace
@@ -94,13 +120,11 @@ void table(Writer& writer, std::string_view name, const std::vector<Constant>& r
 }
 
 void table(Writer& writer, std::string_view name, const std::vector<std::vector<Constant>>& rows) {
-    writer.open("static constexpr Scalar {}[{}][{}] = {{", name, rows.size(), rows.front().size());
-    for (const auto& row : rows) {
-        writer.open("{{");
-        entries(writer, row);
-        writer.close("},");
-    }
-    writer.close("};");
+    table_of_rows(writer, name, rows);
+}
+
+void table_of_doubles(Writer& writer, std::string_view name, const NumberMatrix& rows) {
+    table_of_rows(writer, name, rows);
 }
 
 std::string initializer(const Constant& constant) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/emit/text/text.hpp"
+#include "generator/exact/algebra/number_vector.hpp"
 #include "generator/exact/numbers/formats.hpp"
 
 namespace hvi::gen {
@@ -27,6 +28,10 @@ struct Constant {
 /// double, or a longer format, has no such number.
 void table(Writer& writer, std::string_view name, const std::vector<Constant>& row);
 void table(Writer& writer, std::string_view name, const std::vector<std::vector<Constant>>& rows);
+
+/// `static constexpr Scalar NAME[n][k] = {...};` of the nearest doubles alone, for what need not be
+/// good to the last bit and has long exact values.
+void table_of_doubles(Writer& writer, std::string_view name, const NumberMatrix& rows);
 
 /// The number as C++ initialises a Scalar with it: a literal, or a call of rounded(). Throws
 /// MathError as table() does.

@@ -35,6 +35,7 @@ public:
     Scalar h = 0;
     Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
     bool continues = false;  ///< the step begins, bit for bit, where the last one ended
+    bool goes_on = false;    ///< and that was of the same size
 
     /// Prepares a step of size h from x. Precondition: h != 0.
     [[nodiscard]] Status begin(const ChartState<Space>& x, Scalar step_size) {
@@ -42,6 +43,7 @@ public:
         if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
         continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
         h_before = continues ? h : Scalar(0);
+        goes_on = continues && h_before == step_size;
         h = step_size;
         ended_ = false;
         if (continues) { return {}; }

@@ -73,7 +73,7 @@ public:
     /// From those of the last step, times `last`, or from those of the last two. False where there
     /// are none for steps of this size.
     [[nodiscard]] bool extrapolate(const Table& m, const Table& last) {
-        if (this->h != this->h_before) { return false; }
+        if (!this->goes_on) { return false; }
         const auto old = slopes_;
         for (std::size_t i = 0; i < stages; ++i) {
             slopes_[i] = {};
@@ -83,9 +83,8 @@ public:
         return true;
     }
     [[nodiscard]] bool extrapolate(const Table& m, const Table& last, const Table& before) {
-        const bool goes_on = this->h == this->h_before;
-        const bool has_both = goes_on && has_slopes_before_;
-        has_slopes_before_ = goes_on;
+        const bool has_both = this->goes_on && has_slopes_before_;
+        has_slopes_before_ = this->goes_on;
         const auto old = slopes_;
         for (std::size_t i = 0; i < stages && has_both; ++i) {
             slopes_[i] = {};

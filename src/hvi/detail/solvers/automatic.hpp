@@ -21,7 +21,7 @@ struct Automatic {
         /// Preconditions: those of FixedPoint.
         template <class Coupled>
         [[nodiscard]] Status solve(Coupled coupled) {
-            if (!coupled.s.continues || coupled.s.h != coupled.s.h_before) { pause_.forget(); }
+            if (!coupled.s.goes_on) { pause_.forget(); }
             pause_.pass();
             if (!pause_.is_over()) { return solve_stiff(coupled); }
             const Status status = fixed_point_.solve(coupled, most_iterations);

@@ -42,7 +42,7 @@ struct AutomaticOfLanes {
         template <class Coupled>
         [[nodiscard]] Status solve(Coupled coupled) {
             constexpr detail::SolverCosts costs = Coupled::costs;
-            const bool is_next = coupled.s.continues && coupled.s.h == coupled.s.h_before;
+            const bool is_next = coupled.s.goes_on;
             if (!is_next || cheap_ == 0) { return choose(coupled, is_next); }
             // NOTE: most steps of most scenes, of which nothing is learnt.
             other_way_.pass();

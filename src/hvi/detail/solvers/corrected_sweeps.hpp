@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hvi/detail/solvers/end_of_corrections.hpp>
+#include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::detail {
@@ -12,6 +13,8 @@ namespace hvi::detail {
 template <class Vector>
 class CorrectedSweeps {
 public:
+    using Scalar = ScalarOf<Vector>;
+
     /// When factors are computed anew.
     enum class Renewal {
         where_slow,  ///< and changes that grow are given up
@@ -25,7 +28,7 @@ public:
     };
 
     /// Says that it is singular where there are no factors, for whatever reason. `keeps_factors`:
-    /// from step to step, and renews them; else they depend on h alone. Preconditions: those of
+    /// from step to step while h stays, and renews them; else they depend on h alone. Preconditions: those of
     /// Sweeps.
     template <bool keeps_factors, class Coupled, class Corrections>
     [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, const Terms& terms) {
@@ -36,7 +39,7 @@ public:
             spent_ += terms.factors;
             return corrections.factorise(coupled);
         };
-        bool has_factors = (keeps_factors && has_factors_) || factorise();
+        bool has_factors = (keeps_factors && factored_ == coupled.s.h) || factorise();
         bool is_last = false;
         bool is_finite = true;
         int iteration = 0;
@@ -48,7 +51,7 @@ public:
             // which has the sign of the starting values' error: without the last correction the
             // energy of Kepler's problem drifted by 4e-19 a step.
             if (is_last) {
-                if constexpr (keeps_factors) { has_factors_ = true; }
+                if constexpr (keeps_factors) { factored_ = coupled.s.h; }
                 return Status(Status::Code::ok, iteration);
             }
             coupled.momenta();
@@ -63,7 +66,7 @@ public:
             if (terms.renewal == Renewal::never) { break; }
             has_factors = factorise();
         }
-        if constexpr (keeps_factors) { has_factors_ = false; }
+        if constexpr (keeps_factors) { factored_ = 0; }
         return Status(!has_factors                   ? Status::Code::singular
                       : !is_finite && iteration == 1 ? Status::Code::not_finite
                                                      : Status::Code::not_converged,
@@ -73,14 +76,14 @@ public:
     /// By the last solve().
     [[nodiscard]] int spent() const { return spent_; }
 
-    void forget() { has_factors_ = false; }
-    void assume_factors() { has_factors_ = true; }
+    void forget() { factored_ = 0; }
+    void assume_factors(Scalar h) { factored_ = h; }
 
 private:
     using Now = typename EndOfCorrections<Vector>::Now;
 
     EndOfCorrections<Vector> end_;
-    bool has_factors_ = false;
+    Scalar factored_ = 0;  ///< the step size that the factors are of; 0: there are none
     int spent_ = 0;
 };
 

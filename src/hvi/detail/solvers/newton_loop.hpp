@@ -35,7 +35,7 @@ public:
         if (equations_.fit(coupled)) { factored_ = false; }
         end_.begin(coupled.s.n);
         equations_.begin(coupled);
-        const bool reusable = factored_ && coupled.s.continues && coupled.s.h == coupled.s.h_before;
+        const bool reusable = factored_ && coupled.s.h == coupled.s.h_before;
         factored_ = reusable || equations_.factorise_start(coupled);
         if (!factored_) { return no_factors(0); }
 

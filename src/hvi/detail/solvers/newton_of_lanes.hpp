@@ -257,7 +257,7 @@ class NewtonOfLanes {
 public:
     template <class Coupled>
     [[nodiscard]] Status solve(Coupled& coupled) {
-        if (!coupled.s.continues || coupled.s.h != coupled.s.h_before) { has_factors_ = false; }
+        if (coupled.s.h != coupled.s.h_before) { has_factors_ = false; }
         Status status(Status::Code::singular);
         if (has_factors_) { status = correct(coupled); }
         if (!status.ok()) {
@@ -280,7 +280,7 @@ private:
             return Status(Status::Code::singular);
         }
         unknowns_.begin(coupled);
-        sweeps_.assume_factors();
+        sweeps_.assume_factors(coupled.s.h);
         const Renewal renewal = has_factors_ ? Renewal::never : Renewal::eager;
         return sweeps_.template solve<true>(coupled, unknowns_, {1, 0, most_iterations, renewal});
     }

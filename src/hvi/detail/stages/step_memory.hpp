@@ -28,14 +28,21 @@ struct StepMemory {
     Scalar h = 0;
     Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
     bool continues = false;  ///< the step begins, bit for bit, where the last one ended
+    bool goes_on = false;    ///< and that was as large as it should be: what it left is of use
 
     /// Prepares a step of size h from x. Precondition: h != 0.
     [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size) {
+        return begin(x, step_size, step_size);
+    }
+
+    /// The same of one of several steps in a row, of which the last should be of this size.
+    [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size, Scalar size_before) {
         if (!sums_are_exact_) { return Status(Status::Code::unsafe_arithmetic); }
         if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
         if (x.q.size() != x.p.size()) { return Status(Status::Code::dimension_mismatch); }
         continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
         h_before = continues ? h : 0;
+        goes_on = continues && h_before == size_before;
         h = step_size;
         ended_ = false;
         if (!continues) { start_at(x); }
