@@ -234,7 +234,7 @@ enum class Layout {
 
 inline constexpr std::size_t widest_register = 8;  ///< numbers
 
-/// What the ways to solve for the stages cost, in operations on the lanes of all of them; see
+/// What the ways to solve for the stages cost, in operations on registers of four lanes; see
 /// SolverCosts of the runtime.
 struct SolverCosts {
     int sweep = 0, linear = 0, correction = 0, factors = 0;

@@ -11,6 +11,9 @@ namespace hvi::gen {
 /// gradients at the same q and p than when it uses each new slope at once.
 [[nodiscard]] bool joint_gradient_pays(const EvaluationCosts& costs);
 
+/// On each register of stages in lanes.
+[[nodiscard]] double operations_of_a_sweep(const Step& step, const SystemProperties& system);
+
 /// Of stages in lanes. Precondition: the step has them.
 [[nodiscard]] SolverCosts solver_costs(const Step& step, const SystemProperties& system);
 

@@ -30,9 +30,10 @@ std::string text(const OperationCounts& counts) {
 std::string text(const SolverCosts& costs) {
     const std::string linear =
         costs.linear > 0 ? fmt::format(", one with its linear part solved {}", costs.linear) : "";
-    return fmt::format("operations on the stages side by side: a sweep {}{}, one with a correction "
-                       "{}, its factors {}",
-                       costs.sweep, linear, costs.correction, costs.factors);
+    return fmt::format(
+        "operations on registers of four stages: a sweep {}{}, one with a correction "
+        "{}, its factors {}",
+        costs.sweep, linear, costs.correction, costs.factors);
 }
 
 /// Of L = v^T M v/2 + a v - U.

@@ -38,9 +38,9 @@ std::string obstacle_in_stages(const Step& step) {
 /// products, two of 4 take twice as many instructions.
 bool waits_for_sums(const Step& step, const SystemProperties& system) {
     constexpr std::size_t wide = 4;
-    constexpr int little = 100;
+    constexpr double little = 80;
     if (step.positions.size() <= wide || system.costs.has_calls) { return false; }
-    return system.degrees_of_freedom > 0 && solver_costs(step, system).sweep < little;
+    return system.degrees_of_freedom > 0 && operations_of_a_sweep(step, system) < little;
 }
 
 }  // namespace

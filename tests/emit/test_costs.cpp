@@ -64,6 +64,30 @@ TEST_CASE("a correction costs more than a sweep, and factors more than a correct
     }
 }
 
+TEST_CASE("costs are near to times that were measured") {
+    // Of corrections and factors over those of sweeps, on a processor with AVX2.
+    struct Measured {
+        const char* method;
+        double corrections, factors;
+    };
+    const auto check = [](const SystemProperties& system, const std::vector<Measured>& measured) {
+        for (const auto& [method, corrections, factors] : measured) {
+            INFO(method);
+            const SolverCosts costs = in_lanes(method, system).corrections.value().costs;
+            CHECK(costs.correction / (corrections * costs.sweep) > 0.7);
+            CHECK(costs.correction / (corrections * costs.sweep) < 1.3);
+            CHECK(costs.factors / (factors * costs.sweep) > 0.6);
+            CHECK(costs.factors / (factors * costs.sweep) < 1.7);
+        }
+    };
+    check(properties_of("(q^2+1)*(p^2+1)/2", "q", "p"),
+          {{"gauss:4", 3.3, 4.0}, {"gauss:8", 3.5, 2.4}, {"gauss:16", 3.5, 1.5}});
+    check(properties_of("(a^2+b^2)/2-1/sqrt(x^2+y^2)", "x, y", "a, b"),
+          {{"gauss:4", 2.4, 2.9}, {"gauss:8", 2.4, 2.2}, {"gauss:16", 2.9, 1.5}});
+    check(properties_of("(a^2+b^2+x^2+y^2)/2+x^2*y-y^3/3", "x, y", "a, b"),
+          {{"gauss:4", 3.1, 3.5}, {"gauss:8", 3.0, 2.6}, {"gauss:16", 3.3, 1.6}});
+}
+
 TEST_CASE("registers are narrow where little is computed, and wide where much is") {
     const SystemProperties kepler = properties_of("(a^2+b^2)/2-1/sqrt(x^2+y^2)", "x, y", "a, b");
     CHECK(in_lanes("gauss:8", kepler).register_width == 4);

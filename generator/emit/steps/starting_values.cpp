@@ -33,31 +33,40 @@ void open_predict(Writer& writer, const Iteration& iteration, std::string_view s
     writer.open("void predict({}) {{", iteration.takes_parts() ? "std::size_t part" : "");
 }
 
+namespace {
+
+std::string meaning_of_tables(bool takes_parts, bool takes_two) {
+    if (!takes_parts) {
+        return fmt::format("Slopes of the next step are about N times those of this one{}.",
+                           takes_two ? ", and N_before times those of the one before" : "");
+    }
+    return fmt::format("Slopes of the k-th of the steps in a row are about N_k times those of the "
+                       "one before{}.",
+                       takes_two ? ", and N_before_k times those of the one before that" : "");
+}
+
+}  // namespace
+
 std::string extrapolation_text(const Iteration& iteration) {
     const std::vector<Extrapolation>& all = iteration.extrapolation;
     if (all.empty()) { return {}; }
-    const bool takes_parts = iteration.takes_parts();
     const bool takes_two = all.front().before.has_value();
     Writer writer(1);
-    writer.blank().comment(fmt::format(
-        "{} are about {} times those of {}{}.",
-        takes_parts ? "Slopes of the k-th of steps in a row" : "Slopes of the next step",
-        takes_parts ? "N_k" : "N", takes_parts ? "the one before" : "this one",
-        !takes_two    ? ""
-        : takes_parts ? ", and N_before_k times those before that"
-                      : ", and N_before times those of the one before"));
-    const auto write = [&](std::string_view name, const NumberMatrix& exact) {
-        table(writer, name, constants(name, exact, nearest_or_small(exact)));
-    };
-    if (!takes_parts) {
+    writer.blank().comment(meaning_of_tables(iteration.takes_parts(), takes_two));
+    if (!iteration.takes_parts()) {
+        const auto write = [&](std::string_view name, const NumberMatrix& exact) {
+            table(writer, name, constants(name, exact, nearest_or_small(exact)));
+        };
         write("N", all.front().last);
         if (takes_two) { write("N_before", *all.front().before); }
+        return writer.str();
     }
-    for (std::size_t k = 0; k < all.size() && takes_parts; ++k) {
-        table_of_doubles(writer, fmt::format("N_{}", k + 1), all[k].last);
-        if (takes_two) {
-            table_of_doubles(writer, fmt::format("N_before_{}", k + 1), *all[k].before);
-        }
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto write = [&](std::string_view name, const NumberMatrix& exact) {
+            table_of_doubles(writer, fmt::format("{}_{}", name, k + 1), nearest_or_small(exact));
+        };
+        write("N", all[k].last);
+        if (takes_two) { write("N_before", *all[k].before); }
     }
     return writer.str();
 }

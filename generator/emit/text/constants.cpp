@@ -87,10 +87,10 @@ void entries(Writer& writer, const std::vector<Constant>& row) {
 }
 
 /// As many in a line as it has room for.
-void entries(Writer& writer, const NumberVector& row) {
+void entries(Writer& writer, const std::vector<Rounded>& row) {
     std::string line;
-    for (const Number& entry : row) {
-        const std::string text = literal(of(nearest_or_small(entry), 53).to_double()) + ",";
+    for (const Rounded& entry : row) {
+        const std::string text = literal(of(entry, 53).to_double()) + ",";
         if (!line.empty() && line.size() + 1 + text.size() > line_width) {
             writer.line("{}", line);
             line.clear();
@@ -123,7 +123,8 @@ void table(Writer& writer, std::string_view name, const std::vector<std::vector<
     table_of_rows(writer, name, rows);
 }
 
-void table_of_doubles(Writer& writer, std::string_view name, const NumberMatrix& rows) {
+void table_of_doubles(Writer& writer, std::string_view name,
+                      const std::vector<std::vector<Rounded>>& rows) {
     table_of_rows(writer, name, rows);
 }
 

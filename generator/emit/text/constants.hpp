@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "generator/emit/text/text.hpp"
-#include "generator/exact/algebra/number_vector.hpp"
 #include "generator/exact/numbers/formats.hpp"
 
 namespace hvi::gen {
@@ -31,7 +30,8 @@ void table(Writer& writer, std::string_view name, const std::vector<std::vector<
 
 /// `static constexpr Scalar NAME[n][k] = {...};` of the nearest doubles alone, for what need not be
 /// good to the last bit and has long exact values.
-void table_of_doubles(Writer& writer, std::string_view name, const NumberMatrix& rows);
+void table_of_doubles(Writer& writer, std::string_view name,
+                      const std::vector<std::vector<Rounded>>& rows);
 
 /// The number as C++ initialises a Scalar with it: a literal, or a call of rounded(). Throws
 /// MathError as table() does.
