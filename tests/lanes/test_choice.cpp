@@ -87,6 +87,56 @@ TEST_CASE("factors are those of one step size, also where steps of several sizes
     CHECK(factors_of_step(1) == 1);
 }
 
+namespace {
+
+/// Of equations with a linear part, and whose factors cost too much to be tried.
+struct CoupledWithLinear : Coupled {
+    struct Linear {
+        bool factorise(CoupledWithLinear&) const { return true; }
+        void correct(CoupledWithLinear& coupled) const { coupled.corrections.correct(coupled); }
+    } linear;
+
+    static constexpr hvi::detail::SolverCosts costs{1, 2, 3, 1000};
+
+    using Coupled::Coupled;
+};
+
+}  // namespace
+
+TEST_CASE("a way that is not worth a trial does not keep the next one from it") {
+    Stages stages;
+    stages.rate = 0.3;
+    stages.corrected_rate = 0.9;
+    hvi::AutomaticOfLanes<CountedNewton>::Iteration<Vector> solver;
+    const auto corrections_in_steps = [&](int steps) {
+        stages.corrections = 0;
+        for (int i = 0; i < steps; ++i) {
+            stages.W = 0;
+            REQUIRE(solver.solve(CoupledWithLinear(stages)).ok());
+        }
+        return stages.corrections;
+    };
+    CHECK(corrections_in_steps(12) > 0);  // in vain
+    stages.corrected_rate = 0.01;
+    CHECK(corrections_in_steps(200) > 100);
+    CHECK(stages.factors == 0);
+}
+
+TEST_CASE("of steps of several sizes in a row the largest decide how they are solved") {
+    Run run;
+    int large = 0, small = 0;
+    for (int step = 0; step < 400; ++step) {
+        const bool is_large = step % 2 == 0;
+        run.stages.h = is_large ? 2 : -0.5;
+        run.stages.rate = is_large ? 0.7 : 0.05;  // 100 sweeps, or 13
+        run.stages.corrected_rate = 0.05;
+        REQUIRE(run.step().ok());
+        (is_large ? large : small) += run.stages.corrections > 0;
+    }
+    CHECK(large > 180);
+    CHECK(small > 180);
+}
+
 TEST_CASE("corrections take over where they cost less, and sweeps come back") {
     Run run;
     run.stages.rate = 0.6;

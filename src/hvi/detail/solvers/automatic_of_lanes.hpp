@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/solvers/corrected_sweeps.hpp>
 #include <hvi/detail/solvers/pause.hpp>
+#include <hvi/detail/stages/system.hpp>
 #include <hvi/fixed_point.hpp>
 #include <hvi/state.hpp>
 
@@ -26,8 +28,9 @@ struct SolverCosts {
 /// Solver policy of steppers whose stages are lanes: fixed points, those whose linear part is
 /// solved exactly, or corrections with one Hessian for all stages, whichever have cost least on the
 /// steps before, and `Newton` where all fail. What has not been the cheapest is tried again after
-/// 8, 16, 32, 64, 64, ... steps, for as long as it costs no more. All solve the equations to
-/// round-off, so that a change from one to the other does not show in the energy.
+/// 8, 16, 32, 64, 64, ... steps, for as long as it costs no more; of steps of several sizes in a row
+/// the largest decide. All solve the equations to round-off, so that a change from one to the other
+/// does not show in the energy.
 ///
 /// Costs are counts of iterations times numbers of the header, so that the same steps are solved in
 /// the same way on every machine.
@@ -56,6 +59,7 @@ struct AutomaticOfLanes {
         }
 
     private:
+        using Scalar = detail::ScalarOf<Vector>;
         enum class Way { sweeps, linear, corrected, newton };
         /// What a step tries.
         struct Attempt {
@@ -75,6 +79,9 @@ struct AutomaticOfLanes {
         [[nodiscard, gnu::noinline]] Status choose(Coupled& coupled, bool is_next) {
             constexpr detail::SolverCosts costs = Coupled::costs;
             if (!is_next) { forget(costs); }
+            const Scalar size = detail::abs(coupled.s.h);
+            decides_ = size >= largest_;
+            if (decides_) { largest_ = size; }
             from_start_.pass();
             other_way_.pass();
             others_.pass();
@@ -148,12 +155,13 @@ struct AutomaticOfLanes {
             return {status, status.iterations * costs.sweep};
         }
 
-        [[nodiscard]] Attempt first(const detail::SolverCosts& costs) const {
+        /// NOTE: a way that is not worth a trial does not keep the next one from it.
+        [[nodiscard]] Attempt first(const detail::SolverCosts& costs) {
             const bool is_from_start = !from_start_.is_over();
-            if (cost_ > least_cost(other_, costs) && other_way_.is_over()) {
-                return {other_, is_from_start, true};
-            }
-            return {usual_, is_from_start};
+            if (!decides_ || !other_way_.is_over()) { return {usual_, is_from_start}; }
+            if (cost_ <= least_cost(other_, costs)) { turn(costs); }
+            const bool is_trial = cost_ > least_cost(other_, costs);
+            return {is_trial ? other_ : usual_, is_from_start, is_trial};
         }
 
         /// What follows on an attempt that failed.
@@ -173,9 +181,10 @@ struct AutomaticOfLanes {
         void learn(const Attempt& ended, int cost, const detail::SolverCosts& costs) {
             if (ended.is_trial && cost >= cost_) { return has_tried(costs); }
             const bool is_new = ended.way != usual_;
+            others_.forget();
+            if (!decides_ && !is_new) { return; }
             usual_ = ended.way;
             cost_ = cost;
-            others_.forget();
             if (is_new) {
                 other_way_.forget();
                 has_tried(costs);
@@ -200,6 +209,11 @@ struct AutomaticOfLanes {
         /// The next trial is of another way.
         void has_tried(const detail::SolverCosts& costs) {
             other_way_.begin();
+            turn(costs);
+        }
+
+        /// To the way after the other one.
+        void turn(const detail::SolverCosts& costs) {
             do {
                 other_ = other_ == Way::sweeps   ? Way::linear
                          : other_ == Way::linear ? Way::corrected
@@ -209,6 +223,7 @@ struct AutomaticOfLanes {
 
         void forget(const detail::SolverCosts& costs) {
             cheap_ = 0;
+            largest_ = 0;
             usual_ = other_ = Way::sweeps;
             cost_ = cost_from_start_ = 0;
             from_start_.forget();
@@ -243,7 +258,9 @@ struct AutomaticOfLanes {
         typename Newton::template Iteration<Vector> newton_;
         Way usual_ = Way::sweeps;      ///< the one that has cost least
         Way other_ = Way::corrected;   ///< that is tried next
-        int cost_ = 0;                 ///< of the last step, by the usual one; 0: not known
+        int cost_ = 0;                 ///< of the last step that decides; 0: not known
+        Scalar largest_ = 0;           ///< size of steps that decide
+        bool decides_ = true;          ///< the present one does
         int cheap_ = 0;                ///< see cheap(); of sweeps from extrapolated slopes
         int cost_from_start_ = 0;      ///< of the last that began with slopes at its start
         detail::Pause<8> other_way_;   ///< until then
