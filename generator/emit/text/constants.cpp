@@ -90,7 +90,7 @@ void entries(Writer& writer, const std::vector<Constant>& row) {
 void entries(Writer& writer, const std::vector<Rounded>& row) {
     std::string line;
     for (const Rounded& entry : row) {
-        const std::string text = literal(of(entry, 53).to_double()) + ",";
+        const std::string text = fmt::format("Scalar({}),", literal(of(entry, 53).to_double()));
         if (!line.empty() && line.size() + 1 + text.size() > line_width) {
             writer.line("{}", line);
             line.clear();
