@@ -29,7 +29,8 @@ bool are_distinct(const NumberVector& c) {
 }
 
 /// The polynomial of the last step of the highest degree, at most that through all slopes, that
-/// does not magnify rounding too much. None where it would have to be low.
+/// does not magnify rounding too much. None where it would have to be low: slopes at the start are
+/// better. Of another size than the last step each has one, for the sake of the others in a row.
 ///
 /// NOTE: iterations of gauss:16 with polynomials of degree 11 and with slopes at the start of the
 /// step: point vortices, h = 2, 7.6 and 13.6; Kepler's problem, h = 0.2, 4.9 and 7.2; double
@@ -38,7 +39,8 @@ bool are_distinct(const NumberVector& c) {
 std::optional<SlopePolynomial> polynomial_of_one_step(const Quadrature& rule,
                                                       const NumberVector& sizes) {
     const std::size_t highest = rule.c.size() - 1;
-    const std::size_t lowest = std::min<std::size_t>(5, highest);
+    const bool is_of_equal_size = equal(sizes.front(), Number(1));
+    const std::size_t lowest = is_of_equal_size ? std::min<std::size_t>(5, highest) : 0;
     SlopePolynomial polynomial{{sizes.front()}, highest};
     while (magnification(rule, polynomial) > most) {
         if (polynomial.degree == lowest) { return {}; }

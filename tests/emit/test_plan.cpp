@@ -327,6 +327,31 @@ TEST_CASE("slopes of steps in a row are extrapolated to the size of the next one
     }
 }
 
+TEST_CASE("a step that is much larger than the one before has a polynomial of low degree") {
+    // Of yoshida:8 one is 17 times as large.
+    const auto text = std::make_shared<const Source>(Source{"--compose", "yoshida:8"});
+    const Tableau tableau = named("gauss:10");
+    const Step step = plan({tableau, named_composition(text)},
+                           {.is_separable = true, .kinetic_is_quadratic = true},
+                           {.solver = Solver::automatic, .lanes = Lanes::stages});
+    const std::vector<Extrapolation>& from = iteration(step).extrapolation;
+    REQUIRE(from.size() == 15);
+    for (std::size_t part = 0; part < 15; ++part) {
+        const double ratio =
+            (step.in_a_row[part] / step.in_a_row[(part + 14) % 15]).nearest_double();
+        for (std::size_t i = 0; i < 10; ++i) {
+            double sum = 0, sizes = 0;
+            for (std::size_t j = 0; j < 10; ++j) {
+                const double entry = from[part].last[i][j].nearest_double();
+                sum += entry * tableau.b[j].nearest_double();
+                sizes += std::abs(entry);
+            }
+            CHECK(sizes <= 1e8);
+            CHECK(sum == Approx(ratio * tableau.b[i].nearest_double()));
+        }
+    }
+}
+
 TEST_CASE("coefficients that depend on a parameter are quotients, constants are left out") {
     // Row 1 of m is 0 and row 3 is 1, m_2,2 is 1/2.
     const Step step = plan({derive(method("1, cos(w*tau), sin(w*tau)", "0, 1/2, 1"))}, {});

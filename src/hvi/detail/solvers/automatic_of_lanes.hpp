@@ -28,9 +28,9 @@ struct SolverCosts {
 /// Solver policy of steppers whose stages are lanes: fixed points, those whose linear part is
 /// solved exactly, or corrections with one Hessian for all stages, whichever have cost least on the
 /// steps before, and `Newton` where all fail. What has not been the cheapest is tried again after
-/// 8, 16, 32, 64, 64, ... steps, for as long as it costs no more; of steps of several sizes in a row
-/// the largest decide. All solve the equations to round-off, so that a change from one to the other
-/// does not show in the energy.
+/// 8, 16, 32, 64, 64, ... steps, for as long as it costs no more; of steps of several sizes in a
+/// row the largest decide. All solve the equations to round-off, so that a change from one to the
+/// other does not show in the energy.
 ///
 /// Costs are counts of iterations times numbers of the header, so that the same steps are solved in
 /// the same way on every machine.

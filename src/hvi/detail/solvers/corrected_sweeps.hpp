@@ -28,8 +28,8 @@ public:
     };
 
     /// Says that it is singular where there are no factors, for whatever reason. `keeps_factors`:
-    /// from step to step while h stays, and renews them; else they depend on h alone. Preconditions: those of
-    /// Sweeps.
+    /// from step to step while h stays, and renews them; else they depend on h alone.
+    /// Preconditions: those of Sweeps.
     template <bool keeps_factors, class Coupled, class Corrections>
     [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, const Terms& terms) {
         coupled.begin_corrections();
