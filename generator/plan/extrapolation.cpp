@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "generator/exact/numbers/exact_number.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -102,6 +104,11 @@ std::vector<double> doubles(const NumberVector& numbers) {
     return result;
 }
 
+std::vector<Matrix<double>> tables_in_doubles(const Quadrature& rule,
+                                              const SlopePolynomial& polynomial) {
+    return tables(doubles(rule.c), doubles(rule.b), doubles(polynomial.sizes), polynomial.degree);
+}
+
 }  // namespace
 
 NumberVector nodes_behind(const Quadrature& rule, const NumberVector& sizes) {
@@ -112,9 +119,21 @@ std::vector<NumberMatrix> extrapolation(const Quadrature& rule, const SlopePolyn
     return tables(rule.c, rule.b, polynomial.sizes, polynomial.degree);
 }
 
+std::vector<NumberMatrix> extrapolation_in_doubles(const Quadrature& rule,
+                                                   const SlopePolynomial& polynomial) {
+    std::vector<NumberMatrix> result;
+    for (const Matrix<double>& of_step : tables_in_doubles(rule, polynomial)) {
+        NumberMatrix& N = result.emplace_back();
+        for (const std::vector<double>& row : of_step) {
+            NumberVector& numbers = N.emplace_back();
+            for (const double entry : row) { numbers.push_back(exact_number(entry)); }
+        }
+    }
+    return result;
+}
+
 double magnification(const Quadrature& rule, const SlopePolynomial& polynomial) {
-    const std::vector<Matrix<double>> N =
-        tables(doubles(rule.c), doubles(rule.b), doubles(polynomial.sizes), polynomial.degree);
+    const std::vector<Matrix<double>> N = tables_in_doubles(rule, polynomial);
     double largest = 0;
     for (std::size_t i = 0; i < rule.b.size(); ++i) {
         double sum = 0;

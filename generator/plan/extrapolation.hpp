@@ -34,6 +34,11 @@ struct SlopePolynomial {
 [[nodiscard]] std::vector<NumberMatrix> extrapolation(const Quadrature& rule,
                                                       const SlopePolynomial& polynomial);
 
+/// The same, computed in doubles: for steps in a row each would have exact numbers of hundreds of
+/// digits, of which a header has the first sixteen.
+[[nodiscard]] std::vector<NumberMatrix> extrapolation_in_doubles(const Quadrature& rule,
+                                                                 const SlopePolynomial& polynomial);
+
 /// How much that may magnify rounding: the largest sum of |N_ij| over j and the steps. In doubles,
 /// since for many stages the exact N is costly and then of no use.
 [[nodiscard]] double magnification(const Quadrature& rule, const SlopePolynomial& polynomial);

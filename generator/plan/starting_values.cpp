@@ -172,7 +172,9 @@ void set_extrapolation(Step& step, const Quadrature& rule) {
         return;
     }
     for (const SlopePolynomial& polynomial : polynomials) {
-        std::vector<NumberMatrix> N = extrapolation(rule, polynomial);
+        std::vector<NumberMatrix> N = step.in_a_row.empty()
+                                          ? extrapolation(rule, polynomial)
+                                          : extrapolation_in_doubles(rule, polynomial);
         Extrapolation& from = iteration->extrapolation.emplace_back();
         from.last = std::move(N.front());
         if (N.size() > 1) { from.before = std::move(N.back()); }

@@ -41,8 +41,6 @@ bool keeps_remainder(const Step& step) {
     return form != nullptr && form->sums == Sums::compensated;
 }
 
-Tableau named(const char* name) { return derive(named_method(source(name))); }
-
 }  // namespace
 
 TEST_CASE("separable symplectic Euler and Verlet need no solver") {
@@ -106,7 +104,9 @@ TEST_CASE("stages that decouple are solved one after the other") {
 }
 
 TEST_CASE("A == A~ is said where it is proved, and the contrary too") {
-    const auto partner = [](const char* name) { return plan({named(name)}, {}).partner; };
+    const auto partner = [](const char* name) {
+        return plan({derive(named_method(source(name)))}, {}).partner;
+    };
     CHECK(partner("gauss:4") == Partner::same);
     CHECK(partner("gauss:7") == Partner::same);  // nodes without a closed form
     CHECK(partner("radau-left:7") == Partner::different);
@@ -170,186 +170,6 @@ TEST_CASE("explicit compositions from order 6 on keep what rounding cuts off") {
     // Sums of steps that are solved for are always compensated.
     CHECK_FALSE(keeps(tableaux::verlet(), "yoshida:6", false));
     CHECK_FALSE(keeps(tableaux::midpoint(), "yoshida:8", true));
-}
-
-TEST_CASE("extrapolation is exact for polynomials through the nodes") {
-    // Slopes 1, c, c^2 of Lobatto: L_i = b_i c_i^k goes to b_i (1 + c_i)^k.
-    const Tableau tableau = tableaux::lobatto_3();
-    const Step step = plan({tableau}, {.is_separable = false});
-    REQUIRE(iteration(step).extrapolation.size() == 1);
-    const Extrapolation& from = step.iteration()->extrapolation.front();
-    for (int k = 0; k < 3; ++k) {
-        const auto power = [&](const Number& x) {
-            Number value = 1;
-            for (int i = 0; i < k; ++i) { value = value * x; }
-            return value;
-        };
-        for (std::size_t i = 0; i < 3; ++i) {
-            Number sum = 0;
-            for (std::size_t j = 0; j < 3; ++j) {
-                sum = sum + from.last[i][j] * tableau.b[j] * power(tableau.c[j]);
-            }
-            CHECK((sum - tableau.b[i] * power(Number(1) + tableau.c[i])).is_zero());
-        }
-    }
-}
-
-TEST_CASE("of many stages a polynomial of lower degree, near to the slopes, is extrapolated") {
-    const std::size_t s = 16, degree = 10;
-    const Tableau tableau = named("gauss:16");
-    const Step step = plan({tableau}, {.is_separable = true}, {.solver = Solver::automatic});
-    CHECK(dump(step).find("by the nearest polynomial of degree 10") != std::string::npos);
-    const NumberMatrix N = iteration(step).extrapolation.at(0).last;
-    // f(c_j) goes to f(1 + c_i) for f of this degree, and not for others.
-    const auto is_exact = [&](std::size_t k) {
-        const auto power = [k](double x) { return std::pow(x - 0.5, static_cast<double>(k)); };
-        double farthest = 0, size = 0, largest_sum = 0;
-        for (std::size_t i = 0; i < s; ++i) {
-            double sum = 0, sizes = 0;
-            for (std::size_t j = 0; j < s; ++j) {
-                const double entry = N[i][j].nearest_double();
-                sum += entry * tableau.b[j].nearest_double() * power(tableau.c[j].nearest_double());
-                sizes += std::abs(entry);
-            }
-            const double right =
-                tableau.b[i].nearest_double() * power(1 + tableau.c[i].nearest_double());
-            farthest = std::max(farthest, std::abs(sum - right));
-            size = std::max(size, std::abs(right));
-            largest_sum = std::max(largest_sum, sizes);
-        }
-        CHECK(largest_sum < 1e8);
-        return farthest < 1e-7 * size;
-    };
-    for (std::size_t k = 0; k <= degree; ++k) { CHECK(is_exact(k)); }
-    CHECK_FALSE(is_exact(degree + 1));
-    // Least squares: what is left over is orthogonal to polynomials of this degree, so that what
-    // is orthogonal to them goes to 0. Of 16 alternating weights sum_j w_j c_j^k = 0 for k < 15,
-    // w_j = 1/prod (c_j - c_k).
-    std::vector<double> w(s, 1);
-    for (std::size_t j = 0; j < s; ++j) {
-        for (std::size_t k = 0; k < s; ++k) {
-            if (k != j) { w[j] /= tableau.c[j].nearest_double() - tableau.c[k].nearest_double(); }
-        }
-    }
-    const double largest = std::abs(*std::max_element(
-        w.begin(), w.end(), [](double x, double y) { return std::abs(x) < std::abs(y); }));
-    for (std::size_t i = 0; i < s; ++i) {
-        double sum = 0;
-        for (std::size_t j = 0; j < s; ++j) {
-            sum += N[i][j].nearest_double() * tableau.b[j].nearest_double() * w[j] / largest;
-        }
-        CHECK(std::abs(sum) < 1e-8);
-    }
-}
-
-TEST_CASE("where nodes are near to each other, slopes are not extrapolated") {
-    const auto is_extrapolated = [](const char* nodes, const char* basis = "1, tau, tau^2") {
-        const Iteration found = iteration(plan(
-            {derive(method(basis, nodes))}, {.is_separable = true}, {.solver = Solver::automatic}));
-        return !found.extrapolation.empty();
-    };
-    CHECK(is_extrapolated("1/10, 2/10, 9/10"));
-    CHECK_FALSE(is_extrapolated("1/10, 1/10+1/10^10, 9/10"));
-    CHECK_FALSE(is_extrapolated("1/10, 1/10+1/10^20, 9/10"));  // one node, in doubles
-    // One in each step, in doubles: no polynomial of degree 2 is orthogonal on these.
-    CHECK_FALSE(
-        is_extrapolated("1/2, 1/2+1/10^20, 1/2+2/10^20, 1/2+3/10^20", "1, tau, tau^2, tau^3"));
-}
-
-TEST_CASE("of few stages the slopes of two steps are extrapolated") {
-    const auto takes_two = [](const char* method, Solver solver, Lanes lanes = Lanes::none) {
-        const Iteration found = iteration(
-            plan({named(method)}, {.is_separable = true}, {.solver = solver, .lanes = lanes}));
-        return !found.extrapolation.empty() && found.extrapolation.at(0).before.has_value();
-    };
-    CHECK(takes_two("midpoint", Solver::fixed_point));
-    CHECK(takes_two("gauss:3", Solver::automatic, Lanes::stages));
-    CHECK(takes_two("gauss:5", Solver::automatic));
-    CHECK_FALSE(takes_two("gauss:6", Solver::automatic));
-    CHECK_FALSE(takes_two("gauss:2", Solver::of_user));
-    CHECK_FALSE(takes_two("gauss:2", Solver::newton));
-    CHECK_FALSE(takes_two("gauss:2", Solver::fixed_point, Lanes::ensemble));
-    // The end of one step is the start of the next: no polynomial has two values there.
-    CHECK_FALSE(takes_two("lobatto:3", Solver::fixed_point));
-
-    // Exact for polynomials of degree 2 s - 1: slopes at c - 1 and at c - 2 go to those at c.
-    const Tableau tableau = named("gauss:2");
-    const Step step = plan({tableau}, {.is_separable = true}, {.solver = Solver::automatic});
-    const Extrapolation from = iteration(step).extrapolation.at(0);
-    for (int k = 0; k < 4; ++k) {
-        const auto power = [&](const Number& x) {
-            Number value = 1;
-            for (int i = 0; i < k; ++i) { value = value * x; }
-            return value;
-        };
-        for (std::size_t i = 0; i < 2; ++i) {
-            Number sum = 0;
-            for (std::size_t j = 0; j < 2; ++j) {
-                const Number& c = tableau.c[j];
-                sum = sum + from.last[i][j] * tableau.b[j] * power(c - Number(1)) +
-                      (*from.before)[i][j] * tableau.b[j] * power(c - Number(2));
-            }
-            CHECK((sum - tableau.b[i] * power(tableau.c[i])).is_zero());
-        }
-    }
-    // Of four stages by least squares, of degree 6; from the normal equations, to 60 digits.
-    const Extrapolation fitted =
-        iteration(plan({named("gauss:4")}, {.is_separable = true}, {.solver = Solver::automatic}))
-            .extrapolation.at(0);
-    CHECK(fitted.last[3][3].nearest_double() == 119.7540900668062);
-    CHECK(fitted.last[1][0].nearest_double() == -40.37571180266715);
-    CHECK(fitted.before.value()[0][0].nearest_double() == 0.20224718279206355);
-    CHECK(fitted.before.value()[2][3].nearest_double() == -312.89049875193206);
-}
-
-TEST_CASE("slopes of steps in a row are extrapolated to the size of the next one") {
-    const auto text = std::make_shared<const Source>(Source{"--compose", "suzuki:4"});
-    const Tableau tableau = named("gauss:6");
-    const Step step = plan({tableau, named_composition(text)},
-                           {.is_separable = true, .kinetic_is_quadratic = true},
-                           {.solver = Solver::automatic, .lanes = Lanes::stages});
-    const std::vector<Extrapolation>& from = iteration(step).extrapolation;
-    REQUIRE(from.size() == 5);
-    const auto polynomial = [](double t) { return 1 + t * (2 - t * (3 + t * (1 - t * t))); };
-    for (std::size_t part = 0; part < 5; ++part) {
-        const double size = step.in_a_row[part].nearest_double();
-        const double size_before = step.in_a_row[(part + 4) % 5].nearest_double();
-        for (std::size_t i = 0; i < 6; ++i) {
-            double sum = 0;
-            for (std::size_t j = 0; j < 6; ++j) {
-                const double time = (tableau.c[j].nearest_double() - 1) * size_before;
-                sum += from[part].last[i][j].nearest_double() * size_before *
-                       tableau.b[j].nearest_double() * polynomial(time);
-            }
-            const double time = tableau.c[i].nearest_double() * size;
-            CHECK(sum == Approx(size * tableau.b[i].nearest_double() * polynomial(time)));
-        }
-    }
-}
-
-TEST_CASE("a step that is much larger than the one before has a polynomial of low degree") {
-    // Of yoshida:8 one is 17 times as large.
-    const auto text = std::make_shared<const Source>(Source{"--compose", "yoshida:8"});
-    const Tableau tableau = named("gauss:10");
-    const Step step = plan({tableau, named_composition(text)},
-                           {.is_separable = true, .kinetic_is_quadratic = true},
-                           {.solver = Solver::automatic, .lanes = Lanes::stages});
-    const std::vector<Extrapolation>& from = iteration(step).extrapolation;
-    REQUIRE(from.size() == 15);
-    for (std::size_t part = 0; part < 15; ++part) {
-        const double ratio =
-            (step.in_a_row[part] / step.in_a_row[(part + 14) % 15]).nearest_double();
-        for (std::size_t i = 0; i < 10; ++i) {
-            double sum = 0, sizes = 0;
-            for (std::size_t j = 0; j < 10; ++j) {
-                const double entry = from[part].last[i][j].nearest_double();
-                sum += entry * tableau.b[j].nearest_double();
-                sizes += std::abs(entry);
-            }
-            CHECK(sizes <= 1e8);
-            CHECK(sum == Approx(ratio * tableau.b[i].nearest_double()));
-        }
-    }
 }
 
 TEST_CASE("coefficients that depend on a parameter are quotients, constants are left out") {
@@ -416,8 +236,8 @@ TEST_CASE("a parameter that cancels is no argument") {
 TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~") {
     const auto modes = [](const char* method) {
         const Step step =
-            plan({named(method)}, {.is_separable = true, .kinetic_is_quadratic = true},
-                 {.solver = Solver::newton});
+            plan({derive(named_method(source(method)))},
+                 {.is_separable = true, .kinetic_is_quadratic = true}, {.solver = Solver::newton});
         return std::get<VelocityStep>(step.form).modes;
     };
     // Gauss 2: roots of x^2 - x/12 + 1/144, as A A~ = A^2 and A has the eigenvalues of the Pade
@@ -442,7 +262,7 @@ TEST_CASE("the equations of Newton's method decouple by the eigenvalues of A A~"
 
 TEST_CASE("who solves the equations") {
     const auto takes_newton = [](const char* method, bool quadratic, bool in_time, Solver solver) {
-        const Step step = plan({named(method)},
+        const Step step = plan({derive(named_method(source(method)))},
                                {.is_separable = quadratic,
                                 .depends_on_time = in_time,
                                 .kinetic_is_quadratic = quadratic},
@@ -464,7 +284,7 @@ TEST_CASE("who solves the equations") {
 TEST_CASE("both slopes at once, where both are unknown") {
     const auto joint = [](const char* method, bool separable, bool pays) {
         const Step step = plan(
-            {named(method)},
+            {derive(named_method(source(method)))},
             {.is_separable = separable, .costs = {.by_q = pays ? 200.0 : 100.0, .joint = 100.0}},
             {.solver = Solver::automatic});
         return step.slopes == Slopes::joint;
@@ -482,7 +302,8 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
     const auto tabulated = [](const char* method, SystemProperties system,
                               StepWishes wishes = {.solver = Solver::automatic}) {
         system.has_linear_map = true;
-        return std::holds_alternative<TabulatedStep>(plan({named(method)}, system, wishes).form);
+        return std::holds_alternative<TabulatedStep>(
+            plan({derive(named_method(source(method)))}, system, wishes).form);
     };
     const char* gauss = "gauss:2";
     CHECK(tabulated(gauss, {.is_separable = true, .degrees_of_freedom = 1}));
@@ -499,7 +320,8 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
 
     const SystemProperties one = {.is_separable = true, .degrees_of_freedom = 1};
     CHECK_FALSE(tabulated("stormer-verlet", one));  // explicit
-    const Step seen = plan({named(gauss)}, one, {.solver = Solver::automatic});
+    const Step seen =
+        plan({derive(named_method(source(gauss)))}, one, {.solver = Solver::automatic});
     CHECK_FALSE(std::holds_alternative<TabulatedStep>(seen.form));
     CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::of_user}));
     CHECK_FALSE(tabulated(gauss, one, {.solver = Solver::automatic, .curve = true}));
@@ -509,7 +331,7 @@ TEST_CASE("a quadratic H is tabulated, unless that costs too much") {
 TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product") {
     const auto sheared = [](bool separable, std::size_t n) {
         return is_tabulated_as(
-            plan({named("gauss:2")},
+            plan({derive(method("gauss:2"))},
                  {.is_separable = separable, .has_linear_map = true, .degrees_of_freedom = n},
                  {.solver = Solver::automatic}),
             TabulatedStep::As::shears);
@@ -521,7 +343,7 @@ TEST_CASE("shears for T(p) + U(q) and for one degree of freedom, else a product"
 }
 
 TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were there") {
-    const Step step = plan({named("chebyshev:3")},
+    const Step step = plan({derive(method("chebyshev:3"))},
                            {.is_separable = false,
                             .has_linear_map = true,
                             .is_degenerate = true,
@@ -537,7 +359,7 @@ TEST_CASE("a degenerate H has no shears, and none are spoken of as if they were 
 TEST_CASE("why the step of a quadratic H is iterated is among the choices") {
     const auto reason = [](const SystemProperties& system, Solver solver) -> std::string {
         for (const Decision& decision :
-             plan({named("gauss:2")}, system, {.solver = solver}).decisions) {
+             plan({derive(method("gauss:2"))}, system, {.solver = solver}).decisions) {
             if (decision.what == "iterated, though H is quadratic") { return decision.why; }
         }
         return "";
