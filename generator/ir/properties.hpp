@@ -52,6 +52,7 @@ struct SystemProperties {
     bool is_separable = false;           ///< H = T(p) + U(q), or T(p) + U(q, t)
     bool depends_on_time = false;        ///< H = H(q, p, t)
     bool kinetic_is_quadratic = false;   ///< it is separable, and T = p^T K p/2 with constant K
+    bool has_diagonal_mass = false;      ///< and K is diagonal
     bool has_linear_map = false;         ///< all second derivatives are constant, without t
     bool is_degenerate = false;          ///< a row of d2H/dp2 is zero
     std::size_t degrees_of_freedom = 0;  ///< 0: not known

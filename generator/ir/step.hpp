@@ -190,6 +190,7 @@ struct VelocityStep {
     VelocityForm form;
     RoundedVelocityForm rounded;
     Iteration iteration;
+    bool has_diagonal_mass = false;            ///< each momentum moves its own position alone
     HessianForm hessian = HessianForm::dense;  ///< for Newton's method
     /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
     std::optional<RealModes> modes;

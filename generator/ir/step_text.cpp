@@ -196,6 +196,7 @@ std::string lines(const PairStep& form) {
 std::string lines(const VelocityStep& form) {
     return "form: positions\n" + line("c", form.form.c) + lines("n", form.form.n) +
            lines("c", {form.rounded.c}) + lines("n", form.rounded.n) +
+           (form.has_diagonal_mass ? "K is diagonal\n" : "") +
            (form.modes ? lines(*form.modes) : "") + line(form.hessian) + lines(form.iteration);
 }
 

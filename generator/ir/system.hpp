@@ -39,6 +39,7 @@ using ConstantTerms = std::variant<std::monostate, std::vector<LinearStiffness>,
 struct Structure {
     bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
     bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix d2H/dp2
+    bool has_diagonal_mass = false;     ///< and that matrix is diagonal
     std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
     std::vector<Node> direction;        ///< then inputs v_k of their own,
     std::vector<Scaled> qq_along;       ///< and d2H/dq2 v

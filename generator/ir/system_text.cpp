@@ -102,6 +102,7 @@ std::string found(const System& system) {
     };
     add(structure.is_separable, f + " = T(" + y + ") + U(q)");
     add(structure.kinetic_is_quadratic, "T is quadratic");
+    add(structure.has_diagonal_mass, "K is diagonal");
     result += lines(structure.constant, system);
     add(structure.is_quadratic, f + " is quadratic");
     add(structure.is_linear_in_p, f + " is linear in " + y);

@@ -101,6 +101,7 @@ void verify(const System& system) {
     verify(graph, system.initial);
     verify(graph, system.invariants);
     HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);
+    HVI_CHECK(!found.has_diagonal_mass || found.kinetic_is_quadratic);
     HVI_CHECK(found.kinetic_is_quadratic == (found.inverse_mass.size() == n));
     verify_constant(system);
     HVI_CHECK(!found.has_linear_map || (found.by_q.size() == n && found.by_p.size() == n));

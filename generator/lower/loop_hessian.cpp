@@ -174,6 +174,7 @@ SystemProperties properties(LoopSystem& system, const std::optional<SiteSystem>&
     if (!result.is_separable) { return result; }
     const Kinetic found = kinetic(system);
     result.kinetic_is_quadratic = found != Kinetic::other;
+    result.has_diagonal_mass = found == Kinetic::diagonal;
     if (!result.kinetic_is_quadratic) { return result; }
     result.has_linear_map =
         std::all_of(system.sums.begin(), system.sums.end(),

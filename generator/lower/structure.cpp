@@ -168,6 +168,7 @@ Structure structure(System& system) {
     const bool is_smooth_in_q = !has_kinks(graph, system.by_q);
     found.kinetic_is_quadratic = found.is_separable && is_smooth_in_p && is_constant(graph, pp);
     if (found.kinetic_is_quadratic) {
+        found.has_diagonal_mass = is_diagonal(pp);
         found.inverse_mass = product(system, pp);
         set_direction(found, system);
     }

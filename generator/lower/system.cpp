@@ -150,6 +150,7 @@ SystemProperties properties(const System& system, const GradientKernels& gradien
         .is_separable = system.structure.is_separable,
         .depends_on_time = system.time.has_value(),
         .kinetic_is_quadratic = system.structure.kinetic_is_quadratic,
+        .has_diagonal_mass = system.structure.has_diagonal_mass,
         .has_linear_map = system.structure.has_linear_map,
         .is_degenerate = system.rotations.empty() && is_degenerate(system.hessian),
         .degrees_of_freedom = system.degrees_of_freedom(),

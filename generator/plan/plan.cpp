@@ -269,7 +269,7 @@ bool tabulate(Step& step, const SystemProperties& system) {
 }
 
 /// Fewer unknowns for H = p^T K p/2 + U(q).
-void eliminate_momenta(Step& step) {
+void eliminate_momenta(Step& step, const SystemProperties& system) {
     if (step.is_explicit() || step.from_parameter) { return; }
     VelocityForm form = velocity_form(step);
     std::vector<Block> order = blocks(form);
@@ -278,6 +278,7 @@ void eliminate_momenta(Step& step) {
     if (coupled != 1) { return; }
     VelocityStep positions;
     positions.form = std::move(form);
+    positions.has_diagonal_mass = system.has_diagonal_mass;
     step.form = std::move(positions);
     step.blocks = std::move(order);
     step.kept.velocity = false;
@@ -368,7 +369,7 @@ Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
     if (wishes.action) {
         note_action(step);
     } else if (system.kinetic_is_quadratic && !composition) {
-        eliminate_momenta(step);
+        eliminate_momenta(step, system);
     }
     set_solver(step, solver_for(wishes), system);
     set_lanes(step, lanes_for(wishes), system);

@@ -29,7 +29,7 @@ inline constexpr int version_patch = 0;
 /// Generated headers name the format of their calls into the runtime; this one is understood. It
 /// changes where a header that was written before would not compile any more, or mean something
 /// else.
-inline constexpr int runtime_format = 12;
+inline constexpr int runtime_format = 13;
 
 [[nodiscard]] constexpr bool supports_format(int wanted) { return wanted == runtime_format; }
 

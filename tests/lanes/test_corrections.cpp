@@ -132,11 +132,13 @@ struct Springs {
         out[0] = G[0][0] * q[0] + G[0][1] * q[1];
         out[1] = G[1][0] * q[0] + G[1][1] * q[1];
     }
+    static constexpr bool has_diagonal_mass = true;
     template <class Values>
     void inverse_mass(const Values& p, Values& out) const {
         out[0] = K[0] * p[0];
         out[1] = K[1] * p[1];
     }
+    void dHdp(const Two& p, Two& out) const { inverse_mass(p, out); }
     void stiffness(std::array<double, 1>& out) const { out[0] = K[1] * G[1][1]; }
 };
 
@@ -174,9 +176,8 @@ template <class Corrections>
 double residual_of_positions(const Springs& system, double h) {
     hvi::detail::VelocityLanes<Two, 2> s;
     REQUIRE(s.begin({{0.3, -0.2}, {0.1, 0.4}}, h).ok());
-    s.weigh(half);
-    system.inverse_mass(s.at.p, s.free_path);
-    s.drift_freely(hvi::detail::VelocityTable<double, 2>(times, nystrom.n));
+    s.weigh(system, half);
+    s.drift_freely(system, hvi::detail::VelocityTable<double, 2>(times, nystrom.n));
     Positions coupled{system, s};
     s.drifts(system);
     coupled.positions();

@@ -33,11 +33,13 @@ struct Springs {
         out[0] = G[0][0] * q[0] + G[0][1] * q[1] + a * q[0] * q[0] * q[0];
         out[1] = G[1][0] * q[0] + G[1][1] * q[1] + a * q[1] * q[1] * q[1];
     }
+    static constexpr bool has_diagonal_mass = true;
     template <class Values>
     void inverse_mass(const Values& p, Values& out) const {
         out[0] = K[0] * p[0];
         out[1] = K[1] * p[1];
     }
+    void dHdp(const Two& p, Two& out) const { inverse_mass(p, out); }
     template <class Matrix>
     void d2Hdq2(const Two& q, Matrix& out) const {
         for (std::size_t i = 0; i < 2; ++i) {
@@ -80,9 +82,8 @@ struct Positions {
 PositionStages begun(const Springs& system, double h) {
     PositionStages s;
     REQUIRE(s.begin({{0.3, -0.2}, {0.1, 0.4}}, h).ok());
-    s.weigh(b);
-    system.inverse_mass(s.at.p, s.free_path);
-    s.drift_freely(hvi::detail::VelocityTable<double, 2>(c, n));
+    s.weigh(system, b);
+    s.drift_freely(system, hvi::detail::VelocityTable<double, 2>(c, n));
     return s;
 }
 
@@ -178,11 +179,9 @@ struct Midpoint {
     double G;
     hvi::detail::VelocityLanes<One, 1>& s;
     struct System {
+        static constexpr bool has_diagonal_mass = true;
         void inverse_mass(const One& p, One& out) const { out = p; }
-        void inverse_mass(const hvi::detail::LaneAccess<hvi::Lanes<double, 1>>& p,
-                          hvi::detail::LaneAccess<hvi::Lanes<double, 1>>& out) const {
-            out[0] = p[0];
-        }
+        void dHdp(const One& p, One& out) const { out = p; }
     } system;
 
     static constexpr bool has_q = true, has_p = false;
@@ -205,7 +204,7 @@ TEST_CASE("no factors: singular, or not finite") {
     const auto code = [&](double G) {
         hvi::detail::VelocityLanes<One, 1> s;
         REQUIRE(s.begin({{0.3}, {0.1}}, 1).ok());
-        s.weigh(weight);
+        s.weigh(Midpoint::System{}, weight);
         Midpoint coupled{G, s, {}};
         hvi::NewtonOfPositionLanes::Iteration<One> newton;
         return newton.solve(coupled).code();

@@ -61,11 +61,12 @@ EnsembleParts ensemble_parts(const Step&, const TabulatedStep&, std::size_t) {
 
 // ---- implicit ----
 
-std::string solve_and_advance(std::string_view arguments) {
+/// `system`: the first argument of what ends the step, and `table` its last one.
+std::string solve_and_advance(std::string_view system, std::string_view table) {
     return Writer(2)
         .blank()
         .line("const auto outcome = solver_.solve(Coupled{{system_, s_}}, x.going());")
-        .line("return s_.advance(x, outcome{});", arguments)
+        .line("return s_.advance({}x, outcome{});", system, table)
         .str();
 }
 
@@ -101,7 +102,7 @@ void predict(Writer& writer, const Iteration& iteration, const auto& extrapolate
 std::string velocity_step(const Step& step, const Iteration& iteration) {
     Writer writer(2);
     writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
-    writer.line("s_.begin_drift(system_);").line("s_.drift_freely(c);");
+    writer.line("s_.drift_freely(system_, c);");
     predict(
         writer, iteration, [](Writer& out) { out.line("s_.extrapolate(N);"); },
         [&](Writer& out) {
@@ -112,7 +113,7 @@ std::string velocity_step(const Step& step, const Iteration& iteration) {
             out.open("s_.predict(system_, [&](Values& out) {{");
             out.line("system_.{};", force_call(step, start(step), "out")).close("});");
         });
-    return writer.insert(solve_and_advance(", c")).str();
+    return writer.insert(solve_and_advance("system_, ", ", c")).str();
 }
 
 /// NOTE: for separable H the slopes of p are enough.
@@ -140,7 +141,7 @@ std::string pair_step(const Step& step, const Iteration& iteration) {
             }
             out.line("system_.{};", force_call(step, at, "slope")).line("s_.predict_p(slope);");
         });
-    return writer.insert(solve_and_advance("")).str();
+    return writer.insert(solve_and_advance("", "")).str();
 }
 
 /// The type of what keeps the stages.

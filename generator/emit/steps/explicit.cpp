@@ -194,7 +194,8 @@ std::string support(const Step& step, const ExplicitParts& parts, const EmitOpti
         add({"detail/numbers/arithmetic", "detail/numbers/compensated"});
     }
     if (step.from_parameter) {
-        add({"detail/numbers/pair", "detail/coefficients/series", "detail/coefficients/parameter"});
+        add({"detail/numbers/two_product", "detail/numbers/pair", "detail/coefficients/series",
+             "detail/coefficients/parameter"});
     }
     add(clock);
     add(parts.runtime);

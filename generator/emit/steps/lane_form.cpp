@@ -40,16 +40,15 @@ std::string lane_arguments(const Step& step, std::string_view between = "") {
                : fmt::format("{}, {}", stages, step.register_width);
 }
 
-/// `first`: what is done before the starting values.
+/// `first`: what is done before the starting values; `arguments`: of what ends the step.
 std::string steps_of_lanes(const Step& step, const std::vector<std::string>& first,
-                           std::string_view table) {
+                           std::string_view arguments) {
     Writer writer(2);
-    writer.line("s_.weigh(b);");
     for (const std::string& line : first) { writer.line("{}", line); }
     writer.line("predict({});", step.iteration()->takes_parts() ? "part" : "").blank();
     writer.line("status = solver_.solve({});", make_coupled(step));
     writer.line("if (!status.ok()) {{ return status; }}").blank();
-    writer.line("s_.advance({});", table);
+    writer.line("s_.advance({});", arguments);
     return writer.line("return {};", end_of_step(step, "status.iterations")).str();
 }
 
@@ -242,8 +241,9 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
     constants.insert(types_of_corrections(step, "Position", "b_i n_ij"));
     ImplicitParts parts;
     parts.runtime = runtime_of_lanes(step, "velocity_lanes");
-    parts.steps = steps_of_lanes(
-        step, {"system_.dHdp(s_.at.p, s_.free_path);", "s_.drift_freely(cn_lanes);"}, "cn_lanes");
+    parts.steps =
+        steps_of_lanes(step, {"s_.weigh(system_, b);", "s_.drift_freely(system_, cn_lanes);"},
+                       "system_, cn_lanes");
     parts.constants = constants.str();
     parts.predict = velocity_predict_text(step, form.iteration);
     parts.coupled =
@@ -407,7 +407,7 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
     constants.insert(types_of_corrections(step, "Pair", "b_i m_ij"));
     ImplicitParts parts;
     parts.runtime = runtime_of_lanes(step, "stage_lanes");
-    parts.steps = steps_of_lanes(step, {}, "");
+    parts.steps = steps_of_lanes(step, {"s_.weigh(b);"}, "");
     parts.constants = constants.str();
     parts.predict = pair_predict_text(step, iteration);
     parts.coupled = fill_part(

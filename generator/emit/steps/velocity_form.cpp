@@ -23,14 +23,14 @@ void for_components(Writer& writer, std::string_view s, const auto& lines) {
     writer.close();
 }
 
-/// c_i hv + sum_j n_ij W_j.
-std::string increment(const VelocityForm& form, std::size_t i, std::string_view s) {
+/// Q_i = q + (e_q + c_i w + sum_j n_ij W_j).
+std::string position(const VelocityForm& form, std::size_t i, std::string_view s) {
     Increment sum;
-    sum.add(form.c[i], fmt::format("c[{}]", i), "hv");
+    sum.add(1, "", fmt::format("{}.drifted[{}][k]", s, i));
     for (std::size_t j = 0; j < form.c.size(); ++j) {
         sum.add(form.n[i][j], fmt::format("n[{}][{}]", i, j), fmt::format("{}.W[{}][k]", s, j));
     }
-    return sum.text();
+    return fmt::format("hvi::detail::moved({}.at.q[k], {})", s, sum.text());
 }
 
 // ---- the coupled stages ----
@@ -57,18 +57,14 @@ std::string positions_text(const Step& step, const VelocityForm& form,
     Writer writer(2);
     if (step.layout == Layout::components && needs_all(form, Q)) {
         return writer
-            .line("hvi::detail::move_stages(s, c, n, std::array<std::size_t, {}>{{{{{}}}}});",
+            .line("hvi::detail::move_stages(s, n, std::array<std::size_t, {}>{{{{{}}}}});",
                   Q.size(), fmt::join(Q, ", "))
             .str();
     }
     for_components(writer, "s", [&] {
-        writer.line("const Scalar q = s.at.q[k];");
-        writer.line("const Scalar e_q = s.remainder.q[k];");
-        writer.line("const Scalar hv = s.free_path[k];");
         std::string change;
         for (const std::size_t i : Q) {
-            writer.line("const Scalar Q_{} = {};", i + 1,
-                        moved("q", "e_q", increment(form, i, "s")));
+            writer.line("const Scalar Q_{} = {};", i + 1, position(form, i, "s"));
             change += fmt::format("{}hvi::detail::abs(Q_{} - s.Q[{}][k])",
                                   change.empty() ? "" : " + ", i + 1, i);
         }
@@ -81,8 +77,7 @@ std::string positions_text(const Step& step, const VelocityForm& form,
 /// W_i from Lp_i.
 void write_velocity(Writer& writer, std::string_view i, std::string_view s,
                     std::string_view system) {
-    writer.line("{1}.inverse_mass({0}.Lp[{2}], {0}.W[{2}]);", s, system, i);
-    for_components(writer, s, [&] { writer.line("{0}.W[{1}][k] *= {0}.h;", s, i); });
+    writer.line("{}.drift({}, {});", s, system, i);
 }
 
 /// Lp_i and W_i from `slope`, which is dH/dq there.
@@ -96,9 +91,7 @@ void write_force(Writer& writer, std::size_t i, std::string_view s, std::string_
 std::string forces_text(const Step& step, const std::vector<std::size_t>& Lp) {
     Writer writer(2);
     if (step.layout == Layout::components) {
-        for (const std::size_t i : Lp) {
-            writer.line("system.kick_stage(s.Q[{0}], s.hb[{0}], s.h, s.Lp[{0}], s.W[{0}]);", i);
-        }
+        for (const std::size_t i : Lp) { writer.line("system.kick_stage(s, {});", i); }
         return writer.str();
     }
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
@@ -183,10 +176,9 @@ std::string coupled_velocities(const Step& step, const VelocityStep& form) {
 
 // ---- step() ----
 
-/// hv + sum_j (1 - c_j) W_j.
-std::string increment_of_step(const VelocityForm& form) {
+/// sum_j (1 - c_j) W_j.
+std::string increment_by_forces(const VelocityForm& form) {
     Increment sum;
-    sum.add(1, "", "s_.free_path[k]");
     for (std::size_t j = 0; j < form.c.size(); ++j) {
         sum.add(Number(1) - form.c[j], fmt::format("(1 - c[{}])", j),
                 fmt::format("s_.W[{}][k]", j));
@@ -196,15 +188,7 @@ std::string increment_of_step(const VelocityForm& form) {
 
 void update_q(Writer& writer, const VelocityForm& form) {
     for_components(writer, "s_",
-                   [&] { writer.line("{};", move_to_end("q", increment_of_step(form))); });
-}
-
-void update_p(Writer& writer, std::size_t stages) {
-    std::string sum;
-    for (std::size_t j = 0; j < stages; ++j) {
-        sum += fmt::format("{}s_.Lp[{}][k]", j == 0 ? "" : " + ", j);
-    }
-    for_components(writer, "s_", [&] { writer.line("{};", move_to_end("p", sum)); });
+                   [&] { writer.line("s_.end_q(k, {});", increment_by_forces(form)); });
 }
 
 /// Returns whether it was the position at the end of the step.
@@ -214,11 +198,8 @@ bool evaluate_position(Writer& writer, const Step& step, const VelocityForm& for
     case Place::end: update_q(writer, form); return true;
     case Place::inner: break;
     }
-    for_components(writer, "s_", [&] {
-        writer.line("const Scalar hv = s_.free_path[k];");
-        writer.line("s_.Q[{}][k] = {};", i,
-                    moved("s_.at.q[k]", "s_.remainder.q[k]", increment(form, i, "s_")));
-    });
+    for_components(writer, "s_",
+                   [&] { writer.line("s_.Q[{}][k] = {};", i, position(form, i, "s_")); });
     return false;
 }
 
@@ -235,8 +216,7 @@ void evaluate_force(Writer& writer, const Step& step, std::size_t i) {
 
 std::string steps_of_velocities(const Step& step, const VelocityStep& form) {
     Writer writer(2);
-    writer.line("s_.weigh(b);").line("system_.dHdp(s_.at.p, s_.free_path);");
-    writer.line("s_.set_free_path();");
+    writer.line("s_.weigh(system_, b);").line("s_.drift_freely(system_, c);");
     if (step.kept.force) {
         writer.open("if (!s_.continues) {{")
             .line("hvi::detail::fit(force_, s_.n);")
@@ -259,7 +239,7 @@ std::string steps_of_velocities(const Step& step, const VelocityStep& form) {
     }
     writer.blank();
     if (!q_is_done) { update_q(writer, form.form); }
-    update_p(writer, step.positions.size());
+    writer.line("s_.end_p(system_);");
     return writer.line("return {};", end_of_step(step, "status.iterations")).str();
 }
 
@@ -384,7 +364,8 @@ ImplicitParts parts(const Step& step, const VelocityStep& form, const SceneWishe
     parts.coupled = coupled_velocities(step, form);
     parts.members = members_of_velocities(step, form);
     if (wishes.curve) {
-        parts.curve = curve_text(*wishes.curve, step.positions.size(), increment_of_step(form.form),
+        parts.curve = curve_text(*wishes.curve, step.positions.size(),
+                                 "s_.free_path[k] + " + increment_by_forces(form.form),
                                  [](std::size_t i) { return fmt::format("s_.W[{}][k]", i); });
     }
     return parts;

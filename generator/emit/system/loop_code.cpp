@@ -133,7 +133,8 @@ private:
     /// What steps ask for that solve for positions alone.
     void write_for_positions(Writer& writer) {
         if (!std::holds_alternative<VelocityStep>(step_.form)) { return; }
-        writer.blank().comment("d2H/dp2 v, which is constant.", "/// ");
+        writer.blank().line("{}", mass_text(std::get<VelocityStep>(step_.form))).blank();
+        writer.comment("d2H/dp2 v, which is constant.", "/// ");
         writer.line("void inverse_mass(const Vector& v, Vector& out) const {{ dHdp(v, out); }}");
         write_kick_of_stage(writer);
         if (!code_.hessian) { return; }
@@ -145,15 +146,15 @@ private:
     }
 
     void write_kick_of_stage(Writer& writer) const {
-        writer.blank().comment("Lp = -hb dH/dq(Q) and W = h d2H/dp2 Lp.", "/// ");
-        writer.open("void kick_stage(const Vector& Q, const Scalar& hb, const Scalar& h, Vector& "
-                    "Lp, Vector& W) const {{");
+        writer.blank().comment("Lp_j = -h b_j dH/dq(Q_j) and W_j = h d2H/dp2 Lp_j.", "/// ");
+        writer.line("template <class Stages>");
+        writer.open("void kick_stage(Stages& s, std::size_t j) const {{");
         if (code_.sites) {
             count_evaluation(writer);
-            writer.line("hvi::detail::kick_stage(*this, Q, hb, h, Lp, W);");
+            writer.line("hvi::detail::kick_stage(*this, s, j);");
         } else {
-            writer.line("dHdq(Q, Lp);").line("hvi::detail::scale(Lp, -hb);");
-            writer.line("inverse_mass(Lp, W);").line("hvi::detail::scale(W, h);");
+            writer.line("dHdq(s.Q[j], s.Lp[j]);").line("hvi::detail::scale(s.Lp[j], -s.hb[j]);");
+            writer.line("s.drift(*this, j);");
         }
         writer.close();
     }

@@ -48,6 +48,9 @@ void check_members(const Scene& scene, const SceneWishes& wishes);
 /// `struct Parameters`, with the values of the scene as defaults.
 [[nodiscard]] std::string parameters_text(const System& system);
 
+/// The constant of a System that tells whether its K is diagonal.
+[[nodiscard]] std::string mass_text(const VelocityStep& form);
+
 /// `struct System`: what a stepper with this step needs of H, as straight-line code.
 [[nodiscard]] std::string system_text(const System& system, const SceneWishes& wishes,
                                       const Step& step, const Evaluations& evaluations);

@@ -464,6 +464,11 @@ Kernel initial_values(const System& system) {
 
 }  // namespace
 
+std::string mass_text(const VelocityStep& form) {
+    return fmt::format("static constexpr bool has_diagonal_mass = {};",
+                       form.has_diagonal_mass ? "true" : "false");
+}
+
 std::string system_text(const System& system, const SceneWishes& wishes, const Step& step,
                         const Evaluations& evaluations) {
     const std::vector<SystemFunction> all = functions(system, wishes, step, evaluations);
@@ -488,6 +493,9 @@ std::string system_text(const System& system, const SceneWishes& wishes, const S
         // NOTE: an array of none would do, were it not that compilers warn of it.
         writer.line("using Tangent = std::array<Scalar, {}>;",
                     std::max<std::size_t>(1, evaluations.tangents->kept.size()));
+    }
+    if (const auto* form = std::get_if<VelocityStep>(&step.form)) {
+        writer.line("{}", mass_text(*form));
     }
     writer.blank();
     write_constructor(writer, system, given, library(wishes));

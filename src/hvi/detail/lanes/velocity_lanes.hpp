@@ -7,10 +7,12 @@
 
 #include <hvi/detail/coefficients/weights.hpp>
 #include <hvi/detail/lanes/lane_math.hpp>
+#include <hvi/detail/lanes/lane_pairs.hpp>
 #include <hvi/detail/lanes/lane_products.hpp>
 #include <hvi/detail/lanes/lane_tables.hpp>
 #include <hvi/detail/lanes/lanes.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/stages/free_path.hpp>
 #include <hvi/detail/stages/step_memory.hpp>
 #include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
@@ -43,24 +45,27 @@ struct VelocityLanes : StepMemory<Vector> {
     static constexpr std::size_t dimension = fixed_size<Vector>();
 
     LaneRows<Scalar, stages, dimension> Q{}, Lp{}, W{};
-    LaneRows<Scalar, stages, dimension> drifted{};  ///< e_q + c_i hv
-    Vector free_path{};                             ///< v, and then hv; see drift_freely()
-    Row hb{};                                       ///< h b_j; see weigh()
+    LaneRows<Scalar, stages, dimension> drifted{};  ///< e_q + c_i w
+    Vector free_path{}, rest_of_path{};             ///< w is the sum of both
+    Row hb{};                                       ///< h b_j
 
-    /// Sets hb.
-    void weigh(const Scalar (&b)[stages]) {
+    /// Sets what depends on h alone.
+    template <class System>
+    void weigh(const System& system, const Scalar (&b)[stages]) {
         if (this->h == weighed_) { return; }
         hb = lane_row(weights_of_step(this->h, b));
+        factors_.set(system, this->n, this->h);
         weighed_ = this->h;
     }
 
-    /// From v to hv, rounded once as VelocityStages has it, and sets `drifted`.
-    void drift_freely(const Table& table) {
+    /// Sets w and `drifted`.
+    template <class System>
+    void drift_freely(const System& system, const Table& table) {
+        factors_.scale(system, this->at.p, this->remainder.p, free_path, rest_of_path);
+        const Lane c(table.c);
         for (std::size_t k = 0; k < dimension; ++k) {
-            detail::at(free_path, k) = this->h * detail::at(free_path, k);
-        }
-        for (std::size_t k = 0; k < dimension; ++k) {
-            (detail::at(this->remainder.q, k) + Lane(table.c) * detail::at(free_path, k))
+            ((detail::at(this->remainder.q, k) + c * detail::at(rest_of_path, k)) +
+             c * detail::at(free_path, k))
                 .store(drifted[k]);
         }
     }
@@ -83,7 +88,7 @@ struct VelocityLanes : StepMemory<Vector> {
         detail::extrapolate<Lane>(Lp, N, before...);
     }
 
-    /// Q_i = q + (e_q + c_i hv + sum_j n_ij W_j).
+    /// Q_i = q + (e_q + c_i w + sum_j n_ij W_j).
     [[gnu::always_inline]] void positions(const Table& table) {
         keep_in_memory(W);
         products<Lane>(
@@ -114,32 +119,57 @@ struct VelocityLanes : StepMemory<Vector> {
             for (std::size_t k = 0; k < dimension; ++k) {
                 Lp_i[k] = minus_hb * Lp_i[k];
                 Lp_i[k].store(Lp[k]);
+                Lp_i[k] = factor(k) * Lp_i[k];
             }
-            system.inverse_mass(Lp_i, W_i);
-            for (std::size_t k = 0; k < dimension; ++k) { (this->h * W_i[k]).store(W[k]); }
+            if constexpr (System::has_diagonal_mass) {
+                W_i = Lp_i;
+            } else {
+                system.inverse_mass(Lp_i, W_i);
+            }
+            for (std::size_t k = 0; k < dimension; ++k) { W_i[k].store(W[k]); }
         }
     }
 
     /// W_i = h K Lp_i.
     template <class System>
     [[gnu::always_inline]] void drifts(const System& system) {
-        auto out = write<Lane>(W, Lane(this->h));
-        system.inverse_mass(read<Lane>(Lp), out);
-    }
-
-    /// Moves `at` to the end of the step.
-    void advance(const Table& table) {
-        for (std::size_t k = 0; k < dimension; ++k) {
-            this->add(detail::at(this->at.q, k), detail::at(this->remainder.q, k),
-                      increment_q(table, k));
-            this->add(detail::at(this->at.p, k), detail::at(this->remainder.p, k),
-                      sum_of_lanes(Lane(Lp[k])));
+        if constexpr (System::has_diagonal_mass) {
+            for (std::size_t k = 0; k < dimension; ++k) { (factor(k) * Lane(Lp[k])).store(W[k]); }
+        } else {
+            std::array<Lane, dimension> scaled, W_i;
+            for (std::size_t k = 0; k < dimension; ++k) { scaled[k] = factor(k) * Lane(Lp[k]); }
+            system.inverse_mass(scaled, W_i);
+            for (std::size_t k = 0; k < dimension; ++k) { W_i[k].store(W[k]); }
         }
     }
 
-    /// hv + sum_j (1 - c_j) W_j.
+    /// Moves `at` to the end of the step.
+    ///
+    /// NOTE: sums over stages first, so that components are moved side by side afterwards.
+    template <class System>
+    void advance(const System& system, const Table& table) {
+        std::array<Scalar, dimension> near, kicks, rests;
+        for (std::size_t k = 0; k < dimension; ++k) { near[k] = near_of_q(table, k); }
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const Pair<Scalar> kick = kick_of(system, k);
+            kicks[k] = kick.hi;
+            rests[k] = kick.lo;
+        }
+        for (std::size_t k = 0; k < dimension; ++k) {
+            move_far<Scalar>(detail::at(this->at.q, k), detail::at(this->remainder.q, k),
+                             detail::at(free_path, k), near[k]);
+        }
+        factors_.kick(
+            this->at.p, this->remainder.p,
+            [&](auto k) {
+                return Pair<Scalar>{kicks[index(k)], rests[index(k)]};
+            },
+            [&](auto k) { return exact_sum_of<stages>(&Lp[index(k)].at[0]); });
+    }
+
+    /// w + sum_j (1 - c_j) W_j.
     [[nodiscard]] Scalar increment_q(const Table& table, std::size_t k) const {
-        return detail::at(free_path, k) + sum_of_lanes(Lane(table.left) * Lane(W[k]));
+        return detail::at(free_path, k) + near_of_q(table, k);
     }
 
     /// What the rounding of component k of Q is to be compared with.
@@ -159,7 +189,30 @@ struct VelocityLanes : StepMemory<Vector> {
     void set_force(std::size_t j, std::size_t k, Scalar value) { Lp[k].set(j, value); }
 
 private:
-    Scalar weighed_ = 0;  ///< the step size of hb
+    [[nodiscard]] static std::size_t index(typename StepMemory<Vector>::Index k) {
+        return static_cast<std::size_t>(k);
+    }
+
+    [[nodiscard]] Scalar factor(std::size_t k) const { return detail::at(factors_.all(), k); }
+
+    /// What forces move q by beside the path of the momenta: sum_j (1 - c_j) W_j, and its rest.
+    [[nodiscard]] Scalar near_of_q(const Table& table, std::size_t k) const {
+        return detail::at(rest_of_path, k) + sum_of_lanes(Lane(table.left) * Lane(W[k]));
+    }
+
+    /// The sum of the forces Lp_j, each times the factor of momenta and rounded.
+    template <class System>
+    [[nodiscard]] Pair<Scalar> kick_of(const System&, std::size_t k) const {
+        if constexpr (System::has_diagonal_mass) {
+            return exact_sum_of<stages>(&W[k].at[0]);
+        } else {
+            return exact_sum<Scalar, stages>(
+                [&](std::size_t j) { return opaque(factor(k) * Lp[k][j]); });
+        }
+    }
+
+    PathFactors<Vector> factors_;
+    Scalar weighed_ = 0;  ///< the step size of hb and the factors
 };
 
 }  // namespace hvi::detail

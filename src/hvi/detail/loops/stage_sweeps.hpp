@@ -14,19 +14,21 @@
 
 namespace hvi::detail {
 
-/// Q_i = q + (e_q + (c_i hv + sum_j n_ij W_j)) of the stages that are solved for, and what that
+/// Q_i = q + (e_q + c_i w + sum_j n_ij W_j) of the stages that are solved for, and what that
 /// changes; see VelocityStages.
 template <class Vector, std::size_t stages, std::size_t count>
-void move_stages(VelocityStages<Vector, stages>& s, const ScalarOf<Vector> (&c)[stages],
-                 const ScalarOf<Vector> (&n)[stages][stages],
+void move_stages(VelocityStages<Vector, stages>& s, const ScalarOf<Vector> (&n)[stages][stages],
                  const std::array<std::size_t, count>& unknown) {
     using Scalar = ScalarOf<Vector>;
     std::array<const Scalar*, stages> from{};
+    std::array<const Scalar*, count> drifted{};
     std::array<Scalar*, count> to{};
     for (std::size_t j = 0; j < stages; ++j) { from[j] = s.W[j].data(); }
-    for (std::size_t i = 0; i < count; ++i) { to[i] = s.Q[unknown[i]].data(); }
-    const Scalar *const q = s.at.q.data(), *const e_q = s.remainder.q.data(),
-                        *const hv = s.free_path.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        to[i] = s.Q[unknown[i]].data();
+        drifted[i] = s.drifted[unknown[i]].data();
+    }
+    const Scalar* const q = s.at.q.data();
     Scalar* const changed = s.change.q.data();
     along<Scalar, 8>(0, static_cast<Place>(s.n), [&](auto stretch, Place k) HVI_INLINED {
         using S = decltype(stretch);
@@ -35,9 +37,9 @@ void move_stages(VelocityStages<Vector, stages>& s, const ScalarOf<Vector> (&c)[
         for (std::size_t j = 0; j < stages; ++j) { W[j] = S::load(from[j] + k); }
         V change = Scalar(0);
         for (std::size_t i = 0; i < count; ++i) {
-            V sum = V(c[unknown[i]]) * S::load(hv + k);
+            V sum = S::load(drifted[i] + k);
             for (std::size_t j = 0; j < stages; ++j) { sum = sum + V(n[unknown[i]][j]) * W[j]; }
-            const V place = S::load(q + k) + (S::load(e_q + k) + sum);
+            const V place = S::load(q + k) + sum;
             change = change + abs(place - S::load(to[i] + k));
             S::store(place, to[i] + k);
         }
@@ -55,20 +57,28 @@ void scale(Vector& x, const Scalar& factor) {
     });
 }
 
-/// Lp = -hb dH/dq(Q) and W = h K Lp on a lattice, in one sweep.
-template <class System, class Vector, class Scalar>
-void kick_stage(const System& system, const Vector& Q, const Scalar& hb, const Scalar& h,
-                Vector& Lp, Vector& W) {
+/// Lp_j = -h b_j dH/dq(Q_j) and W_j = h K Lp_j on a lattice, in one sweep.
+template <class System, class Vector, std::size_t stages>
+void kick_stage(const System& system, VelocityStages<Vector, stages>& s, std::size_t j) {
+    using Scalar = ScalarOf<Vector>;
     const Sites<System::dimension> sites = system.sites();
     const Place count = sites.count();
+    const Vector& Q = s.Q[j];
+    const Scalar* const factors = s.factors().all().data();
+    Scalar *const Lp = s.Lp[j].data(), *const W = s.W[j].data();
     const auto finish = [&](auto& force, Place e, const Site<System::dimension>& k) {
         using V = std::decay_t<decltype(force[0])>;
-        V velocity[System::components];
-        for (V& each : force) { each = V(-hb) * each; }
-        system.velocity(force, e, k, velocity);
-        for (V& each : velocity) { each = V(h) * each; }
-        store(force, count, Lp.data() + e);
-        store(velocity, count, W.data() + e);
+        V path[System::components];
+        for (V& each : force) { each = V(-s.hb[j]) * each; }
+        store(force, count, Lp + e);
+        load(factors + e, count, path);
+        for (std::size_t i = 0; i < System::components; ++i) { force[i] = path[i] * force[i]; }
+        if constexpr (System::has_diagonal_mass) {
+            store(force, count, W + e);
+        } else {
+            system.velocity(force, e, k, path);
+            store(path, count, W + e);
+        }
     };
     sites.for_each_edge([&](Place e, const Site<System::dimension>& k) {
         Scalar force[System::components];

@@ -11,15 +11,9 @@
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/numbers/compensated.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/numbers/two_product.hpp>
 
 namespace hvi::detail {
-
-/// hi + lo, where |lo| is at most half a unit in the last place of hi.
-template <class S>
-struct Pair {
-    S hi{};
-    S lo{};
-};
 
 /// A constant as the sum of doubles that do not overlap, the largest first: about 260 bits.
 using Expansion = std::array<double, 5>;
@@ -27,40 +21,6 @@ using Expansion = std::array<double, 5>;
 /// The scalar of the pairs from which a coefficient of another scalar is rounded.
 template <class Scalar>
 using Work = std::conditional_t<bits<Scalar> == 24, double, Scalar>;
-
-/// x, of which the compiler no longer knows that it was a product.
-///
-/// NOTE: where a multiplication and an addition are one instruction, a compiler may leave out the
-/// rounding between them. A product is read through here where what follows relies on it.
-template <class S>
-[[nodiscard]] S opaque(S x) {
-    const volatile S copy = x;
-    return copy;
-}
-
-template <class S>
-[[nodiscard]] constexpr Pair<S> pair(const Sum<S>& sum) {
-    return {sum.value, sum.remainder};
-}
-
-/// a == hi + lo, and products of such halves are exact (Veltkamp).
-template <class S>
-[[nodiscard]] Pair<S> halves(S a) {
-    constexpr S factor = 1 / power_of_two<S>(-(bits<S> + 1) / 2) + 1;
-    const S scaled = opaque(factor * a);
-    const S hi = scaled - (scaled - a);
-    return {hi, a - hi};
-}
-
-/// a * b == hi + lo (Dekker). NOTE: std::fma would do it, but not for __float128.
-/// Precondition: neither overflow nor underflow, also of a and b times 2^57.
-template <class S>
-[[nodiscard]] Pair<S> two_product(S a, S b) {
-    const S product = opaque(a * b);
-    const Pair<S> x = halves(a);
-    const Pair<S> y = halves(b);
-    return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
-}
 
 template <class S>
 [[nodiscard]] constexpr Pair<S> operator-(const Pair<S>& a) {

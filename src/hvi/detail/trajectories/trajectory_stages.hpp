@@ -6,6 +6,8 @@
 #include <cstddef>
 
 #include <hvi/detail/coefficients/weights.hpp>
+#include <hvi/detail/lanes/lane_pairs.hpp>
+#include <hvi/detail/stages/free_path.hpp>
 #include <hvi/detail/stages/moved.hpp>
 #include <hvi/detail/trajectories/lane_sweeps.hpp>
 #include <hvi/detail/trajectories/trajectories.hpp>
@@ -53,21 +55,32 @@ struct TrajectoryMemory {
         return true;
     }
 
-    /// Ends the step of x with these increments.
+    /// Where a step ends, and what rounding cut off from that.
+    struct Ending {
+        Values q, p, remainder_q, remainder_p;
+    };
+
+    /// Where the step began.
+    [[nodiscard]] Ending beginning() const {
+        Ending at;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            at.q[k] = Lane(q[k]);
+            at.p[k] = Lane(p[k]);
+            at.remainder_q[k] = Lane(remainder_q[k]);
+            at.remainder_p[k] = Lane(remainder_p[k]);
+        }
+        return at;
+    }
+
+    /// Ends the step of x there.
     template <class Outcome>
-    [[nodiscard]] const LaneStatus& end(State& x, const Outcome& outcome, const Values& increment_q,
-                                        const Values& increment_p) {
+    [[nodiscard]] const LaneStatus& end(State& x, const Outcome& outcome, const Ending& at) {
         x.count(outcome.iterations);
         if (!all(outcome.converged)) {
             x.stop(outcome.not_finite, Status::Code::not_finite);
             x.stop(!outcome.converged, Status::Code::not_converged);
         }
-        Values change_of_q, change_of_p;
-        for (std::size_t k = 0; k < dimension; ++k) {
-            change_of_q[k] = Lane(remainder_q[k]) + increment_q[k];
-            change_of_p[k] = Lane(remainder_p[k]) + increment_p[k];
-        }
-        sums_.end(x, change_of_q, change_of_p);
+        sums_.end_at(x, at.q, at.p, at.remainder_q, at.remainder_p, [](auto) {});
         ended_q_ = x.q;
         ended_p_ = x.p;
         ended_clock_ = x.clock;
@@ -145,23 +158,22 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
     using typename Base::Values;
 
     Slopes Q{}, Lp{}, W{};
-    Slopes drifted{};  ///< e_q + c_i hv
-    Rows free_path{};  ///< hv, rounded once as VelocityStages has it
+    Slopes drifted{};                  ///< e_q + c_i w
+    Rows free_path{}, rest_of_path{};  ///< w is the sum of both; see VelocityStages
 
-    /// Sets `free_path`.
+    /// Sets w and `drifted`, the stages being at the times c.
     template <class System>
-    void begin_drift(const System& system) {
-        Values v;
-        system.dHdp(load(this->p), v);
-        for (Lane& component : v) { component = this->h * component; }
-        store(v, free_path);
-    }
-
-    /// Sets `drifted`.
-    void drift_freely(const Scalar (&c)[stages]) {
+    void drift_freely(const System& system, const Scalar (&c)[stages]) {
+        if (this->h != weighed_) {
+            factors_.set(system, IndexOf<Vector>(dimension), this->h);
+            weighed_ = this->h;
+        }
+        scale_momenta(system);
         for (std::size_t i = 0; i < stages; ++i) {
             for (std::size_t k = 0; k < dimension; ++k) {
-                (Lane(this->remainder_q[k]) + c[i] * Lane(free_path[k])).store(drifted[i][k]);
+                ((Lane(this->remainder_q[k]) + c[i] * Lane(rest_of_path[k])) +
+                 c[i] * Lane(free_path[k]))
+                    .store(drifted[i][k]);
             }
         }
     }
@@ -183,7 +195,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
     /// Starting values of those of the last step.
     void extrapolate(const Scalar (&N)[stages][stages]) { Base::extrapolate(W, N); }
 
-    /// Q_i = q + (e_q + c_i hv + sum_j n_ij W_j).
+    /// Q_i = q + (e_q + c_i w + sum_j n_ij W_j).
     void positions(const Scalar (&n)[stages][stages]) {
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane from(this->q[k]);
@@ -214,22 +226,18 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// q grows by hv + sum_j (1 - c_j) W_j, p by sum_j Lp_j.
-    template <class Outcome>
-    [[nodiscard]] const LaneStatus& advance(typename Base::State& x, const Outcome& outcome,
-                                            const Scalar (&c)[stages]) {
-        Values by_q, by_p;
+    /// q grows by w + sum_j (1 - c_j) W_j, and w by sum_j W_j.
+    template <class System, class Outcome>
+    [[nodiscard]] const LaneStatus& advance(const System&, typename Base::State& x,
+                                            const Outcome& outcome, const Scalar (&c)[stages]) {
+        typename Base::Ending at = this->beginning();
         for (std::size_t k = 0; k < dimension; ++k) {
-            Lane sum_q = (1 - c[0]) * Lane(W[0][k]);
-            Lane sum_p(Lp[0][k]);
-            for (std::size_t j = 1; j < stages; ++j) {
-                sum_q = sum_q + (1 - c[j]) * Lane(W[j][k]);
-                sum_p = sum_p + Lane(Lp[j][k]);
-            }
-            by_q[k] = Lane(free_path[k]) + sum_q;
-            by_p[k] = sum_p;
+            Lane near(rest_of_path[k]);
+            for (std::size_t j = 0; j < stages; ++j) { near = near + (1 - c[j]) * Lane(W[j][k]); }
+            move_far<Lane>(at.q[k], at.remainder_q[k], Lane(free_path[k]), near);
+            move_by_kick<Lane>(at.p[k], at.remainder_p[k], change_of_p<System>(k));
         }
-        return this->end(x, outcome, by_q, by_p);
+        return this->end(x, outcome, at);
     }
 
     /// What the rounding of component k of Q is to be compared with; see VelocityLanes.
@@ -245,13 +253,64 @@ private:
     template <class System>
     void push(const System& system, std::size_t i, const Values& slope, const Mask& lanes,
               bool are_all) {
-        Values force, drift;
-        for (std::size_t k = 0; k < dimension; ++k) { force[k] = -this->hb[i] * slope[k]; }
-        system.inverse_mass(force, drift);
-        for (Lane& component : drift) { component = this->h * component; }
+        Values force, scaled, path;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            force[k] = -this->hb[i] * slope[k];
+            scaled[k] = factor(k) * force[k];
+        }
+        if constexpr (System::has_diagonal_mass) {
+            path = scaled;
+        } else {
+            system.inverse_mass(scaled, path);
+        }
         this->keep(lanes, are_all, force, Lp[i]);
-        this->keep(lanes, are_all, drift, W[i]);
+        this->keep(lanes, are_all, path, W[i]);
     }
+
+    [[nodiscard]] Scalar factor(std::size_t k) const { return detail::at(factors_.all(), k); }
+
+    template <class System>
+    void scale_momenta(const System& system) {
+        Values path, rest;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const Scalar offset =
+                System::has_diagonal_mass ? factors_.offset(IndexOf<Vector>(k)) : Scalar(0);
+            const Pair<Lane> w =
+                scaled_momentum<Lane>(factor(k), this->p[k], this->remainder_p[k], offset);
+            path[k] = w.hi;
+            rest[k] = w.lo;
+        }
+        if constexpr (!System::has_diagonal_mass) {
+            const Values scaled = path, scaled_rest = rest;
+            system.inverse_mass(scaled, path);
+            system.inverse_mass(scaled_rest, rest);
+            for (std::size_t k = 0; k < dimension; ++k) {
+                rest[k] = rest[k] + Lane(factors_.offset(IndexOf<Vector>(k)));
+            }
+        }
+        store(path, free_path);
+        store(rest, rest_of_path);
+    }
+
+    /// What the forces of the step change component k of p by; see PathFactors.
+    template <class System>
+    [[nodiscard]] Pair<Lane> change_of_p(std::size_t k) const {
+        if (factor(k) == 0) {
+            return exact_sum<Lane, stages>([&](std::size_t j) { return Lane(Lp[j][k]); });
+        }
+        const auto kick = [&](std::size_t j) {
+            if constexpr (System::has_diagonal_mass) {
+                return Lane(W[j][k]);
+            } else {
+                return opaque(Lane(factor(k)) * Lane(Lp[j][k]));
+            }
+        };
+        return momentum_of(exact_sum<Lane, stages>(kick), Lane(factor(k)),
+                           Lane(factors_.inverse(IndexOf<Vector>(k))));
+    }
+
+    PathFactors<Vector> factors_;
+    Scalar weighed_ = 0;  ///< the step size of the factors
 };
 
 /// The stages of positions and momenta; see Stages.
@@ -323,7 +382,7 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
     /// q grows by sum_j Lq_j, p by sum_i Lp_i.
     template <class Outcome>
     [[nodiscard]] const LaneStatus& advance(typename Base::State& x, const Outcome& outcome) {
-        Values by_q, by_p;
+        typename Base::Ending at = this->beginning();
         for (std::size_t k = 0; k < dimension; ++k) {
             Lane sum_q(Lq[0][k]);
             Lane sum_p(Lp[0][k]);
@@ -331,10 +390,10 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
                 sum_q = sum_q + Lane(Lq[j][k]);
                 sum_p = sum_p + Lane(Lp[j][k]);
             }
-            by_q[k] = sum_q;
-            by_p[k] = sum_p;
+            move<Lane>(at.q[k], at.remainder_q[k], sum_q);
+            move<Lane>(at.p[k], at.remainder_p[k], sum_p);
         }
-        return this->end(x, outcome, by_q, by_p);
+        return this->end(x, outcome, at);
     }
 
     /// What the rounding of component k of Q is to be compared with, and of P.

@@ -31,9 +31,16 @@ public:
         Values q, p;
         add(x.q, change_q, q);
         add(x.p, change_p, p);
+        end_at(x, q, p, change_q, change_p, carry);
+    }
+
+    /// Ends the step at q and p, of which rounding cut off these remainders.
+    template <class Carry>
+    static void end_at(State& x, const Values& q, const Values& p, const Values& remainder_q,
+                       const Values& remainder_p, Carry carry) {
         x.end(q, p, where_finite(q, p), [&](auto put) {
-            put(change_q, x.carried.q);
-            put(change_p, x.carried.p);
+            put(remainder_q, x.carried.q);
+            put(remainder_p, x.carried.p);
             carry(put);
         });
     }

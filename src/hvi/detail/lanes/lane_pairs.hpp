@@ -1,0 +1,66 @@
+// Products of lanes that keep what rounding cuts off.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include <hvi/detail/lanes/lanes.hpp>
+#include <hvi/detail/numbers/two_product.hpp>
+
+namespace hvi::detail {
+
+/// x, of which the compiler no longer knows that it was a product; see that of numbers.
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Lanes<Number, count, most> opaque(const Lanes<Number, count, most>& x) {
+    typename Lanes<Number, count, most>::Row row;
+    x.store(row);
+    for (Number& each : row.at) { each = opaque(each); }
+    return row;
+}
+
+/// x * y == hi + lo in each lane.
+template <class Number, std::size_t count, std::size_t most>
+[[nodiscard]] Pair<Lanes<Number, count, most>> two_product(const Lanes<Number, count, most>& x,
+                                                           const Lanes<Number, count, most>& y) {
+    typename Lanes<Number, count, most>::Row a, b;
+    x.store(a);
+    y.store(b);
+    for (std::size_t i = 0; i < a.places; ++i) {
+        const Pair<Number> product = two_product(a.at[i], b.at[i]);
+        a.at[i] = product.hi;
+        b.at[i] = product.lo;
+    }
+    return {a, b};
+}
+
+/// The largest power of two that is not above `count`.
+[[nodiscard]] constexpr std::size_t power_of_two_in(std::size_t count) {
+    std::size_t power = 1;
+    while (2 * power <= count) { power *= 2; }
+    return power;
+}
+
+/// The sum of `count` numbers, of which `lo` is what rounding cuts off from `hi`: half of them is
+/// added to the other half at once.
+template <std::size_t count, class Number>
+[[nodiscard, gnu::always_inline]] inline Pair<Number> exact_sum_of(const Number* from) {
+    constexpr std::size_t power = power_of_two_in(count);
+    if constexpr (count == 1) {
+        return {*from, Number(0)};
+    } else if constexpr (count == power && count > 2) {
+        using Half = Lanes<Number, count / 2>;
+        const Sum<Half> both = two_sum(Half::load(from), Half::load(from + count / 2));
+        Number values[count / 2];
+        both.value.store(values);
+        const Pair<Number> rest = exact_sum_of<count / 2>(&values[0]);
+        return {rest.hi, rest.lo + sum(both.remainder)};
+    } else {
+        constexpr std::size_t left_count = count == power ? 1 : power;
+        const Pair<Number> left = exact_sum_of<left_count>(from);
+        const Pair<Number> right = exact_sum_of<count - left_count>(from + left_count);
+        const Sum<Number> both = two_sum(left.hi, right.hi);
+        return {both.value, both.remainder + (left.lo + right.lo)};
+    }
+}
+
+}  // namespace hvi::detail
