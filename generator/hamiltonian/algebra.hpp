@@ -1,5 +1,6 @@
 // A Hamiltonian or a Lagrangian in GiNaC's hands: the one place where expressions become GiNaC's,
-// and come back. SPDX-License-Identifier: GPL-2.0-or-later
+// and come back.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <ginac/ginac.h>

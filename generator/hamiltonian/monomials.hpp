@@ -1,5 +1,6 @@
 // Functions of variables as sums of coefficients times monomials, so that linear relations among
-// them are linear equations for numbers. SPDX-License-Identifier: GPL-2.0-or-later
+// them are linear equations for numbers.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>

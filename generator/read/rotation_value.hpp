@@ -1,5 +1,6 @@
 // The value of a rotation in a scene file: as the identity, as a turn about an axis, as a
-// quaternion. SPDX-License-Identifier: GPL-2.0-or-later
+// quaternion.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "generator/read/indexed_scene.hpp"

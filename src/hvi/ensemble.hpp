@@ -32,10 +32,11 @@ using TrajectoriesOf =
 /// trajectories at once, or one of any other stepper of a scene, as those of scenes of any size
 /// are. Each trajectory ends with the same bits whatever the others are, where it stands among
 /// them, and on however many threads. One of which a step fails keeps the state before that step,
-/// and the others go on. # Use All trajectories have the same parameters, h and number of steps; h
-/// is a time in the units of H and may be negative. Precondition of state(i), status(i) and
-/// steps(i): i < size(). A step that fails throws nothing: ok() and status(i) tell of it. With
-/// -pthread and the header of
+/// and the others go on.
+/// # Use
+/// All trajectories have the same parameters, h and number of steps; h is a time in the units of H
+/// and may be negative. Precondition of state(i), status(i) and steps(i): i < size(). A step that
+/// fails throws nothing: ok() and status(i) tell of it. With -pthread and the header of
 ///
 ///     hvi-gen stepper --method stormer-verlet pendulum --lanes ensemble -o pendulums.hpp
 ///

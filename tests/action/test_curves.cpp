@@ -1,5 +1,6 @@
 // The discrete Hamiltonian (4.2) of the general Galerkin form and of Lagrangians: a closed form,
-// and Proposition 4.1. SPDX-License-Identifier: GPL-2.0-or-later
+// and Proposition 4.1.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

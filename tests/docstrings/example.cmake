@@ -3,8 +3,10 @@
 # compiler that finds a fault in it names the line of the header.
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# An example is a whole program, and says whether what it shows is so:
+# An example is a whole program under the heading `# Use`, and says whether what it shows is so:
 #
+#     /// # Use
+#     /// What one has to know.
 #     /// ```cpp
 #     /// #include <...>
 #     ///
@@ -29,6 +31,11 @@ endfunction()
 
 # NOTE: a list would lose the brackets and semicolons of C++, so the text stays one string.
 file(READ "${FILE}" text)
+string(REGEX MATCHALL "\n/// # Use\n" headings "${text}")
+list(LENGTH headings count)
+if(NOT count EQUAL 1)
+    message(FATAL_ERROR "${header}: its docstrings have ${count} lines `# Use`, in place of one")
+endif()
 string(FIND "${text}" "${fence}cpp\n" begin)
 string(FIND "${text}" "${fence}cpp\n" last REVERSE)
 if(begin EQUAL -1 OR NOT begin EQUAL last)

@@ -1,5 +1,6 @@
 // The equations (4.6) and (4.14) of the general Galerkin form: by hand, and on solutions in
-// numbers. SPDX-License-Identifier: GPL-2.0-or-later
+// numbers.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
 #include "generator/equations/lagrangian_equations.hpp"

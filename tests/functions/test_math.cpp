@@ -1,5 +1,6 @@
 // The functions of <hvi/detail/numbers/more_math.hpp>, one by one and side by side, against
-// decimals of mpmath, and those of dual numbers. SPDX-License-Identifier: GPL-2.0-or-later
+// decimals of mpmath, and those of dual numbers.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <array>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,6 @@
 // The scenes of large systems, at small sizes, against the equations of motion as textbooks have
-// them. SPDX-License-Identifier: GPL-2.0-or-later
+// them.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <array>
 #include <cmath>
 #include <functional>

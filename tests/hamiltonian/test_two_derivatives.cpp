@@ -1,5 +1,6 @@
 // The derivatives of H that steppers evaluate, by the rules of the graph and by functions.def,
-// against those of GiNaC, which has rules of its own. SPDX-License-Identifier: GPL-2.0-or-later
+// against those of GiNaC, which has rules of its own.
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
 #include "generator/exact/expressions/evaluate.hpp"

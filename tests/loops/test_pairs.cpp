@@ -1,5 +1,6 @@
 // Sums over pairs of indices, in lanes and in chunks, against loops over all of them in long
-// double. SPDX-License-Identifier: GPL-2.0-or-later
+// double.
+// SPDX-License-Identifier: GPL-2.0-or-later
 
 #include <algorithm>
 #include <cmath>
