@@ -448,8 +448,8 @@ std::span<const CommandEntry> command_table() { return commands; }
 std::string_view method_help() {
     return R"help(METHOD is one of
   --method gauss:3                          `hvi-gen list methods` prints them all
-  --basis "1, cos(pi*tau)" --nodes "0, 1"   functions of tau in [0,1], as many as nodes
-  --method-file FILE.toml                   with name, basis, nodes, [parameters])help";
+  --basis "1, cos(pi*tau)" --nodes "0, 1"   functions of tau, no more than nodes
+  --method-file FILE.toml                   with name, basis, nodes, weights, [parameters])help";
 }
 
 }  // namespace hvi::gen

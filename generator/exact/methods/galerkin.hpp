@@ -13,8 +13,8 @@ namespace hvi::gen {
 ///
 /// Throws MathError when there are fewer nodes than functions, when constants are not in the span
 /// of the basis (Section 4.4.3), when M is singular, naming the combination of functions that
-/// vanishes at all nodes, and when a weight is zero, naming the node; InputError for the general
-/// form (4.6), which is to come.
+/// vanishes at all nodes, and when a weight is zero, naming the node; InputError when there are more
+/// nodes than functions: derive_any() computes that general form (4.6).
 [[nodiscard]] Tableau derive(const Method& method);
 
 /// The same on the field of `ground`, for those who compute with the tableau and with numbers of
