@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "generator/emit/text/names.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -25,7 +26,8 @@ std::string quoted(const std::vector<std::string>& names) {
 /// energy is among the columns too, but nothing is said of its departure.
 std::string values(const std::vector<std::string>& conserved) {
     std::vector<std::string> items;
-    for (const std::string& name : conserved) items.push_back(fmt::format("stepper.{}(x)", name));
+    for (const std::string& name : conserved)
+        items.push_back(fmt::format("stepper.{}(x)", function_name(name)));
     return lines(items);
 }
 

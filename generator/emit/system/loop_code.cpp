@@ -13,6 +13,7 @@
 #include "generator/emit/system/loop_writer.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/system/site_writer.hpp"
+#include "generator/emit/text/names.hpp"
 #include "generator/emit/text/text.hpp"
 
 namespace hvi::gen {
@@ -206,7 +207,7 @@ private:
     void write_values(Writer& writer) {
         write_value(writer, "energy", system_.sums);
         for (const LoopInvariant& invariant : system_.invariants) {
-            write_value(writer, invariant.name, invariant.sums);
+            write_value(writer, function_name(invariant.name), invariant.sums);
         }
     }
 
@@ -408,7 +409,7 @@ std::string loop_members_text(const LoopCode& code) {
     }
     value("energy", code.system.expression);
     for (const LoopInvariant& invariant : code.system.invariants) {
-        value(invariant.name, invariant.expression);
+        value(function_name(invariant.name), invariant.expression);
     }
     return writer.str();
 }

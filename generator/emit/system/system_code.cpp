@@ -4,6 +4,7 @@
 #include <set>
 
 #include "generator/emit/system/scene_code.hpp"
+#include "generator/emit/text/names.hpp"
 
 namespace hvi::gen {
 
@@ -326,8 +327,8 @@ std::vector<SystemFunction> functions(const System& system, const SceneWishes& w
     }
     if (wishes.action && has_L) { result.push_back(value_in_time("lagrangian", system.function)); }
     if (wishes.invariants) {
-        for (std::size_t i = 0; i < system.invariants.size(); ++i) {
-            result.push_back(value(system.invariants[i].name, system.invariants[i].value));
+        for (const SystemValue& invariant : system.invariants) {
+            result.push_back(value(function_name(invariant.name), invariant.value));
         }
     }
     return result;

@@ -54,7 +54,7 @@ constexpr std::array<std::string_view, 92> keywords{
 };
 
 /// What means something else where the class is declared: members, template parameters, and names
-/// of hvi and of macros that standard headers may define.
+/// of hvi.
 constexpr std::array<std::string_view, 36> taken{
     "System",     "Solver",    "Vector", "State",      "Status", "Index",   "Coupled", "Stages",
     "Sum",        "step",      "reset",  "Trajectory", "Values", "predict", "system_", "s_",
@@ -171,15 +171,17 @@ std::string joined_words(std::string_view method) {
     return name;
 }
 
-/// What neither a class nor a function is called.
-void check_meaning(std::string_view name, bool is_used, const std::optional<Place>& place,
-                   const std::string& help) {
-    const auto refuse = [&](std::string_view meaning) {
-        throw InputError(fmt::format("'{}' {}", name, meaning), place, help);
-    };
-    if (is_keyword(name)) { refuse("is a word of C++ itself"); }
-    if (is_macro(name)) { refuse("may be a macro of a standard header"); }
-    if (is_used) { refuse("means something else in the header"); }
+[[noreturn]] void refuse(std::string_view name, std::string_view meaning,
+                         const std::optional<Place>& place, const std::string& help) {
+    throw InputError(fmt::format("'{}' {}", name, meaning), place, help);
+}
+
+/// NOTE: of names that are spelled as macros are each caller knows what to do.
+void check_word(std::string_view name, const std::optional<Place>& place, const std::string& help) {
+    if (is_keyword(name)) { refuse(name, "is a word of C++ itself", place, help); }
+    if (is_macro(name) && !is_spelled_as_macro(name)) {
+        refuse(name, "may be a macro of a standard header", place, help);
+    }
 }
 
 }  // namespace
@@ -198,31 +200,29 @@ std::string file_name(std::string_view method) {
 
 void check_class_name(std::string_view name, const std::optional<Place>& place) {
     constexpr auto help = "an identifier like Gauss2, of letters, digits and single underscores";
-    if (!is_identifier(name)) {
-        throw InputError(fmt::format("'{}' cannot be the name of a class", name), place, help);
-    }
-    if (is_reserved(name)) {
-        throw InputError(fmt::format("'{}' is a name that C++ reserves", name), place, help);
-    }
-    check_meaning(name, is_taken(name), place, help);
+    if (!is_identifier(name)) { refuse(name, "cannot be the name of a class", place, help); }
+    if (is_reserved(name)) { refuse(name, "is a name that C++ reserves", place, help); }
+    check_word(name, place, help);
+    if (is_spelled_as_macro(name)) { refuse(name, "is spelled as macros are", place, help); }
+    if (is_taken(name)) { refuse(name, "means something else in the header", place, help); }
 }
 
 void check_function_name(std::string_view name, const std::optional<Place>& place) {
-    check_meaning(name, is_taken(name) || is_numbered(name, "k"), place,
-                  fmt::format("take another name, such as {}_value", name));
+    const std::string help = fmt::format("take another name, such as {}_value", name);
+    check_word(name, place, help);
+    if (is_taken(name) || is_numbered(name, "k")) {
+        refuse(name, "means something else in the header", place, help);
+    }
 }
 
 void check_own_function_name(std::string_view name, const std::optional<Place>& place) {
     const std::string help = fmt::format("take another name, such as {}_of", name);
-    if (is_reserved(name)) {
-        throw InputError(fmt::format("'{}' is a name that C++ reserves", name), place, help);
-    }
-    bool means_more = is_keyword(name) || is_macro(name);
-    for (const std::string_view numbers : {"1", "2", "3", "4"}) {
-        means_more = means_more || is_macro(fmt::format("{}_{}", name, numbers));
-    }
-    if (!means_more) { return; }
-    throw InputError(fmt::format("'{}' means something of its own in C++", name), place, help);
+    if (is_reserved(name)) { refuse(name, "is a name that C++ reserves", place, help); }
+    check_word(name, place, help);
+}
+
+std::string function_name(std::string_view name) {
+    return std::string(name) + (is_spelled_as_macro(name) ? "_" : "");
 }
 
 std::string member_name(std::string_view name) {

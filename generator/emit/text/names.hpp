@@ -22,16 +22,20 @@ namespace hvi::gen {
 /// uses.
 void check_class_name(std::string_view name, const std::optional<Place>& place);
 
-/// The same for a function that a stepper is to have besides its own.
+/// The same for a function that a stepper is to have besides its own, which function_name() calls.
 void check_function_name(std::string_view name, const std::optional<Place>& place);
 
 /// Throws InputError, pointing at `place`, unless `name` may be the name of a function of the
-/// user's own, outside of namespaces: no keyword, not reserved, and neither it nor `name` with the
-/// numbers of derivatives behind it, V_1, is a macro.
+/// user's own, outside of namespaces: no keyword, not reserved, and no macro such as errno. NOTE: of
+/// names in capitals their header has to know: LJ is a good name.
 void check_own_function_name(std::string_view name, const std::optional<Place>& place);
 
-/// `mu` -> `mu`, `class` -> `class_`, `M_PI` -> `M_PI_`: a name of the user as that of a member of
-/// a struct.
+/// `lz` -> `lz`, `LZ` -> `LZ_`: an invariant as a function of a stepper, where
+/// check_function_name() lets it be one.
+[[nodiscard]] std::string function_name(std::string_view name);
+
+/// `mu` -> `mu`, `class` -> `class_`, `GM` -> `GM_`: a name of the user as that of a member of a
+/// struct.
 [[nodiscard]] std::string member_name(std::string_view name);
 
 }  // namespace hvi::gen
