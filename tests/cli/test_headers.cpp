@@ -22,7 +22,8 @@ void check_compiles(const Directory& directory, const std::string& header,
         const Outcome outcome =
             shell(HVI_COMPILER " -std=" + standard +
                       " -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
-                      " -I . -I " + in_checkout("src") + " unit.cpp",
+                      " -I . -I " +
+                      in_checkout("src") + " unit.cpp",
                   directory.path());
         INFO(outcome.err);
         CHECK(outcome.status == 0);
@@ -79,8 +80,9 @@ TEST_CASE("a description ends with its line") {
 TEST_CASE("parameters that are macros are members with another name") {
     std::string sum, parameters, use;
     for (const std::string name :
-         {"M_PI", "NAN", "INFINITY", "EOF", "errno", "assert", "NULL", "linux", "unix", "HUGE_VAL",
-          "RAND_MAX", "INT_MAX", "EPERM", "stdin", "DBL_MAX", "isnan", "class"}) {
+         {"M_PI",    "NAN",   "INFINITY", "EOF",      "errno",   "assert", "NULL",
+          "linux",   "unix",  "HUGE_VAL", "RAND_MAX", "INT_MAX", "EPERM",  "stdin",
+          "DBL_MAX", "isnan", "class",    "I",        "GM",      "major",  "SIGINT"}) {
         sum += "+" + name;
         parameters += name + " = 2\n";
         if (name != "isnan") use += "    parameters." + name + "_ = 3.0;\n";
@@ -93,6 +95,32 @@ TEST_CASE("parameters that are macros are members with another name") {
                            {"--method", "stormer-verlet"},
                            "    hvi::generated::Stepper1::Parameters parameters;\n" + use +
                                "    parameters.isnan = 3.0;\n");
+}
+
+TEST_CASE("an invariant that is spelled as a macro is a function with an underscore behind") {
+    for (const std::string size : {"2", "100"}) {
+        const std::string scene =
+            "name = \"star\"\ncoordinates = [\"x[1.." + size + "]\"]\nmomenta = [\"p[1.." + size +
+            "]\"]\nhamiltonian = \"sum(i=1.." + size +
+            ", p[i]^2/2 + GM*x[i]^2/2)\"\n[parameters]\nGM = 1\n[invariants]\n"
+            "EOF = \"x[1]*p[2] - x[2]*p[1]\"\nLZ = \"sum(i=1.." +
+            size +
+            ", x[i]^2 + p[i]^2)\"\n[initial]\n\"x[i]\" = \"i\"\n\"p[i]\" = \"-i\"\n"
+            "[run]\nmethod = \"gauss:2\"\nstep = \"1/8\"\nuntil = 1\n";
+        check_stepper_compiles(scene, {"--method", "gauss:2", "--invariants"},
+                               "    hvi::generated::Stepper1::Parameters parameters;\n"
+                               "    parameters.GM_ = 1.0;\n"
+                               "    const hvi::generated::Stepper1 stepper{parameters};\n"
+                               "    const auto x = hvi::generated::Stepper1::initial(parameters);\n"
+                               "    (void)(stepper.EOF_(x) + stepper.LZ_(x));\n");
+        const Directory directory;
+        write(directory / "scene.toml", scene);
+        const Outcome outcome = hvi_gen({"run", "scene.toml", "-o", "run"}, directory.path());
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.out.find("\nEOF ") != std::string::npos);
+        CHECK(outcome.out.find("\nLZ ") != std::string::npos);
+    }
 }
 
 TEST_CASE("the frequency that a basis is fitted to is a member under its own name") {
