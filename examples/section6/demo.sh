@@ -23,6 +23,6 @@ done
 
 printf '\n'
 "$build/examples/section6/section6" "$output"
+gnuplot -c "$(dirname "${BASH_SOURCE[0]}")/figures.gp" "$output"
 
-printf '\nHeaders of the methods above, and the data of Figures 2, 4, 5 and 7 as CSV, are in\n  %s\n' \
-    "$output"
+printf '\nHeaders of the methods above, and Figures 2 to 7 as CSV and SVG, are in\n  %s\n' "$output"

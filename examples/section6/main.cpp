@@ -2,8 +2,8 @@
 // harmonic oscillator, each with Cheby4 (Example 4.7 (iii)) and GauLe4 (4.7 (ii)).
 // SPDX-License-Identifier: MIT
 //
-// Prints errors, the slopes of their logarithms, and the largest energy errors, and writes the data
-// of Figures 2, 4, 5 and 7 as CSV. Usage: section6 [DIRECTORY]
+// Prints errors, the slopes of their logarithms, and the largest errors of q, p and the energy, and
+// writes the data of Figures 2 to 7 as CSV. Usage: section6 [DIRECTORY]
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,6 +50,12 @@ using Cheby4 = hvi::generated::Chebyshev3<System>;
 template <class System>
 using GauLe4 = hvi::generated::Gauss2<System>;
 
+/// By what (6.2) and (6.3) multiply q in a step of H = q p.
+long double factor_of_cheby4(long double h) {
+    return -(((h + 10) * h + 48) * h + 96) / (((h - 10) * h + 48) * h - 96);
+}
+long double factor_of_gaule4(long double h) { return ((h + 6) * h + 12) / ((h - 6) * h + 12); }
+
 /// Takes so many steps, and shows `see` the number and the state after each.
 template <class System, class Stepper, class See>
 State integrate(Stepper stepper, double h, int steps, See see) {
@@ -65,18 +71,23 @@ State integrate(Stepper stepper, double h, int steps, See see) {
     return x;
 }
 
-/// Errors of q and p at the end.
 struct Errors {
     double q;
     double p;
 };
 
+template <class System>
+Errors errors_of(const State& x, double t) {
+    const State exact = System::solution(t);
+    return {x.q[0] - exact.q[0], x.p[0] - exact.p[0]};
+}
+
 template <class System, class Stepper>
 Errors errors_at(double t, int steps) {
     const State x =
         integrate<System>(Stepper{System{}}, t / steps, steps, [](int, const State&) {});
-    const State exact = System::solution(t);
-    return {std::abs(x.q[0] - exact.q[0]), std::abs(x.p[0] - exact.p[0])};
+    const Errors errors = errors_of<System>(x, t);
+    return {std::abs(errors.q), std::abs(errors.p)};
 }
 
 /// The slope of log y over log x, by least squares.
@@ -114,6 +125,51 @@ void show_convergence(const std::string& file) {
     }
     std::printf("       slope %10.4f %10.4f %10.4f %10.4f\n", slope(steps, columns[0]),
                 slope(steps, columns[1]), slope(steps, columns[2]), slope(steps, columns[3]));
+}
+
+/// The errors of q and p at the start and after each step.
+template <class System, class Stepper>
+std::vector<Errors> errors_along(double h, int steps) {
+    std::vector<Errors> errors = {{0.0, 0.0}};
+    integrate<System>(Stepper{System{}}, h, steps, [&](int step, const State& x) {
+        errors.push_back(errors_of<System>(x, step * h));
+    });
+    return errors;
+}
+
+Errors largest(const std::vector<Errors>& errors) {
+    Errors result{0.0, 0.0};
+    for (const Errors& error : errors) {
+        result.q = std::max(result.q, std::abs(error.q));
+        result.p = std::max(result.p, std::abs(error.p));
+    }
+    return result;
+}
+
+/// Figures 3 and 6: errors of q and p along the way. Returns those of q at the end.
+template <class System>
+std::array<double, 2> show_errors(const std::string& file, double h, int steps) {
+    const auto cheby4 = errors_along<System, Cheby4<System>>(h, steps);
+    const auto gaule4 = errors_along<System, GauLe4<System>>(h, steps);
+    std::ofstream csv(file);
+    csv.precision(17);
+    csv << "t,cheby4_q,cheby4_p,gaule4_q,gaule4_p\n";
+    for (std::size_t i = 0; i < cheby4.size(); ++i)
+        csv << static_cast<double>(i) * h << ',' << cheby4[i].q << ',' << cheby4[i].p << ','
+            << gaule4[i].q << ',' << gaule4[i].p << '\n';
+    const Errors of_cheby4 = largest(cheby4);
+    const Errors of_gaule4 = largest(gaule4);
+    std::printf("  largest errors, h = %g to t = %g: Cheby4 q %.2e p %.2e, GauLe4 q %.2e p %.2e\n",
+                h, h * steps, of_cheby4.q, of_cheby4.p, of_gaule4.q, of_gaule4.p);
+    return {cheby4.back().q, gaule4.back().q};
+}
+
+/// How far an error of q in H = q p is from the error of exact arithmetic, relative to that.
+double part_of_rounding(double error, double h, int steps, long double factor) {
+    // 2 (factor^n - e^t), which loses digits as it stands.
+    const long double t = static_cast<long double>(h) * steps;
+    const long double exact = 2 * std::exp(t) * std::expm1(steps * std::log(factor) - t);
+    return static_cast<double>(std::abs(error / exact - 1));
 }
 
 /// The energy errors after every tenth step.
@@ -154,9 +210,14 @@ int main(int argc, char** argv) {
 
     std::printf("Example 6.1: H = q p, (q, p) = (2, 2)\n");
     show_convergence<Degenerate>(directory + "/figure_2.csv");
+    const auto [cheby4, gaule4] = show_errors<Degenerate>(directory + "/figure_3.csv", 0.4, 50);
+    std::printf("  of the error of q at t = 20 rounding makes: Cheby4 %.0e, GauLe4 %.0e\n",
+                part_of_rounding(cheby4, 0.4, 50, factor_of_cheby4(0.4)),
+                part_of_rounding(gaule4, 0.4, 50, factor_of_gaule4(0.4)));
     show_energy<Degenerate>(directory + "/figure_4.csv", 0.4, 1000);
 
     std::printf("\nExample 6.2: H = (p^2 + q^2)/2, (q, p) = (2, 1)\n");
     show_convergence<Oscillator>(directory + "/figure_5.csv");
+    show_errors<Oscillator>(directory + "/figure_6.csv", 0.5, 100);
     show_energy<Oscillator>(directory + "/figure_7.csv", 0.5, 10000);
 }

@@ -141,6 +141,34 @@ TEST_CASE("Figure 5: both methods are of order 4 on the oscillator") {
     CHECK(slope(gauss, start, p, p_of) == Approx(3.9948).margin(2e-3));
 }
 
+TEST_CASE("Figure 3: errors of q grow with exp(t) by truncation, those of Cheby4 a fourth") {
+    const double h = 0.4;
+    // (6.2) and (6.3) multiply q by R and p by 1/R.
+    const double R_cheby = -(((h + 10) * h + 48) * h + 96) / (((h - 10) * h + 48) * h - 96);
+    const double R_gauss = ((h + 6) * h + 12) / ((h - 6) * h + 12);
+    Chebyshev3<systems::Dilation> cheby;
+    Gauss2<systems::Dilation> gauss;
+    State x{{2.0}, {2.0}};
+    State y = x;
+    for (int n = 1; n <= 50; ++n) {
+        CAPTURE(n);
+        REQUIRE(cheby.step(x, h).ok());
+        REQUIRE(gauss.step(y, h).ok());
+        const double t = n * h;
+        // Rounding of a few units in the last place a step, of 2 exp(t) and of 2 exp(-t).
+        const double rounding = 4 * n * 0x1p-52;
+        const auto error = [&](const State& state) { return state.q[0] / (2 * std::exp(t)) - 1; };
+        const auto error_p = [&](const State& state) { return state.p[0] * std::exp(t) / 2 - 1; };
+        CHECK(std::abs(error(x) - std::expm1(n * (std::log(R_cheby) - h))) < rounding);
+        CHECK(std::abs(error_p(x) - std::expm1(-n * (std::log(R_cheby) - h))) < rounding);
+        CHECK(std::abs(error(y) - std::expm1(n * (std::log(R_gauss) - h))) < rounding);
+        CHECK(std::abs(error_p(y) - std::expm1(-n * (std::log(R_gauss) - h))) < rounding);
+        // R = e^h (1 + h^5/2880 + ...) and e^h (1 - h^5/720 + ...): what is left is of size h^2.
+        CHECK(error(y) / error(x) == Approx(-4).epsilon(0.02));
+        CHECK(error_p(y) / error_p(x) == Approx(-4).epsilon(0.02));
+    }
+}
+
 TEST_CASE("Figure 4: both methods keep q p") {
     Chebyshev3<systems::Dilation> cheby;
     Gauss2<systems::Dilation> gauss;
@@ -152,6 +180,38 @@ TEST_CASE("Figure 4: both methods keep q p") {
         REQUIRE(std::abs(x.q[0] * x.p[0] - 4.0) < 2e-13);
         REQUIRE(std::abs(y.q[0] * y.p[0] - 4.0) < 2e-13);
     }
+}
+
+TEST_CASE("Figure 6: errors on the oscillator are of its phase, those of Cheby4 nine sixteenths") {
+    const double h = 0.5;
+    const double z2 = h * h;
+    const double D = ((z2 - 12) * z2 + 288) * z2 + 9216;
+    // The traces and corners of (6.5) and (6.6): both have determinant 1 and one diagonal entry.
+    const double angle_cheby = std::acos((((-z2 + 228) * z2 - 4320) * z2 + 9216) / D);
+    const double corner = h * ((36 * z2 - 1248) * z2 + 9216) / D / std::sin(angle_cheby);
+    const double angle_gauss = std::acos(((z2 - 60) * z2 + 144) / ((z2 + 12) * z2 + 144));
+    Chebyshev3<systems::Oscillator> cheby;
+    Gauss2<systems::Oscillator> gauss;
+    State x{{2.0}, {1.0}};
+    State y = x;
+    double largest_cheby = 0.0, largest_gauss = 0.0;
+    for (int n = 1; n <= 100; ++n) {
+        CAPTURE(n);
+        REQUIRE(cheby.step(x, h).ok());
+        REQUIRE(gauss.step(y, h).ok());
+        const double a = n * angle_cheby;
+        const double b = n * angle_gauss;
+        const double bound = 8 * n * 0x1p-52;
+        CHECK(std::abs(x.q[0] - (2 * std::cos(a) + corner * std::sin(a))) < bound);
+        CHECK(std::abs(x.p[0] - (std::cos(a) - 2 / corner * std::sin(a))) < bound);
+        CHECK(std::abs(y.q[0] - (2 * std::cos(b) + std::sin(b))) < bound);
+        CHECK(std::abs(y.p[0] - (std::cos(b) - 2 * std::sin(b))) < bound);
+        const double exact = 2 * std::cos(n * h) + std::sin(n * h);
+        largest_cheby = std::max(largest_cheby, std::abs(x.q[0] - exact));
+        largest_gauss = std::max(largest_gauss, std::abs(y.q[0] - exact));
+    }
+    // The angles are h + h^5/1280 + ... and h - h^5/720 + ...: a ratio of 16/9.
+    CHECK(largest_gauss / largest_cheby == Approx(16.0 / 9).epsilon(0.02));
 }
 
 TEST_CASE("Figure 7: the oscillator's energy, bounded with Cheby4, round-off with GauLe4") {
