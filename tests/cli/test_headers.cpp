@@ -22,8 +22,8 @@ void check_compiles(const Directory& directory, const std::string& header,
         const Outcome outcome =
             shell(HVI_COMPILER " -std=" + standard +
                       " -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
-                      " -I . -I " +
-                      in_checkout("src") + " unit.cpp",
+                      " -I . -I '" +
+                      in_checkout("src") + "' unit.cpp",
                   directory.path());
         INFO(outcome.err);
         CHECK(outcome.status == 0);

@@ -51,5 +51,8 @@ TEST_CASE("an invariant is not called as what a header with lanes or sums has") 
         CAPTURE(name);
         CHECK_THROWS_AS(check_function_name(name, {}), InputError);
     }
+    for (const char* name : {"LZ_", "I_"}) {  // which LZ and I are called
+        CHECK_THROWS_AS(check_function_name(name, {}), InputError);
+    }
     CHECK_NOTHROW(check_function_name("table", {}));
 }

@@ -64,7 +64,8 @@ bool is_constant_in_format(std::string_view name) {
 }  // namespace
 
 bool is_spelled_as_macro(std::string_view name) {
-    return name.front() == '_' || name == "I" || (is_in_capitals(name) && capitals_in(name) > 1);
+    const bool is_constant = name.back() != '_' && is_in_capitals(name) && capitals_in(name) > 1;
+    return is_constant || name.front() == '_' || name == "I";
 }
 
 bool is_macro(std::string_view name) {

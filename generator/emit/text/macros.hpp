@@ -7,8 +7,9 @@
 namespace hvi::gen {
 
 /// Whether the name is spelled as names of macros are: in capitals and digits, with two capitals or
-/// more, as in `M_PI`, or with an underscore in front. One capital with digits, as in `K`, `M1` and
-/// `M_1`, is a variable, but for the `I` of <complex.h>. `name` is not empty.
+/// more and no underscore at its end, as in `M_PI`, or with an underscore in front. One capital with
+/// digits, as in `K`, `M1` and `M_1`, is a variable, but for the `I` of <complex.h>. `name` is not
+/// empty.
 [[nodiscard]] bool is_spelled_as_macro(std::string_view name);
 
 /// Whether a header of the C++ standard library, what it includes, a header of Eigen or a compiler

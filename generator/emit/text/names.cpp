@@ -148,6 +148,12 @@ bool is_numbered(std::string_view name, std::string_view word) {
                        is_digit);
 }
 
+/// Whether it is what function_name() makes of another name: `LZ_`.
+bool is_macro_renamed(std::string_view name) {
+    return name.size() > 1 && name.back() == '_' &&
+           is_spelled_as_macro(name.substr(0, name.size() - 1));
+}
+
 bool is_taken(std::string_view name) {
     const auto is_in = [&](const auto& names) {
         return std::find(names.begin(), names.end(), name) != names.end();
@@ -210,7 +216,7 @@ void check_class_name(std::string_view name, const std::optional<Place>& place) 
 void check_function_name(std::string_view name, const std::optional<Place>& place) {
     const std::string help = fmt::format("take another name, such as {}_value", name);
     check_word(name, place, help);
-    if (is_taken(name) || is_numbered(name, "k")) {
+    if (is_taken(name) || is_numbered(name, "k") || is_macro_renamed(name)) {
         refuse(name, "means something else in the header", place, help);
     }
 }
