@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 
 #include "generator/support/child.hpp"
@@ -23,6 +24,14 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
+/// `ccache g++` are two words, but the path of a file is one, also with blanks in it.
+std::vector<std::string> words_of(const std::string& command) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(command, ignored)) return {command};
+    std::istringstream text(command);
+    return {std::istream_iterator<std::string>(text), {}};
+}
+
 /// The first line that says `error`, else the first of all.
 std::string first_error(const std::string& text) {
     std::istringstream lines(text);
@@ -34,10 +43,9 @@ std::string first_error(const std::string& text) {
 }  // namespace
 
 Compiler find_compiler() {
-    const char* named = std::getenv("CXX");
-    std::istringstream words(named == nullptr ? "" : named);
-    Compiler compiler;
-    for (std::string word; words >> word;) compiler.command.push_back(word);
+    const char* variable = std::getenv("CXX");
+    const std::string named = variable == nullptr ? "" : variable;
+    Compiler compiler{words_of(named), {}};
     if (compiler.command.empty()) compiler.command.emplace_back("c++");
     // It is called in a directory of its own.
     if (std::string& first = compiler.command.front(); first.find('/') != std::string::npos)

@@ -9,7 +9,7 @@
 namespace hvi::gen {
 
 struct Compiler {
-    std::vector<std::string> command;  ///< CXX of the environment, split at blanks; else c++
+    std::vector<std::string> command;  ///< CXX of the environment, a path or words; else c++
     std::string version;               ///< the first line of what `--version` prints
 };
 

@@ -319,6 +319,18 @@ TEST_CASE("compilers that are missing, and that fail") {
     CHECK(directory.names() == std::vector<std::string>{"cxx"});
 }
 
+TEST_CASE("a compiler in a directory with a blank in its name") {
+    use_cache();
+    const Directory directory;
+    const std::string run = "hvi-gen run pendulum --step 1/5 --until 1 --only summary -o out";
+    noting_compiler(directory);
+    REQUIRE(shell("mkdir 'my tools' && mv cxx 'my tools'", directory.path()).status == 0);
+    const Outcome blank = shell("CXX='my tools/cxx' " + run, directory.path());
+    INFO(blank.err);
+    CHECK(blank.status == 0);
+    CHECK(contents(directory / "calls").find("-std=c++17") != std::string::npos);
+}
+
 TEST_CASE("a disk that is full, and a machine without gnuplot") {
     use_cache();
     const Directory directory;
