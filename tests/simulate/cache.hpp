@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "tests/cli/program.hpp"
@@ -18,10 +19,11 @@ inline void use_cache() {
     static const Cache cache;
 }
 
-/// The compiler that the tests were given, for a script around it.
+/// The compiler that the tests were given, for a script around it. NOTE: a path may have blanks.
 inline std::string compiler_of_tests() {
-    const char* named = std::getenv("CXX");
-    return named == nullptr ? "c++" : named;
+    const char* variable = std::getenv("CXX");
+    const std::string named = variable == nullptr ? "c++" : variable;
+    return std::filesystem::exists(named) ? "'" + named + "'" : named;
 }
 
 }  // namespace hvi::test
