@@ -27,9 +27,9 @@ const std::set<std::string_view> keywords{
     "unsigned", "using",  "void",   "volatile", "wchar_t", "while",   "xor"};
 
 /// Of <cmath>, <cstdio>, <cerrno>, <cassert>, and of compilers.
-const std::set<std::string_view> macros{"M_PI",     "M_E",   "NAN",  "INFINITY", "HUGE_VAL",
-                                        "FP_NAN",   "EOF",   "NULL", "errno",    "assert",
-                                        "offsetof", "linux", "unix", "stdout",   "MATH_ERRNO"};
+const std::set<std::string_view> macros{
+    "M_PI",   "M_E",      "NAN",   "INFINITY", "HUGE_VAL", "FP_NAN",     "EOF", "NULL", "errno",
+    "assert", "offsetof", "linux", "unix",     "stdout",   "MATH_ERRNO", "GM",  "LZ",   "I"};
 
 /// Lines without comments and without what the preprocessor reads. Texts in quotes stay.
 std::vector<std::string> code_lines(std::string_view text) {
