@@ -7,7 +7,7 @@
 #include "generator/render/statements.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/progress.hpp"
-#include "generator/symmetry/families.hpp"
+#include "generator/symmetry/watched.hpp"
 
 namespace hvi::gen {
 
@@ -38,19 +38,37 @@ KeepingFacts facts_of(const RuleCertificate& certificate) {
     return {certificate.symplectic, {}, {false, true}, true};
 }
 
+/// As find_symmetries() has it.
+std::string name_of(const Scene& scene) {
+    return scene.name.empty() ? function_of(scene).origin : scene.name;
+}
+
+std::string name_of(const IndexedScene& scene) { return scene.name; }
+
+/// The certificate with what the method keeps of the scene.
+std::string with_statements(const CheckOptions& options, const AnyScene& scene,
+                            const std::string& certificate, const KeepingFacts& facts) {
+    const bool as_json = options.format == CheckOptions::Format::json;
+    SceneStatements of_scene;
+    of_scene.name = std::visit([](const auto& each) { return name_of(each); }, scene);
+    of_scene.left_out = "--no-symmetries is given";
+    if (options.symmetries) {
+        of_scene.found =
+            std::visit([](const auto& each) { return symmetries_within_a_second(each); }, scene);
+        of_scene.left_out = symmetry_work_is_spent;
+    }
+    if (of_scene.found) of_scene.statements = statements(*of_scene.found, facts);
+    return as_json ? with_statements_json(certificate, of_scene)
+                   : with_statements_text(certificate, of_scene);
+}
+
 /// `whole`: what is written, in which the findings are.
 void write(const CheckOptions& options, const std::optional<AnyScene>& scene, const auto& findings,
            const auto& whole) {
     const Progress::Stage stage("writing the certificate");
     const bool as_json = options.format == CheckOptions::Format::json;
     std::string text = as_json ? render_json(whole) : render_text(whole);
-    if (scene) {
-        SceneStatements of_scene{
-            std::visit([](const auto& each) { return find_symmetries(each); }, *scene), {}};
-        of_scene.statements = statements(of_scene.found, facts_of(findings));
-        text =
-            as_json ? with_statements_json(text, of_scene) : with_statements_text(text, of_scene);
-    }
+    if (scene) { text = with_statements(options, *scene, text, facts_of(findings)); }
     if (options.plot) { write_result(options.plot->text, plot(findings, options.plot)); }
     write_result(options.output, text);
 }

@@ -97,6 +97,7 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
     options.max_order = words.whole_number("--max-order").value_or(options.max_order);
     options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
     options.system = system_options(words);
+    options.symmetries = !words.has("--no-symmetries");
     options.plot = words.file("--plot");
     options.output = output_option(words);
     return options;
@@ -153,6 +154,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.step = words.value("--step");
     options.until = words.value("--until");
     options.columns = words.value("--columns");
+    options.symmetries = !words.has("--no-symmetries");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
     options.output = output_option(words);
@@ -191,6 +193,7 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
     options.scenes = words.texts("SCENE");
     if (words.has("--peers")) options.peers = words.place("--peers");
     options.edges = place_of_edges(words);
+    options.symmetries = !words.has("--no-symmetries");
     options.method = method_beside_scene(words);
     options.methods = words.value("--methods");
     options.steps = words.value("--steps");

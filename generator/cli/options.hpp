@@ -44,6 +44,7 @@ struct CheckOptions {
     int max_order = 8;
     Format format = Format::text;
     std::optional<SystemOptions> system;  ///< of which it is asked what the method keeps
+    bool symmetries = true;               ///< look for them
     Given plot;                           ///< the file of an SVG of trace/2
     std::optional<std::filesystem::path> output;
 };
@@ -66,6 +67,7 @@ struct RunOptions {
     std::optional<double> accuracy;  ///< in place of a method and a step
     Given step, until;               ///< in place of those of the scene
     Given columns;                   ///< of the table, in place of the usual ones
+    bool symmetries = true;          ///< look for them
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };
@@ -78,6 +80,7 @@ struct ReportOptions {
     Given until;                 ///< in place of the scenes'
     std::optional<Place> peers;  ///< where integrators of other libraries are asked for too
     std::optional<Place> edges;  ///< where any of these items are asked for by name
+    bool symmetries = true;      ///< look for them
     std::set<ReportItem> items;  ///< work only where there are scenes
     std::optional<std::filesystem::path> output;  ///< a directory
 };

@@ -121,6 +121,13 @@ void note_reference(Report& report, const SceneReport& scene) {
         scene.name, scene.reference.error));
 }
 
+/// A sentence where nothing is said of what methods keep.
+void note_left_out(Report& report, const Subject& subject) {
+    if (subject.watched.left_out.empty()) return;
+    report.notes.push_back(fmt::format("symmetries of {} are not looked for: {}", name_of(subject),
+                                       subject.watched.left_out));
+}
+
 /// What is said of each method beside what was measured. NOTE: curves of methods come first, in
 /// their order.
 void set_kept(SceneReport& of_scene, const Watched& watched,
@@ -145,6 +152,7 @@ void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subj
     for (const Subject& subject : subjects) {
         wishes.steps = subject.steps;
         SceneReport& of_scene = report.scenes.emplace_back();
+        note_left_out(report, subject);
         try {
             std::visit(
                 [&](const auto& scene) {
@@ -252,7 +260,7 @@ void run(const ReportOptions& options) {
     wishes.methods = methods(options);
     std::vector<Subject> subjects;
     for (const Given& scene : options.scenes) subjects.push_back(subject(scene, options));
-    if (options.items.contains(ReportItem::work))
+    if (options.items.contains(ReportItem::work) && options.symmetries)
         for (Subject& subject : subjects)
             subject.watched = std::visit([](auto& scene) { return watch(scene); }, subject.scene);
 

@@ -64,6 +64,14 @@ private:
     fs::path path_;
 };
 
+/// What is to be run, and the steps that it is to take.
+struct WishedRun {
+    RunSubject subject;
+    Steps steps;
+    std::vector<Statement> statements = {};  ///< of what it keeps
+    std::string not_looked_for = {};         ///< symmetries: why, and what looks for them
+};
+
 double per_step(std::int64_t count, std::int64_t steps) {
     return static_cast<double>(count) / static_cast<double>(steps);
 }
@@ -91,8 +99,9 @@ std::string said_of(const std::string& name, const std::vector<Statement>& state
     return "";
 }
 
-std::string summary(const RunSubject& subject, const Steps& asked, const Simulation& run,
-                    const std::vector<Statement>& statements) {
+std::string summary(const WishedRun& wished, const Simulation& run) {
+    const RunSubject& subject = wished.subject;
+    const Steps& asked = wished.steps;
     std::size_t width = std::string_view("evaluations").size();
     for (const Conserved& kept : run.conserved) width = std::max(width, kept.name.size());
     std::string text;
@@ -118,7 +127,9 @@ std::string summary(const RunSubject& subject, const Steps& asked, const Simulat
     for (const Conserved& kept : run.conserved)
         line(kept.name,
              fmt::format("{:.10g}, largest error {:.2e}, at the end {:.2e}{}", kept.start,
-                         kept.largest, kept.last, said_of(kept.name, statements)));
+                         kept.largest, kept.last, said_of(kept.name, wished.statements)));
+    if (!wished.not_looked_for.empty())
+        line("symmetries", "not looked for: " + wished.not_looked_for);
     return text;
 }
 
@@ -216,13 +227,6 @@ std::vector<ColumnBox> columns_of(const RunSubject& subject, const Given& list) 
                 : usual_columns(names, subject.coordinates.size() + subject.momenta.size());
 }
 
-/// What is to be run, and the steps that it is to take.
-struct WishedRun {
-    RunSubject subject;
-    Steps steps;
-    std::vector<Statement> statements = {};  ///< of what it keeps
-};
-
 Steps wished_steps(const Scene& scene, const RunOptions& options) {
     return steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
                        wish(scene, options.until, scene.run.until, "until"));
@@ -234,40 +238,52 @@ StepperWishes wishes_of(const RunOptions& options) {
     return wishes;
 }
 
+/// Symmetries, where they are asked for, whose momentum maps are added to the scene.
+template <class AnyScene>
+Watched watch(AnyScene& scene, const RunOptions& options) {
+    if (!options.symmetries) return {};
+    Watched watched = watch(scene);
+    if (!watched.left_out.empty())
+        watched.left_out +=
+            fmt::format("; `hvi-gen symmetries {}` looks for them", options.system.scene->text);
+    return watched;
+}
+
 /// With the momentum maps that are found.
 WishedRun watched_run(const Method& method, const Scene& scene, const StepperWishes& wishes,
-                      const Steps& steps) {
+                      const Steps& steps, const RunOptions& options) {
     Scene watched_scene = scene;
-    const Watched watched = watch(watched_scene);
-    if (watched.takes_long)
-        std::fputs(
-            fmt::format("note: no symmetries are looked for: {}\n", watched.left_out).c_str(),
-            stderr);
+    const Watched watched = watch(watched_scene, options);
     const SceneStepper stepper = scene_stepper(method, watched_scene, wishes);
-    return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base))};
+    return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
+            watched.left_out};
 }
 
 WishedRun wished_run(const RunOptions& options, const MethodAndScene& wished) {
     const Steps steps = wished_steps(wished.scene, options);
-    return watched_run(wished.method, wished.scene, wishes_of(options), steps);
+    return watched_run(wished.method, wished.scene, wishes_of(options), steps, options);
 }
 
 WishedRun wished_run(const RunOptions& options, const MethodAndLargeScene& wished) {
     const Steps steps = wished_steps(without_motion(wished.scene), options);
     IndexedScene scene = wished.scene;
-    const Watched watched = watch(scene);
+    const Watched watched = watch(scene, options);
     const LoopStepper stepper = loop_stepper(wished.method, scene, wishes_of(options));
-    return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base))};
+    return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
+            watched.left_out};
 }
 
 WishedRun advised_run(const RunOptions& options) {
-    const AdvisedOptions advice =
-        advised({options.method.parameters, options.system, options.until, *options.accuracy});
+    const AdvisedOptions advice = [&] {
+        const InterruptionsHeld held;
+        return advised(
+            {options.method.parameters, options.system, options.until, *options.accuracy});
+    }();
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
     const auto [method, scene] = read_scene(method_options, options.system);
     return watched_run(method, scene, simulation_wishes(advice.solver, advice.composition),
-                       advice.steps);
+                       advice.steps, options);
 }
 
 WishedRun any_run(const RunOptions& options) {
@@ -290,8 +306,14 @@ RunTables wished_tables(const RunSubject& subject, const Steps& steps, const Run
 }  // namespace
 
 void run(const RunOptions& options) {
+    // NOTE: what is computed exactly an interruption may end at once, as there is nothing to clear
+    // away.
+    const WishedRun wished = any_run(options);
+    const auto& [subject, steps, statements, not_looked_for] = wished;
+    if (!not_looked_for.empty())
+        std::fputs(fmt::format("note: symmetries are not looked for: {}\n", not_looked_for).c_str(),
+                   stderr);
     const InterruptionsHeld held;
-    const auto [subject, steps, statements] = any_run(options);
     const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
     note_left_out(steps);
 
@@ -301,7 +323,7 @@ void run(const RunOptions& options) {
     Results results(directory);
     const RunTables tables = wished_tables(subject, steps, options, columns, results);
     const Simulation simulation = simulate(program, subject, steps, tables);
-    const std::string summary = hvi::gen::summary(subject, steps, simulation, statements);
+    const std::string summary = hvi::gen::summary(wished, simulation);
     results.keep(subject, steps, simulation, tables, options, summary);
     if (!simulation.ok())
         throw MathError(

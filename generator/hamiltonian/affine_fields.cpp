@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "generator/hamiltonian/normal_form.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -43,7 +45,7 @@ void add_product(SparseVector& sum, const AffineUnknowns& unknowns, const Affine
 
 SparseVector without_zeros(SparseVector vector) {
     for (auto position = vector.begin(); position != vector.end();) {
-        position->second = position->second.normal();
+        position->second = normal_form(position->second);
         position = position->second.is_zero() ? vector.erase(position) : std::next(position);
     }
     return vector;
@@ -84,12 +86,12 @@ SparseVector without_denominators(const Algebra& algebra, const SparseVector& fi
     if (field.empty() || !is_rational) return field;
     ex multiple = 1, divisor = 0;
     for (const auto& [number, value] : field)
-        multiple = GiNaC::lcm(multiple, value.normal().denom());
+        multiple = GiNaC::lcm(multiple, normal_form(value).denom());
     for (const auto& [number, value] : field)
-        divisor = GiNaC::gcd(divisor, (value * multiple).normal());
+        divisor = common_divisor(divisor, normal_form(value * multiple));
     SparseVector result;
     for (const auto& [number, value] : field)
-        result[number] = (value * multiple / divisor).normal().expand();
+        result[number] = normal_form(value * multiple / divisor).expand();
     if (wants_other_sign(algebra, result.rbegin()->second))
         for (auto& [number, value] : result) value = (-value).expand();
     return result;

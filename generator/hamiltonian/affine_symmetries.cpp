@@ -8,6 +8,7 @@
 #include "generator/hamiltonian/affine_fields.hpp"
 #include "generator/hamiltonian/ginac_functions.hpp"
 #include "generator/hamiltonian/lie_algebra.hpp"
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/relations.hpp"
 #include "generator/support/progress.hpp"
 
@@ -223,7 +224,7 @@ public:
             for (const Candidate& each : basis) {
                 SparseVector field;
                 for (const auto& [number, value] : each.field)
-                    field[number] = at_values(value, with_values).normal();
+                    field[number] = normal_form(at_values(value, with_values));
                 if (!span.insert(std::move(field))) return false;
             }
             return true;
@@ -261,7 +262,7 @@ private:
     }
 
     [[nodiscard]] Expression written(const ex& expression) const {
-        return function_.algebra.written(expression.expand());
+        return function_.algebra.written(multiplied_out(expression));
     }
 
     [[nodiscard]] Candidate candidate(const SparseVector& field) const {
@@ -289,7 +290,7 @@ private:
         for (std::size_t i = 0; i < velocity.size(); ++i) {
             if (velocity[i].is_zero()) continue;
             if (!first) first = velocity[i].expand();
-            const ex ratio = (velocity[i] / *first).normal();
+            const ex ratio = normal_form(velocity[i] / *first);
             if (!GiNaC::is_a<numeric>(ratio)) return {};
             along[i] = ratio;
         }
@@ -307,7 +308,7 @@ private:
         std::vector<ex> result;
         for (std::size_t i = 0; i < function_.n(); ++i)
             for (std::size_t j = 0; j <= i; ++j) {
-                const ex entry = function_.by_fibre[i].diff(function_.fibre[j]).normal();
+                const ex entry = normal_form(function_.by_fibre[i].diff(function_.fibre[j]));
                 for (const symbol& variable : function_.algebra.variables())
                     if (entry.has(variable)) return {};
                 if ((i == j) == entry.is_zero()) return {};
@@ -339,7 +340,7 @@ private:
             for (const auto& [i, x] : to)
                 for (const auto& [j, y] : from) {
                     ex& entry = field[unknowns_.number(i, j)];
-                    entry = (entry + sign * x * y * mass[j]).normal();
+                    entry = normal_form(entry + sign * x * y * mass[j]);
                 }
         };
         add_product(b, a, 1);
@@ -377,7 +378,7 @@ std::string name_of(const Search& search, const std::vector<Candidate>& basis,
         for (const auto& bracket : of_i) {
             auto& row = rows.emplace_back();
             for (const ex& value : bracket) {
-                const ex number = search.at_values(value, with_values).normal();
+                const ex number = normal_form(search.at_values(value, with_values));
                 if (!number.info(GiNaC::info_flags::rational)) return "";
                 row.push_back(GiNaC::ex_to<numeric>(number));
             }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "generator/exact/numbers/rational.hpp"
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/relations.hpp"
 
 namespace hvi::gen {
@@ -135,7 +136,7 @@ ex BodyMotion::of_quaternions(const ex& function) const {
 
 Vanishing BodyMotion::vanishes(const ex& function) const {
     constexpr std::size_t most_in_normal_form = 100;  // terms, and of one rotation
-    if (function.is_zero() || function.expand().is_zero()) return Vanishing::proved;
+    if (function.is_zero() || multiplied_out(function).is_zero()) return Vanishing::proved;
     if (is_refuted(function)) return Vanishing::refuted;
     Monomials monomials(algebra_);
     if (auto sum = monomials.sum(function)) {
@@ -144,7 +145,7 @@ Vanishing BodyMotion::vanishes(const ex& function) const {
         if (one.front().empty()) return Vanishing::proved;
         if (m_ > 1 || one.front().size() > most_in_normal_form) return Vanishing::unknown;
     }
-    return of_quaternions(function).normal().is_zero() ? Vanishing::proved : Vanishing::unknown;
+    return normal_form(of_quaternions(function)).is_zero() ? Vanishing::proved : Vanishing::unknown;
 }
 
 }  // namespace hvi::gen

@@ -8,6 +8,7 @@
 #include "generator/hamiltonian/affine_fields.hpp"
 #include "generator/hamiltonian/body_motion.hpp"
 #include "generator/hamiltonian/lie_algebra.hpp"
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/relations.hpp"
 #include "generator/support/progress.hpp"
 
@@ -118,14 +119,14 @@ public:
         }
         std::vector<Expression> result;
         for (const ex& component : components)
-            result.push_back(motion_.algebra().written(component.expand()));
+            result.push_back(motion_.algebra().written(multiplied_out(component)));
         return result;
     }
 
     [[nodiscard]] Expression momentum_map(const SparseVector& field) const {
         ex sum;
         for (const auto& [number, value] : field) sum += value * momentum_map(number);
-        return motion_.algebra().written(sum.expand());
+        return motion_.algebra().written(multiplied_out(sum));
     }
 
 private:
@@ -189,7 +190,7 @@ SparseVector bracket(const BodyUnknowns& unknowns, const SparseVector& a, const 
         const int sign = unknowns.turn(first).is_of_body ? -1 : 1;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t l = first + (k + 1) % 3, m = first + (k + 2) % 3;
-            const ex value = (at(a, l) * at(b, m) - at(a, m) * at(b, l)).normal();
+            const ex value = normal_form(at(a, l) * at(b, m) - at(a, m) * at(b, l));
             if (!value.is_zero()) result[first + k] = sign * value;
         }
     }
@@ -310,7 +311,7 @@ std::vector<QuantityFinding> body_findings(const Hamiltonian& hamiltonian,
         const ex bracket = motion.bracket(I);
         finding.conserved = motion.vanishes(bracket);
         if (finding.conserved != Vanishing::proved)
-            finding.bracket = motion.algebra().written(bracket.expand());
+            finding.bracket = motion.algebra().written(multiplied_out(bracket));
     }
     return result;
 }

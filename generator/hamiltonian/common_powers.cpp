@@ -4,6 +4,7 @@
 #include <set>
 
 #include "generator/hamiltonian/relations.hpp"
+#include "generator/support/work.hpp"
 
 namespace hvi::gen {
 
@@ -33,6 +34,7 @@ SplitExponent split(const ex& exponent) {
 }
 
 std::optional<SplitExponent> exponent_of(const FunctionMonomial& monomial, std::size_t base) {
+    spend_work(0.1);
     for (const auto& [number, exponent] : monomial.powers)
         if (number == base) return split(exponent);
     return {};
@@ -147,6 +149,7 @@ std::set<std::size_t> with_several_powers(const Monomials& monomials,
     for (const MonomialSum& function : functions)
         for (const auto& [monomial, coefficient] : function)
             for (const auto& [base, exponent] : monomial.powers) {
+                spend_work(0.1);
                 if (!monomials.bases()[base].sum) continue;
                 const auto [position, is_new] = first.try_emplace(base, exponent);
                 if (exponent.info(GiNaC::info_flags::integer) ||

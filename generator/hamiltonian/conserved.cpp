@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/hamiltonian/ginac_functions.hpp"
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/relations.hpp"
 #include "generator/support/progress.hpp"
 
@@ -58,9 +59,9 @@ public:
         return vanishing_by_monomials(algebra_, expression);
     }
 
-    /// NOTE: a bracket multiplied out is as short as one can hope for.
+    /// NOTE: a bracket multiplied out is as short as one can hope for, where it is not too long.
     [[nodiscard]] Expression written(const ex& expression) const {
-        return algebra_.written(expression.expand());
+        return algebra_.written(multiplied_out(expression));
     }
 
     /// Where the third derivatives vanish and the second have no variables.

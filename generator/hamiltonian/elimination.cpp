@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/vanishing.hpp"
 
 namespace hvi::gen {
@@ -48,7 +49,7 @@ ex without_squares_of_sines(const ex& polynomial) {
 ex shortest(const ex& entry, const Algebra& algebra) {
     const ex both = entry.numer_denom();
     const ex other =
-        (without_squares_of_sines(both.op(0)) / without_squares_of_sines(both.op(1))).normal();
+        normal_form(without_squares_of_sines(both.op(0)) / without_squares_of_sines(both.op(1)));
     const ex plain = as_fraction(entry, algebra), reduced = as_fraction(other, algebra);
     const auto length = [&](const ex& e) { return to_text(algebra.written(e)).size(); };
     return length(reduced) < length(plain) ? reduced : plain;
@@ -93,12 +94,12 @@ private:
 
     void clear(std::size_t row, unsigned column) {
         const ex pivot = rows_[row][column];
-        for (ex& entry : rows_[row]) entry = (entry / pivot).normal();
+        for (ex& entry : rows_[row]) entry = normal_form(entry / pivot);
         for (std::size_t i = 0; i < n_; ++i) {
             const ex factor = rows_[i][column];
             if (i == row || factor.is_zero()) continue;
             for (unsigned j = 0; j < 2 * n_; ++j)
-                rows_[i][j] = (rows_[i][j] - factor * rows_[row][j]).normal();
+                rows_[i][j] = normal_form(rows_[i][j] - factor * rows_[row][j]);
         }
     }
 

@@ -8,6 +8,7 @@
 #include "generator/hamiltonian/affine_fields.hpp"
 #include "generator/hamiltonian/ginac_functions.hpp"
 #include "generator/hamiltonian/lie_algebra.hpp"
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/relations.hpp"
 #include "generator/read/hamiltonian.hpp"
 #include "generator/support/progress.hpp"
@@ -156,11 +157,11 @@ private:
                 if (found || !summand.is_over_family) return {};
                 const GiNaC::symbol p = symbol(element.symbol);
                 const ex slope = algebra_.read(summand.function, nullptr).diff(p);
-                const ex inverse = (slope / p).normal();
+                const ex inverse = normal_form(slope / p);
                 for (const auto* elements : {&summand.coordinates, &summand.momenta})
                     for (const Element& other : *elements)
                         if (inverse.has(symbol(other.symbol))) return {};
-                found = (1 / inverse).normal();
+                found = normal_form(1 / inverse);
             }
         return found ? std::optional(algebra_.written(*found)) : std::nullopt;
     }

@@ -6,8 +6,10 @@
 #include <set>
 
 #include "generator/exact/numbers/rational.hpp"
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/relations.hpp"
 #include "generator/hamiltonian/vanishing.hpp"
+#include "generator/support/work.hpp"
 
 namespace hvi::gen {
 
@@ -65,21 +67,32 @@ bool has_rational_coefficients(const MonomialSum& sum) {
 
 /// Whether two polynomials have no factor in common.
 bool are_coprime(const Monomials& monomials, const ex& a, const ex& b) {
-    const ex common = GiNaC::gcd(a.normal().numer(), b.normal().numer());
+    const ex common = common_divisor(normal_form(a).numer(), normal_form(b).numer());
     return std::none_of(monomials.bases().begin(), monomials.bases().end(), [&](const auto& base) {
         return base.variable && common.has(*base.variable);
     });
 }
 
 bool has_no_factor_twice(const Monomials& monomials, const ex& polynomial) {
-    ex common = polynomial.normal().numer();
+    ex common = normal_form(polynomial).numer();
     const ex whole = common;
     for (const MonomialBase& base : monomials.bases())
         if (base.variable && whole.has(*base.variable))
-            common = GiNaC::gcd(common, whole.diff(*base.variable));
+            common = common_divisor(common, whole.diff(*base.variable));
     return std::none_of(monomials.bases().begin(), monomials.bases().end(), [&](const auto& base) {
         return base.variable && common.has(*base.variable);
     });
+}
+
+/// Whether a polynomial, multiplied out, is seen to be no product. NOTE: GiNaC's factorization
+/// takes for ever from some length on.
+bool is_prime(const ex& polynomial) {
+    constexpr std::size_t most_terms = 100;
+    if (!GiNaC::is_a<GiNaC::add>(polynomial) || polynomial.nops() > most_terms) return false;
+    constexpr double units_of_pair = 10;
+    const auto terms = static_cast<double>(polynomial.nops());
+    spend_work(units_of_pair * terms * terms);
+    return GiNaC::is_a<GiNaC::add>(GiNaC::factor(polynomial));
 }
 
 /// Whether none is a product, and none a multiple of another one: then none has a factor twice, and
@@ -91,15 +104,16 @@ bool are_different_primes(const std::vector<ex>& polynomials) {
     std::vector<ex> primes;
     for (const ex& each : polynomials) {
         const ex expanded = each.expand();
-        if (!GiNaC::is_a<GiNaC::symbol>(expanded) &&
-            !GiNaC::is_a<GiNaC::add>(GiNaC::factor(expanded.normal().numer())))
+        if (!GiNaC::is_a<GiNaC::symbol>(expanded) && !is_prime(normal_form(expanded).numer()))
             return false;
         primes.push_back(expanded);
     }
     for (std::size_t i = 0; i < primes.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
+        for (std::size_t j = 0; j < i; ++j) {
+            spend_work();
             if ((primes[i] - primes[j]).is_zero() || (primes[i] + primes[j]).expand().is_zero())
                 return false;
+        }
     return true;
 }
 
@@ -230,6 +244,9 @@ bool are_independent_at_points(const Algebra& algebra, const Sampler& sampler,
         } catch (const MathError&) {}  // there is no value there
     }
     if (row < n) return false;
+    constexpr double units_of_operation = 0.2;
+    const auto size = static_cast<double>(n);
+    spend_work(units_of_operation * size * size * size);
     // NOTE: this succeeds only where the matrix is proved to be regular.
     std::vector<slong> permutation(n);
     return arb_mat_lu(permutation.data(), matrix, matrix, bits_at_points) != 0;

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "generator/hamiltonian/ginac_functions.hpp"
+#include "generator/hamiltonian/normal_form.hpp"
+#include "generator/support/work.hpp"
 
 namespace hvi::gen {
 
@@ -31,6 +33,7 @@ double terms_of_power(std::size_t terms, unsigned exponent) {
 /// Equal functions of parameters are equal expressions, as far as fractions of polynomials go.
 ex canonical(const ex& coefficient) {
     if (GiNaC::is_a<numeric>(coefficient)) return coefficient;
+    spend_on_normal_form(coefficient);
     const ex both = coefficient.numer_denom();
     return both.op(0).expand() / both.op(1).expand();
 }
@@ -84,6 +87,7 @@ std::vector<std::pair<std::size_t, ex>> merged(const std::vector<std::pair<std::
 }  // namespace
 
 void add(MonomialSum& sum, const FunctionMonomial& monomial, const ex& coefficient) {
+    spend_work();
     if (coefficient.is_zero()) return;
     const auto [position, is_new] = sum.try_emplace(monomial, coefficient);
     if (is_new) return;
@@ -137,6 +141,7 @@ MonomialSum Monomials::unknown(const std::string& name) {
 }
 
 MonomialSum Monomials::times_variable(const MonomialSum& sum, std::size_t variable) {
+    spend_work(static_cast<double>(sum.size()));
     MonomialSum result;
     const std::vector<std::pair<std::size_t, ex>> factor{{variable, 1}};
     for (const auto& [monomial, coefficient] : sum) {
@@ -152,6 +157,7 @@ void Monomials::check_size(const MonomialSum& sum) const {
 }
 
 bool Monomials::varies(const ex& expression) const {
+    spend_work(0.1);
     if (GiNaC::is_a<GiNaC::symbol>(expression))
         return std::any_of(bases_.begin(), bases_.end(), [&](const MonomialBase& base) {
             return base.variable && base.variable->is_equal(GiNaC::ex_to<GiNaC::basic>(expression));

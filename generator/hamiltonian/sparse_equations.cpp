@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/hamiltonian/sparse_equations.hpp"
 
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/vanishing.hpp"
+#include "generator/support/work.hpp"
 
 namespace hvi::gen {
 
@@ -10,7 +12,8 @@ namespace {
 using GiNaC::ex;
 
 ex in_lowest_terms(const ex& entry) {
-    return GiNaC::is_a<GiNaC::numeric>(entry) ? entry : entry.normal();
+    spend_work();
+    return GiNaC::is_a<GiNaC::numeric>(entry) ? entry : normal_form(entry);
 }
 
 /// row - factor * pivot, where they have the first of the pivot's in common.

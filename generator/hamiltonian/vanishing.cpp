@@ -9,6 +9,7 @@
 
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/numbers/rational.hpp"
+#include "generator/hamiltonian/normal_form.hpp"
 #include "generator/scene/value_at.hpp"
 
 namespace hvi::gen {
@@ -77,7 +78,7 @@ Vanishing vanishing(const Algebra& algebra, const GiNaC::ex& expression) {
     if (expression.is_zero()) return Vanishing::proved;
     const Expression written = algebra.written(expression);
     if (is_refuted(algebra, written)) return Vanishing::refuted;
-    const bool proved = expression.normal().is_zero() || is_proved_zero(written);
+    const bool proved = normal_form(expression).is_zero() || is_proved_zero(written);
     return proved ? Vanishing::proved : Vanishing::unknown;
 }
 

@@ -34,9 +34,14 @@ std::string_view keeping_text(Keeping keeping) {
 std::string with_statements_text(const std::string& certificate, const SceneStatements& scene) {
     NamedLines lines;
     lines.blank();
-    lines.title("Of " + scene.found.name);
+    lines.title("Of " + scene.name);
     lines.blank();
-    const std::size_t maps = scene.found.momentum_maps.size();
+    if (!scene.found) {
+        lines.line("symmetries", "not looked for: " + scene.left_out);
+        lines.line("", "`hvi-gen symmetries` looks for them for as long as it takes");
+        return certificate + lines.text();
+    }
+    const std::size_t maps = scene.found->momentum_maps.size();
     for (std::size_t i = 0; i < scene.statements.size(); ++i) {
         const Statement& statement = scene.statements[i];
         const std::string name = i < maps ? to_text(statement.expression) : statement.name;
@@ -53,14 +58,20 @@ std::string with_statements_text(const std::string& certificate, const SceneStat
 
 std::string with_statements_json(const std::string& certificate, const SceneStatements& scene) {
     Json json = Json::parse(certificate);
-    json["scene"] = scene.found.name;
+    json["scene"] = scene.name;
+    json["left_out"] = scene.found ? Json(nullptr) : Json(scene.left_out);
+    if (!scene.found) {
+        for (const char* name : {"momentum_maps", "invariants", "fields", "energy"})
+            json[name] = nullptr;
+        return json.dump(2) + "\n";
+    }
     json["momentum_maps"] = Json::array();
     json["invariants"] = Json::array();
     json["fields"] = Json::array();
     json["energy"] = nullptr;
-    const std::size_t maps = scene.found.momentum_maps.size();
-    const std::size_t invariants = maps + scene.found.invariants.size();
-    const std::size_t fields = invariants + scene.found.fields.size();
+    const std::size_t maps = scene.found->momentum_maps.size();
+    const std::size_t invariants = maps + scene.found->invariants.size();
+    const std::size_t fields = invariants + scene.found->fields.size();
     for (std::size_t i = 0; i < scene.statements.size(); ++i) {
         const Statement& statement = scene.statements[i];
         if (i < maps)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,9 @@ namespace hvi::gen {
 
 /// What was found of a scene, and what a method keeps of it.
 struct SceneStatements {
-    SceneSymmetries found;
+    std::string name;                      ///< of the scene
+    std::optional<SceneSymmetries> found;  ///< empty where nothing was looked for
+    std::string left_out;                  ///< why
     std::vector<Statement> statements;
 };
 

@@ -7,6 +7,7 @@
 #include "generator/expr/functions.hpp"
 #include "generator/expr/own_functions.hpp"
 #include "generator/support/error.hpp"
+#include "generator/support/work.hpp"
 
 namespace hvi::gen {
 
@@ -78,6 +79,7 @@ public:
         : symbols_(symbols), source_(source) {}
 
     [[nodiscard]] Ball operator()(const Expression& expression) const {
+        spend_work();
         switch (expression.kind) {
         case Kind::number:
             return ball_of_rational(expression.numerator + "/" + expression.denominator, bits);

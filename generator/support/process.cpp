@@ -19,12 +19,15 @@ namespace {
 
 // Both ends of a pipe, in which a byte stands for an interruption; -1 while none are held.
 std::array<std::atomic<int>, 2> held{-1, -1};
-static_assert(std::atomic<int>::is_always_lock_free);  // as a signal's handler needs it
+std::atomic<bool> seen = false;  // a byte is there
+static_assert(std::atomic<int>::is_always_lock_free &&
+              std::atomic<bool>::is_always_lock_free);  // as a signal's handler needs it
 
 void interrupt(int) {
     const int writing = held[1].load();
     if (writing < 0 || ::write(writing, "", 1) != 1)
         ::_exit(static_cast<int>(ExitStatus::interrupted));
+    seen.store(true);
 }
 
 }  // namespace
@@ -58,8 +61,11 @@ InterruptionsHeld::~InterruptionsHeld() {
     char byte = 0;
     if (::read(reading, &byte, 1) == 1) ::_exit(static_cast<int>(ExitStatus::interrupted));
     ::close(reading);
+    seen.store(false);
 }
 
 int interruption_descriptor() { return held[0].load(); }
+
+bool is_interrupted() { return seen.load(std::memory_order_relaxed); }
 
 }  // namespace hvi::gen

@@ -24,4 +24,7 @@ public:
 /// Readable once there was an interruption; -1 where they are not held.
 [[nodiscard]] int interruption_descriptor();
 
+/// Whether there was one that is held: for whoever computes, and does not wait.
+[[nodiscard]] bool is_interrupted();
+
 }  // namespace hvi::gen

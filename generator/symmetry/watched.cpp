@@ -7,6 +7,7 @@
 
 #include "generator/read/parse.hpp"
 #include "generator/support/warning.hpp"
+#include "generator/support/work.hpp"
 #include "generator/symmetry/families.hpp"
 
 namespace hvi::gen {
@@ -78,38 +79,64 @@ void warn_of(const ConservedQuantity& invariant) {
          is_field ? "" : "where that is meant so, write {value = \"...\", approximate = true}");
 }
 
-/// What both kinds of scenes have: a search that may be refused.
+/// What is done with the work that a run has for it; empty where that is not enough.
+template <class Find>
+auto within_a_second(Find find) -> std::optional<decltype(find())> {
+    const WorkLimit limit(work_of_a_second);
+    try {
+        return find();
+    } catch (const WorkLimitReached&) { return {}; }
+}
+
+/// What both kinds of scenes have: a search that may be refused, or take too long. `add` gives what
+/// the scene's invariants are with what is found.
 template <class AnyScene, class Add>
 void look(AnyScene& scene, Watched& result, Add add) {
-    try {
+    const auto search = [&] {
         result.found = find_symmetries(scene);
-        for (const ConservedQuantity& invariant : result.found->invariants) warn_of(invariant);
-        for (const ConservedQuantity& field : result.found->fields) warn_of(field);
-        add();
-    } catch (const InputError& error) {
-        result.left_out = error.what();
-    } catch (const MathError& error) { result.left_out = error.what(); }
+        return add();
+    };
+    try {
+        if (auto invariants = within_a_second(search)) {
+            for (const ConservedQuantity& invariant : result.found->invariants) warn_of(invariant);
+            for (const ConservedQuantity& field : result.found->fields) warn_of(field);
+            scene.invariants = *std::move(invariants);
+        } else {
+            result.found.reset();
+            result.left_out = symmetry_work_is_spent;
+        }
+    } catch (const InputError&) {  // of functions of the user's own nothing is known
+    } catch (const MathError&) {}
     if (!result.found || !result.found->depends_on_time) result.names.emplace_back("energy");
     for (const auto& invariant : scene.invariants) result.names.push_back(invariant.name);
 }
 
 }  // namespace
 
+std::optional<SceneSymmetries> symmetries_within_a_second(const Scene& scene) {
+    return within_a_second([&] { return find_symmetries(scene); });
+}
+
+std::optional<SceneSymmetries> symmetries_within_a_second(const IndexedScene& scene) {
+    return within_a_second([&] { return find_symmetries(scene); });
+}
+
 Watched watch(Scene& scene) {
     Watched result;
     if (function_of(scene).degrees_of_freedom() > most_searched) {
         result.left_out = "there are more than 24 degrees of freedom";
-        result.takes_long = true;
         return result;
     }
     const std::size_t turns = function_of(scene).rotations.size();
     if (turns > 0 && function_of(scene).degrees_of_freedom() > 3 * turns + most_beside_rotations) {
-        result.left_out = "of several bodies it takes seconds: `hvi-gen symmetries` does it";
+        result.left_out = "of several bodies it takes seconds";
         return result;
     }
     look(scene, result, [&] {
-        add_fields(scene, *result.found);
-        add_momentum_maps(scene, *result.found);
+        Scene with_more = scene;
+        add_fields(with_more, *result.found);
+        add_momentum_maps(with_more, *result.found);
+        return with_more.invariants;
     });
     return result;
 }
@@ -117,19 +144,21 @@ Watched watch(Scene& scene) {
 Watched watch(IndexedScene& scene) {
     Watched result;
     look(scene, result, [&] {
+        auto invariants = scene.invariants;
         std::size_t added = 0;
         for (ConservedQuantity& map : result.found->momentum_maps) {
             if (map.is_said || added == most_added) continue;
             map.name = "momentum_map_" + std::to_string(++added);
             const auto is_it = [&](const auto& named) { return named.name == map.name; };
-            while (std::any_of(scene.invariants.begin(), scene.invariants.end(), is_it) ||
+            while (std::any_of(invariants.begin(), invariants.end(), is_it) ||
                    std::any_of(scene.parameters.begin(), scene.parameters.end(), is_it))
                 map.name += "_";
             const auto source =
                 std::make_shared<const Source>(Source{map.name, to_text(map.expression)});
-            scene.invariants.push_back(
+            invariants.push_back(
                 {map.name, parse_indexed_expression(source), whole(source), whole(source)});
         }
+        return invariants;
     });
     return result;
 }

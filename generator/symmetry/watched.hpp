@@ -11,11 +11,17 @@
 
 namespace hvi::gen {
 
+/// What find_symmetries() finds with the work that a run has for it, which takes about a second.
+/// Empty where that is not enough: `symmetry_work_is_spent` says so. Throws as it does.
+[[nodiscard]] std::optional<SceneSymmetries> symmetries_within_a_second(const Scene& scene);
+[[nodiscard]] std::optional<SceneSymmetries> symmetries_within_a_second(const IndexedScene& scene);
+constexpr const char* symmetry_work_is_spent = "the search was given up after about a second";
+
 /// What is watched in runs of a scene.
 struct Watched {
     std::optional<SceneSymmetries> found;
-    std::string left_out;            ///< why nothing was found out; empty where something was
-    bool takes_long = false;         ///< and so nothing was looked for
+    std::string left_out;  ///< why nothing was looked for; empty where something was, or where of
+                           ///< functions of the user's own nothing is known
     std::vector<std::string> names;  ///< the energy, where it is conserved, and invariants
 
     /// Of what is watched. Empty where nothing was found out.
@@ -24,7 +30,8 @@ struct Watched {
 
 /// Adds the momentum maps that are found to the scene's invariants: those that are no multiple of
 /// one of these or of a single momentum, and at most 16; and those of [symmetries]. Nothing is
-/// looked for where that would take long. Warns of an invariant that is not conserved.
+/// looked for where that would take long, or is seen to. Warns of an invariant that is not
+/// conserved.
 [[nodiscard]] Watched watch(Scene& scene);
 
 /// The same of a scene of any size: what is one sum.

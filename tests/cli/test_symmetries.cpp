@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tests/cli/program.hpp"
 #include "tests/cli/refusals.hpp"
+#include "tests/cli/torsion.hpp"
 
 using namespace hvi::test;
 
@@ -206,4 +207,37 @@ TEST_CASE("A symmetry that is not affine is one that the scene names") {
     CHECK(of(sphere_with("{x = \"1 + x^2 - y^2\", y = \"2*x*y\"}", "3")).status == 2);
     CHECK(of(sphere_with("{value = \"x\", approximate = true}", "{approximate = true}")).status ==
           2);
+}
+
+TEST_CASE("A search for symmetries that takes for ever is interrupted") {
+    for (const std::string signal : {"INT", "TERM"}) {
+        const Directory directory;
+        write(directory / "torsion.toml", torsion);
+        const Outcome outcome = shell(
+            "timeout -s KILL 30 \"$hvi_gen\" symmetries torsion.toml -o out & sleep 3; kill -" +
+                signal + " $!; wait $!",
+            directory.path());
+        INFO(signal << "\n" << outcome.err);
+        CHECK(outcome.status == 130);
+        CHECK(outcome.out.empty());
+        CHECK(directory.names() == std::vector<std::string>{"torsion.toml"});
+    }
+}
+
+TEST_CASE("A certificate does not wait for symmetries") {
+    const Directory directory;
+    write(directory / "torsion.toml", torsion);
+    const std::vector<std::string> words{"check", "--method", "gauss:2", "torsion.toml"};
+    const Outcome text = hvi_gen(words, directory.path());
+    CHECK(text.status == 0);
+    CHECK(says(text.out,
+               "Of torsion\n\nsymmetries    not looked for: the search was given up after "
+               "about a second\n"));
+    std::vector<std::string> without = words;
+    without.insert(without.end(), {"--no-symmetries", "--format", "json"});
+    const Outcome json = hvi_gen(without, directory.path());
+    CHECK(json.status == 0);
+    CHECK(says(json.out, "\"left_out\": \"--no-symmetries is given\",\n  \"momentum_maps\": null"));
+    const Outcome no_scene = hvi_gen({"check", "--method", "gauss:2", "--no-symmetries"});
+    CHECK(no_scene.status == 2);
 }

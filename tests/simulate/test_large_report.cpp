@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 namespace {
 
 /// A hundred springs of the frequencies sqrt(i), from x = 1/i at rest.
-const std::string springs = R"toml(coordinates = "x[1..N]"
+const std::string hundred_springs = R"toml(coordinates = "x[1..N]"
 momenta     = "p[1..N]"
 hamiltonian = "sum(i=1..N, p[i]^2/2 + i*x[i]^2/2)"
 [parameters]
@@ -92,8 +92,9 @@ void check_verlet(const Json& method) {
 }  // namespace
 
 TEST_CASE("errors on a large scene are those of the exact solution") {
-    const Json json = report_on(springs + solution, {"--methods", "stormer-verlet", "--steps",
-                                                     "1/50, 1/100, 1/200", "--only", "json"});
+    const Json json =
+        report_on(hundred_springs + solution, {"--methods", "stormer-verlet", "--steps",
+                                               "1/50, 1/100, 1/200", "--only", "json"});
     const Json& scene = json["scenes"][0];
     CHECK(scene["reference"] == Json{{"kind", "exact"}, {"error", 0.0}});
     check_verlet(scene["methods"][0]);
@@ -102,7 +103,7 @@ TEST_CASE("errors on a large scene are those of the exact solution") {
 
 TEST_CASE("errors on a large scene against a reference, with all files") {
     const Json json = report_on(
-        springs, {"--methods", "stormer-verlet, gauss:2", "--steps", "1/50, 1/100, 1/200"});
+        hundred_springs, {"--methods", "stormer-verlet, gauss:2", "--steps", "1/50, 1/100, 1/200"});
     const Json& scene = json["scenes"][0];
     CHECK(scene["reference"]["kind"] == "stormer-verlet-kahan-li:8 in 64 bits");
     CHECK(scene["reference"]["error"] < 1e-15);
@@ -114,7 +115,8 @@ TEST_CASE("errors on a large scene against a reference, with all files") {
 }
 
 TEST_CASE("steps on a large scene are chosen from large errors to round-off") {
-    const Json json = report_on(springs + solution, {"--methods", "gauss:3", "--only", "json"});
+    const Json json =
+        report_on(hundred_springs + solution, {"--methods", "gauss:3", "--only", "json"});
     const Json& points = json["scenes"][0]["methods"][0]["points"];
     CHECK(points.size() == 8);
     CHECK(points.back()["error"] < 1e-13);
@@ -122,7 +124,7 @@ TEST_CASE("steps on a large scene are chosen from large errors to round-off") {
 }
 
 TEST_CASE("a large scene that is not separable has a reference too") {
-    std::string scene = springs;
+    std::string scene = hundred_springs;
     scene.replace(scene.find("p[i]^2/2"), 8, "p[i]^2*(1 + x[i]^2)/2");
     const Json json = report_on(
         scene, {"--methods", "gauss:2", "--steps", "1/50, 1/100, 1/200", "--only", "json"});

@@ -5,7 +5,9 @@
 
 #include "generator/exact/functions/ball_function.hpp"
 #include "generator/exact/numbers/number_value.hpp"
+#include "generator/support/process.hpp"
 #include "generator/support/progress.hpp"
+#include "generator/support/work.hpp"
 
 namespace hvi::gen {
 
@@ -19,7 +21,13 @@ constexpr Precision most_bits = 4096;
 /// root at an end bits^2/2, and one with a pole on the way any number.
 constexpr slong most_evaluations(Precision bits) { return bits * bits + 10000; }
 
+/// NOTE: it is called from C, through which nothing is thrown: an interruption makes values that
+/// are had for nothing.
 int evaluate(acb_ptr result, const acb_t point, void* function, slong order, slong /*bits*/) {
+    if (is_interrupted()) {
+        acb_indeterminate(result);
+        return 0;
+    }
     Jet tau;
     acb_set(tau.value.get(), point);
     const Jet jet = (*static_cast<BallFunction*>(function))(tau, order != 0);
@@ -41,6 +49,7 @@ Ball enclose(BallFunction function, const Ball& from, const Ball& to, Precision 
     acb_calc_integrate(integral.get(), evaluate, &function, lower.get(), upper.get(), bits,
                        tolerance, options, bits);
     mag_clear(tolerance);
+    spend_work();
     Ball result;
     arb_set(result.get(), acb_realref(integral.get()));
     return result;

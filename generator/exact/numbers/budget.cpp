@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 
+#include "generator/support/work.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -29,6 +31,8 @@ TooLarge::TooLarge()
                 {}, "give parameters values with --param, or choose simpler functions or nodes") {}
 
 void Budget::spend(double products) {
+    constexpr double units_of_product = 0.05;
+    spend_work(units_of_product * products);
     // NOTE: what a text takes, and a short sum, is there also after all was spent.
     constexpr double always_there = 200;
     if (products <= always_there) { return; }

@@ -2,6 +2,7 @@
 #include "generator/exact/numbers/number.hpp"
 
 #include "generator/exact/numbers/number_value.hpp"
+#include "generator/support/work.hpp"
 
 namespace hvi::gen {
 
@@ -59,7 +60,10 @@ Number number(Real real) {
     return Number(std::make_shared<const Number::Value>(std::move(real), nullptr));
 }
 
-Ball enclosure(const Number& number, Precision bits) { return number.value().enclosure(bits); }
+Ball enclosure(const Number& number, Precision bits) {
+    spend_work(static_cast<double>(bits) / first_precision);
+    return number.value().enclosure(bits);
+}
 
 Number operator+(const Number& left, const Number& right) {
     const Element* const a = left.value().element();
