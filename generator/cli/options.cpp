@@ -260,6 +260,7 @@ Request request(const CLI::App& parsed, const CommandLine& line) {
     case Command::report: return report_options(words, line);
     case Command::symmetries: return symmetries_options(words, line);
     case Command::list: return list_options(words);
+    case Command::cache: return CacheOptions{words.has("--clear")};
     case Command::completions: return completions_options(words, line);
     case Command::manual: return ManualOptions{output_option(words)};
     case Command::ensemble:

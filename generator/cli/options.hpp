@@ -110,6 +110,11 @@ struct ListOptions {
     Topic topic = Topic::all;
 };
 
+/// The compiled programs that are kept.
+struct CacheOptions {
+    bool clear = false;  ///< remove them
+};
+
 /// What completes words of the command line in a shell.
 struct CompletionsOptions {
     Shell shell;
@@ -127,7 +132,7 @@ struct Information {
 
 using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
                              RunOptions, ReportOptions, SymmetriesOptions, ListOptions,
-                             CompletionsOptions, ManualOptions, Information>;
+                             CacheOptions, CompletionsOptions, ManualOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

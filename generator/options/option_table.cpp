@@ -30,12 +30,13 @@ constexpr std::array commands = {
     CommandEntry{module, "module", "SCENE [METHOD]", "Write a module for Python or C",
                  State::to_come},
     CommandEntry{list, "list", "[TOPIC]", "Print what can be named"},
+    CommandEntry{cache, "cache", "", "Show the compiled programs that are kept, or remove them"},
     CommandEntry{completions, "completions", "SHELL", "Print what completes words in a shell"},
     CommandEntry{manual, "manual", "", "Print the man page"},
 };
 
-constexpr Commands every{tableau, check,      stepper, scheme,      run,
-                         report,  symmetries, list,    completions, manual};
+constexpr Commands every{tableau,    check, stepper, scheme,      run,   report,
+                         symmetries, list,  cache,   completions, manual};
 constexpr Commands with_method{tableau, check, stepper, scheme, run, report};
 constexpr Commands with_parameters{tableau, check, stepper, scheme, run, report, symmetries};
 constexpr Commands with_hamiltonian{check, stepper, scheme, symmetries};
@@ -383,6 +384,8 @@ constexpr std::array table = {
                 .help = "Boost.Odeint and GSL too, where they are installed"},
     OptionEntry{
         .name = "--edges", .of = {report}, .help = "Stiff and extreme cases; needs no SCENE"},
+
+    OptionEntry{.name = "--clear", .of = {cache}, .help = "Remove all of them"},
 
     // Results
     OptionEntry{.name = "--format",

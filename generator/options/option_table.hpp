@@ -29,6 +29,7 @@ enum class Command {
     ensemble,
     module,
     list,
+    cache,
     completions,
     manual,
 };

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "generator/program/cache_content.hpp"
 #include "generator/program/embedded.hpp"
 #include "generator/program/machine.hpp"
 #include "generator/support/error.hpp"
@@ -74,6 +75,7 @@ public:
     Entry(fs::path directory, std::string key)
         : directory_(std::move(directory)), key_(std::move(key)) {}
 
+    [[nodiscard]] const fs::path& directory() const { return directory_; }
     [[nodiscard]] fs::path program() const { return directory_ / "program"; }
     [[nodiscard]] bool is_there() const {
         std::error_code ignored;
@@ -116,6 +118,22 @@ private:
     std::string key_;
 };
 
+/// In the directory, without what it was made of.
+void make_program(const Compiler& compiler, const fs::path& directory, const Files& files,
+                  const std::vector<std::string>& libraries) {
+    const FreshDirectory sources(directory, "of");
+    for (const auto& [name, content] : files) {
+        make_private_directories((sources.path() / name).parent_path());
+        write_file(sources.path() / name, content);
+    }
+    compile(compiler, sources.path(), libraries);
+    std::error_code error;
+    fs::rename(sources.path() / "program", directory / "program", error);
+    if (error)
+        throw EnvironmentError("cannot make " + (directory / "program").string() + ": " +
+                               error.message());
+}
+
 }  // namespace
 
 fs::path built_program(const CacheDirectory& cache, const Compiler& compiler,
@@ -123,15 +141,14 @@ fs::path built_program(const CacheDirectory& cache, const Compiler& compiler,
     const Files files = files_of(text);
     const std::string key = key_of(compiler, text, files);
     const Entry entry(cache.path() / hash(key), key);
-    if (entry.is_sound()) return entry.program();
+    if (entry.is_sound()) {
+        mark_used(entry.directory());
+        return entry.program();
+    }
     if (entry.is_there()) warn(entry.program().string() + " is damaged, and compiled again");
 
     const FreshDirectory workshop(cache.path(), "new");
-    for (const auto& [name, content] : files) {
-        make_private_directories((workshop.path() / name).parent_path());
-        write_file(workshop.path() / name, content);
-    }
-    compile(compiler, workshop.path(), text.libraries);
+    make_program(compiler, workshop.path(), files, text.libraries);
     entry.take(workshop.path());
     return entry.program();
 }

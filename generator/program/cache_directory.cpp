@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "generator/program/cache_content.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/warning.hpp"
 
@@ -77,7 +78,12 @@ CacheDirectory::CacheDirectory() {
         close_to_readers(path_);
         reason = why_not_private(path_);
     }
-    if (!reason) return;
+    if (!reason) {
+        lock_.emplace(path_);
+        if (lock_->try_alone()) tidy(path_, most_bytes_of_cache);
+        lock_->share();
+        return;
+    }
     const fs::path temporary = temporary_directory();
     if (const auto unsafe = why_not_safe(temporary))
         throw EnvironmentError("compiled programs could be replaced by those of others: " + *unsafe,
@@ -86,6 +92,15 @@ CacheDirectory::CacheDirectory() {
     warn(fmt::format("compiled programs are not kept in {}: {}", place.string(), *reason),
          "they are kept, and looked for, only where nobody else can put any: in a directory of "
          "yours of mode 0700");
+}
+
+void CacheDirectory::clear() {
+    if (!lock_) return;  // there is nothing yet
+    if (!lock_->try_alone())
+        throw EnvironmentError("another hvi-gen uses the programs in " + path_.string(),
+                               "wait until it has ended");
+    tidy(path_, 0);
+    lock_->share();
 }
 
 }  // namespace hvi::gen

@@ -1,0 +1,33 @@
+// What is in a directory of compiled programs, and what of it goes.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace hvi::gen {
+
+struct CacheContent {
+    struct Program {
+        std::filesystem::path directory;
+        std::uintmax_t bytes = 0;
+        std::filesystem::file_time_type used;
+    };
+    std::vector<Program> programs;                  ///< the least recently used first
+    std::vector<std::filesystem::path> unfinished;  ///< being made, or left by what was killed
+
+    [[nodiscard]] std::uintmax_t bytes() const;
+};
+
+/// Files that are none of ours are passed over.
+[[nodiscard]] CacheContent content_of(const std::filesystem::path& cache);
+
+/// Says that a program is used now. Its directory has a file `key`, whose time it is.
+void mark_used(const std::filesystem::path& program_directory);
+
+/// Removes what is unfinished, and programs, the least recently used first, until those that are
+/// left have at most so many bytes. Precondition: no other process uses the directory.
+void tidy(const std::filesystem::path& cache, std::uintmax_t most_bytes);
+
+}  // namespace hvi::gen
