@@ -21,6 +21,7 @@
 #include "generator/support/output_file.hpp"
 #include "generator/support/pace.hpp"
 #include "generator/support/process.hpp"
+#include "generator/support/warning.hpp"
 #include "generator/symmetry/watched.hpp"
 
 namespace hvi::gen {
@@ -70,6 +71,7 @@ struct WishedRun {
     Steps steps;
     std::vector<Statement> statements = {};  ///< of what it keeps
     std::string not_looked_for = {};         ///< symmetries: why, and what looks for them
+    std::string help_on_steps = {};          ///< that are too large
 };
 
 double per_step(std::int64_t count, std::int64_t steps) {
@@ -131,6 +133,23 @@ std::string summary(const WishedRun& wished, const Simulation& run) {
     if (!wished.not_looked_for.empty())
         line("symmetries", "not looked for: " + wished.not_looked_for);
     return text;
+}
+
+/// Warns where the energy changes by more than a tenth of its scale. That is the larger of |H| at
+/// the start and of the mean size of H(q, p) - H(q, 0) on the way: H may be 0 at the start, as it
+/// is up to a constant. NOTE: not how much of it there is at the start, or at most. On an ellipse
+/// of the eccentricity 0.9999 that is 20 000 times H where it is near the sun, and the mean is -H.
+void warn_of_energy(const Simulation& run, const WishedRun& wished) {
+    constexpr double much = 0.1;
+    for (const Conserved& kept : run.conserved) {
+        if (kept.name != "energy") continue;
+        const double scale = std::max(std::abs(kept.start), run.energy_of_motion);
+        if (scale == 0 || !(kept.largest > much * scale)) return;
+        warn(
+            fmt::format("the energy changes by {:.2g}, of a scale of {:.2g}: the step is too large",
+                        kept.largest, scale),
+            wished.help_on_steps);
+    }
 }
 
 /// Says in the table itself that it is not whole.
@@ -256,7 +275,11 @@ WishedRun watched_run(const Method& method, const Scene& scene, const StepperWis
     const Watched watched = watch(watched_scene, options);
     const SceneStepper stepper = scene_stepper(method, watched_scene, wishes);
     return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
-            watched.left_out};
+            watched.left_out,
+            options.accuracy
+                ? "a smaller E of --accuracy"
+                : "a smaller --step; or in its place --accuracy 1e-6, which finds a method and "
+                  "a step"};
 }
 
 WishedRun wished_run(const RunOptions& options, const MethodAndScene& wished) {
@@ -270,7 +293,7 @@ WishedRun wished_run(const RunOptions& options, const MethodAndLargeScene& wishe
     const Watched watched = watch(scene, options);
     const LoopStepper stepper = loop_stepper(wished.method, scene, wishes_of(options));
     return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
-            watched.left_out};
+            watched.left_out, "a smaller --step"};
 }
 
 WishedRun advised_run(const RunOptions& options) {
@@ -309,10 +332,12 @@ void run(const RunOptions& options) {
     // NOTE: what is computed exactly an interruption may end at once, as there is nothing to clear
     // away.
     const WishedRun wished = any_run(options);
-    const auto& [subject, steps, statements, not_looked_for] = wished;
-    if (!not_looked_for.empty())
-        std::fputs(fmt::format("note: symmetries are not looked for: {}\n", not_looked_for).c_str(),
-                   stderr);
+    const RunSubject& subject = wished.subject;
+    const Steps& steps = wished.steps;
+    if (!wished.not_looked_for.empty())
+        std::fputs(
+            fmt::format("note: symmetries are not looked for: {}\n", wished.not_looked_for).c_str(),
+            stderr);
     const InterruptionsHeld held;
     const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
     note_left_out(steps);
@@ -332,6 +357,7 @@ void run(const RunOptions& options) {
                             ? simulation.status
                             : simulation.unfit + " begins with no finite number"),
             {}, directory ? fmt::format("what there is of it is in {}", directory->string()) : "");
+    warn_of_energy(simulation, wished);
     if (options.files.contains(RunFile::summary)) write_standard_output(summary);
 }
 

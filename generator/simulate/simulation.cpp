@@ -255,6 +255,7 @@ Simulation run_simulation(const std::filesystem::path& program, const RunSubject
                last = answers.numbers("last", names.size());
     for (std::size_t i = 0; i < names.size(); ++i)
         run.conserved.push_back({names[i], start[i], largest[i], last[i]});
+    if (answers.has("motion")) run.energy_of_motion = answers.number("motion");
     if (answers.has("unfit"))
         run.unfit =
             name_at(column_names(subject), static_cast<std::size_t>(answers.integer("unfit")));

@@ -38,6 +38,7 @@ struct Simulation {
     std::int64_t evaluations = 0;  ///< of dH/dq
     double seconds_of_step = 0;    ///< where nobody looks on; 0 where no step was taken
     std::vector<Conserved> conserved;
+    double energy_of_motion = 0;  ///< mean size of H(q, p) - H(q, 0); 0 where it is not known
     std::string unfit = {};  ///< a variable that begins with no finite number, where that ended it
 
     [[nodiscard]] bool ok() const { return status == "ok"; }

@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <driver/flat.hpp>
 
 namespace hvi::driver {
 
@@ -43,6 +49,46 @@ public:
 private:
     std::array<double, count> values_;
     std::array<Departure, count> departures_{};
+};
+
+/// How much of the energy is in the motion: the mean size of H(q, p) - H(q, 0) over places of a run
+/// where both are finite. Without an energy among the invariants it is 0.
+template <class Problem>
+class EnergyOfMotion {
+public:
+    /// Precondition: the invariants are those at x.
+    template <class Stepper>
+    void see(const Stepper& stepper, const typename Stepper::State& x,
+             const Invariants<Problem>& invariants) {
+        if constexpr (is_there) {
+            std::vector<double> at_rest = numbers<Stepper>(x);
+            const auto momenta = static_cast<std::ptrdiff_t>(flat<Stepper>(x).q.size());
+            std::fill(at_rest.begin() + momenta, at_rest.end(), 0.0);
+            auto y = x;
+            set_numbers<Stepper>(y, at_rest);
+            const double energy = invariants.values()[0];
+            const double size = std::abs(energy - Problem::values(stepper, y)[0]);
+            if (!std::isfinite(size)) { return; }
+            sum_ += size;
+            ++count_;
+        }
+    }
+
+    [[nodiscard]] double mean() const {
+        return count_ == 0 ? 0 : sum_ / static_cast<double>(count_);
+    }
+
+private:
+    static constexpr bool is_there = [] {
+        if constexpr (Problem::invariants.size() == 0) {
+            return false;
+        } else {
+            return std::string_view(Problem::invariants[0]) == "energy";
+        }
+    }();
+
+    double sum_ = 0;
+    std::int64_t count_ = 0;
 };
 
 }  // namespace hvi::driver

@@ -159,6 +159,7 @@ private:
     }
 
     void write(bool is_end) {
+        if (tables_.front().has_row(taken_)) { motion_.see(stepper_, x_, invariants_); }
         const auto& x = flat<Stepper>(x_);
         for (Rows& table : tables_) {
             table.see(taken_, is_end, static_cast<double>(taken_) * h_,
@@ -196,6 +197,7 @@ private:
             say("largest", departure.largest);
             say("last", departure.last);
         }
+        say("motion", motion_.mean());
     }
 
     double h_;
@@ -206,6 +208,7 @@ private:
     Status status_;
     std::int64_t taken_ = 0, iterations_ = 0;
     Invariants<Problem> invariants_{stepper_, x_};
+    EnergyOfMotion<Problem> motion_;
     std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now();
 };
 
