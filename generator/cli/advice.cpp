@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "generator/cli/method.hpp"
@@ -29,6 +30,7 @@ std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-
 std::string why_not(const WorkCurve& curve, double accuracy, double seconds) {
     if (!next_count(curve, accuracy)) return "does not get there";
     const double predicted = predicted_seconds(curve, accuracy);
+    if (!(seconds > 0) || !std::isfinite(predicted)) return "not followed for longer";
     return fmt::format("dropped: {:.0f} times or so", predicted / seconds);
 }
 
@@ -46,8 +48,9 @@ std::string row(const WorkCurve& curve, Solver solver, double accuracy, double s
 std::string table(const Advice& advice, double accuracy) {
     std::string rows = fmt::format("  {:<29} {:<12} {:<10} {:>9} {:>8} {:>9}\n", "method", "solver",
                                    "h", "steps", "error", "time");
-    std::vector<std::size_t> order(advice.curves.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < advice.curves.size(); ++i)
+        if (!advice.curves[i].points.empty()) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
         const auto a = cheapest(advice.curves[i], accuracy),
                    b = cheapest(advice.curves[j], accuracy);
@@ -94,7 +97,8 @@ AdvisedOptions advised(const AccuracyQuestion& question) {
 
     Builds builds(find_compiler());
     const Advice found = advice(
-        builds, scene, {accuracy, end, std::max<std::int64_t>(1, count), question.has_curve});
+        builds, scene,
+        {accuracy, end, std::max<std::int64_t>(1, count), question.has_curve, question.seconds});
     const Candidate& chosen = found.candidates[found.chosen];
     const std::string step = fmt::format("{}/{}", factor(until.expression), found.point.steps);
     const std::string note = fmt::format(
@@ -106,8 +110,21 @@ AdvisedOptions advised(const AccuracyQuestion& question) {
                    .c_str(),
                stderr);
     if (question.explain) std::fputs(model_table(found, accuracy).c_str(), stderr);
-    return {chosen.method.method.name,          chosen.solver, chosen.method.composition,
-            {found.point.h, found.point.steps}, step,          note};
+    const std::string shortfall =
+        found.is_reached
+            ? ""
+            : fmt::format(
+                  "an error of {} at t = {} is not reached in {:.3g} s: the best so far is {} "
+                  "in steps of {}, with an error of about {:.1e}",
+                  accuracy, end, question.seconds, found.curves[found.chosen].name, step,
+                  found.point.error);
+    return {chosen.method.method.name,
+            chosen.solver,
+            chosen.method.composition,
+            {found.point.h, found.point.steps},
+            step,
+            note,
+            shortfall};
 }
 
 }  // namespace hvi::gen

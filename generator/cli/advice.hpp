@@ -17,6 +17,7 @@ struct AccuracyQuestion {
     SystemOptions system;           ///< a scene
     Given until;                    ///< in place of the scene's
     double accuracy = 0;
+    double seconds = 60;     ///< for which runs are made
     bool has_curve = false;  ///< of the steps, which compositions have not
     bool explain = false;    ///< what the runs cost beside what the model of costs says
 };
@@ -29,6 +30,8 @@ struct AdvisedOptions {
     Steps steps{};
     std::string step;  ///< exactly, as `--step` takes it: `200/1123`
     std::string note;  ///< what it is for, in a line
+    std::string shortfall =
+        {};  ///< that the accuracy was not reached in that time; empty where it was
 };
 
 /// Measures, and says on standard error what was measured and chosen. Throws what advice() does.

@@ -107,6 +107,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     StepperOptions options;
     options.system = system_options(words);
     options.accuracy = words.fraction("--accuracy");
+    if (const auto seconds = words.whole_number("--budget")) options.budget = *seconds;
     options.until = words.value("--until");
     options.method = options.system && options.system->scene ? method_beside_scene(words)
                                                              : method_options(words, line);
@@ -151,6 +152,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     if (!options.system.scene) refuse_without_scene(line);
     options.wishes = wishes_of(words);
     options.accuracy = words.fraction("--accuracy");
+    if (const auto seconds = words.whole_number("--budget")) options.budget = *seconds;
     options.step = words.value("--step");
     options.until = words.value("--until");
     options.columns = words.value("--columns");

@@ -54,6 +54,7 @@ struct StepperOptions {
     std::optional<SystemOptions> system;  ///< else that of a class of the user
     StepperWishes wishes;
     std::optional<double> accuracy;  ///< in place of a method
+    double budget = 60;              ///< seconds to look for it
     Given until;                     ///< the time of that, in place of the scene's
     bool explain = false;            ///< say on standard error what is solved and what left out
     std::optional<Wish<Stage>> dump = {};  ///< the record of this stage in place of the header
@@ -65,6 +66,7 @@ struct RunOptions {
     SystemOptions system;            ///< a scene
     StepperWishes wishes;            ///< solver, lanes and composition alone
     std::optional<double> accuracy;  ///< in place of a method and a step
+    double budget = 60;              ///< seconds to look for them
     Given step, until;               ///< in place of those of the scene
     Given columns;                   ///< of the table, in place of the usual ones
     bool symmetries = true;          ///< look for them

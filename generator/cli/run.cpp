@@ -72,6 +72,7 @@ struct WishedRun {
     std::vector<Statement> statements = {};  ///< of what it keeps
     std::string not_looked_for = {};         ///< symmetries: why, and what looks for them
     std::string help_on_steps = {};          ///< that are too large
+    std::string shortfall = {};              ///< of the accuracy; empty where it is reached
 };
 
 double per_step(std::int64_t count, std::int64_t steps) {
@@ -117,6 +118,7 @@ std::string summary(const WishedRun& wished, const Simulation& run) {
     if (asked.left != 0) line("left out", left_out(asked));
     if (!run.ok())
         line("incomplete", fmt::format("{} steps were wanted: {}", asked.count, run.status));
+    if (!wished.shortfall.empty()) line("accuracy", wished.shortfall);
     if (run.steps > 0) {
         line("time", fmt::format("{} a step, {} in all", duration(run.seconds_of_step),
                                  duration(run.seconds_of_step * static_cast<double>(run.steps))));
@@ -299,14 +301,16 @@ WishedRun wished_run(const RunOptions& options, const MethodAndLargeScene& wishe
 WishedRun advised_run(const RunOptions& options) {
     const AdvisedOptions advice = [&] {
         const InterruptionsHeld held;
-        return advised(
-            {options.method.parameters, options.system, options.until, *options.accuracy});
+        return advised({options.method.parameters, options.system, options.until, *options.accuracy,
+                        options.budget});
     }();
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
     const auto [method, scene] = read_scene(method_options, options.system);
-    return watched_run(method, scene, simulation_wishes(advice.solver, advice.composition),
-                       advice.steps, options);
+    WishedRun run = watched_run(method, scene, simulation_wishes(advice.solver, advice.composition),
+                                advice.steps, options);
+    run.shortfall = advice.shortfall;
+    return run;
 }
 
 WishedRun any_run(const RunOptions& options) {
@@ -358,6 +362,13 @@ void run(const RunOptions& options) {
                             : simulation.unfit + " begins with no finite number"),
             {}, directory ? fmt::format("what there is of it is in {}", directory->string()) : "");
     warn_of_energy(simulation, wished);
+    // NOTE: as a run that stopped early: what was asked for is not there, and what is there is
+    // kept.
+    if (!wished.shortfall.empty())
+        throw MathError(wished.shortfall, {},
+                        (directory ? fmt::format("the run of these is in {}; ", directory->string())
+                                   : std::string()) +
+                            "ask for less, for an earlier end by --until, or for more by --budget");
     if (options.files.contains(RunFile::summary)) write_standard_output(summary);
 }
 

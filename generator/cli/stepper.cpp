@@ -83,7 +83,10 @@ void write_advised(const StepperOptions& options) {
     const InterruptionsHeld held;
     const AdvisedOptions advice =
         advised({options.method.parameters, *options.system, options.until, *options.accuracy,
-                 options.wishes.dense, options.explain});
+                 options.budget, options.wishes.dense, options.explain});
+    if (!advice.shortfall.empty())
+        throw MathError(advice.shortfall, {},
+                        "ask for less, for an earlier end by --until, or for more by --budget");
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
     const auto [method, scene] = read_scene(method_options, *options.system);

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "generator/lower/system.hpp"
 #include "generator/study/contender.hpp"
@@ -41,33 +44,67 @@ std::vector<Candidate> candidates(const Structure& structure, const AdviceWishes
     return all;
 }
 
+/// The time that runs may take.
+class Deadline {
+public:
+    explicit Deadline(double seconds) : end_(Clock::now() + Seconds(seconds)) {}
+
+    [[nodiscard]] bool has(double seconds) const { return Clock::now() + Seconds(seconds) < end_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    std::chrono::time_point<Clock, Seconds> end_;
+};
+
+/// Runs of one method, made only where there is time for it by what the last one took.
+class PatientRuns {
+public:
+    PatientRuns(MeasureSteps measure, const Deadline& deadline)
+        : measure_(std::move(measure)), deadline_(&deadline) {}
+
+    [[nodiscard]] std::optional<Measurement> operator()(std::int64_t count, double seconds) {
+        const auto steps = static_cast<double>(count);
+        if (!deadline_->has(seconds_of_step_ * steps)) return {};
+        const auto start = std::chrono::steady_clock::now();
+        Measurement run = measure_(count, seconds);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        seconds_of_step_ = taken.count() / steps;
+        return run;
+    }
+
+private:
+    MeasureSteps measure_;
+    const Deadline* deadline_;
+    double seconds_of_step_ = 0;  ///< with repetitions
+};
+
 /// The runs of the candidates.
 class Race {
 public:
-    Race(Course course, double accuracy, const std::vector<Contender>& contenders)
+    Race(Course course, double accuracy, const std::vector<Contender>& contenders,
+         const Deadline& deadline)
         : course_(std::move(course)), accuracy_(accuracy) {
         for (const Contender& contender : contenders) {
             curves_.push_back({contender.title, contender.order, false, {}, {}});
-            measures_.push_back(measured(contender, course_.until));
+            measures_.emplace_back(measured(contender, course_.until), deadline);
         }
     }
 
     /// From the step of the scene on, until the error is that of an order.
     void begin(std::size_t i) {
-        run(i, course_.first_count, seconds_of_look);
+        if (!run(i, course_.first_count, seconds_of_look)) return;
         while (!std::isfinite(predicted_seconds(curves_[i], accuracy_))) {
             const auto next = next_count(curves_[i], accuracy_);
-            if (!next) return;
-            run(i, *next, seconds_of_look);
+            if (!next || !run(i, *next, seconds_of_look)) return;
         }
     }
 
     /// To the accuracy, or as long as there is hope to be the fastest.
     void finish(std::size_t i) {
-        while (const auto next = next_count(curves_[i], accuracy_)) {
-            if (has_no_hope(i)) return;
-            run(i, *next, seconds_of_look);
-        }
+        if (curves_[i].points.empty()) return;
+        while (const auto next = next_count(curves_[i], accuracy_))
+            if (has_no_hope(i) || !run(i, *next, seconds_of_look)) return;
     }
 
     /// By rising time that they will take.
@@ -91,11 +128,15 @@ public:
         for (int round = 0; round < rounds; ++round)
             for (std::size_t i = 0; i < curves_.size(); ++i)
                 for (const WorkPoint& point : std::vector<WorkPoint>(curves_[i].points))
-                    if (point.ok() && point.error <= accuracy_ && point.seconds < most)
-                        run(i, point.steps, seconds);
+                    if (point.ok() && point.error <= accuracy_ && point.seconds < most &&
+                        !run(i, point.steps, seconds))
+                        return;
     }
 
     [[nodiscard]] const std::vector<WorkCurve>& curves() const { return curves_; }
+
+    /// Whether a run was not made for want of time.
+    [[nodiscard]] bool is_cut_short() const { return is_cut_short_; }
 
 private:
     static constexpr double seconds_of_look = 1e-6;  // three repetitions
@@ -105,12 +146,18 @@ private:
     /// NOTE: three repetitions may all have been disturbed, so it is timed once more before.
     bool has_no_hope(std::size_t i) {
         if (!is_hopeless(curves_[i], accuracy_, seconds_of_best())) return false;
-        run(i, curves_[i].points.back().steps, seconds_of_second_look);
+        if (!run(i, curves_[i].points.back().steps, seconds_of_second_look)) return true;
         return is_hopeless(curves_[i], accuracy_, seconds_of_best());
     }
 
-    void run(std::size_t i, std::int64_t count, double seconds) {
-        add_point(curves_[i], work_point(course_, measures_[i], count, seconds));
+    /// Whether there was time for it.
+    [[nodiscard]] bool run(std::size_t i, std::int64_t count, double seconds) {
+        const auto measured = measures_[i](count, seconds);
+        is_cut_short_ = is_cut_short_ || !measured;
+        if (!measured) return false;
+        const auto known = [&](std::int64_t, double) { return *measured; };
+        add_point(curves_[i], work_point(course_, known, count, seconds));
+        return true;
     }
 
     /// Where none gets there yet, so much longer than one may take as is worth while to wait.
@@ -126,68 +173,94 @@ private:
     Course course_;
     double accuracy_;
     std::vector<WorkCurve> curves_;
-    std::vector<MeasureSteps> measures_;
+    std::vector<PatientRuns> measures_;
+    bool is_cut_short_ = false;
 };
 
-/// The run with the smallest error, of all.
-MathError out_of_reach(const Scene& scene, const std::vector<WorkCurve>& curves, double accuracy) {
+/// The fastest that gets to the accuracy, else the one with the smallest error. Throws MathError
+/// where more time would not have led there.
+void choose(Advice& advice, const Scene& scene, double accuracy, bool is_cut_short) {
+    if (const auto chosen = fastest(advice.curves, accuracy)) {
+        advice.chosen = *chosen;
+        advice.point = *cheapest(advice.curves[*chosen], accuracy);
+        return;
+    }
     const WorkPoint* best = nullptr;
-    const WorkCurve* by = nullptr;
-    for (const WorkCurve& curve : curves)
-        for (const WorkPoint& point : curve.points)
+    for (std::size_t i = 0; i < advice.curves.size(); ++i)
+        for (const WorkPoint& point : advice.curves[i].points)
             if (point.ok() && (best == nullptr || point.error < best->error)) {
                 best = &point;
-                by = &curve;
+                advice.chosen = i;
             }
     const std::string what =
         fmt::format("no method takes {} to its end with an error of {}", scene.name, accuracy);
-    if (best == nullptr) return MathError(what, {}, "none comes to the end at all");
-    return MathError(
-        what, {},
-        fmt::format("the best is {:.2e}, by {} in {} steps", best->error, by->name, best->steps));
+    if (best == nullptr) throw MathError(what, {}, "none comes to the end at all");
+    if (!is_cut_short)
+        throw MathError(what, {},
+                        fmt::format("the best is {:.2e}, by {} in {} steps", best->error,
+                                    advice.curves[advice.chosen].name, best->steps));
+    advice.point = *best;
+    advice.is_reached = false;
 }
 
 /// Of which double is enough to be known to a hundredth of it.
 constexpr double coarsest_of_quadruple = 1e-9;
 constexpr double part_of_accuracy = 1e-2;
 
-/// By a method of high order, whose steps are halved until the end moves little.
-Reference reference_in_double(const Contender& contender, const AdviceWishes& wishes) {
-    constexpr int most_halvings = 12;
-    const MeasureSteps measure = measured(contender, wishes.until);
+/// A solution, and the run of the last candidate that ends there, where it is of one.
+struct FoundReference {
+    Reference reference;
+    std::optional<WorkPoint> run = {};
+};
+
+/// By a method of high order, whose steps are halved until the end moves little, or for so many
+/// seconds.
+FoundReference reference_in_double(const Contender& contender, const AdviceWishes& wishes,
+                                   double seconds) {
+    constexpr std::int64_t most_steps = 1'000'000'000;
+    const Deadline deadline(seconds);
+    PatientRuns runs(measured(contender, wishes.until), deadline);
     Course course{{contender.title + " in 53 bits", std::numeric_limits<double>::infinity(), {}},
                   wishes.until,
                   wishes.first_count,
                   {},
                   false};
-    Reference& found = course.reference;
-    std::int64_t count = wishes.first_count;
-    for (int i = 0; i <= most_halvings; ++i, count *= 2) {
-        const Measurement run = measure(count, 0);
-        if (!run.ok()) continue;
-        if (!found.state.empty()) found.error = work_point(course, run).error;
-        found.state = std::get<EndOfRun>(run.end).state;
-        if (found.error <= part_of_accuracy * wishes.accuracy) break;
+    FoundReference found;
+    for (std::int64_t count = wishes.first_count; count < most_steps; count *= 2) {
+        const std::optional<Measurement> run = runs(count, 0);
+        if (!run) break;
+        if (!run->ok()) continue;
+        Reference& reference = course.reference;
+        if (reference.state.empty()) reference.state = std::get<EndOfRun>(run->end).state;
+        const WorkPoint point = work_point(course, *run);
+        if (found.run) reference.error = point.error;
+        found.run = point;
+        found.run->error = reference.error;
+        reference.state = std::get<EndOfRun>(run->end).state;
+        if (reference.error <= part_of_accuracy * wishes.accuracy) break;
     }
+    found.reference = course.reference;
     return found;
 }
 
-/// Throws MathError where it is not known to a hundredth of the accuracy.
-Reference good_reference(const Build& quadruple, const Contender& contender, const Scene& scene,
-                         const AdviceWishes& wishes) {
+/// Throws MathError where it is not known to a hundredth of the accuracy, and there is no run.
+FoundReference good_reference(const Build& quadruple, const Contender& contender,
+                              const Scene& scene, const AdviceWishes& wishes) {
     const double wanted = part_of_accuracy * wishes.accuracy;
+    const double seconds = wishes.seconds / 2;  // the rest is for the race
     const bool is_fine = has_exact_states(scene) || wishes.accuracy < coarsest_of_quadruple;
-    Reference found = is_fine
-                          ? reference(quadruple, scene, wishes.until, wishes.first_count, wanted)
-                          : reference_in_double(contender, wishes);
-    if (!std::isfinite(found.error))
+    FoundReference found = is_fine ? FoundReference{reference(quadruple, scene, wishes.until,
+                                                              wishes.first_count, wanted, seconds)}
+                                   : reference_in_double(contender, wishes, seconds);
+    const double error = found.reference.error;
+    if (!std::isfinite(error))
         throw MathError(
-            fmt::format("there is no reference solution of {} in half a minute", scene.name), {},
-            "ask for less, or for an earlier end by --until");
-    if (!(found.error <= wanted))
+            fmt::format("there is no reference solution of {} in {:.3g} s", scene.name, seconds),
+            {}, "ask for less, for an earlier end by --until, or for more by --budget");
+    if (!(error <= wanted) && !found.run)
         throw MathError(fmt::format("the motion of {} is known with an error of {:.1e} only",
-                                    scene.name, found.error),
-                        {}, "ask for less, or for an earlier end by --until");
+                                    scene.name, error),
+                        {}, "ask for less, for an earlier end by --until, or for more by --budget");
     return found;
 }
 
@@ -215,10 +288,22 @@ Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
         static_cast<void>(built(contender.build));
     }
     show("reference");
-    result.reference = good_reference(quadruple, contenders.back(), scene, wishes);
+    const Deadline deadline(wishes.seconds);
+    const FoundReference found = good_reference(quadruple, contenders.back(), scene, wishes);
+    result.reference = found.reference;
+    if (!(found.reference.error <= part_of_accuracy * wishes.accuracy)) {
+        // Nothing else is known so well as that run.
+        for (const Contender& contender : contenders)
+            result.curves.push_back({contender.title, contender.order, false, {}, {}});
+        result.curves.back().points.push_back(*found.run);
+        result.chosen = contenders.size() - 1;
+        result.point = *found.run;
+        result.is_reached = false;
+        return result;
+    }
     const Course course{
         result.reference, wishes.until, wishes.first_count, {}, !system.time.has_value()};
-    Race race(course, wishes.accuracy, contenders);
+    Race race(course, wishes.accuracy, contenders, deadline);
     for (std::size_t i = 0; i < contenders.size(); ++i) race.begin(i);
     for (const std::size_t i : race.by_prediction()) {
         show("running " + race.curves()[i].name);
@@ -226,10 +311,7 @@ Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     }
     race.time_the_best();
     result.curves = race.curves();
-    const auto chosen = fastest(result.curves, wishes.accuracy);
-    if (!chosen) throw out_of_reach(scene, result.curves, wishes.accuracy);
-    result.chosen = *chosen;
-    result.point = *cheapest(result.curves[*chosen], wishes.accuracy);
+    choose(result, scene, wishes.accuracy, race.is_cut_short());
     return result;
 }
 

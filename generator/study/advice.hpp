@@ -28,6 +28,7 @@ struct AdviceWishes {
     double until = 0;              ///< the time at the end
     std::int64_t first_count = 1;  ///< steps to begin with
     bool has_curve = false;        ///< steps are to have a curve, as those of compositions have not
+    double seconds = 60;           ///< for which runs are made; programs are compiled before
 };
 
 struct Advice {
@@ -35,13 +36,15 @@ struct Advice {
     std::vector<WorkCurve> curves;                  ///< of each the runs that were made
     std::vector<std::optional<SolverCosts>> costs;  ///< of each; see Contender
     std::size_t chosen = 0;
-    WorkPoint point;  ///< of the chosen one, at that accuracy
+    WorkPoint point;         ///< of the chosen one, at that accuracy, or the best where
+    bool is_reached = true;  ///< none got there in that time; its error is an estimate then
     Reference reference;
 };
 
 /// Compiles all candidates, runs them, and says on standard error what it is at, where that is a
-/// terminal. Throws MathError where none gets there, or nothing is known so well as to tell; and
-/// what scene_stepper(), a Build and ask() do.
+/// terminal. No run is begun that would end after the time that there is, as far as those before it
+/// tell. Throws MathError where none gets there with any steps, or nothing is known so well as to
+/// tell; and what scene_stepper(), a Build and ask() do.
 [[nodiscard]] Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes);
 
 }  // namespace hvi::gen

@@ -70,8 +70,7 @@ Build reference_build(Builds& builds, const Scene& scene) {
 }
 
 Reference reference(const Build& build, const Scene& scene, double until, std::int64_t count,
-                    double wanted) {
-    constexpr double seconds = 30;
+                    double wanted, double seconds) {
     // Of so high an order, larger steps than the scene's may do.
     const std::int64_t begin = std::max<std::int64_t>(1, count / 16);
     if (has_exact_states(scene)) return {"exact", 0, exact_state(scene, until)};

@@ -42,8 +42,8 @@ struct Contender {
 [[nodiscard]] Build reference_build(Builds& builds, const Scene& scene);
 
 /// The scene's exact solution at its end, or one by that program, with steps halved until the end
-/// moves by no more than `wanted`, or for half a minute. `count` are the scene's own steps.
+/// moves by no more than `wanted`, or for so many seconds. `count` are the scene's own steps.
 [[nodiscard]] Reference reference(const Build& build, const Scene& scene, double until,
-                                  std::int64_t count, double wanted);
+                                  std::int64_t count, double wanted, double seconds = 30);
 
 }  // namespace hvi::gen
