@@ -82,8 +82,8 @@ TEST_CASE("an interruption ends exact computations of a report soon") {
     for (const std::string signal : {"INT", "TERM"}) {
         const PretendedCompiler compiler;
         const Outcome outcome =
-            compiler.run("timeout -s KILL 30 $hvi_gen report scene.toml --basis trig:24 --nodes "
-                         "gauss:24 --only work,json -o out & "
+            compiler.run("timeout -s KILL 30 $hvi_gen report scene.toml --basis trig:40 --nodes "
+                         "gauss:40 --only work,json -o out & "
                          "sleep 4; kill -" +
                          signal + " $!; wait $!");
         INFO(signal << "\n" << outcome.err);
