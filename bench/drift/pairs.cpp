@@ -29,7 +29,7 @@ void add_pairs(std::vector<Row>& rows) {
     add<NonseparableGauss8Ensemble, BasicNonseparableGauss8Ensemble<long double>>(
         rows, {"pairs", "nonseparable", "gauss:8", "ensemble"}, sizes);
     add<RowsGauss4, BasicRowsGauss4<long double>>(rows, {"pairs", "rows N=72", "gauss:4", "loops"},
-                                                  {0.1, 1.0 / 7, 0.0937}, 0.1);
+                                                  {0.1, 1.0 / 14, 0.0937}, 0.1);
 }
 
 }  // namespace drift
