@@ -9,6 +9,7 @@
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
 #include "generator/support/progress.hpp"
+#include "generator/support/thread.hpp"
 
 namespace {
 
@@ -25,14 +26,19 @@ int report(const Error& error) {
     return static_cast<int>(error.status());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    set_up_process();
+int status_of(int argc, const char* const* argv) {
     try {
         run_command(argc, argv);
         return static_cast<int>(ExitStatus::done);
     } catch (const Error& error) { return report(error); } catch (const std::exception& error) {
         return report(InternalError(error.what()));
     } catch (...) { return report(InternalError("an exception of unknown type")); }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    set_up_process();
+    exit_with([&] { return status_of(argc, argv); });
+    return report(EnvironmentError("there is no memory for a stack of 64 MiB, or no thread"));
 }

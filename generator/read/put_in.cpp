@@ -11,20 +11,23 @@ namespace hvi::gen {
 
 namespace {
 
+/// As deep as expressions are nested at most: those of the reader have up to 6 levels for each of
+/// its 200.
+constexpr std::size_t most_levels = 1200;
+
 /// What stands for a symbol or an element; nothing where it stays.
 using Substitute = std::function<std::optional<Expression>(const Expression&)>;
 
 /// Puts expressions of other texts in places of one.
 class PuttingIn {
 public:
-    /// `words` counts what is made, by all that share it.
-    PuttingIn(const std::shared_ptr<const Source>& source, Substitute substitute,
-              std::size_t& words)
-        : source_(source), substitute_(std::move(substitute)), words_(words) {}
+    /// `extent` is that of what is made by all that share it.
+    PuttingIn(const std::shared_ptr<const Source>& source, Substitute substitute, Extent& extent)
+        : source_(source), substitute_(std::move(substitute)), extent_(extent) {}
 
     /// NOTE: made by the functions that the reader uses, so that it is flat as what is read is.
     [[nodiscard]] Expression operator()(const Expression& expression) {
-        count(expression);
+        const Level level(*this, expression.range);
         Expression result = expression;
         const bool hides =
             result.kind == Expression::Kind::sum_over && indices_.insert(result.name).second;
@@ -39,8 +42,27 @@ public:
     }
 
 private:
+    /// While it lives, what is made stands in one thing more. `place`: in the text.
+    class Level {
+    public:
+        Level(const PuttingIn& whole, Range place) : extent_(whole.extent_) {
+            if (++extent_.words > most_words_unrolled) {
+                whole.refuse(fmt::format("has more than {} words", most_words_unrolled), place);
+            }
+            if (++extent_.levels > most_levels) {
+                whole.refuse(fmt::format("is nested deeper than {}", most_levels), place);
+            }
+        }
+        ~Level() { --extent_.levels; }
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+
+    private:
+        Extent& extent_;
+    };
+
     [[nodiscard]] Expression placed(Expression expression, Range range) {
-        count(expression);
+        const Level level(*this, range);
         for (Expression& argument : expression.arguments) {
             argument = placed(std::move(argument), range);
         }
@@ -48,17 +70,14 @@ private:
         return expression;
     }
 
-    void count(const Expression& expression) {
-        if (++words_ <= most_words_unrolled) { return; }
-        throw InputError(fmt::format("with what its names stand for this has more than {} words",
-                                     most_words_unrolled),
-                         Place{source_, expression.range});
+    [[noreturn]] void refuse(const std::string& what, Range place) const {
+        throw InputError("with what its names stand for this " + what, Place{source_, place});
     }
 
     const std::shared_ptr<const Source>& source_;
     Substitute substitute_;
     std::set<std::string> indices_;  ///< of sums around a place, which hide what has their names
-    std::size_t& words_;
+    Extent& extent_;
 };
 
 /// With other names for the indices of sums, that no text has: those of a definition are none of
@@ -87,15 +106,15 @@ Expression value_at(const Definition& definition, const std::vector<Expression>&
         }
         return {};
     };
-    std::size_t words = 0;
-    return PuttingIn(definition.value.source, index, words)(definition.value.written);
+    Extent extent;
+    return PuttingIn(definition.value.source, index, extent)(definition.value.written);
 }
 
 }  // namespace
 
 void Definitions::add(const Definition& definition) {
     Definition own = definition;
-    own.value = put_in(definition.value, words_);
+    own.value = put_in(definition.value, extent_);
     std::set<std::string> of_sums;
     own.value.written = with_own_indices(own.value.written, "'" + definition.name, of_sums);
     if (!definitions_.emplace(definition.name, std::move(own)).second) {
@@ -104,12 +123,11 @@ void Definitions::add(const Definition& definition) {
 }
 
 IndexedExpression Definitions::put_in(const IndexedExpression& expression) const {
-    std::size_t words = 0;
-    return put_in(expression, words);
+    Extent extent;
+    return put_in(expression, extent);
 }
 
-IndexedExpression Definitions::put_in(const IndexedExpression& expression,
-                                      std::size_t& words) const {
+IndexedExpression Definitions::put_in(const IndexedExpression& expression, Extent& extent) const {
     const auto defined = [&](const Expression& part) -> std::optional<Expression> {
         if (part.kind != Expression::Kind::symbol && part.kind != Expression::Kind::element) {
             return {};
@@ -126,7 +144,7 @@ IndexedExpression Definitions::put_in(const IndexedExpression& expression,
         }
         return value_at(definition, part.arguments);
     };
-    return {PuttingIn(expression.source, defined, words)(expression.written), expression.source};
+    return {PuttingIn(expression.source, defined, extent)(expression.written), expression.source};
 }
 
 namespace {
@@ -154,7 +172,7 @@ public:
             resolve(found->second);
             return parameters_[found->second].value;
         };
-        parameter.value = PuttingIn(parameter.source, value, words_)(parameter.value);
+        parameter.value = PuttingIn(parameter.source, value, extent_)(parameter.value);
         states_[k] = State::resolved;
     }
 
@@ -164,7 +182,7 @@ private:
     std::vector<Parameter>& parameters_;
     std::map<std::string, std::size_t> numbers_;
     std::vector<State> states_;
-    std::size_t words_ = 0;  ///< of all
+    Extent extent_;  ///< of all
 };
 
 }  // namespace

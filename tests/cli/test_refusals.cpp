@@ -309,3 +309,23 @@ TEST_CASE("a tableau that cannot be read: status 2, and the line") {
         " \"c\": [0.67560359597982889, 1.1756035959798289]}";
     CHECK(refused(some_digits, {"--plot", "p.svg"}).status == 1);
 }
+
+TEST_CASE("what is nested as deep as the reader lets pass needs no large stack of the shell's") {
+    const auto nested = [](const std::string& open, int levels) {
+        std::string text = "p^2/2+";
+        for (int k = 0; k < levels; ++k) text += open;
+        return text + "q" + std::string(static_cast<std::size_t>(levels), ')');
+    };
+    for (const std::string open : {"sin(", "1-1/(2+", "min(2,"}) {
+        const std::string H = " --hamiltonian '" + nested(open, open == "sin(" ? 190 : 95) + "'";
+        for (const std::string command : {"stepper --method gauss:2", "scheme --method gauss:2"}) {
+            const Outcome outcome = shell("ulimit -s 256; hvi-gen " + command + H);
+            INFO(command << H << "\n" << outcome.err);
+            CHECK(outcome.status == 0);
+        }
+    }
+    CHECK(shell("ulimit -s 256; hvi-gen symmetries --hamiltonian '" + nested("sin(", 60) + "'")
+              .status == 0);
+    CHECK(shell("ulimit -s 256; hvi-gen symmetries --hamiltonian '" + nested("sin(", 250) + "'")
+              .status == 2);
+}

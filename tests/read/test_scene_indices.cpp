@@ -244,3 +244,31 @@ TEST_CASE("a size may be given beside a Hamiltonian of the command line") {
     CHECK(H("q[1] + q[2] + q[3] + p[1]*w").sizes == WholeNumbers{{"N", 3}});
     CHECK(hamiltonian_from_text(source("p^2 + q^2*N"), nullptr, nullptr, values).sizes.empty());
 }
+
+TEST_CASE("what names stand for is nested as deep as a stack bears") {
+    const auto chain = [](const std::string& name, std::size_t count, const std::string& links) {
+        std::string text;
+        for (std::size_t k = count; k > 0; --k)
+            text += name + std::to_string(k) + " = \"" + links + "(" + name +
+                    std::to_string(k - 1) + ")\"\n";
+        return text;
+    };
+    const auto parameters = [&](std::size_t count) {
+        return edited(ring, "k = ", chain("a", count, "-") + "a0 = 1\nk = ");
+    };
+    CHECK(read(parameters(60)).parameters.size() == 63);
+    CHECK(refused(parameters(20000)).says("64 parameters"));
+    std::string sines;
+    for (int k = 0; k < 40; ++k) sines += "sin(sin(sin(";
+    const auto with = [&](int count) {
+        std::string definitions = "[definitions]\nd0 = \"q[1]\"\n";
+        for (int k = 1; k <= count; ++k)
+            definitions += "d" + std::to_string(k) + " = \"" + sines + "d" + std::to_string(k - 1) +
+                           std::string(120, ')') + "\"\n";
+        return edited(edited(ring, "[parameters]", definitions + "[parameters]"), "sum(",
+                      "d" + std::to_string(count) + "+sum(");
+    };
+    CHECK(read(with(9)).mechanics.index() == 0);
+    CHECK(refused(with(10)).what ==
+          "with what its names stand for this is nested deeper than 1200");
+}
