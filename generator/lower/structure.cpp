@@ -44,6 +44,24 @@ bool settle(Graph& graph, Matrix& matrix) {
     return true;
 }
 
+/// The entries below the diagonal of a symmetric matrix in place of those above it.
+void mirror(Matrix& matrix) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) { matrix[j][i] = matrix[i][j]; }
+    }
+}
+
+/// A derivative that is seen to be zero in one order of its two variables is so in the other:
+/// q1 q2/q2 by q2 and then by q1.
+void share_zeros(Matrix& matrix) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            Scaled &one = matrix[i][j], &other = matrix[j][i];
+            if (one.is_zero() || other.is_zero()) { one = other = Graph::number(0); }
+        }
+    }
+}
+
 bool depends_on(const Graph& graph, const std::vector<Scaled>& values, Role role) {
     return std::any_of(values.begin(), values.end(),
                        [&](const Scaled& value) { return has(graph.at(value.node).roles, role); });
@@ -91,6 +109,9 @@ Hessian constant_terms(System& system) {
             for (Scaled& entry : row) { entry = constant_terms(system.graph, entry); }
         }
     }
+    // NOTE: one order of derivatives may hide a constant in a product that the other shows.
+    mirror(constant.qq);
+    mirror(constant.conjugates);
     return constant;
 }
 
@@ -149,6 +170,8 @@ Hessian hessian(System& system) {
         second.mixed.push_back(gradient(graph, system.by_q[i], system.conjugates));
         second.conjugates.push_back(gradient(graph, system.by_conjugates[i], system.conjugates));
     }
+    if (system.rotations.empty()) { share_zeros(second.qq); }
+    share_zeros(second.conjugates);
     // NOTE: the derivatives of a function with a kink are constant on both sides of it, and not
     // one. And where one block is not constant, what the others are is of no use.
     static_cast<void>(!has_kinks(graph, system.by_conjugates) && settle(graph, second.conjugates) &&

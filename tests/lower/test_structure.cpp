@@ -217,3 +217,13 @@ TEST_CASE("what has kinks is neither linear nor quadratic, whatever its second d
     CHECK(analysed("p^2/2+abs(w)*q^2/2").structure.is_quadratic);
     CHECK(analysed("p^2/2+min(w,2)*q").structure.has_linear_map);
 }
+
+TEST_CASE("second derivatives are zero in both orders, or in none") {
+    // q1 q2/q2 is q1: its second derivatives are zero, and one order of them says so at once.
+    for (const char* term : {"q1*q2/q2", "q2*q1/q2", "q1*q2^2/q2^2", "q1*exp(q2)/exp(q2)",
+                             "p1*p2/p2", "q1*q2*q2/q2*q1/q1"}) {
+        const System system = analysed("p1^2/2+p2^2/2-" + std::string(term), "q1, q2", "p1, p2");
+        for (const HessianBlock* block : {&system.hessian.qq, &system.hessian.conjugates})
+            CHECK((*block)[0][1].is_zero() == (*block)[1][0].is_zero());
+    }
+}
