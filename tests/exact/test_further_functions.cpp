@@ -102,3 +102,14 @@ TEST_CASE("what is not real, and what is not built yet") {
     CHECK(refused("1, atan2(tau,1)", "0, 1").status == input);
     CHECK(refused("1, erf(tau), abs(w)*tau", "0, 1/2, 1").says("free parameter"));
 }
+
+TEST_CASE("a free parameter is not compared with a number that has no closed form") {
+    for (const char* text : {"if(w<erf(1),1,2)", "min(w,erf(1))", "w-erf(1)", "w*erf(1)",
+                             "erf(1)/w", "acos(w*erf(1))", "sqrt(w+erf(1))"}) {
+        const Refusal found = refused_number(text);
+        INFO(text << ": " << found.what);
+        CHECK(found.status == 2);
+        CHECK(found.says("free parameter"));
+        CHECK(found.helps("--param"));
+    }
+}

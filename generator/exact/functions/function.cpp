@@ -14,22 +14,6 @@ namespace {
 
 using Wave = ExactTerm::Wave;
 
-/// Numbers with free parameters have no enclosures, and so no sum or product with those that have
-/// nothing else.
-void check_together(const Number& left, const Number& right) {
-    const bool mixed =
-        (left.has_parameters() && !is_exact(right)) || (right.has_parameters() && !is_exact(left));
-    if (mixed) {
-        throw InputError("a free parameter beside a number without closed form is not built yet",
-                         {}, "give the parameter a value with --param");
-    }
-}
-
-Number checked_product(const Number& left, const Number& right) {
-    check_together(left, right);
-    return left * right;
-}
-
 /// A complex number over the exact reals.
 struct Complex {
     Number real, imaginary;
@@ -92,7 +76,7 @@ std::optional<Number> closed_integral(const ExactTerm& term, const Number& from,
     if ((to - from).is_zero()) return Number(0);
     if (term.wave != Wave::none || !term.rate.is_zero()) return std::nullopt;
     const auto value = closed_integral(*term.factor, term.power, from, to, ground);
-    return value ? std::optional(checked_product(term.coefficient, *value)) : std::nullopt;
+    return value ? std::optional(term.coefficient * *value) : std::nullopt;
 }
 
 /// Whether tau = point has reached the step.
@@ -113,8 +97,7 @@ std::optional<Number> later(const std::optional<Number>& left, const std::option
 
 /// The product of two terms without their factors: one or two terms.
 std::vector<ExactTerm> product_of_waves(const ExactTerm& a, const ExactTerm& b) {
-    ExactTerm term{checked_product(a.coefficient, b.coefficient), a.power + b.power,
-                   a.rate + b.rate};
+    ExactTerm term{a.coefficient * b.coefficient, a.power + b.power, a.rate + b.rate};
     term.step = later(a.step, b.step);
     if (a.wave == Wave::none || b.wave == Wave::none) {
         term.wave = a.wave == Wave::none ? b.wave : a.wave;
@@ -232,7 +215,6 @@ void ExactFunction::add_normal(const ExactTerm& given) {
     }
     for (auto known = terms_.begin(); known != terms_.end(); ++known) {
         if (!same_shape(*known, term)) continue;
-        check_together(known->coefficient, term.coefficient);
         known->coefficient = known->coefficient + term.coefficient;
         if (known->coefficient.is_zero()) terms_.erase(known);
         return;
@@ -320,9 +302,7 @@ Number ExactFunction::at(const Number& point, const Ground& ground) const {
         if (term.step && !reaches(point, *term.step)) continue;
         const Complex wave = complex_exponential({term.rate, term.frequency}, point, ground);
         Number next = term.coefficient * power(point, term.power) * component(wave, term.wave);
-        if (term.factor != nullptr) {
-            next = checked_product(next, value(*term.factor, point, ground));
-        }
+        if (term.factor != nullptr) { next = next * value(*term.factor, point, ground); }
         sum = sum + next;
     }
     return sum;

@@ -15,7 +15,12 @@ std::shared_ptr<Field> common_field(const Number& left, const Number& right) {
 
 using BallOperation = void (*)(arb_t, const arb_t, const arb_t, slong);
 
+/// NOTE: numbers with free parameters have no enclosures.
 Number combine(const Number& left, const Number& right, BallOperation operation) {
+    if (left.has_parameters() || right.has_parameters()) {
+        throw InputError("a free parameter beside a number without closed form is not built yet",
+                         {}, "give the parameter a value with --param");
+    }
     return number(Real([left, right, operation](Precision bits) {
         Ball result = enclosure(left, bits);
         const Ball other = enclosure(right, bits);
