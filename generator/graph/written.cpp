@@ -32,6 +32,14 @@ private:
     std::map<Node, std::size_t> counts_;
 };
 
+Expression without_places(Expression expression) {
+    for (Expression& argument : expression.arguments) {
+        argument = without_places(std::move(argument));
+    }
+    expression.range = {};
+    return expression;
+}
+
 Expression whole(const Graph& graph, const Scaled& a) {
     const Computation& computation = graph.at(a.node);
     if (a.factor.above < 0) { return Expression::negation(whole(graph, {-a.factor, a.node})); }
@@ -39,7 +47,9 @@ Expression whole(const Graph& graph, const Scaled& a) {
     if (!a.factor.is_one()) {
         return Expression::product({as_expression(a.factor), whole(graph, {{1, 1}, a.node})});
     }
-    if (computation.operation == Operation::constant) { return computation.constant; }
+    if (computation.operation == Operation::constant) {
+        return without_places(computation.constant);
+    }
     if (computation.operation == Operation::input) { return Expression::symbol(computation.name); }
     std::vector<Expression> values;
     for (const Scaled& term : computation.terms) { values.push_back(whole(graph, term)); }

@@ -17,8 +17,8 @@ namespace hvi::gen {
 [[nodiscard]] Expression of_operation(const Computation& computation,
                                       std::vector<Expression> values);
 
-/// The value as an expression of the inputs. Empty where that has more than two thousand words:
-/// what a graph shares a text repeats.
+/// The value as an expression of the inputs, without places. Empty where that has more than two
+/// thousand words: what a graph shares a text repeats.
 [[nodiscard]] std::optional<Expression> written(const Graph& graph, const Scaled& a);
 
 }  // namespace hvi::gen

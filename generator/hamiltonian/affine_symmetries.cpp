@@ -119,8 +119,9 @@ std::optional<std::vector<MonomialSum>> changes(Monomials& monomials, const ex& 
 
 /// NOTE: derivatives do not see jumps. Where there may be one nothing may change either: that is
 /// asked at once, beside a factor that is nowhere else.
-std::optional<std::vector<MonomialSum>>
-functions(Monomials& monomials, const FunctionAndSlopes& function, const AffineUnknowns& unknowns) {
+std::optional<std::vector<MonomialSum>> functions(Monomials& monomials,
+                                                  const FunctionAndSlopes& function,
+                                                  const AffineUnknowns& unknowns) try {
     auto result = changes(monomials, function.value, function, unknowns);
     if (!result) return {};
     const GiNaC::exvector jumps = where_it_may_jump(function.value);
@@ -134,7 +135,7 @@ functions(Monomials& monomials, const FunctionAndSlopes& function, const AffineU
                 add((*result)[number], monomial, coefficient);
     }
     return result;
-}
+} catch (const TooManyTerms&) { return {}; }
 
 bool is_negative(const ex& value) { return value.info(GiNaC::info_flags::negative); }
 
@@ -168,10 +169,12 @@ public:
     [[nodiscard]] const Relations& found() const { return relations_; }
     [[nodiscard]] const Algebra& algebra() const { return function_.algebra; }
 
-    /// Those that one would name: translations, then what has the shortest momentum maps.
+    /// Those that one would name: translations, then what has the shortest momentum maps. NOTE:
+    /// those that were found where it is not known which of them are independent.
     [[nodiscard]] std::vector<Candidate> named() const {
-        std::vector<Candidate> candidates;
-        for (const SparseVector& field : relations_.basis) candidates.push_back(candidate(field));
+        std::vector<Candidate> found;
+        for (const SparseVector& field : relations_.basis) found.push_back(candidate(field));
+        std::vector<Candidate> candidates = found;
         add_turned_centres(candidates);
         std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
             const auto rank = [&](const Candidate& of) {
@@ -181,8 +184,10 @@ public:
         });
         std::vector<Candidate> result;
         SparseEquations span(function_.algebra);
-        for (Candidate& each : candidates)
-            if (span.insert(each.field)) result.push_back(std::move(each));
+        try {
+            for (Candidate& each : candidates)
+                if (span.insert(each.field)) result.push_back(std::move(each));
+        } catch (const UndecidedEntry&) { return found; }
         return result;
     }
 
@@ -194,9 +199,9 @@ public:
         return result;
     }
 
-    /// Coefficients of the brackets in the basis; nothing where one leads out of it.
+    /// Coefficients of the brackets in the basis; nothing where one is not seen to be in it.
     [[nodiscard]] std::optional<std::vector<std::vector<std::vector<ex>>>>
-    constants(const std::vector<Candidate>& basis) const {
+    constants(const std::vector<Candidate>& basis) const try {
         const std::size_t m = basis.size(), behind = unknowns_.count();
         SparseEquations span(function_.algebra);
         for (std::size_t i = 0; i < m; ++i) {
@@ -214,7 +219,7 @@ public:
                     result[j][i][number - behind] = -value;
                 }
         return result;
-    }
+    } catch (const UndecidedEntry&) { return {}; }
 
     /// Whether the fields are independent for these values of the parameters.
     [[nodiscard]] bool stays_independent(const std::vector<Candidate>& basis,

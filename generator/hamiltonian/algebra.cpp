@@ -13,6 +13,7 @@
 #include "generator/read/names.hpp"
 #include "generator/read/own_functions.hpp"
 #include "generator/scene/start.hpp"
+#include "generator/scene/value_at.hpp"
 
 namespace hvi::gen {
 
@@ -61,30 +62,17 @@ double digits_in(const ex& expression) {
     return most;
 }
 
-/// Whether no symbol but pi and e occurs.
-bool is_number(const Expression& expression) {
-    bool number = true;
-    walk(expression, [&](const Expression& part) {
-        number = number && (part.kind != Kind::symbol || is_constant(part.name));
-        return number;
-    });
-    return number;
-}
-
-/// Refuses numbers in an expression that are not real, not defined or too large, with their places.
-void check_numbers(const Expression& expression, const std::shared_ptr<const Source>& source) {
-    walk(expression, [&](const Expression& part) {
-        if (part.kind == Kind::number || !is_number(part)) return true;
-        on_new_ground([&](const Ground& ground) { return evaluate_number(part, source, ground); });
-        return false;
-    });
+bool has_symbols(const ex& expression) {
+    return GiNaC::is_a<GiNaC::symbol>(expression) ||
+           std::any_of(expression.begin(), expression.end(), has_symbols);
 }
 
 /// GiNaC's expressions for ours.
 class Reader {
 public:
-    Reader(std::shared_ptr<const Source> source, const std::map<std::string, ex>& symbols)
-        : source_(std::move(source)), symbols_(symbols) {}
+    Reader(const Algebra& algebra, std::shared_ptr<const Source> source,
+           const std::map<std::string, ex>& symbols)
+        : algebra_(algebra), source_(std::move(source)), symbols_(symbols) {}
 
     [[nodiscard]] ex read(const Expression& expression) const {
         try {
@@ -95,8 +83,11 @@ public:
     }
 
 private:
+    /// NOTE: what is made of other expressions has no range, and stands somewhere in the text.
     [[nodiscard]] Place place(const Expression& expression) const {
-        return {source_, expression.range};
+        const Range range = expression.range;
+        const bool is_known = source_ == nullptr || range.begin < range.end;
+        return is_known ? Place{source_, range} : whole(source_);
     }
 
     [[nodiscard]] ex value(const Expression& expression) const {
@@ -176,8 +167,13 @@ private:
         if (digits_in(base) * size.to_double() > most_digits) refuse_size(expression);
     }
 
+    /// NOTE: what the text has symbols in may be a number all the same: q/q - cbrt(3).
     [[nodiscard]] ex real(ex value, const Expression& expression) const {
         if (value.has(GiNaC::I)) refuse_complex(expression);
+        if (GiNaC::is_a<numeric>(value) || has_symbols(value)) return value;
+        try {
+            static_cast<void>(value_at(algebra_.written(value), {}, nullptr));
+        } catch (const MathError&) { refuse_complex(expression); }
         return value;
     }
 
@@ -189,6 +185,7 @@ private:
         throw InputError("this is larger than any Hamiltonian needs", place(expression));
     }
 
+    const Algebra& algebra_;
     std::shared_ptr<const Source> source_;
     const std::map<std::string, ex>& symbols_;
 };
@@ -237,14 +234,14 @@ Algebra::Algebra(const Expression& function, const std::shared_ptr<const Source>
     check_numbers(function, source);
     for (const Parameter& parameter : parameters) {
         on_new_ground([&](const Ground& ground) { return exact_value(parameter, ground); });
-        const ex value = Reader(parameter.source, symbols_).read(parameter.value);
+        const ex value = Reader(*this, parameter.source, symbols_).read(parameter.value);
         symbols_[parameter.name] = values_[parameter.name] = value;
     }
     for (const std::string& name : parameter_names(function, variables))
         add(name, '1', parameters_);
     if (depends_on_time(function)) add("t", '1', parameters_);
     for (const std::string& name : variables) add(name, '2', variables_);
-    function_ = Reader(source, symbols_).read(function);
+    function_ = Reader(*this, source, symbols_).read(function);
 }
 
 void Algebra::add(const std::string& name, char kind, std::vector<GiNaC::symbol>& list) {
@@ -257,7 +254,7 @@ ex Algebra::read(const Expression& expression, const std::shared_ptr<const Sourc
     check_numbers(expression, source);
     for (const std::string& name : parameter_names(expression, {})) add(name, '1', parameters_);
     if (depends_on_time(expression)) add("t", '1', parameters_);
-    return Reader(source, symbols_).read(expression);
+    return Reader(*this, source, symbols_).read(expression);
 }
 
 GiNaC::ex Algebra::derivative(const ex& expression, const GiNaC::symbol& variable) const {

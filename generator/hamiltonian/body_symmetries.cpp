@@ -197,9 +197,9 @@ SparseVector bracket(const BodyUnknowns& unknowns, const SparseVector& a, const 
     return result;
 }
 
-/// Nothing where a bracket leads out of the basis.
+/// Nothing where a bracket is not seen to be in the basis.
 std::optional<SymmetryAlgebra> algebra_of(const Algebra& algebra, const BodyUnknowns& unknowns,
-                                          const std::vector<SparseVector>& basis) {
+                                          const std::vector<SparseVector>& basis) try {
     const std::size_t size = basis.size(), behind = unknowns.count();
     SparseEquations span(algebra);
     for (std::size_t i = 0; i < size; ++i) {
@@ -226,7 +226,7 @@ std::optional<SymmetryAlgebra> algebra_of(const Algebra& algebra, const BodyUnkn
     if (are_numbers) result.name = name_of_algebra(numbers);
     result.constants = std::move(constants);
     return result;
-}
+} catch (const UndecidedEntry&) { return {}; }
 
 AffineSymmetries named(const BodyMotion& motion, const BodyFields& fields, Found found) {
     struct Named {

@@ -75,11 +75,9 @@ public:
         if (lowest_.empty()) return true;
         const double terms = size({}), all = size(true), some = size(false);
         if (!needs_rewriting(true)) return true;
-        if (all <= std::max(most_terms, 2 * terms)) {
-            rewrite(true);
-            return true;
-        }
-        if (needs_rewriting(false) && some <= std::max(most_terms, 2 * terms)) rewrite(false);
+        if (all <= std::max(most_terms, 2 * terms)) return rewrite(true);
+        if (needs_rewriting(false) && some <= std::max(most_terms, 2 * terms))
+            static_cast<void>(rewrite(false));
         return false;
     }
 
@@ -109,7 +107,8 @@ private:
         return sum;
     }
 
-    void rewrite(bool all) {
+    /// Whether none was too long. NOTE: each function stays what it is, however it is written.
+    [[nodiscard]] bool rewrite(bool all) try {
         for (MonomialSum& function : functions_) {
             MonomialSum result;
             for (const auto& [monomial, coefficient] : function) {
@@ -125,7 +124,8 @@ private:
             }
             function = std::move(result);
         }
-    }
+        return true;
+    } catch (const TooManyTerms&) { return false; }
 
     [[nodiscard]] const MonomialSum& power(long exponent) {
         const auto [position, is_new] = powers_.try_emplace(exponent);

@@ -21,9 +21,10 @@ using GiNaC::ex;
 using Element = FamilySummand::Element;
 
 /// An algebra in which these symbols vary, and all others are parameters.
-Algebra algebra_of(const std::set<std::string>& variables) {
+Algebra algebra_of(const std::set<std::string>& variables,
+                   const std::shared_ptr<const Source>& source) {
     Hamiltonian none;
-    none.source = std::make_shared<const Source>(Source{"the Hamiltonian", "0"});
+    none.source = source;
     none.coordinates.assign(variables.begin(), variables.end());
     return Algebra(none);
 }
@@ -38,11 +39,13 @@ std::string symbol_at(const std::vector<Element>& elements, std::size_t family,
 
 class FamilySearch {
 public:
-    FamilySearch(const std::vector<FamilySummand>& summands, const std::vector<std::size_t>& shapes)
+    FamilySearch(const std::vector<FamilySummand>& summands, const std::vector<std::size_t>& shapes,
+                 const std::shared_ptr<const Source>& source)
         : summands_(summands),
           shapes_(shapes),
+          source_(source),
           unknowns_(shapes.size()),
-          algebra_(algebra_of(all_variables())),
+          algebra_(algebra_of(all_variables(), source)),
           equations_(algebra_) {}
 
     [[nodiscard]] FamilySymmetries found() {
@@ -93,7 +96,7 @@ private:
 
     /// Whether it is short enough.
     [[nodiscard]] bool add_equations(const FamilySummand& summand) {
-        const ex function = algebra_.read(summand.function, nullptr);
+        const ex function = algebra_.read(summand.function, source_);
         const GiNaC::exvector jumps = where_it_may_jump(function);
         return add_equations(summand, function) &&
                std::all_of(jumps.begin(), jumps.end(),
@@ -156,7 +159,7 @@ private:
                 if (element.family != family) continue;
                 if (found || !summand.is_over_family) return {};
                 const GiNaC::symbol p = symbol(element.symbol);
-                const ex slope = algebra_.read(summand.function, nullptr).diff(p);
+                const ex slope = algebra_.derivative(algebra_.read(summand.function, source_), p);
                 const ex inverse = normal_form(slope / p);
                 for (const auto* elements : {&summand.coordinates, &summand.momenta})
                     for (const Element& other : *elements)
@@ -204,7 +207,7 @@ private:
     }
 
     [[nodiscard]] std::string name_of_span(const AffineUnknowns& unknowns,
-                                           const std::vector<SparseVector>& basis) const {
+                                           const std::vector<SparseVector>& basis) const try {
         const std::size_t m = basis.size(), behind = unknowns.count();
         SparseEquations span(algebra_);
         for (std::size_t i = 0; i < m; ++i) {
@@ -222,10 +225,11 @@ private:
                 }
         if (m == 1 && is_rotation(unknowns, basis.front())) return "so(2)";
         return name_of_algebra(constants);
-    }
+    } catch (const UndecidedEntry&) { return ""; }
 
     const std::vector<FamilySummand>& summands_;
     const std::vector<std::size_t>& shapes_;
+    const std::shared_ptr<const Source>& source_;
     AffineUnknowns unknowns_;
     Algebra algebra_;
     SparseEquations equations_;
@@ -235,17 +239,19 @@ private:
 }  // namespace
 
 FamilySymmetries family_symmetries(const std::vector<FamilySummand>& summands,
-                                   const std::vector<std::size_t>& shapes) {
+                                   const std::vector<std::size_t>& shapes,
+                                   const std::shared_ptr<const Source>& source) {
     const Progress::Stage stage("looking for symmetries");
-    return FamilySearch(summands, shapes).found();
+    return FamilySearch(summands, shapes, source).found();
 }
 
 bool is_combination(const Expression& function, const std::vector<Expression>& others,
-                    const std::vector<std::string>& variables) {
-    Algebra algebra = algebra_of({variables.begin(), variables.end()});
+                    const std::vector<std::string>& variables,
+                    const std::shared_ptr<const Source>& source) {
+    Algebra algebra = algebra_of({variables.begin(), variables.end()}, source);
     std::vector<ex> all{1};
-    for (const Expression& other : others) all.push_back(algebra.read(other, nullptr));
-    all.push_back(algebra.read(function, nullptr));
+    for (const Expression& other : others) all.push_back(algebra.read(other, source));
+    all.push_back(algebra.read(function, source));
     Monomials monomials(algebra);
     std::vector<MonomialSum> sums;
     for (const ex& each : all) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ struct FamilySummand {
         std::string place;
     };
 
-    Expression function;
+    Expression function;  ///< places in it count for nothing
     std::vector<Element> coordinates, momenta;
     std::vector<std::string> others;  ///< indices, and what depends on them
     bool is_over_family = false;      ///< all elements of a family of one place, each once
@@ -46,12 +47,16 @@ struct FamilySymmetries {
 
 /// Those that leave each summand as it is, by exact algebra, for all sizes. `shapes`: of each
 /// family; those of one shape have equal indices. With `centres` the fields that turn the centre of
-/// mass of families f and g are counted into the algebra.
+/// mass of families f and g are counted into the algebra. Throws as Algebra does, with `source`,
+/// in which the summands stand, for a place.
 [[nodiscard]] FamilySymmetries family_symmetries(const std::vector<FamilySummand>& summands,
-                                                 const std::vector<std::size_t>& shapes);
+                                                 const std::vector<std::size_t>& shapes,
+                                                 const std::shared_ptr<const Source>& source);
 
 /// Whether the first function is seen to be a sum of multiples of the others, and a constant.
+/// Throws as Algebra does, with `source`, in which the function stands, for a place.
 [[nodiscard]] bool is_combination(const Expression& function, const std::vector<Expression>& others,
-                                  const std::vector<std::string>& variables);
+                                  const std::vector<std::string>& variables,
+                                  const std::shared_ptr<const Source>& source);
 
 }  // namespace hvi::gen

@@ -17,8 +17,6 @@ using GiNaC::numeric;
 /// More terms than this are a slip, or take longer than one waits.
 constexpr std::size_t most_terms = 20'000;
 
-struct TooLong {};
-
 /// Above, a power stays one.
 constexpr double most_terms_of_power = 2000;
 
@@ -133,7 +131,7 @@ Monomials::Monomials(const Algebra& algebra) : algebra_(algebra), arguments_(1) 
 std::optional<MonomialSum> Monomials::sum(const ex& function) {
     try {
         return read(function);
-    } catch (const TooLong&) { return {}; }
+    } catch (const TooManyTerms&) { return {}; }
 }
 
 MonomialSum Monomials::unknown(const std::string& name) {
@@ -153,7 +151,7 @@ MonomialSum Monomials::times_variable(const MonomialSum& sum, std::size_t variab
 }
 
 void Monomials::check_size(const MonomialSum& sum) const {
-    if (sum.size() > most_terms) throw TooLong{};
+    if (sum.size() > most_terms) throw TooManyTerms{};
 }
 
 bool Monomials::varies(const ex& expression) const {
@@ -186,7 +184,7 @@ MonomialSum Monomials::read(const ex& expression) {
             add(sum, {.powers = {{i, 1}}, .exponential = 0, .phase = 0, .is_sine = false}, 1);
             return sum;
         }
-    throw TooLong{};  // nothing else has variables
+    throw TooManyTerms{};  // nothing else has variables
 }
 
 MonomialSum Monomials::read_product(const ex& expression) {
@@ -308,7 +306,7 @@ MonomialSum Monomials::power(const MonomialSum& base, unsigned exponent) {
 /// other sums powers below 1 are taken as they stand, up to a positive number in front. NOTE: the
 /// root of x^2 is not x.
 MonomialSum Monomials::raised(const MonomialSum& base, const ex& exponent) {
-    if (base.empty()) throw TooLong{};  // nothing, to a power that need not be positive
+    if (base.empty()) throw TooManyTerms{};  // nothing, to a power that need not be positive
     if (exponent.info(GiNaC::info_flags::posint) && exponent < 200) {
         const auto times = static_cast<unsigned>(GiNaC::ex_to<numeric>(exponent).to_int());
         if (terms_of_power(base.size(), times) <= most_terms_of_power) return power(base, times);

@@ -48,6 +48,9 @@ struct MonomialBase {
     std::vector<std::size_t> arguments;  ///< of the function, by their numbers
 };
 
+/// A sum has more terms than one can use.
+struct TooManyTerms {};
+
 /// Reads functions, and remembers what their monomials are made of. The variables are those of H or
 /// L and the time; parameters without a value are coefficients, in general position.
 ///
@@ -57,7 +60,7 @@ class Monomials {
 public:
     explicit Monomials(const Algebra& algebra);
 
-    /// Nothing where it has more terms than one can use.
+    /// Nothing where it would throw TooManyTerms.
     [[nodiscard]] std::optional<MonomialSum> sum(const GiNaC::ex& function);
 
     /// A function of which nothing is known but its name.
@@ -66,6 +69,7 @@ public:
     /// The sum times a variable: 0 .. n-1 in the order of the algebra's.
     [[nodiscard]] static MonomialSum times_variable(const MonomialSum& sum, std::size_t variable);
 
+    /// Throws TooManyTerms, as power() does.
     [[nodiscard]] MonomialSum product(const MonomialSum& a, const MonomialSum& b);
     /// Precondition: not negative.
     [[nodiscard]] MonomialSum power(const MonomialSum& base, unsigned exponent);

@@ -35,17 +35,18 @@ Relations relations(Monomials& monomials, std::vector<MonomialSum> functions,
     std::set<std::size_t> undecided;
     for (;;) {
         SparseEquations equations(monomials.algebra());
+        Relations result;
         try {
             for (const std::size_t column : undecided)
                 static_cast<void>(equations.insert({{column, 1}}));
             for (const SparseVector& row : rows) static_cast<void>(equations.insert(row));
+            result.basis = equations.solutions(functions.size());
         } catch (const UndecidedEntry& entry) {
             // A vector without it is a relation all the same.
             undecided.insert(entry.column);
             for (SparseVector& row : rows) row.erase(entry.column);
             continue;
         }
-        Relations result{equations.solutions(functions.size()), {}};
         const bool proved = undecided.empty() &&
                             ((common && is_independent(monomials, functions)) ||
                              (sampler && are_independent_at_points(monomials.algebra(), sampler,

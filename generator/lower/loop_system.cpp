@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/exact/expressions/evaluate.hpp"
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/element_ranges.hpp"
 #include "generator/lower/kernel.hpp"
@@ -365,6 +366,7 @@ Scaled LoopLowering::value(const Expression& term, const std::vector<Loop>& loop
 
 std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
     const IndexedExpression whole = definitions_.put_in(expression);
+    check_numbers(whole.written, whole.source);
     const auto roles = [&](const std::string& name) -> Roles {
         const auto found = families_.find(name);
         if (found == families_.end()) { return 0; }

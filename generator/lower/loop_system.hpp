@@ -10,7 +10,8 @@ namespace hvi::gen {
 /// H with its sums for loops, its derivatives, and all else that a scene has, for the sizes that it
 /// names and, by other values of these, for any. Throws InputError for a word without a meaning,
 /// for an index that leaves its range for some value of those of its sums, and for what is not
-/// built for systems of any size: a Lagrangian, explicit time, sums inside functions.
+/// built for systems of any size: a Lagrangian, explicit time, sums inside functions. Throws
+/// MathError for a number that is not real.
 [[nodiscard]] LoopSystem loop_system(const IndexedScene& scene);
 
 }  // namespace hvi::gen

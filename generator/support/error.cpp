@@ -172,10 +172,11 @@ Place whole(std::shared_ptr<const Source> source) {
     return {std::move(source), {0, size}};
 }
 
+/// NOTE: a place without a text is none.
 Error::Error(ExitStatus status, std::string what, std::optional<Place> place, std::string help)
     : std::runtime_error(std::move(what)),
       status_(status),
-      place_(std::move(place)),
+      place_(place && place->source == nullptr ? std::nullopt : std::move(place)),
       help_(std::move(help)) {}
 
 MathError::MathError(std::string what, std::optional<Place> place, std::string help)

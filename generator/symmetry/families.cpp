@@ -9,6 +9,7 @@
 #include "generator/graph/written.hpp"
 #include "generator/hamiltonian/family_symmetries.hpp"
 #include "generator/lower/loop_system.hpp"
+#include "generator/read/own_functions.hpp"
 
 namespace hvi::gen {
 
@@ -103,9 +104,11 @@ public:
             set_invariants(result, {});
             return result;
         }
+        refuse_own_functions(scene_.function.written, scene_.function.source,
+                             "what is computed exactly");
         std::vector<FamilySummand> summands;
         for (const Group& group : groups_) summands.push_back(summand(group));
-        const FamilySymmetries found = family_symmetries(summands, shapes_);
+        const FamilySymmetries found = family_symmetries(summands, shapes_, scene_.function.source);
         for (const FamilyField& field : found.fields) add(result, field);
         add_turned_centres(result, found);
         if (!result.affine.basis.empty() && !found.algebra.empty())
@@ -398,8 +401,8 @@ private:
             }
             result.momentum_maps[k].is_said =
                 shapes.size() == 1 &&
-                is_combination(with_symbols(local_map(fields[k], *shapes.begin())), said,
-                               variables);
+                is_combination(with_symbols(local_map(fields[k], *shapes.begin())), said, variables,
+                               scene_.function.source);
         }
     }
 
@@ -415,7 +418,8 @@ private:
             auto sum = summed_up(invariant);
             if (!sum) continue;
             all.push_back(*sum);
-            if (!is_combination(sum->function, maps_of(fields, sum->shape), sum->variables))
+            if (!is_combination(sum->function, maps_of(fields, sum->shape), sum->variables,
+                                quantity.place.source))
                 continue;
             quantity.finding.conserved = Vanishing::proved;
             quantity.finding.bracket = Expression::integer(0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
+#include "tests/read/refusal.hpp"
 #include "tests/symmetry/found.hpp"
 
 using namespace hvi::gen;
@@ -193,4 +194,44 @@ TEST_CASE("Scenes that come with the program") {
     for (const char* name : {"harmonic-oscillator", "henon-heiles", "nonseparable", "pendulum",
                              "fpu", "double-pendulum", "two-pendulums", "bead-on-hoop"})
         check_all(of(name), {}, "");
+}
+
+TEST_CASE("Coefficients of which nobody knows whether they are zero are no end of it") {
+    // With any b one does not see which of the two coordinates it is.
+    const SceneSymmetries chosen = found_of_scene(R"toml(
+        coordinates = ["x", "y"]
+        velocities = ["vx", "vy"]
+        lagrangian = "vx^2/2 + vy^2/2 - abs(if(b > 3, y, x))"
+        [parameters]
+        b = 1
+        [initial]
+        x = 1
+        y = 1
+        vx = 0
+        vy = 0
+    )toml");
+    CHECK(momentum_maps(chosen) == std::vector<std::string>{"vy"});
+    // cosh(1e300) is larger than what an enclosure holds.
+    const SceneSymmetries large = found_of_scene(R"toml(
+        coordinates = "x"
+        velocities = "v"
+        lagrangian = "v^2/2 - x^2/2"
+        [invariants]
+        constant = "cbrt(cosh(1e300))"
+        [initial]
+        x = 1
+        v = 0
+    )toml");
+    CHECK(large.invariants[0].finding.conserved == Vanishing::proved);
+}
+
+TEST_CASE("A number that is not real is refused where the text has symbols in it") {
+    for (const char* term : {"sqrt(q/q-cbrt(3))", "asin(q/q+1)", "log10(q/q-2)", "acosh(p-p)"}) {
+        const Refusal found = refusal([&] { return found_of("p^2/2 + " + std::string(term)); });
+        INFO(term);
+        CHECK(found.what == "this is not real");
+        CHECK(found.marked == "p^2/2 + [" + std::string(term) + "]");
+        CHECK(found.status == 1);
+    }
+    CHECK(momentum_maps(found_of("p^2/2 + sqrt(cbrt(3)-q/q)")) == std::vector<std::string>{"p"});
 }

@@ -1,8 +1,13 @@
 // Symmetries of sums over any number of elements, against those of the same sums written out.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fstream>
+#include <variant>
+
 #include <catch2/catch.hpp>
 
 #include "generator/symmetry/families.hpp"
+#include "tests/read/refusal.hpp"
+#include "tests/read/scratch.hpp"
 #include "tests/symmetry/found.hpp"
 
 using namespace hvi::gen;
@@ -102,4 +107,48 @@ TEST_CASE("Invariants of sums are compared with what sums up momentum maps") {
     CHECK_FALSE(conserved("sum(i=1..N, x[i]*px[i])"));
     CHECK_FALSE(conserved("sum(i=1..N, m[i]*px[i])"));
     CHECK_FALSE(conserved("sum(i=1..N-1, px[i])"));
+}
+
+TEST_CASE("What is no number, or too large for a search, has its place") {
+    const auto refused = [](const std::string& term, const std::string& more = "") {
+        return refusal([&] {
+            return of_families(
+                scene_of({"x"}, "sum(i=1..N, px[i]^2/2 + " + term + ")", "N = 80\n", more));
+        });
+    };
+    const std::string before = "sum(i=1..N, px[i]^2/2 + ";
+    const Refusal arcsine = refused("asin(2)*x[i]");
+    CHECK(arcsine.marked == before + "[asin(2)]*x[i])");
+    CHECK(arcsine.status == 1);
+    CHECK(refused("x[i]^2+log(-1)").marked == before + "x[i]^2+[log(-1)])");
+    const Refusal power = refused("x[i]^10000");
+    CHECK(power.what == "this is larger than any Hamiltonian needs");
+    CHECK(power.marked == "[" + before + "x[i]^10000)]");
+    CHECK(power.status == 2);
+    CHECK(refused("U[i]", "[definitions]\n\"U[i]\" = \"asin(2)+x[i]\"\n").marked ==
+          before + "[U[i]])");
+    const auto of_invariant = [&](const std::string& invariant) {
+        return refused("x[i]^2", "[invariants]\nI = \"sum(i=1..N, " + invariant + ")\"\n");
+    };
+    CHECK(of_invariant("acos(3)+x[i]").marked == "sum(i=1..N, [acos(3)]+x[i])");
+    CHECK(of_invariant("x[i]^10000").marked == "[sum(i=1..N, x[i]^10000)]");
+}
+
+TEST_CASE("A function of the user's own has no exact symmetries, however many elements there are") {
+    const Scratch scratch;
+    std::ofstream(scratch.path / "V.hpp") << "// V\n";
+    for (const char* N : {"3", "80"}) {
+        const std::string own = "[functions]\nV = {header = \"V.hpp\", arguments = 1}\n";
+        const std::string toml = scene_of({"x"}, "sum(i=1..N, px[i]^2/2 + V(x[i]))",
+                                          std::string("N = ") + N + "\n", own);
+        const std::string file = scratch.path / "scene.toml";
+        std::ofstream(file) << toml;
+        const Refusal own_function = refusal([&] {
+            return std::visit([](const auto& scene) { return find_symmetries(scene); },
+                              find_scene_of_any_size(given("SCENE", file)));
+        });
+        CHECK(own_function.what == "`V` cannot stand in what is computed exactly");
+        CHECK(own_function.marked == "sum(i=1..N, px[i]^2/2 + [V(x[i])])");
+        CHECK(own_function.status == 2);
+    }
 }

@@ -11,6 +11,7 @@
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/expr/functions.hpp"
 #include "generator/expr/own_functions.hpp"
+#include "generator/read/names.hpp"
 
 namespace hvi::gen {
 
@@ -47,6 +48,17 @@ double digits_in(const Number& number) {
     if (element == nullptr || !element->is_rational()) return 1;
     const GiNaC::numeric value = element->rational();
     return 0.30103 * (value.numer().int_length() + value.denom().int_length());
+}
+
+/// Whether nothing but numbers, pi and e occurs in it, and functions that have exact values.
+bool is_number(const Expression& expression) {
+    bool number = own_call_in(expression) == nullptr;
+    walk(expression, [&](const Expression& part) {
+        const bool is_name = part.kind == Kind::symbol || part.kind == Kind::element;
+        number = number && (!is_name || is_constant(part.name));
+        return number;
+    });
+    return number;
 }
 
 class Evaluator {
@@ -288,6 +300,14 @@ Number evaluate_number(const Expression& expression, const std::shared_ptr<const
     const auto number = evaluate_function(expression, source, ground).constant();
     if (!number) throw InputError("this depends on tau", Place{source, expression.range});
     return *number;
+}
+
+void check_numbers(const Expression& expression, const std::shared_ptr<const Source>& source) {
+    walk(expression, [&](const Expression& part) {
+        if (part.kind == Kind::number || !is_number(part)) return true;
+        on_new_ground([&](const Ground& ground) { return evaluate_number(part, source, ground); });
+        return false;
+    });
 }
 
 bool is_proved_zero(const Expression& expression) {

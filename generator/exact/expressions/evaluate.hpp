@@ -29,6 +29,10 @@ struct Setting {
                                      const std::shared_ptr<const Source>& source,
                                      const Ground& ground);
 
+/// Refuses the numbers that are parts of an expression, as large ones as there are, where they are
+/// not real, not defined or too large. Throws as evaluate_number() does.
+void check_numbers(const Expression& expression, const std::shared_ptr<const Source>& source);
+
 /// Whether it is proved to be zero, with all its symbols free. NOTE: the exact arithmetic refuses
 /// what it has no place for, and a no is no proof of the contrary.
 [[nodiscard]] bool is_proved_zero(const Expression& expression);
