@@ -11,27 +11,35 @@ using namespace hvi::test;
 
 namespace {
 
+const std::vector<std::string> read_only{"-std=c++17 -fsyntax-only", "-std=gnu++17 -fsyntax-only"};
+/// For machines of which the compiler knows more.
+const std::vector<std::string> optimised{"-std=c++17 -O2",
+#ifdef __x86_64__
+                                         "-std=c++17 -O3 -march=skylake-avx512"
+#endif
+};
+
 /// Compiled under the warnings of CONTRACT.md, with and without the compiler's extensions, behind
 /// headers that define macros. `use` stands in a function of a file that includes the header.
 void check_compiles(const Directory& directory, const std::string& header,
-                    const std::string& use = "") {
+                    const std::string& use = "", const std::vector<std::string>& ways = read_only) {
     write(directory / "unit.cpp", "#include <cassert>\n#include <cerrno>\n#include <climits>\n"
                                   "#include <cmath>\n#include <cstdio>\n#include \"" +
                                       header + "\"\nvoid unit() {\n" + use + "}\n");
-    for (const std::string standard : {"c++17", "gnu++17"}) {
-        const Outcome outcome =
-            shell(HVI_COMPILER " -std=" + standard +
-                      " -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
-                      " -I . -I '" +
-                      in_checkout("src") + "' unit.cpp",
-                  directory.path());
+    for (const std::string& way : ways) {
+        const Outcome outcome = shell(HVI_COMPILER " -c -o unit.o " + way +
+                                          " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+                                          " -I . -I '" +
+                                          in_checkout("src") + "' unit.cpp",
+                                      directory.path());
         INFO(outcome.err);
         CHECK(outcome.status == 0);
     }
 }
 
 void check_stepper_compiles(const std::string& scene, const std::vector<std::string>& options,
-                            const std::string& use = "") {
+                            const std::string& use = "",
+                            const std::vector<std::string>& ways = read_only) {
     const Directory directory;
     write(directory / "scene.toml", scene);
     std::vector<std::string> words = {"stepper",  "scene.toml", "--name",
@@ -41,7 +49,7 @@ void check_stepper_compiles(const std::string& scene, const std::vector<std::str
     INFO(scene << outcome.err);
     REQUIRE(outcome.status == 0);
     CHECK(outcome.err.empty());
-    check_compiles(directory, "stepper.hpp", use);
+    check_compiles(directory, "stepper.hpp", use, ways);
 }
 
 const std::string oscillator =
@@ -167,4 +175,21 @@ TEST_CASE("a function of what simplifies to a constant is a constant") {
         directory.path());
     CHECK(outcome.status == 0);
     check_compiles(directory, "stepper.hpp");
+}
+
+TEST_CASE("an optimiser has nothing to warn of") {
+    const std::string step = "    hvi::generated::Stepper1 stepper;\n"
+                             "    auto x = hvi::generated::Stepper1::initial();\n"
+                             "    static_cast<void>(stepper.step(x, 0.1));\n";
+    check_stepper_compiles("coordinates = \"q\"\nvelocities = \"v\"\n"
+                           "lagrangian = \"v^2/2 - q^2/2\"\n[initial]\nq = 1\nv = 0\n",
+                           {"--method", "gauss:2"}, step, optimised);
+    // A force that does not depend on its index, and functions of many numbers at once.
+    for (const char* potential : {"x[mod(i,N)+1]", "exp(x[mod(i,N)+1]-x[i]) + cos(x[i])"})
+        check_stepper_compiles("coordinates = \"x[1..N]\"\nmomenta = \"p[1..N]\"\n"
+                               "hamiltonian = \"sum(i=1..N, p[i]^2/2 + " +
+                                   std::string(potential) +
+                                   ")\"\n[parameters]\nN = 80\n[initial]\n"
+                                   "\"x[i]\" = \"sin(i)\"\n\"p[i]\" = \"0\"\n",
+                               {"--method", "stormer-verlet"}, step, optimised);
 }

@@ -159,8 +159,8 @@ void SiteWriter::write_edge_term(Writer& writer, const SiteTerm& term) {
         const std::string last = names_.whole(loop.range.last);
         if (index.wraps) {
             const AffineForm length = loop.range.last - loop.range.first + AffineForm{1};
-            writer.line("const Place {} = {} + hvi::detail::remainder(k[{}] - ({}) - "
-                        "({}), {});",
+            writer.line("[[maybe_unused]] const Place {} = {} + hvi::detail::remainder(k[{}] - "
+                        "({}) - ({}), {});",
                         i, first, d, shift, first, names_.whole(length));
         } else {
             writer.line("const Place {} = k[{}] - ({});", i, d, shift);

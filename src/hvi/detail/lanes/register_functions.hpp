@@ -8,6 +8,14 @@
 #include <hvi/detail/numbers/math.hpp>
 #include <hvi/detail/numbers/more_math.hpp>
 
+// NOTE: g++ 12 takes what its own AVX-512 functions leave to chance for a variable that somebody
+// forgot.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 #if HVI_REGISTER_BYTES && defined(__has_include)
 #if __has_include(<xsimd/xsimd.hpp>)
 #define HVI_HAS_XSIMD 1
@@ -136,3 +144,7 @@ template <class Number, std::size_t width>
 #endif
 
 }  // namespace hvi::detail
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

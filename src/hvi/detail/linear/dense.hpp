@@ -71,8 +71,9 @@ public:
     }
 
     /// Replaces the right side b by the solution.
-    void solve(Scalar* b) const {
-        const std::size_t n = rows_.size();
+    void solve(Scalar* b) const { solve(b, rows_.size()); }
+    /// The same of a matrix whose size n the compiler knows, and with it the end of b.
+    void solve(Scalar* b, std::size_t n) const {
         for (std::size_t k = 0; k < n; ++k) { std::swap(b[k], b[pivots_[k]]); }
         for (std::size_t k = 0; k < n; ++k) {
             for (std::size_t j = 0; j < k; ++j) { b[k] -= rows_(k, j) * b[j]; }

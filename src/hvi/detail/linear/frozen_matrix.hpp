@@ -28,7 +28,7 @@ public:
         for (std::size_t j = 0; j < n; ++j) {
             Scalar column[n] = {};
             column[j] = 1;
-            factors_.solve(column);
+            factors_.solve(column, n);
             for (std::size_t i = 0; i < n; ++i) {
                 matrix_[i][j] = computed_(i, j);
                 inverse_[i][j] = column[i];
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] Vector solve(const Vector& v) const {
         Scalar values[n];
         for (std::size_t i = 0; i < n; ++i) { values[i] = at(v, i); }
-        factors_.solve(values);
+        factors_.solve(values, n);
         Vector result = v;
         for (std::size_t i = 0; i < n; ++i) { at(result, i) = values[i]; }
         return result;
