@@ -44,6 +44,7 @@ public:
         std::string name = fs::temp_directory_path() / "hvi-fuzz-XXXXXX";
         require(::mkdtemp(name.data()) != nullptr, "no directory for files");
         path_ = name;
+        write_file(path_ / "V.hpp", "// for nobody's eyes\n");
     }
     ~Directory() {
         std::error_code ignored;
@@ -189,6 +190,7 @@ void command(std::string_view bytes) {
 void derived_command_line(std::string_view bytes) { command_line(derived(command_lines(), bytes)); }
 void derived_method(std::string_view bytes) { command(derived(methods(), bytes)); }
 void derived_scene(std::string_view bytes) { command(derived(scenes(), bytes)); }
+void derived_search(std::string_view bytes) { command(derived(searches(), bytes)); }
 void derived_tableau_file(std::string_view bytes) { command(derived(tableau_files(), bytes)); }
 
 }  // namespace hvi::gen::fuzz

@@ -154,6 +154,36 @@ u_of_two: x^2 + y^2 | -<$name>/sqrt(x^2 + y^2) | x^2*y - y^3/3 | <function>(x - 
     return grammar;
 }
 
+const Grammar& searches() {
+    static const Grammar grammar(R"rules(
+text: symmetries~FILE~~<scene> | check~FILE~--method~<named>~--max-order~2~~<scene>
+    | run~FILE~~<scene> | symmetries~--hamiltonian~p1^2/2+p2^2/2+<u>
+    | stepper~--method~gauss:2~--hamiltonian~p1^2/2+p2^2/2-<u>
+    | stepper~--basis~1, tau~--nodes~0, 1/2, 1~--hamiltonian~<chosen>
+scene: <families> | <lagrangian>
+families: coordinates = "x[1..N]"~momenta = "p[1..N]"~hamiltonian = "sum(i=1..N, p[i]^2/2 + <e>)"~<own>
+own: [functions]~V = {header = "V.hpp", arguments = 1}~<size>
+size: [parameters]~N = <many>~<kept>"x[i]" = 1~"p[i]" = "0"~<run>
+many: 80 | 3 | 200
+kept: [initial]~ | [invariants]~kept = "sum(i=1..N, <e>)"~[initial]~
+e: x[i]^2/2 | V(x[i]) | <number>*x[i] | <function>(<number>) | x[i]^<large> | <function>(x[i])
+    | <e>+<e> | x[mod(i,N)+1] | <e>*x[i]
+large: 2 | 10000 | <exponent>
+lagrangian: coordinates = ["q1", "q2"]~velocities = ["v1", "v2"]~lagrangian = "v1^2/2+v2^2/2-<u>"~<value>
+value: [parameters]~b = <digit>~[invariants]~kept = "<number>"~<start>
+start: [initial]~q1 = 1~q2 = 1~v1 = 0~v2 = 0~<run>
+run: [run]~method = "gauss:2"~step = 0.1~until = 1~
+u: q1*q2/q2 | <function>(<choice>) | <choice> | <function>(q1/q1-<number>) | <number>*q1 | <u>+<u>
+    | q1*<function>(q2)/<function>(q2) | <quotient>*q2
+quotient: q1/q1 | (q1-<number>)/(q1-<number>) | q1^<exponent>/q1
+choice: if(b>3,q2,q1) | if(<number>><number>,q2,q1) | min(q1,q2) | if(q1*q2>b,q1,<number>)
+chosen: p^2/2+<of_one> | min(<of_p>,<of_one>) | <of_p>+if(<of_p>><number>,q,<of_one>)
+of_p: p^2 | <function>(<function>(p)) | p*p
+of_one: q | <function>(q) | if(p*p><number>,q,<function>(q)) | <number>*q
+)rules" + common);
+    return grammar;
+}
+
 const Grammar& tableau_files() {
     static const Grammar grammar(R"(
 text: check~--tableau~FILE~--max-order~<order><options>~~{<tableau>}~

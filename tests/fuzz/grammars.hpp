@@ -11,6 +11,7 @@ namespace hvi::gen::fuzz {
 [[nodiscard]] const Grammar& command_lines();  ///< any options of any command
 [[nodiscard]] const Grammar& methods();        ///< basis functions and nodes
 [[nodiscard]] const Grammar& scenes();
+[[nodiscard]] const Grammar& searches();  ///< for symmetries, in scenes of any size
 [[nodiscard]] const Grammar& tableau_files();
 
 }  // namespace hvi::gen::fuzz

@@ -21,6 +21,7 @@ void hamiltonian(std::string_view bytes);  ///< H, coordinates and momenta, each
 
 // Of the whole program. The words of a command line, each on a line of its own, and `""` for an
 // empty one; behind an empty line there may be the text of a file, which the word FILE names.
+// Beside it is V.hpp, for a function of the scene's own.
 
 void command_line(std::string_view bytes);  ///< is only read
 void command(std::string_view bytes);       ///< is carried out, but for what needs a compiler
@@ -31,6 +32,7 @@ void command(std::string_view bytes);       ///< is carried out, but for what ne
 void derived_command_line(std::string_view bytes);
 void derived_method(std::string_view bytes);
 void derived_scene(std::string_view bytes);
+void derived_search(std::string_view bytes);
 void derived_tableau_file(std::string_view bytes);
 
 }  // namespace hvi::gen::fuzz

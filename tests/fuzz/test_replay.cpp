@@ -86,6 +86,7 @@ TEST_CASE("commands") { replay("command", fuzz::command); }
 TEST_CASE("derived command lines") { derive(fuzz::command_lines(), fuzz::command_line, 500); }
 TEST_CASE("derived methods") { derive(fuzz::methods(), fuzz::command, 60); }
 TEST_CASE("derived scenes") { derive(fuzz::scenes(), fuzz::command, 200); }
+TEST_CASE("derived searches") { derive(fuzz::searches(), fuzz::command, 400); }
 TEST_CASE("derived tableau files") { derive(fuzz::tableau_files(), fuzz::command, 30); }
 
 TEST_CASE("inputs too large for the corpus") {
