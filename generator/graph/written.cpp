@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "generator/expr/places.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -31,14 +33,6 @@ private:
     const Graph& graph_;
     std::map<Node, std::size_t> counts_;
 };
-
-Expression without_places(Expression expression) {
-    for (Expression& argument : expression.arguments) {
-        argument = without_places(std::move(argument));
-    }
-    expression.range = {};
-    return expression;
-}
 
 Expression whole(const Graph& graph, const Scaled& a) {
     const Computation& computation = graph.at(a.node);

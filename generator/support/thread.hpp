@@ -12,8 +12,9 @@ namespace hvi::gen {
 /// file. Not joinable where no thread is to be had.
 [[nodiscard]] std::thread start_thread(std::function<void()> run);
 
-/// Bytes that work of any kind may have for its stack. The deepest that readers let pass, 1200
-/// levels, takes 5 KiB a level at most, and some 30 KiB where a sanitizer looks on.
+/// Bytes that work of any kind may have for its stack. A reader goes 200 levels deep and takes 4.4
+/// KiB for each, 15 KiB where a sanitizer looks on; expressions are 1200 levels deep at most, and
+/// those who walk through them take 1 KiB for each.
 constexpr std::size_t size_of_stack = 64 * 1024 * 1024;
 
 /// Ends the program with the status that `run` returns, which has a stack of that size whatever the

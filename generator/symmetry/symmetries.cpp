@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "generator/expr/places.hpp"
 #include "generator/hamiltonian/body_symmetries.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"
 #include "generator/hamiltonian/gradient.hpp"
@@ -110,7 +111,7 @@ Expression momentum_map(const VectorField& field, const Scene& scene) {
         const auto i = static_cast<std::size_t>(place - coordinates.begin());
         terms.push_back(Expression::product({component.expression, momenta[i]}));
     }
-    return Expression::sum(std::move(terms));
+    return without_places(Expression::sum(std::move(terms)));
 }
 
 /// What the scene says to be conserved.
@@ -143,7 +144,7 @@ void set_findings(SceneSymmetries& result, const OfMomenta& motion) {
         targets.push_back(&invariant);
     }
     for (ConservedQuantity& field : result.fields) {
-        quantities.push_back({put_in(field.expression, motion.velocities), nullptr});
+        quantities.push_back({put_in(field.expression, motion.velocities), field.place.source});
         targets.push_back(&field);
     }
     if (!result.depends_on_time) {

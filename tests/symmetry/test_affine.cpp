@@ -235,3 +235,16 @@ TEST_CASE("A number that is not real is refused where the text has symbols in it
     }
     CHECK(momentum_maps(found_of("p^2/2 + sqrt(cbrt(3)-q/q)")) == std::vector<std::string>{"p"});
 }
+
+TEST_CASE("What is refused of a vector field points to its line") {
+    for (const char* component : {"y^10000", "asin(2)*y", "sqrt(x/x-cbrt(3))*y"}) {
+        const Refusal found = refusal([&] {
+            return found_of_scene("coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+                                  "hamiltonian = \"(px^2+py^2)/2\"\n[symmetries]\nturn = {x = \"" +
+                                  std::string(component) +
+                                  "\", y = \"x\"}\n[initial]\nx = 1\ny = 0\npx = 0\npy = 1\n");
+        });
+        CHECK(found.status > 0);
+        CHECK(found.marked.find("turn = ") != std::string::npos);
+    }
+}
