@@ -23,6 +23,7 @@ using GiNaC::symbol;
 constexpr std::size_t most_brackets = 24;     ///< symmetries whose brackets are written down
 constexpr std::size_t most_translations = 8;  ///< that are paired to turn what is between them
 constexpr std::size_t most_symbolic = 24;     ///< degrees of freedom with parameters as symbols
+constexpr std::size_t most_symbols = 12;      ///< parameters among these
 constexpr const char* too_long = "the derivatives have too many terms for it to be decided";
 
 /// H or L with its derivatives.
@@ -436,8 +437,9 @@ AffineSymmetries found(const Mechanics& mechanics) {
         Mechanics general = mechanics;
         general.parameters.clear();
         Search with_symbols(function(general));
-        with_symbols.solve();
-        if (with_symbols.found().basis.size() == all.basis.size()) {
+        const bool is_asked_for = with_symbols.algebra().parameters().size() <= most_symbols;
+        if (is_asked_for) with_symbols.solve();
+        if (is_asked_for && with_symbols.found().basis.size() == all.basis.size()) {
             const std::vector<Candidate> basis = with_symbols.named();
             if (with_symbols.stays_independent(basis, with_values.algebra()))
                 return result_of(with_symbols, basis, all.doubt, with_values.algebra());

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string_view>
@@ -118,7 +119,7 @@ void check_number(const std::shared_ptr<const Source>& source, Range cell) {
         fmt::format("a column of more than {} values has numbers alone", most_values_in_text));
 }
 
-std::variant<ValueList, ValueFile> values_of_csv(const ColumnFile& file) {
+std::variant<ValueList, ValueFile> values_of_csv(const ColumnFile& file, std::size_t most) {
     CsvLines lines(file);
     if (!lines.next()) refuse(file, "the file is empty");
     const std::size_t column = column_number(file, lines.text());
@@ -131,12 +132,12 @@ std::variant<ValueList, ValueFile> values_of_csv(const ColumnFile& file) {
             throw InputError(fmt::format("this row has {} values, and the first line {} names",
                                          row.size(), width),
                              whole(lines.source()));
-        if (count++ < most_values_in_text)
+        if (count++ < most)
             first.emplace_back(lines.source(), row[column]);
         else if (!is_number(lines.text(), row[column]))
             check_number(lines.source(), row[column]);
     }
-    if (count > most_values_in_text) {
+    if (count > most) {
         for (const auto& [source, cell] : first) check_number(source, cell);
         return ValueFile{file.path, file.column, {count}};
     }
@@ -244,7 +245,8 @@ std::size_t count_of(const ColumnFile& file, const std::vector<std::size_t>& ext
     return count;
 }
 
-std::variant<ValueList, ValueFile> values_of_npy(const ColumnFile& file, std::ifstream stream) {
+std::variant<ValueList, ValueFile> values_of_npy(const ColumnFile& file, std::ifstream stream,
+                                                 std::size_t most) {
     if (file.column) refuse(file, "an NPY file has no columns");
     const auto [head, begin] = dictionary(file, stream);
     const NumberType& type = number_type(file, head);
@@ -256,20 +258,19 @@ std::variant<ValueList, ValueFile> values_of_npy(const ColumnFile& file, std::if
     char bytes[8] = {};
     for (std::size_t k = 0; k < count; ++k) {
         stream.read(bytes, static_cast<std::streamsize>(type.size));
-        if (!type.is_finite(bytes) || count <= most_values_in_text) {
+        if (!type.is_finite(bytes) || count <= most) {
             const auto source = std::make_shared<const Source>(
                 Source{fmt::format("{}: value {}", (file.directory / file.path).string(), k + 1),
                        type.text(file, bytes)});
             list.values.push_back({parse_expression(source), source});
         }
     }
-    if (count > most_values_in_text) return ValueFile{file.path, {}, std::move(list.extents)};
+    if (count > most) return ValueFile{file.path, {}, std::move(list.extents)};
     return list;
 }
 
-}  // namespace
-
-std::variant<ValueList, ValueFile> values_in(const ColumnFile& file) {
+/// Those of at most so many are read.
+std::variant<ValueList, ValueFile> values_in(const ColumnFile& file, std::size_t most) {
     const Progress::Stage stage("reading files of numbers");
     std::error_code ignored;
     const auto status = std::filesystem::status(file.directory / file.path, ignored);
@@ -280,9 +281,19 @@ std::variant<ValueList, ValueFile> values_in(const ColumnFile& file) {
     std::ifstream stream = opened(file);
     std::string begin(npy_magic.size(), '\0');
     stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    if (begin != npy_magic) return values_of_csv(file);
+    if (begin != npy_magic) return values_of_csv(file, most);
     stream.seekg(0);
-    return values_of_npy(file, std::move(stream));
+    return values_of_npy(file, std::move(stream), most);
+}
+
+}  // namespace
+
+std::variant<ValueList, ValueFile> values_in(const ColumnFile& file) {
+    return values_in(file, most_values_in_text);
+}
+
+ValueList all_values_in(const ColumnFile& file) {
+    return std::get<ValueList>(values_in(file, std::numeric_limits<std::size_t>::max()));
 }
 
 std::size_t count(const ValueFile& file) {

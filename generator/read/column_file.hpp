@@ -31,4 +31,7 @@ constexpr std::size_t most_values_in_text = 256;
 /// many.
 [[nodiscard]] std::variant<ValueList, ValueFile> values_in(const ColumnFile& file);
 
+/// The same, read however many they are.
+[[nodiscard]] ValueList all_values_in(const ColumnFile& file);
+
 }  // namespace hvi::gen

@@ -179,7 +179,8 @@ void check_words_of(const Expression& function, const std::shared_ptr<const Sour
         const Place place{source, part.range};
         check_symbol_name(part.name, place);
         variables.check_index(part.name, place);
-        if (!variables.contains(part.name)) parameters.insert(part.name);
+        if (!variables.contains(part.name))
+            parameters.insert(std::string(without_index(part.name)));
         return true;
     });
     if (parameters.size() > most_parameters)

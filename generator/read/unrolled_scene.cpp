@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/read/column_file.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
@@ -72,8 +73,17 @@ std::vector<std::size_t> extents(const std::vector<Index>& indices) {
                      value.place_of_value, "write the values for all indices as a list");
 }
 
-[[noreturn]] void refuse_parameters(const Place& place) {
-    throw InputError(fmt::format("there are more than {} parameters", most_parameters), place);
+/// Throws InputError at the first of too many names. NOTE: a list is one, however long it is.
+void check_count(const std::vector<IndexedValue>& parameters) {
+    if (parameters.size() <= most_parameters) { return; }
+    throw InputError(fmt::format("there are more than {} parameters", most_parameters),
+                     parameters[most_parameters].place, "those with an index are one: m[1], m[2]");
+}
+
+[[noreturn]] void refuse_words(const Place& place) {
+    throw InputError(
+        fmt::format("the expressions of the scene have more than {} words", most_words_of_scene),
+        place);
 }
 
 class SceneUnrolling {
@@ -96,6 +106,7 @@ private:
                      const SceneRules& rules);
 
     [[nodiscard]] std::vector<Parameter> parameters();
+    [[nodiscard]] ValueList values_of(const IndexedValue& value) const;
     void add_parameter(std::vector<Parameter>& list, const IndexedValue& value, std::string name,
                        const IndexedExpression& written);
     [[nodiscard]] std::vector<NamedExpression> invariants();
@@ -175,11 +186,7 @@ void SceneUnrolling::check_words(const Expression& expression,
         ++word_count_;
         return true;
     });
-    if (word_count_ > most_words_of_scene) {
-        throw InputError(fmt::format("the expressions of the scene have more than {} words",
-                                     most_words_of_scene),
-                         whole(source));
-    }
+    if (word_count_ > most_words_of_scene) { refuse_words(whole(source)); }
 }
 
 // ---- parameters ----
@@ -187,12 +194,20 @@ void SceneUnrolling::check_words(const Expression& expression,
 void SceneUnrolling::add_parameter(std::vector<Parameter>& list, const IndexedValue& value,
                                    std::string name, const IndexedExpression& written) {
     words_.declare({name, value.place}, "a parameter");
-    if (list.size() == most_parameters) { refuse_parameters(value.place); }
     list.push_back({std::move(name), unrolled(written, sizes_), value.place, written.source});
+}
+
+/// Those of a list, also where they stand in a file.
+ValueList SceneUnrolling::values_of(const IndexedValue& value) const {
+    const auto* file = std::get_if<ValueFile>(&value.value);
+    if (file == nullptr) { return std::get<ValueList>(value.value); }
+    if (count(*file) > most_words_of_scene) { refuse_words(value.place_of_value); }
+    return all_values_in({written_.directory, file->path, file->column, value.place_of_value});
 }
 
 /// Those that are no sizes.
 std::vector<Parameter> SceneUnrolling::parameters() {
+    check_count(written_.parameters);
     std::vector<Parameter> list;
     for (const IndexedValue& value : written_.parameters) {
         if (sizes_.count(value.name) != 0) {
@@ -202,8 +217,7 @@ std::vector<Parameter> SceneUnrolling::parameters() {
         if (const auto* one = std::get_if<IndexedExpression>(&value.value)) {
             add_parameter(list, value, value.name, *one);
         } else {
-            if (std::holds_alternative<ValueFile>(value.value)) { refuse_parameters(value.place); }
-            const auto& several = std::get<ValueList>(value.value);
+            const ValueList several = values_of(value);
             for (std::size_t k = 0; k < several.values.size(); ++k) {
                 add_parameter(list, value, indexed_name(value.name, index_of_value(several, k)),
                               several.values[k]);

@@ -194,3 +194,30 @@ TEST_CASE("each of many values is a number") {
         CHECK(files.refused(x_of_csv).name.find("a.csv:2") != std::string::npos);
     }
 }
+
+TEST_CASE("a long column is a list of parameters too") {
+    const Scratch scratch;
+    std::ofstream csv(scratch.path / "a.csv");
+    csv << "a\n";
+    for (int k = 1; k <= 1000; ++k) csv << "1/" << k << "\n";
+    csv.close();
+    const auto scene = [&](const std::string& column) {
+        std::ofstream(scratch.path / "s.toml")
+            << "coordinates = \"q\"\nmomenta = \"p\"\n"
+               "hamiltonian = \"p^2/2 + sum(k=1..1000, a[k]*cos(k*q))\"\n"
+               "[parameters]\na = {file = \"" +
+                   column +
+                   ".csv\", column = \"a\"}\n"
+                   "[initial]\nq = 1\np = 0\n";
+        return scene_from_file(scratch.path / "s.toml");
+    };
+    CHECK(refusal([&] { return scene("a"); }).says("`1/257` is not a finite number"));
+    std::ofstream numbers(scratch.path / "b.csv");
+    numbers << "a\n";
+    for (int k = 1; k <= 1000; ++k) numbers << k << "e-3\n";
+    numbers.close();
+    const Scene read = scene("b");
+    REQUIRE(read.parameters.size() == 1000);
+    CHECK(read.parameters[998].name == "a[999]");
+    CHECK(to_text(read.parameters[998].value) == "999/1000");
+}

@@ -132,6 +132,7 @@ TEST_CASE("there are limits to what a Hamiltonian has") {
     CHECK(refused_hamiltonian("x", x, x).says("more than 64 degrees of freedom"));
     CHECK(refused_hamiltonian("q" + joined("+a#", 64)).status == 0);
     CHECK(refused_hamiltonian("q" + joined("+a#", 65)).says("more than 64 parameters"));
+    CHECK(refused_hamiltonian("sum(k=1..100, a[k]*cos(k*q))").status == 0);
     CHECK(refused_hamiltonian(std::string(70000, 'q')).says("64 KiB"));
     CHECK(refused_hamiltonian(std::string(300, '(')).says("nested"));
 }

@@ -73,6 +73,16 @@ TEST_CASE("a parameter gives the size of a scene") {
     CHECK(to_text(scene.run.step->expression) == "1/(10*3)");
 }
 
+TEST_CASE("a list of parameters is as long as it likes") {
+    std::string springs = edited(lattice, "[1, 2], [3, \"1/2\"]", "");
+    std::string rows;
+    for (int i = 0; i < 9; ++i) { rows += "[1, 2, 3, 4, 5, 6, 7, 8, \"1/9\"], "; }
+    const Scene scene = read(edited(springs, "K = []", "K = [" + rows + "]"));
+    CHECK(scene.parameters.size() == 81);
+    CHECK(scene.parameters[80].name == "K[9,9]");
+    CHECK(to_text(scene.parameters[80].value) == "1/9");
+}
+
 TEST_CASE("a parameter may be made of others, which may stand below it") {
     const Scene scene = read(ring);
     CHECK(to_text(scene.parameters[0].value) == "(3/6)^2");

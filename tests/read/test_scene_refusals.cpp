@@ -230,13 +230,14 @@ TEST_CASE("a place in an H of several lines is in its line") {
 }
 
 TEST_CASE("there are limits to what a scene has") {
-    const auto list = [](int count) {
-        std::string text = "1";
-        for (int k = 1; k < count; ++k) text += ", 1";
-        return "[" + text + "]";
+    const auto names = [](int count) {
+        std::string text = "mu = 1\n";
+        for (int k = 0; k < count; ++k) text += "k" + std::to_string(k) + " = [1, 2]\n";
+        return text;
     };
-    CHECK(refused(planet, "mu = 1", "mu = 1\nm = " + list(62)).status == 0);
-    CHECK(refused(planet, "mu = 1", "mu = 1\nm = " + list(63)).says("more than 64 parameters"));
+    CHECK(refused(planet, "mu = 1", names(62)).status == 0);
+    CHECK(refused(planet, "mu = 1", names(63)).says("more than 64 parameters"));
+    CHECK(refused(planet, "mu = 1", names(63)).marked == "[ecc] = \"3/5\"");
     CHECK(refused(bodies, "x[1..3]", "x[1..65]").says("more than 64 degrees of freedom"));
     std::string invariants;
     for (int k = 0; k < 64; ++k) invariants += "i" + std::to_string(k) + " = \"x\"\n";
