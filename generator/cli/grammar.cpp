@@ -15,12 +15,26 @@ std::string names(const OptionEntry& option) {
     return (abbreviation.empty() ? "" : abbreviation + ",") + std::string(option.name);
 }
 
+/// The help of an option in lines of so many columns. NOTE: CLI11 puts them below each other, and
+/// breaks none itself.
+std::string lines_of_help(const OptionEntry& option) {
+    constexpr std::size_t longest = 68;
+    std::string text = help_of(option);
+    for (std::size_t begin = 0; text.size() - begin > longest;) {
+        const std::size_t blank = text.rfind(' ', begin + longest);
+        if (blank == std::string::npos || blank <= begin) break;
+        text[blank] = '\n';
+        begin = blank + 1;
+    }
+    return text;
+}
+
 void add_value(CLI::App& command, const OptionEntry& option) {
     // NOTE: exactly one value for each occurrence, so that no word behind it is swallowed. Only
     // words that stand alone are one occurrence, of as many as there are.
     command
         .add_option(
-            names(option), [](const CLI::results_t&) { return true; }, help_of(option))
+            names(option), [](const CLI::results_t&) { return true; }, lines_of_help(option))
         ->expected(1)
         ->allow_extra_args(option.is_word() && option.is_repeatable)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -41,9 +55,9 @@ void add_to_come(CLI::App& command, const OptionEntry& option) {
 
 void add(CLI::App& command, const OptionEntry& option) {
     if (option.name == "--help")
-        command.set_help_flag(names(option), help_of(option));
+        command.set_help_flag(names(option), lines_of_help(option));
     else if (option.value == Value::none)
-        command.add_flag(names(option))->description(help_of(option));
+        command.add_flag(names(option))->description(lines_of_help(option));
     else
         add_value(command, option);
 }

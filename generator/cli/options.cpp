@@ -281,6 +281,7 @@ Request parse(const CommandLine& line) {
         app.parse(std::vector<std::string>(line.words().rbegin(), line.words().rend()));
         return request(command_of(app, line), line);
     } catch (const CLI::Success& asked) {  // --help, --version
+        if (!app.remaining().empty()) static_cast<void>(command_of(app, line));
         std::ostringstream text;
         app.exit(asked, text, text);
         return Information{text.str()};

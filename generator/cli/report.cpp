@@ -60,6 +60,13 @@ std::string name_of(const Subject& subject) {
     return std::visit([](const auto& scene) { return scene.name; }, subject.scene);
 }
 
+/// That of the scene; where it has none, the first of those that are asked for.
+NamedExpression first_step(const Scene& scene, const ReportOptions& options) {
+    const bool is_given = !scene.run.step && options.steps;
+    return wish(scene, is_given ? list_items(options.steps).front() : nullptr, scene.run.step,
+                "step", "--steps 1/10,1/20");
+}
+
 Subject subject(const Given& name, const ReportOptions& options) {
     Subject result{find_scene_of_any_size(name)};
     const auto* large = std::get_if<IndexedScene>(&result.scene);
@@ -68,7 +75,7 @@ Subject subject(const Given& name, const ReportOptions& options) {
     scene.place = whole(name);
     if (options.peers) refuse_rotations(function_of(scene), "a comparison with other libraries");
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
-    const NamedExpression step = wish(scene, nullptr, scene.run.step, "step");
+    const NamedExpression step = first_step(scene, options);
     result.until = nearest_value(scene, until);
     result.first_count = std::max<std::int64_t>(1, steps_until(scene, step, until).count);
     if (!options.steps) return result;

@@ -11,12 +11,13 @@
 namespace hvi::gen {
 
 NamedExpression wish(const Scene& scene, const Given& given,
-                     const std::optional<NamedExpression>& of_scene, const std::string& name) {
+                     const std::optional<NamedExpression>& of_scene, const std::string& name,
+                     const std::string& option) {
     if (given) return expression_of_parameters(scene, name, given);
     if (of_scene) return *of_scene;
-    throw InputError(
-        fmt::format("the scene does not say `{}`", name), scene.place,
-        fmt::format("give --{} 1/10, or a section [run] with {} = \"1/10\"", name, name));
+    throw InputError(fmt::format("the scene does not say `{}`", name), scene.place,
+                     fmt::format("give {}, or a section [run] with {} = \"1/10\"",
+                                 option.empty() ? fmt::format("--{} 1/10", name) : option, name));
 }
 
 std::string duration(double seconds) {

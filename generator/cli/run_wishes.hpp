@@ -11,10 +11,10 @@
 namespace hvi::gen {
 
 /// `step` or `until`: what the command line says, else the scene. Throws InputError where neither
-/// does.
+/// does, with what to give: `option`, or, where that is empty, an option of this name.
 [[nodiscard]] NamedExpression wish(const Scene& scene, const Given& given,
                                    const std::optional<NamedExpression>& of_scene,
-                                   const std::string& name);
+                                   const std::string& name, const std::string& option = {});
 
 /// `1.2 ms`
 [[nodiscard]] std::string duration(double seconds);

@@ -96,9 +96,9 @@ void check_family(const Family& family, const Place& place, std::string_view sub
     if (entry == nullptr) {
         std::vector<std::string_view> names;
         for (const FamilyEntry& known : families) names.push_back(known.name);
-        throw InputError(fmt::format("there is no family of {} `{}`", subject, family.name), place,
-                         did_you_mean(family.name, names,
-                                      fmt::format("the families are {}", fmt::join(names, ", "))));
+        throw InputError(
+            fmt::format("there is no family of {} `{}`", subject, family.name), place,
+            did_you_mean(family.name, names, fmt::format("the families are {}", listed(names))));
     }
     if (family.size < entry->smallest || family.size > largest_size)
         throw InputError("S is out of range", place,

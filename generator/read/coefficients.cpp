@@ -71,7 +71,7 @@ private:
         for (const JsonMember& member : object.members) {
             if (std::find(known.begin(), known.end(), member.key) != known.end()) { continue; }
             fail(member.range, fmt::format("{} has no `{}`", subject, member.key),
-                 did_you_mean(member.key, known, fmt::format("it has {}", fmt::join(known, ", "))));
+                 did_you_mean(member.key, known, fmt::format("it has {}", listed(known))));
         }
     }
 

@@ -97,8 +97,7 @@ std::size_t column_number(const ColumnFile& file, std::string_view head) {
     const auto found = std::find(names.begin(), names.end(), *file.column);
     if (found == names.end())
         refuse(file, fmt::format("there is no column `{}`", *file.column),
-               did_you_mean(*file.column, names,
-                            fmt::format("the columns are {}", fmt::join(names, ", "))));
+               did_you_mean(*file.column, names, fmt::format("the columns are {}", listed(names))));
     return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -272,6 +271,8 @@ std::variant<ValueList, ValueFile> values_of_npy(const ColumnFile& file, std::if
 /// Those of at most so many are read.
 std::variant<ValueList, ValueFile> values_in(const ColumnFile& file, std::size_t most) {
     const Progress::Stage stage("reading files of numbers");
+    if (file.path.find('\0') != std::string::npos)
+        throw InputError("a path has no character with code 0", file.place);
     std::error_code ignored;
     const auto status = std::filesystem::status(file.directory / file.path, ignored);
     if (status.type() == std::filesystem::file_type::not_found)

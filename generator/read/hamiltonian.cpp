@@ -315,9 +315,9 @@ void refuse_parameter(const Parameter& parameter, const std::vector<std::string>
         throw InputError(
             fmt::format("`{}` is a variable of {}, and no parameter", parameter.name, owner),
             parameter.place);
-    const std::string otherwise =
-        names.empty() ? "there are no parameters"
-                      : fmt::format("the parameters are {}", fmt::join(names, ", "));
+    const std::string otherwise = names.empty()
+                                      ? "there are no parameters"
+                                      : fmt::format("the parameters are {}", listed(names));
     throw InputError(
         fmt::format("neither {} nor the method has a parameter `{}`", owner, parameter.name),
         parameter.place, did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));

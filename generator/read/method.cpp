@@ -185,8 +185,7 @@ void set_parameter(std::vector<Parameter>& values, const std::vector<std::string
                    Parameter parameter, std::string_view subject) {
     if (std::find(names.begin(), names.end(), parameter.name) == names.end()) {
         const std::string otherwise =
-            names.empty() ? std::string()
-                          : fmt::format("the parameters are {}", fmt::join(names, ", "));
+            names.empty() ? std::string() : fmt::format("the parameters are {}", listed(names));
         throw InputError(fmt::format("{} has no parameter `{}`", subject, parameter.name),
                          parameter.place,
                          did_you_mean(parameter.name, {names.begin(), names.end()}, otherwise));

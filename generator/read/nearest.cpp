@@ -56,6 +56,23 @@ std::vector<std::string_view> nearest(std::string_view word,
     return names;
 }
 
+std::string listed(const std::vector<std::string_view>& names) {
+    constexpr std::size_t longest = 70;
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const bool is_last = k + 1 == names.size();
+        const std::size_t behind = is_last ? 0 : names.back().size() + 7;  // `, ..., ` and the last
+        if (k > 0 && text.size() + 2 + names[k].size() + behind > longest)
+            return text + (is_last ? ", " : ", ..., ") + std::string(names.back());
+        text += (k > 0 ? ", " : "") + std::string(names[k]);
+    }
+    return text;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    return listed(std::vector<std::string_view>{names.begin(), names.end()});
+}
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates,
                          std::string otherwise) {
     const std::vector<std::string_view> names = nearest(word, candidates);

@@ -13,6 +13,11 @@ namespace hvi::gen {
 [[nodiscard]] std::vector<std::string_view>
 nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
+/// `x, y, z` of names for a line of help: of those that are too many the first ones and the last,
+/// `x[1], x[2], ..., p[64]`.
+[[nodiscard]] std::string listed(const std::vector<std::string_view>& names);
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
 /// "did you mean `gauss` or `fejer`?" for the nearest candidates, or else `otherwise`.
 [[nodiscard]] std::string did_you_mean(std::string_view word,
                                        const std::vector<std::string_view>& candidates,

@@ -57,6 +57,7 @@ private:
     [[nodiscard]] NameTexts names(std::string_view key, std::string_view example) const;
     [[nodiscard]] IndexedExpression expression(const toml::node& node) const;
     [[nodiscard]] NamedIndexed named(std::string name, const toml::node& node) const;
+    void refuse_to_come() const;
     void check_absent(std::string_view key, std::string_view other, std::string_view fault,
                       std::string_view help) const;
     void check_mechanics() const;
@@ -456,7 +457,21 @@ IndexedRun SceneReader::run() const {
     return wishes;
 }
 
+/// Throws InputError for what a scene cannot say yet.
+void SceneReader::refuse_to_come() const {
+    for (const std::string_view key : {"time", "events", "split", "boundary", "guess", "ode",
+                                       "state", "control", "cost", "end_cost"}) {
+        const auto entry = file_.table().find(key);
+        if (entry == file_.table().end()) continue;
+        const bool is_section = entry->second.is_table();
+        throw InputError(fmt::format("{} is to come", is_section ? fmt::format("[{}]", key)
+                                                                 : fmt::format("`{}`", key)),
+                         file_.place(entry->first.source()), "it is planned, and not built yet");
+    }
+}
+
 IndexedScene SceneReader::read() {
+    refuse_to_come();
     file_.check_keys(file_.table(), "scene",
                      {"name", "description", "coordinates", "momenta", "velocities", "rotations",
                       "angular_momenta", "hamiltonian", "lagrangian", "parameters", "functions",

@@ -108,9 +108,8 @@ void ColumnReader::refuse_unknown(const Name& name) const {
         const bool is_new = std::find(stems.begin(), stems.end(), box.names.stem) == stems.end();
         if (is_new && stems.size() < most_listed) { stems.emplace_back(box.names.stem); }
     }
-    throw InputError(
-        fmt::format("there is no column `{}`", name.stem), place,
-        did_you_mean(name.stem, stems, fmt::format("there are {}", fmt::join(stems, ", "))));
+    throw InputError(fmt::format("there is no column `{}`", name.stem), place,
+                     did_you_mean(name.stem, stems, fmt::format("there are {}", listed(stems))));
 }
 
 /// All that have this name without its indices; at least one.

@@ -36,6 +36,26 @@ constexpr std::array<Lookalike, 15> lookalikes{{
     {"{", "only round parentheses group"},
 }};
 
+/// How the letters from alpha, U+03B1, on are spelled; those from U+0391 on begin with a capital.
+constexpr std::array<std::string_view, 25> greek_letters{
+    "alpha", "beta",   "gamma",   "delta", "epsilon", "zeta",    "eta",   "theta", "iota",
+    "kappa", "lambda", "mu",      "nu",    "xi",      "omicron", "pi",    "rho",   "sigma",
+    "sigma", "tau",    "upsilon", "phi",   "chi",     "psi",     "omega",
+};
+
+/// The name of a Greek letter in UTF-8; empty for other characters.
+std::string greek_name(std::string_view character) {
+    if (character.size() != 2) return "";
+    const auto code = (static_cast<unsigned>(character[0]) & 0x1fU) << 6U |
+                      (static_cast<unsigned>(character[1]) & 0x3fU);
+    constexpr unsigned alpha = 0x3b1, capital_alpha = 0x391, letters = greek_letters.size();
+    if (code >= alpha && code < alpha + letters) return std::string(greek_letters[code - alpha]);
+    if (code < capital_alpha || code >= capital_alpha + letters) return "";
+    std::string name(greek_letters[code - capital_alpha]);
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    return name;
+}
+
 /// Bytes of the UTF-8 character that `text` starts with; 1 when it is none.
 std::size_t character_length(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text.front());
@@ -169,6 +189,8 @@ void Lexer::refuse_character() const {
         std::find_if(lookalikes.begin(), lookalikes.end(),
                      [&](const Lookalike& entry) { return entry.character == character; });
     std::string help = known == lookalikes.end() ? "" : std::string(known->help);
+    if (const std::string name = greek_name(character); help.empty() && !name.empty())
+        help = fmt::format("write `{}`: names are made of the letters a to z", name);
     const bool behind_name = position_ > 0 && is_name_char(text_[position_ - 1]);
     if (character == "[" && behind_name) help = "names have an index in scenes and in H only";
     if (character == ":" && indices_ == Indices::allowed)

@@ -8,6 +8,7 @@
 
 #include "generator/read/file.hpp"
 #include "generator/read/nearest.hpp"
+#include "generator/read/token.hpp"
 
 namespace hvi::gen {
 
@@ -24,6 +25,25 @@ std::size_t byte_of_column(std::string_view line, toml::source_index column) {
     return line.size();
 }
 
+/// What may be wrong with a line that is no TOML. NOTE: keys beside ASCII stand in quotes, and are
+/// no names even so.
+std::string help_for_line(std::string_view line) {
+    const std::size_t sign = line.find('=');
+    if (sign == std::string_view::npos) return "";
+    const std::string_view key = line.substr(0, sign);
+    const Range value = trimmed(line, {sign + 1, line.size()});
+    if (std::any_of(key.begin(), key.end(), [](char c) { return (c & 0x80) != 0; }))
+        return "names are made of the letters a to z and A to Z, digits and `_`";
+    const bool is_bare =
+        value.begin < value.end &&
+        std::string_view("\"'[{").find(line[value.begin]) == std::string_view::npos;
+    if (!is_bare) return "";
+    const std::string_view text = line.substr(value.begin, value.end - value.begin);
+    const bool is_decimal = text.find_first_not_of("+-0123456789,") == std::string_view::npos;
+    return is_decimal ? "a decimal number has a point: `0.5`"
+                      : "formulas stand in quotes, as in phi = \"pi/4\"";
+}
+
 }  // namespace
 
 Source toml_source(const std::filesystem::path& path) {
@@ -35,8 +55,9 @@ TomlFile::TomlFile(const Source& file) : file_(file) {
     try {
         table_ = toml::parse(std::string_view(file.text));
     } catch (const toml::parse_error& error) {
-        throw InputError(fmt::format("this is no TOML: {}", error.description()),
-                         place(error.source()));
+        const Place at = place(error.source());
+        throw InputError(fmt::format("this is no TOML: {}", error.description()), at,
+                         help_for_line(at.source->text));
     }
 }
 
@@ -104,7 +125,7 @@ void TomlFile::check_keys(const toml::table& table, std::string_view what,
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
         throw InputError(
             fmt::format("a {} has no key `{}`", what, key.str()), place(key.source()),
-            did_you_mean(key.str(), known, fmt::format("the keys are {}", fmt::join(known, ", "))));
+            did_you_mean(key.str(), known, fmt::format("the keys are {}", listed(known))));
     }
 }
 

@@ -121,6 +121,11 @@ private:
                   const std::vector<Index>& indices, const SceneRules& rules);
     void add_rule(Values& found, const IndexedValue& value, const ValueRule& rule,
                   const std::vector<Index>& indices, const SceneRules& rules);
+    void put(Values& found, const IndexedValue& value, const std::string& name,
+             const IndexedExpression& written, const SceneRules& rules,
+             const WholeNumbers& indices = {});
+    [[nodiscard]] bool is_momentum_of_body(const std::string& name) const;
+    void add_momentum_of_body(Values& found, const IndexedValue& value, const SceneRules& rules);
     void add_rotation(Values& found, const IndexedValue& value, const RotationValue& rotation,
                       const SceneRules& rules);
     [[noreturn]] void refuse_variable(const std::string& name, const Place& place) const;
@@ -339,9 +344,17 @@ std::vector<VectorField> SceneUnrolling::fields() {
             names.push_back(without_index(variable));
         }
     }
-    throw InputError(
-        fmt::format("`{}` is no variable", name), place,
-        did_you_mean(name, names, fmt::format("the variables are {}", fmt::join(names, ", "))));
+    throw InputError(fmt::format("`{}` is no variable", name), place,
+                     did_you_mean(name, names, fmt::format("the variables are {}", listed(names))));
+}
+
+/// The value of one variable.
+void SceneUnrolling::put(Values& found, const IndexedValue& value, const std::string& name,
+                         const IndexedExpression& written, const SceneRules& rules,
+                         const WholeNumbers& indices) {
+    const bool is_new = found.emplace(name, expression(name, written, rules, indices)).second;
+    if (is_new) { return; }
+    throw InputError(fmt::format("`{}` is given values twice", value.name), value.place);
 }
 
 void SceneUnrolling::add_list(Values& found, const IndexedValue& value, const ValueList& list,
@@ -355,8 +368,7 @@ void SceneUnrolling::add_list(Values& found, const IndexedValue& value, const Va
                          value.place_of_value);
     }
     for (std::size_t k = 0; k < given; ++k) {
-        const std::string name = indexed_name(value.name, indices[k]);
-        found.emplace(name, expression(name, list.values[k], rules));
+        put(found, value, indexed_name(value.name, indices[k]), list.values[k], rules);
     }
 }
 
@@ -371,8 +383,7 @@ void SceneUnrolling::add_rule(Values& found, const IndexedValue& value, const Va
     for (const Index& index : indices) {
         WholeNumbers known;
         for (std::size_t d = 0; d < dimension; ++d) { known[rule.indices[d]] = index[d]; }
-        const std::string name = indexed_name(value.name, index);
-        found.emplace(name, expression(name, rule.value, rules, known));
+        put(found, value, indexed_name(value.name, index), rule.value, rules, known);
     }
 }
 
@@ -386,16 +397,31 @@ void SceneUnrolling::add_rotation(Values& found, const IndexedValue& value,
         is_known = true;
         const std::vector<std::string> entries = entries_of(names.rotation);
         for (std::size_t k = 0; k < entries.size(); ++k) {
-            const bool is_new =
-                found.emplace(entries[k], expression(entries[k], rotation.entries[k], rules))
-                    .second;
-            if (!is_new) {
-                throw InputError(fmt::format("`{}` is given values twice", names.rotation),
-                                 value.place);
-            }
+            put(found, value, entries[k], rotation.entries[k], rules);
         }
     }
     if (!is_known) { refuse_variable(value.name, value.place); }
+}
+
+/// Whether it is the angular momentum of one of several bodies: `L[2]`.
+bool SceneUnrolling::is_momentum_of_body(const std::string& name) const {
+    return is_indexed_name(name) &&
+           std::any_of(rotations_.begin(), rotations_.end(),
+                       [&](const RotationNames& names) { return names.momentum == name; });
+}
+
+/// Its three components, of a list.
+void SceneUnrolling::add_momentum_of_body(Values& found, const IndexedValue& value,
+                                          const SceneRules& rules) {
+    const std::vector<std::string> components = components_of(value.name);
+    const auto* list = std::get_if<ValueList>(&value.value);
+    if (list == nullptr || list->values.size() != components.size()) {
+        throw InputError(fmt::format("`{}` has three components", value.name), value.place_of_value,
+                         "write for example [0, 0, 1]");
+    }
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        put(found, value, components[k], list->values[k], rules);
+    }
 }
 
 /// The value of a variable, or those of x[1], x[2], ... by ascending index.
@@ -404,19 +430,20 @@ void SceneUnrolling::add_values(Values& found, const IndexedValue& value, const 
         add_rotation(found, value, *rotation, rules);
         return;
     }
+    if (is_momentum_of_body(value.name)) {
+        add_momentum_of_body(found, value, rules);
+        return;
+    }
     const std::vector<Index> indices = words_.indices(value.name);
     if (indices.empty() || words_.is("a parameter", value.name)) {
         refuse_variable(value.name, value.place);
-    }
-    if (found.count(indexed_name(value.name, indices.front())) != 0) {
-        throw InputError(fmt::format("`{}` is given values twice", value.name), value.place);
     }
     const bool has_index = !indices.front().empty();
     if (const auto* rule = std::get_if<ValueRule>(&value.value)) {
         add_rule(found, value, *rule, indices, rules);
     } else if (const auto* one = std::get_if<IndexedExpression>(&value.value)) {
         if (has_index) { refuse_count(value, indices.size(), 1); }
-        found.emplace(value.name, expression(value.name, *one, rules));
+        put(found, value, value.name, *one, rules);
     } else if (has_index) {
         if (const auto* file = std::get_if<ValueFile>(&value.value)) {
             refuse_count(value, indices.size(), count(*file));
@@ -438,8 +465,7 @@ std::vector<NamedExpression> SceneUnrolling::values(const ValueTable& table,
         const auto position = found.find(name);
         if (position == found.end()) {
             throw InputError(fmt::format("{} is missing: that of `{}`", rules.subject, name),
-                             table.place,
-                             fmt::format("each of {} has one", fmt::join(variables_, ", ")));
+                             table.place, fmt::format("each of {} has one", listed(variables_)));
         }
         list.push_back(std::move(position->second));
     }

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/options/option_table.hpp"
 #include "tests/cli/results.hpp"
 
 using namespace hvi::test;
@@ -36,6 +37,18 @@ TEST_CASE("help and version go to standard output") {
     }
     CHECK(hvi_gen({"--version"}).out == "hvi-gen 0.1.0\n");
     CHECK(hvi_gen({"tableau", "--help"}).out.find("--digits") != std::string::npos);
+}
+
+TEST_CASE("lines of help have at most 100 columns") {
+    for (const auto& command : hvi::gen::command_table()) {
+        if (command.state == hvi::gen::State::to_come) continue;
+        const Outcome help = hvi_gen({std::string(command.name), "--help"});
+        CHECK(help.status == 0);
+        for (const std::string& line : lines_of(help.out)) {
+            CAPTURE(line);
+            CHECK(line.size() <= 100);
+        }
+    }
 }
 
 TEST_CASE("lists fit a terminal of 80 columns") {

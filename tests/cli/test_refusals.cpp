@@ -252,6 +252,29 @@ TEST_CASE("a command line that cannot be read: status 2") {
     for (const Refusal& refusal : refusals) check_refused(refusal, refusal.words);
 }
 
+TEST_CASE("help of what is no command is none") {
+    check_refused({2, "nonsense", {}}, {"nonsense", "--help"});
+    check_refused({2, "nonsense", {}}, {"nonsense", "tableau", "--help"});
+    CHECK(hvi_gen({"tableau", "--help"}).status == 0);
+}
+
+TEST_CASE("a report of a scene without a step asks for --steps") {
+    const Directory directory;
+    write(directory / "own.toml", "coordinates = \"q\"\nmomenta = \"p\"\nhamiltonian = "
+                                  "\"p^2/2-cos(q)\"\n[initial]\nq = 1\np = 0\n");
+    const Outcome asks = hvi_gen({"report", "own.toml", "--until", "1"}, directory.path());
+    CHECK(asks.status == 2);
+    CHECK(asks.err.find("give --steps 1/10,1/20, or a section [run]") != std::string::npos);
+    const Outcome none =
+        hvi_gen({"run", "own.toml", "--method", "gauss:2", "--until", "1"}, directory.path());
+    CHECK(none.err.find("give --step 1/10, or a section [run]") != std::string::npos);
+    // The first of --steps is taken, and refused as one: it leads away from the end.
+    const Outcome taken =
+        hvi_gen({"report", "own.toml", "--until", "1", "--steps", "-1/10"}, directory.path());
+    CHECK(taken.status == 1);
+    CHECK(taken.err.find("lead away from the end") != std::string::npos);
+}
+
 TEST_CASE("what is to come is refused as such, whatever stands around it") {
     using hvi::gen::State;
     const auto check_to_come = [](const std::string& place, const std::vector<std::string>& words) {

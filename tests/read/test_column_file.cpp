@@ -195,6 +195,14 @@ TEST_CASE("each of many values is a number") {
     }
 }
 
+TEST_CASE("a path with a character of code 0 is no other path") {
+    const Files files;
+    files.write("a.csv", "x\n1\n2\n3\n4\n");
+    const Refusal error = files.refused("{file = \"a.csv\\u0000.bak\", column = \"x\"}");
+    CHECK(error.status == 2);
+    CHECK(error.what == "a path has no character with code 0");
+}
+
 TEST_CASE("a long column is a list of parameters too") {
     const Scratch scratch;
     std::ofstream csv(scratch.path / "a.csv");

@@ -81,6 +81,28 @@ M = [[1, 2, 3], [4, 5, 6]]
     CHECK(value(scene, "B[3,3]") == "1");
 }
 
+TEST_CASE("angular momenta of several bodies may be given one by one, as rotations are") {
+    const std::string two = R"toml(rotations = "R[1..2]"
+angular_momenta = "L[1..2]"
+hamiltonian = "sum(k=1..2, L[k,1]^2/2 + L[k,2]^2/4 + L[k,3]^2/6)"
+[initial]
+"R[1]" = "identity"
+"R[2]" = "identity"
+"L[2]" = [4, 5, "11/2"]
+"L[1]" = [1, 2, 3]
+)toml";
+    CHECK(value(read(two), "L[1,3]") == "3");
+    CHECK(value(read(two), "L[2,3]") == "11/2");
+    const auto check = [&](const std::string& other, const std::string& what) {
+        CHECK(hvi::gen::refused(two, "\"L[1]\" = [1, 2, 3]", other).what == what);
+    };
+    check("\"L[1]\" = [1, 2]", "`L[1]` has three components");
+    check("\"L[1]\" = 1", "`L[1]` has three components");
+    check("L = [[1, 2, 3], [4, 5, 6]]", "`L` is given values twice");
+    check("\"L[3]\" = [1, 2, 3]", "`L[3]` is no variable");
+    check("", "an initial value is missing: that of `L[1,1]`");
+}
+
 TEST_CASE("an angle may depend on parameters, and on the time where it is that of a solution") {
     const std::string text = edited(body, "\"identity\"", "{axis = [0, 0, 1], angle = \"g/2\"}");
     CHECK(value(read(text), "R[2,1]").find("sin(g/2)") != std::string::npos);

@@ -229,6 +229,47 @@ TEST_CASE("a place in an H of several lines is in its line") {
     CHECK(refused(joined).name == "s.toml:4");  // TOML makes one line of them
 }
 
+TEST_CASE("what is to come is refused as such") {
+    for (const char* section : {"time", "events.crossing", "split", "boundary", "guess"}) {
+        const std::string text = planet + "[" + section + "]\nzero = \"y\"\n";
+        CAPTURE(section);
+        CHECK(refused(text).status == 2);
+        CHECK(refused(text).says(" is to come"));
+        CHECK(refused(text).name == "s.toml:19");
+    }
+    for (const char* key : {"ode", "state", "control", "cost", "end_cost"})
+        CHECK(refused(key + std::string(" = \"x\"\n") + planet).what ==
+              "`" + std::string(key) + "` is to come");
+    CHECK(refused("evens = 1\n" + planet).says("no key"));
+}
+
+TEST_CASE("a formula without quotes is told that it wants them") {
+    for (const char* value : {"pi/4", "sqrt(2)", "1/2", "3 + 4", "\u03c0", "x*2", "-pi"}) {
+        CAPTURE(value);
+        const Refusal bare = refused(planet, "mu = 1", "mu = " + std::string(value));
+        CHECK(bare.says("no TOML"));
+        CHECK(bare.help == "formulas stand in quotes, as in phi = \"pi/4\"");
+    }
+    CHECK(refused(planet, "mu = 1", "mu = 9,81").helps("a decimal number has a point"));
+    CHECK(refused(planet, "mu = 1", "mu = \"9,81\"").helps("a decimal number has a point"));
+    CHECK(refused(planet, "mu = 1", "\u03bc = 1").helps("names are made of the letters a to z"));
+    CHECK(refused(planet, "mu = 1", "mu = \"\u03c9/2\"").helps("write `omega`"));
+    CHECK(refused(planet, "mu = 1", "mu = \"\u0394\"").helps("write `Delta`"));
+    CHECK(refused(planet, "mu = 1", "mu = \"\u03c0\"").help == "write `pi`");
+    CHECK(refused(planet, "mu = 1", "mu = [1, 2").help.empty());
+}
+
+TEST_CASE("long lists of names are shortened where they are help") {
+    const std::string many = edited(edited(bodies, "x[1..3]", "x[1..60]"), "p[1..3]", "p[1..60]");
+    const Refusal missing =
+        refused(edited(edited(many, "x = [1, 2, \"-3\"]\n", ""), "p = [0, 0, \"m[2]\"]\n", ""));
+    CHECK(missing.says("an initial value is missing"));
+    CHECK(missing.helps("each of x[1], x[2], "));
+    CHECK(missing.helps(", ..., p[60] has one"));
+    CHECK(missing.help.size() <= 100);
+    CHECK(refused("sections = 1\n" + planet).help.size() <= 100);
+}
+
 TEST_CASE("there are limits to what a scene has") {
     const auto names = [](int count) {
         std::string text = "mu = 1\n";
