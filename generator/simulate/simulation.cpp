@@ -27,7 +27,7 @@ std::string quoted(const std::vector<std::string>& names) {
 std::string values(const std::vector<std::string>& conserved) {
     std::vector<std::string> items;
     for (const std::string& name : conserved)
-        items.push_back(fmt::format("stepper.{}(x)", function_name(name)));
+        items.push_back(fmt::format("stepper.{}(x)", member_name(name)));
     return lines(items);
 }
 

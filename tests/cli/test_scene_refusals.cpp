@@ -102,7 +102,7 @@ TEST_CASE("names that a header cannot have: status 2") {
     const std::string scene = (directory / "scene.toml").string();
     const std::string H = "coordinates = \"q\"\nmomenta = \"p\"\nhamiltonian = \"p^2/2+q^4\"\n"
                           "[initial]\nq = 1\np = 0\n";
-    write(scene, H + "[invariants]\nerrno = \"p^2+q^4\"\n");
+    write(scene, H + "[invariants]\nsystem_ = \"p^2+q^4\"\n");
     check_refused({2, "p^2+q^4", {}}, {"stepper", "--method", "gauss:2", scene, "--invariants"});
     write(scene, H + "[parameters]\nNAN = 1\nNAN_ = 2\n");
     check_refused({2, "NAN_", {}}, {"stepper", "--method", "gauss:2", scene});

@@ -46,6 +46,20 @@ TEST_CASE("other names are refused") {
     }
 }
 
+TEST_CASE("tables of a header give way to invariants") {
+    for (const char* name : {"b", "c", "k", "m", "n", "p", "q", "x", "N", "k1"})
+        CHECK_NOTHROW(check_function_name(name, {}));
+    CHECK(member_name("I") == "I_");
+    const std::string text = "static Scalar b[3];  // b_1\n"
+                             "Scalar b(const State& x) const { return system_.b(x.q); }\n"
+                             "f(b, b_q, 2 * b[0], s.b, a_b); // b\n";
+    CHECK(with_other_tables(text, "b") ==
+          "static Scalar b_[3];  // b_1\n"
+          "Scalar b(const State& x) const { return system_.b(x.q); }\n"
+          "f(b_, b_q, 2 * b_[0], s.b, a_b); // b\n");
+    CHECK(with_other_tables(text, "f") == text);
+}
+
 TEST_CASE("an invariant is not called as what a header with lanes or sums has") {
     for (const char* name : {"N_lanes", "m_lanes", "mt_lanes", "cn_lanes", "sums_"}) {
         CAPTURE(name);

@@ -25,4 +25,7 @@ struct EmitOptions {
 [[nodiscard]] std::string emit(const OneStepMethod& method, const Step& step,
                                const EmitOptions& options);
 
+/// The text of a header in which tables of ours give way to invariants that are members.
+[[nodiscard]] std::string with_names_of_user(std::string text, const EmitOptions& options);
+
 }  // namespace hvi::gen

@@ -75,7 +75,9 @@ std::string emit_sites(const OneStepMethod& method, const Step& step, const Expl
 std::string emit_loops(const OneStepMethod& method, const Step& step, const LoopCode& code,
                        const EmitOptions& options) {
     const auto* form = std::get_if<ExplicitStep>(&step.form);
-    if (form != nullptr && code.sites) { return emit_sites(method, step, *form, code, options); }
+    if (form != nullptr && code.sites) {
+        return with_names_of_user(emit_sites(method, step, *form, code, options), options);
+    }
     return emit(method, step, options);
 }
 

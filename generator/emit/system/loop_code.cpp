@@ -207,7 +207,7 @@ private:
     void write_values(Writer& writer) {
         write_value(writer, "energy", system_.sums);
         for (const LoopInvariant& invariant : system_.invariants) {
-            write_value(writer, function_name(invariant.name), invariant.sums);
+            write_value(writer, member_name(invariant.name), invariant.sums);
         }
     }
 
@@ -409,7 +409,7 @@ std::string loop_members_text(const LoopCode& code) {
     }
     value("energy", code.system.expression);
     for (const LoopInvariant& invariant : code.system.invariants) {
-        value(function_name(invariant.name), invariant.expression);
+        value(member_name(invariant.name), invariant.expression);
     }
     return writer.str();
 }

@@ -200,8 +200,8 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
     }
     if (wishes.invariants) {
         for (const SystemValue& invariant : system.invariants) {
-            write_member(writer, to_text(invariant.expression), state,
-                         function_name(invariant.name), arguments);
+            write_member(writer, to_text(invariant.expression), state, member_name(invariant.name),
+                         arguments);
         }
     }
     if (wishes.evaluations) {

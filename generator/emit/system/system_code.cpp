@@ -327,8 +327,9 @@ std::vector<SystemFunction> functions(const System& system, const SceneWishes& w
     }
     if (wishes.action && has_L) { result.push_back(value_in_time("lagrangian", system.function)); }
     if (wishes.invariants) {
-        for (const SystemValue& invariant : system.invariants) {
-            result.push_back(value(function_name(invariant.name), invariant.value));
+        for (std::size_t i = 0; i < system.invariants.size(); ++i) {
+            result.push_back(
+                value(member_name(system.invariants[i].name), system.invariants[i].value));
         }
     }
     return result;

@@ -120,6 +120,16 @@ constexpr std::array<std::string_view, 5> taken_by_actions{
     "generating_function", "action", "action_", "integral_over_step", "lagrangian",
 };
 
+/// Tables of ours, and what is declared in functions alone: these give way to functions of the user
+/// that have their names.
+constexpr std::array<std::string_view, 6> tables{"b", "c", "m", "mt", "n", "N"};
+constexpr std::array<std::string_view, 5> locals{"q", "p", "t", "x", "h"};
+
+bool gives_way(std::string_view name) {
+    return std::find(tables.begin(), tables.end(), name) != tables.end() ||
+           std::find(locals.begin(), locals.end(), name) != locals.end();
+}
+
 bool is_identifier(std::string_view name) {
     return !name.empty() && !is_digit(name.front()) &&
            std::all_of(name.begin(), name.end(), [](char c) { return is_word(c) || c == '_'; });
@@ -148,10 +158,10 @@ bool is_numbered(std::string_view name, std::string_view word) {
                        is_digit);
 }
 
-/// Whether it is what function_name() makes of another name: `LZ_`.
-bool is_macro_renamed(std::string_view name) {
+/// Whether it is what member_name() makes of another name: `LZ_`.
+bool is_renamed(std::string_view name) {
     return name.size() > 1 && name.back() == '_' &&
-           is_spelled_as_macro(name.substr(0, name.size() - 1));
+           member_name(name.substr(0, name.size() - 1)) == name;
 }
 
 bool is_taken(std::string_view name) {
@@ -215,10 +225,9 @@ void check_class_name(std::string_view name, const std::optional<Place>& place) 
 
 void check_function_name(std::string_view name, const std::optional<Place>& place) {
     const std::string help = fmt::format("take another name, such as {}_value", name);
-    check_word(name, place, help);
-    if (is_taken(name) || is_numbered(name, "k") || is_macro_renamed(name)) {
-        refuse(name, "means something else in the header", place, help);
-    }
+    const bool is_ours = (is_taken(name) && !gives_way(name)) ||
+                         (is_numbered(name, "k") && name != "k") || is_renamed(name);
+    if (is_ours) { refuse(name, "means something else in the header", place, help); }
 }
 
 void check_own_function_name(std::string_view name, const std::optional<Place>& place) {
@@ -227,8 +236,26 @@ void check_own_function_name(std::string_view name, const std::optional<Place>& 
     check_word(name, place, help);
 }
 
-std::string function_name(std::string_view name) {
-    return std::string(name) + (is_spelled_as_macro(name) ? "_" : "");
+std::string with_other_tables(const std::string& text, std::string_view name) {
+    if (std::find(tables.begin(), tables.end(), name) == tables.end()) { return text; }
+    std::string result;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const bool is_comment = text.compare(begin, 2, "//") == 0;
+        const auto is_inside = [&](char c) {
+            return is_comment ? c != '\n' : is_word(c) || c == '_';
+        };
+        std::size_t end = begin + 1;
+        if (is_inside(text[begin])) {
+            while (end < text.size() && is_inside(text[end])) { ++end; }
+        }
+        const std::string_view word = std::string_view(text).substr(begin, end - begin);
+        const bool is_member = begin > 0 && (text[begin - 1] == '.' || text[begin - 1] == ':');
+        const bool is_function = text.compare(end, 1, "(") == 0;
+        result += word;
+        if (word == name && !is_member && !is_function) { result += '_'; }
+        begin = end;
+    }
+    return result;
 }
 
 std::string member_name(std::string_view name) {

@@ -22,17 +22,18 @@ namespace hvi::gen {
 /// uses.
 void check_class_name(std::string_view name, const std::optional<Place>& place);
 
-/// The same for a function that a stepper is to have besides its own, which function_name() calls.
+/// The same for a function that a stepper is to have besides its own, which member_name() calls.
+/// Tables and variables in functions of the header give way to it; see with_other_tables().
 void check_function_name(std::string_view name, const std::optional<Place>& place);
 
-/// Throws InputError, pointing at `place`, unless `name` may be the name of a function of the
-/// user's own, outside of namespaces: no keyword, not reserved, and no macro such as errno. NOTE: of
-/// names in capitals their header has to know: LJ is a good name.
-void check_own_function_name(std::string_view name, const std::optional<Place>& place);
+/// The text of a header in which tables of ours that are called as a function of the user, which
+/// has this name, are called otherwise: `b` as a table is `b_`, and `b(x)` stays.
+[[nodiscard]] std::string with_other_tables(const std::string& text, std::string_view name);
 
-/// `lz` -> `lz`, `LZ` -> `LZ_`: an invariant as a function of a stepper, where
-/// check_function_name() lets it be one.
-[[nodiscard]] std::string function_name(std::string_view name);
+/// Throws InputError, pointing at `place`, unless `name` may be the name of a function of the
+/// user's own, outside of namespaces: no keyword, not reserved, and no macro such as errno. NOTE:
+/// of names in capitals their header has to know: LJ is a good name.
+void check_own_function_name(std::string_view name, const std::optional<Place>& place);
 
 /// `mu` -> `mu`, `class` -> `class_`, `GM` -> `GM_`: a name of the user as that of a member of a
 /// struct.
