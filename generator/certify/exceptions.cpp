@@ -2,11 +2,20 @@
 #include "generator/certify/exceptions.hpp"
 
 #include "generator/exact/algebra/common_zeros.hpp"
-#include "generator/exact/methods/galerkin.hpp"
+#include "generator/exact/methods/galerkin_form.hpp"
+#include "generator/exact/methods/rule_properties.hpp"
 
 namespace hvi::gen {
 
 namespace {
+
+OrderConditions conditions(const Tableau& tableau, int max_order) {
+    return orders(tableau, max_order).general;
+}
+
+OrderConditions conditions(const GalerkinRule& rule, int max_order) {
+    return nystrom_order(rule, max_order);
+}
 
 /// The order for a value of the parameter; empty where there is no method.
 std::optional<ExceptionalValue> exception_at(Method method, const std::string& name,
@@ -16,7 +25,9 @@ std::optional<ExceptionalValue> exception_at(Method method, const std::string& n
     set_parameter(method, parse_parameter(std::make_shared<const Source>(
                               Source{"--param", name + "=" + to_text(*form)})));
     try {
-        const OrderConditions there = orders(derive(method), max_order).general;
+        const OrderConditions there =
+            std::visit([&](const auto& derived) { return conditions(derived, max_order); },
+                       derive_any(method));
         return ExceptionalValue{name, value, there.order, there.is_at_least};
     } catch (const MathError&) { return {}; }
 }

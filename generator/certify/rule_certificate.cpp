@@ -47,9 +47,15 @@ AnyCertificate certify(const Method& method, int max_order) {
         AnyCertificate result = std::visit(
             [&](const auto& derived) -> AnyCertificate { return certify(derived, max_order); },
             derive_any(method));
-        auto* const of_tableau = std::get_if<Certificate>(&result);
-        if (of_tableau != nullptr && !of_tableau->parameters.empty()) {
-            of_tableau->exceptions = exceptions(method, of_tableau->orders.general, max_order);
+        const auto look = [&](auto& certificate, const OrderConditions& generic) {
+            if (certificate.parameters.empty()) { return; }
+            certificate.exceptions = exceptions(method, generic, max_order);
+        };
+        if (auto* of_tableau = std::get_if<Certificate>(&result)) {
+            look(*of_tableau, of_tableau->orders.general);
+        } else {
+            auto& of_rule = std::get<RuleCertificate>(result);
+            look(of_rule, of_rule.nystrom);
         }
         return result;
     } catch (const TooLarge& error) {

@@ -16,6 +16,7 @@ struct RuleCertificate : Findings {
     Verdict symplectic;
     Verdict symmetric;
     OrderConditions nystrom;
+    std::vector<ExceptionalValue> exceptions;  ///< of a parameter: where the order is higher
     bool is_explicit = false;  ///< no position needs a force at itself or at a later one
 
     [[nodiscard]] bool is_proved() const;
@@ -24,7 +25,7 @@ struct RuleCertificate : Findings {
 /// Preconditions as for orders().
 [[nodiscard]] RuleCertificate certify(const GalerkinRule& rule, int max_order);
 
-/// Of what a METHOD is; a tableau's with the exceptional values of a free parameter.
+/// Of what a METHOD is, with the exceptional values of a free parameter.
 using AnyCertificate = std::variant<Certificate, RuleCertificate>;
 [[nodiscard]] AnyCertificate certify(const Method& method, int max_order);
 

@@ -13,6 +13,17 @@ constexpr int digits_of_certificate = 50;
 
 }  // namespace
 
+Json exceptions_json(const std::vector<ExceptionalValue>& exceptions) {
+    Json json = Json::array();
+    for (const ExceptionalValue& value : exceptions) {
+        json.push_back({{"parameter", value.parameter},
+                        {"value", entry_json(value.value, digits_of_certificate)},
+                        {"order", value.order},
+                        {"order_is_at_least", value.is_at_least}});
+    }
+    return json;
+}
+
 Json failures_json(const OrderConditions& conditions) {
     if (conditions.is_at_least) { return nullptr; }
     Json json = Json::array();
@@ -87,17 +98,6 @@ Json coupled_json(const std::vector<std::vector<StageNode>>& groups) {
         Json names = Json::array();
         for (const StageNode& node : group) { names.push_back(stage_name(node)); }
         json.push_back(names);
-    }
-    return json;
-}
-
-Json exceptions_json(const std::vector<ExceptionalValue>& exceptions) {
-    Json json = Json::array();
-    for (const ExceptionalValue& value : exceptions) {
-        json.push_back({{"parameter", value.parameter},
-                        {"value", entry_json(value.value, digits_of_certificate)},
-                        {"order", value.order},
-                        {"order_is_at_least", value.is_at_least}});
     }
     return json;
 }

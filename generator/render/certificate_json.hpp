@@ -12,6 +12,7 @@ namespace hvi::gen {
 // What certificates of tableaux and of the general form share.
 [[nodiscard]] Json failures_json(const OrderConditions& conditions);
 [[nodiscard]] Json error_constant_json(const OrderConditions& conditions);
+[[nodiscard]] Json exceptions_json(const std::vector<ExceptionalValue>& exceptions);
 [[nodiscard]] Json stability_json(const Findings& findings);
 
 }  // namespace hvi::gen

@@ -20,6 +20,13 @@ std::string evidence(bool proved, const Findings& findings) {
 
 }  // namespace
 
+void write_exceptions(NamedLines& lines, const std::vector<ExceptionalValue>& exceptions) {
+    for (const ExceptionalValue& value : exceptions) {
+        lines.line("", fmt::format("{}{} at {} = {}", value.is_at_least ? "at least " : "",
+                                   value.order, value.parameter, value_text(value.value)));
+    }
+}
+
 std::string yes_or_no(const Verdict& verdict, const Findings& findings) {
     return (verdict.holds ? "yes" : "no") + evidence(verdict.proved, findings);
 }
@@ -98,13 +105,6 @@ void write_coupled(NamedLines& lines, std::string_view what,
 
 std::string enumerated(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, ", "));
-}
-
-void write_exceptions(NamedLines& lines, const std::vector<ExceptionalValue>& exceptions) {
-    for (const ExceptionalValue& value : exceptions) {
-        lines.line("", fmt::format("{}{} at {} = {}", value.is_at_least ? "at least " : "",
-                                   value.order, value.parameter, value_text(value.value)));
-    }
 }
 
 std::string indices(const std::vector<std::size_t>& numbers, std::string_view letter) {

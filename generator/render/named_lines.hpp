@@ -47,6 +47,7 @@ private:
 [[nodiscard]] std::string yes_or_no(const Verdict& verdict, const Findings& findings);
 [[nodiscard]] std::string order_text(const OrderConditions& conditions, const Findings& findings);
 void write_failures(NamedLines& lines, const OrderConditions& conditions);
+void write_exceptions(NamedLines& lines, const std::vector<ExceptionalValue>& exceptions);
 void write_signs(NamedLines& lines, const Findings& findings);
 void write_oscillator(NamedLines& lines, const Findings& findings);
 

@@ -17,6 +17,7 @@ std::string render_text(const RuleCertificate& certificate) {
                                    certificate.functions, certificate.functions == 1 ? "" : "s",
                                    certificate.stages));
     lines.line("order", order_text(certificate.nystrom, certificate));
+    write_exceptions(lines, certificate.exceptions);
     write_failures(lines, certificate.nystrom);
     lines.blank();
     lines.line("symplectic", yes_or_no(certificate.symplectic, certificate));
@@ -52,6 +53,7 @@ std::string render_json(const RuleCertificate& certificate) {
     json["conditions"] = nystrom.conditions;
     json["failures"] = failures_json(nystrom);
     json["error_constant"] = error_constant_json(nystrom);
+    json["exceptions"] = exceptions_json(certificate.exceptions);
     json["explicit"] = {
         {"nystrom", certificate.is_explicit}, {"separable", nullptr}, {"general", false}};
     json["negative_weights"] = certificate.negative_weights;

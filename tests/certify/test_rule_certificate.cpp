@@ -16,6 +16,15 @@ RuleCertificate certificate(const std::string& basis, const std::string& nodes, 
     return std::get<RuleCertificate>(certify(method(basis, nodes), max_order));
 }
 
+/// `w=1/2: order 4` for each.
+std::vector<std::string> exceptions_of(const RuleCertificate& certificate) {
+    std::vector<std::string> result;
+    for (const ExceptionalValue& value : certificate.exceptions)
+        result.push_back(value.parameter + "=" + text(value.value) + ": order " +
+                         std::to_string(value.order));
+    return result;
+}
+
 Method with_weights(const std::string& basis, const std::string& nodes,
                     const std::string& weights) {
     return method_from_text(source(basis, "--basis"), source(nodes, "--nodes"),
@@ -218,4 +227,13 @@ TEST_CASE("the map of the oscillator over Q is that by the coefficients") {
     for (const std::string nodes : {"gauss:3", "gauss:4", "gauss:6", "gauss:11"}) {
         CHECK(half_trace(certificate("1, tau", nodes, 3)) == expected);
     }
+}
+
+TEST_CASE("values of a parameter that raise the order of the general form are found") {
+    // The interpolatory rule has order 3, and for w = 1/2, Simpson's, order 4.
+    const RuleCertificate lines = certificate("1, tau", "0, w, 1", 8);
+    CHECK(lines.nystrom.order == 3);
+    CHECK(exceptions_of(lines) == std::vector<std::string>{"w=1/2: order 4"});
+    CHECK(certificate("1, tau", "0, 1/2, 1", 8).nystrom.order == 4);
+    CHECK(certificate("1, tau", "0, 1/2, 1", 8).exceptions.empty());
 }

@@ -42,7 +42,21 @@ TEST_CASE("a singular M names the combination that vanishes at the nodes") {
     names("1, sin(pi*tau)", "0, 1", "sin(pi*tau)");
     names("1, cos(2*pi*tau)", "1/4, 3/4", "cos(2*pi*tau)");
     names("1, (tau-1/2)^2", "gauss:2", "(tau-1/2)^2-1/12");
-    names("1, tau, 2*tau-3", "0, 1/2, 1", "2*tau-3-2*tau+3");
+}
+
+TEST_CASE("functions that are dependent are said to be, whatever the nodes are") {
+    const auto names = [](const std::string& basis, const std::string& nodes,
+                          const std::string& combination) {
+        const Refusal answer = refused(basis, nodes);
+        CAPTURE(answer.what);
+        CHECK(answer.status == mathematics);
+        CHECK(answer.what == "the functions are dependent: `" + combination + "` is 0");
+        CHECK(answer.name == "--basis");
+        CHECK(answer.helps("leave one of them out"));
+    };
+    names("1, tau, 1+tau", "0, 1/2, 1", "1+tau-(1+tau)");
+    names("1, tau, 2*tau-3", "0, 1/2, 1", "3-2*tau+2*tau-3");
+    names("1, sin(tau)^2, cos(2*tau)", "0, 1/2, 1", "1-2*sin(tau)^2-cos(2*tau)");
 }
 
 TEST_CASE("equal nodes are named") {

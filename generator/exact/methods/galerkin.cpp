@@ -51,6 +51,7 @@ ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredie
     }
     const auto combination = left_null_vector(M);
     HVI_CHECK(combination);
+    check_dependence(method, *combination, given.psi);
     throw MathError("M is singular: " + combination_text(*combination, given.psi) +
                         " vanishes at all nodes",
                     whole(method.nodes.source), "choose other nodes, or other functions");

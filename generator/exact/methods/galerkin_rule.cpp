@@ -160,6 +160,7 @@ NumberMatrix inverse_gram(const Method& method, const Ingredients& given, const 
     }
     const auto combination = left_null_vector(G);
     HVI_CHECK(combination);
+    check_dependence(method, *combination, given.psi);
     throw MathError("the Gram matrix of the basis is singular: the rule sees nothing of " +
                         combination_text(*combination, given.psi),
                     whole(method.nodes.source),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/methods/ingredients.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/expressions/evaluate.hpp"
 #include "generator/exact/functions/factor.hpp"
@@ -120,6 +123,25 @@ std::string combination_text(const NumberVector& v, const std::vector<BasisFunct
         terms.push_back(negative ? Expression::negation(std::move(term)) : std::move(term));
     }
     return "`" + to_text(Expression::sum(std::move(terms))) + "`";
+}
+
+void check_dependence(const Method& method, NumberVector v, std::vector<BasisFunction> psi) {
+    ExactFunction sum;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        sum = sum + ExactFunction(v[i]) * psi[i].function;
+    }
+    if (!sum.terms().empty()) return;
+    const auto first =
+        std::find_if(v.begin(), v.end(), [](const Number& each) { return !each.is_zero(); });
+    const auto factor = first->closed_form();
+    if (factor && factor->kind == Expression::Kind::negation) {
+        for (Number& each : v) { each = -each; }
+    }
+    // NOTE: the text begins with the last one.
+    std::reverse(v.begin(), v.end());
+    std::reverse(psi.begin(), psi.end());
+    throw MathError("the functions are dependent: " + combination_text(v, psi) + " is 0",
+                    whole(method.basis.source), "leave one of them out, and a node with it");
 }
 
 void check_constants(const Method& method, const std::vector<BasisFunction>& psi) {

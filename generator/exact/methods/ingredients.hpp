@@ -39,6 +39,9 @@ struct Ingredients {
 [[nodiscard]] std::string combination_text(const NumberVector& v,
                                            const std::vector<BasisFunction>& psi);
 
+/// Throws MathError where this combination of the functions is 0 not at the nodes alone.
+void check_dependence(const Method& method, NumberVector v, std::vector<BasisFunction> psi);
+
 /// Section 4.4.3: the method is consistent when 1 is in the span of the basis. Throws MathError.
 void check_constants(const Method& method, const std::vector<BasisFunction>& psi);
 

@@ -25,10 +25,11 @@ double length(const IntegerMultivariate& polynomial) {
 }  // namespace
 
 TooLarge::TooLarge()
-    : MathError("exact arithmetic with the free parameters gets too large: polynomials of more "
-                "than " +
+    : MathError("exact arithmetic gets too large: polynomials of more than " +
                     std::to_string(Budget::most_terms) + " terms, or too many long ones",
-                {}, "give parameters values with --param, or choose simpler functions or nodes") {}
+                {},
+                "choose simpler functions or nodes, and give parameters values where there are "
+                "some") {}
 
 void Budget::spend(double products) {
     constexpr double units_of_product = 0.05;

@@ -7,6 +7,7 @@
 
 #include <hvi/detail/linear/dense.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/solvers/end_of_corrections.hpp>
 #include <hvi/detail/solvers/newton_loop.hpp>
 #include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
@@ -262,6 +263,93 @@ private:
     std::size_t n_ = 0;
 };
 
+/// A NewtonLoop that, where it fails, is led from shorter steps to the whole one. Each begins with
+/// the curve of the one before it, so that it ends at the solution that h -> 0 leads to.
+///
+/// NOTE: Newton's corrections at rest may be so long that the next ones are taken where d2H/dp2 is
+/// as good as singular, though it is regular at the solution. Corrections that are only made
+/// shorter get stuck between, at steps that this way still solves.
+template <class Vector, class Equations>
+class NewtonAlongSteps {
+public:
+    template <class Coupled>
+    [[nodiscard]] Status solve(Coupled coupled) {
+        const Status status = loop_.solve(coupled);
+        return status.ok() ? status : solve_along(coupled, status);
+    }
+
+private:
+    using Scalar = ScalarOf<Vector>;
+    using Now = typename EndOfCorrections<Vector>::Now;
+
+    /// `failed`: what became of the whole step.
+    template <class Coupled>
+    [[nodiscard]] Status solve_along(Coupled& coupled, const Status& failed) {
+        constexpr Scalar shortest = Scalar(1) / 256;
+        auto& s = coupled.s;
+        const auto hb = s.hb;
+        static_cast<void>(equations_.fit(coupled));
+        equations_.begin(coupled);
+        auto W = s.W;
+        auto Y = s.Y;
+        iterations_ = failed.iterations;
+        Scalar reached = 0, length = Scalar(1) / 2;  // parts of the whole step
+        while (reached < 1 && length >= shortest) {
+            const Scalar next = reached + length < 1 ? reached + length : Scalar(1);
+            const Scalar growth = reached > 0 ? next / reached : Scalar(0);
+            for (std::size_t i = 0; i < hb.size(); ++i) { s.hb[i] = next * hb[i]; }
+            set_multiple(s.W, growth, W);
+            set_multiple(s.Y, growth, Y);
+            if (converges(coupled)) {
+                reached = next;
+                W = s.W;
+                Y = s.Y;
+            }
+            length = reached == next ? 2 * length : length / 2;
+        }
+        s.hb = hb;
+        return reached < 1 ? reason(failed) : Status(Status::Code::ok, iterations_);
+    }
+
+    template <class Vectors>
+    static void set_multiple(Vectors& result, Scalar factor, const Vectors& of) {
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            for (IndexOf<Vector> k = 0; k < of[i].size(); ++k) { result[i][k] = factor * of[i][k]; }
+        }
+    }
+
+    /// NOTE: where corrections do not contract at once the solution may be another one.
+    template <class Coupled>
+    [[nodiscard]] bool converges(Coupled& coupled) {
+        constexpr int most = 15;
+        coupled.positions();
+        coupled.s.momenta();
+        end_.begin(coupled.s.n);
+        for (int iteration = 0; iteration < most; ++iteration) {
+            if (!equations_.factorise(coupled)) { return false; }
+            equations_.correct(coupled);
+            ++iterations_;
+            const Now now = end_.judge(coupled);
+            if (now != Now::go_on) { return now == Now::ended; }
+            if (!end_.contracts()) { return false; }
+        }
+        return false;
+    }
+
+    /// Singular, or without numbers, is a step that is so where it begins; others have only been
+    /// led astray.
+    [[nodiscard]] Status reason(const Status& failed) const {
+        const int at_start = failed.code() == Status::Code::singular ? 0 : 1;
+        const bool is_astray = failed.iterations > at_start;
+        return Status(is_astray ? Status::Code::not_converged : failed.code(), iterations_);
+    }
+
+    NewtonLoop<Vector, Equations> loop_;
+    Equations equations_;
+    EndOfCorrections<Vector> end_;
+    int iterations_ = 0;
+};
+
 }  // namespace detail
 
 /// Solver policy of steppers of the general Galerkin form.
@@ -270,8 +358,8 @@ struct NewtonOfCurves {
 
     template <class Vector>
     using Iteration =
-        detail::NewtonLoop<Vector,
-                           detail::CurveEquations<Vector, detail::HamiltonianNodes<Vector>>>;
+        detail::NewtonAlongSteps<Vector,
+                                 detail::CurveEquations<Vector, detail::HamiltonianNodes<Vector>>>;
 };
 
 /// The same for Lagrangians.
@@ -280,7 +368,8 @@ struct NewtonOfLagrangians {
 
     template <class Vector>
     using Iteration =
-        detail::NewtonLoop<Vector, detail::CurveEquations<Vector, detail::LagrangianNodes<Vector>>>;
+        detail::NewtonAlongSteps<Vector,
+                                 detail::CurveEquations<Vector, detail::LagrangianNodes<Vector>>>;
 };
 
 }  // namespace hvi
