@@ -9,9 +9,9 @@
 #include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
+#include "generator/hamiltonian/fibre_rank.hpp"
 #include "generator/linear/generating_function.hpp"
 #include "generator/linear/one_step_map.hpp"
-#include "generator/lower/kinetic_rank.hpp"
 #include "generator/lower/system.hpp"
 
 namespace hvi::gen {
@@ -92,16 +92,13 @@ std::string obstacle_to_map(const QuadraticProof& proof, bool method_has_closed_
 
 /// With more nodes than functions (4.6e) has to determine the P from the V.
 void check_determined(const Hamiltonian& hamiltonian) {
+    const Place place{hamiltonian.source, hamiltonian.expression.range};
     const System system = system_of(hamiltonian, parameter_names(hamiltonian));
-    const std::size_t n = hamiltonian.degrees_of_freedom();
-    const auto rank = system.structure.kinetic_is_quadratic ? kinetic_rank(system) : std::nullopt;
-    if (!is_degenerate(system.hessian) && rank.value_or(n) == n) return;
+    if (!is_degenerate(system.hessian)) return check_fibre_rank(hamiltonian, place);
     throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
-                    "d2H/dp2 is regular, and its rank is " +
-                        (rank ? std::to_string(*rank) + " of " + std::to_string(n)
-                              : "below the degrees of freedom, as a row of it is zero"),
-                    Place{hamiltonian.source, hamiltonian.expression.range},
-                    "take as many nodes as functions");
+                    "d2H/dp2 is regular, and its rank is below the degrees of freedom, as a row of "
+                    "it is zero",
+                    place, "take as many nodes as functions");
 }
 
 /// Beside the equations.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/hamiltonian/fibre_rank.hpp"
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "generator/hamiltonian/relations.hpp"
@@ -47,8 +49,57 @@ std::optional<SparseEquations> null_equations(const Algebra& algebra, const GiNa
     return equations;
 }
 
+/// The rows and columns of a matrix with these numbers.
+GiNaC::matrix minor(const GiNaC::matrix& whole, const std::vector<unsigned>& rows,
+                    const std::vector<unsigned>& columns) {
+    GiNaC::matrix result(static_cast<unsigned>(rows.size()), static_cast<unsigned>(columns.size()));
+    for (unsigned i = 0; i < rows.size(); ++i)
+        for (unsigned j = 0; j < columns.size(); ++j) result(i, j) = whole(rows[i], columns[j]);
+    return result;
+}
+
+std::vector<unsigned> with(std::vector<unsigned> numbers, const std::vector<unsigned>& more) {
+    numbers.insert(numbers.end(), more.begin(), more.end());
+    return numbers;
+}
+
+/// Numbers whose rows and columns are surely regular, to which no one and no two more can be added
+/// so that they still are seen to be.
+std::vector<unsigned> regular_part(const Algebra& algebra, const GiNaC::matrix& whole) {
+    std::vector<unsigned> kept;
+    const auto grows_by = [&](const std::vector<unsigned>& more) {
+        const bool is_new = std::none_of(more.begin(), more.end(), [&](unsigned i) {
+            return std::find(kept.begin(), kept.end(), i) != kept.end();
+        });
+        const std::vector<unsigned> all = with(kept, more);
+        const bool grows = is_new && is_surely_regular(algebra, minor(whole, all, all));
+        if (grows) kept = all;
+        return grows;
+    };
+    for (unsigned i = 0; i < whole.rows(); ++i)
+        if (!grows_by({i}))
+            for (unsigned j = 0; j < i && !grows_by({j, i}); ++j) {}
+    return kept;
+}
+
+/// Of a symmetric matrix: that of a regular part where every minor that has a row and a column more
+/// vanishes. Nothing where that is not proved, or these are too large to be asked.
+std::optional<std::size_t> rank_by_minors(const Algebra& algebra, const GiNaC::matrix& whole) {
+    constexpr std::size_t most_rows = 4;
+    const std::vector<unsigned> kept = regular_part(algebra, whole);
+    if (kept.size() >= most_rows) return {};
+    for (unsigned i = 0; i < whole.rows(); ++i)
+        for (unsigned j = 0; j <= i; ++j) {
+            const ex determinant =
+                minor(whole, with(kept, {i}), with(kept, {j})).determinant().expand();
+            if (vanishing_by_monomials(algebra, determinant) != Vanishing::proved) return {};
+        }
+    return kept.size();
+}
+
 std::optional<std::size_t> rank_of(const Algebra& algebra, std::size_t degrees_of_freedom) {
     const GiNaC::matrix whole = fibre_hessian(algebra, static_cast<unsigned>(degrees_of_freedom));
+    if (is_surely_regular(algebra, whole)) return degrees_of_freedom;
     try {
         const auto equations = null_equations(algebra, whole);
         if (!equations) return {};
@@ -61,6 +112,7 @@ std::optional<std::size_t> rank_of(const Algebra& algebra, std::size_t degrees_o
             for (unsigned j = 0; j < rank; ++j)
                 part(i, j) = whole(static_cast<unsigned>(kept[i]), static_cast<unsigned>(kept[j]));
         if (is_surely_regular(algebra, part)) return rank;
+        return rank_by_minors(algebra, whole);
     } catch (const UndecidedEntry&) {}
     return {};
 }
@@ -75,6 +127,20 @@ std::optional<std::size_t> fibre_rank(const Hamiltonian& hamiltonian) {
 
 std::optional<std::size_t> fibre_rank(const Lagrangian& lagrangian) {
     return rank_of(Algebra(lagrangian), lagrangian.degrees_of_freedom());
+}
+
+void check_fibre_rank(const Hamiltonian& hamiltonian, const std::optional<Place>& place) {
+    std::optional<std::size_t> rank;
+    try {
+        rank = fibre_rank(hamiltonian);
+    } catch (const InputError&) {
+    } catch (const MathError&) {}  // beyond exact algebra
+    const std::size_t n = hamiltonian.degrees_of_freedom();
+    if (rank.value_or(n) == n) return;
+    throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
+                    "d2H/dp2 is regular, and its rank is " +
+                        std::to_string(*rank) + " of " + std::to_string(n),
+                    place, "take as many nodes as functions");
 }
 
 }  // namespace hvi::gen

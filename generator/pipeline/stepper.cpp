@@ -4,8 +4,8 @@
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
+#include "generator/hamiltonian/fibre_rank.hpp"
 #include "generator/hamiltonian/legendre.hpp"
-#include "generator/lower/kinetic_rank.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
@@ -25,9 +25,10 @@ std::string command(const OneStepMethod& method, const Scene& scene, const Stepp
            options_for(wishes);
 }
 
-/// Whether (4.6e) has to determine the P from the V.
+/// Whether (4.6e) has to determine the P from the V. NOTE: rows of zeros are left to the plan.
 bool is_overdetermined(const OneStepMethod& method, const System& system) {
-    return std::holds_alternative<GalerkinRule>(method.base) && system.side == Side::hamiltonian;
+    return std::holds_alternative<GalerkinRule>(method.base) && system.side == Side::hamiltonian &&
+           !is_degenerate(system.hessian);
 }
 
 /// Whether (4.14) makes steps of the L of a scene; nothing is asked of an H.
@@ -159,7 +160,7 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
     auto [method, curve] = derived(wished, wishes);
     members.curve = std::move(curve);
     System system = system_of(scene);
-    if (is_overdetermined(method, system)) check_kinetic_rank(system, method.place);
+    if (is_overdetermined(method, system)) check_fibre_rank(hamiltonian_of(scene), method.place);
     GradientKernels gradients = gradient_kernels(system);
     Step step = planned(method, properties(system, gradients), scene, wishes);
     check_curve(step, members.curve, wished);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "generator/exact/numbers/budget.hpp"
-#include "generator/lower/kinetic_rank.hpp"
 #include "generator/lower/system.hpp"
 #include "generator/scene/value_at.hpp"
 #include "generator/series/elementary_hamiltonians.hpp"
@@ -241,9 +240,6 @@ DiscreteSeries discrete_series(const DerivedMethod& method, const Hamiltonian& h
     const Progress::Stage stage("computing the series of the discrete Hamiltonians");
     const System system = system_of(hamiltonian, parameter_names(hamiltonian));
     check_smooth(hamiltonian, system);
-    if (std::holds_alternative<GalerkinRule>(method)) {
-        check_kinetic_rank(system, Place{hamiltonian.source, hamiltonian.expression.range});
-    }
     Series series(method, hamiltonian, system, ground);
     DiscreteSeries result;
     series.begin(result);

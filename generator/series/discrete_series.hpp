@@ -29,8 +29,8 @@ struct DiscreteSeries {
 };
 
 /// Up to h^terms. Throws MathError where coefficients of the method have no closed form or take too
-/// long, and for the general Galerkin form where d2H/dp2 is known to be singular; InputError as
-/// lower() does. Preconditions: the method is on the field of `ground`, and 1 <= terms.
+/// long; InputError as lower() does. Preconditions: the method is on the field of `ground`, for the
+/// general Galerkin form d2H/dp2 is not known to be singular, and 1 <= terms.
 [[nodiscard]] DiscreteSeries discrete_series(const DerivedMethod& method,
                                              const Hamiltonian& hamiltonian, int terms,
                                              const Ground& ground);

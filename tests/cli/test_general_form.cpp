@@ -95,6 +95,8 @@ TEST_CASE("H that the general form does not step is refused, with the reason") {
     refused({"--hamiltonian", "sin(q1)*(p1+p2)^2+exp(p1+p2)+q2^2", "--coordinates", "q1, q2",
              "--momenta", "p1, p2"},
             1, "its rank is 1 of 2");
+    refused({"--hamiltonian", "(q1*p1+q2*p2)^2"}, 1, "its rank is 1 of 2");
+    refused({"--hamiltonian", "sqrt(p^2)"}, 1, "its rank is 0 of 1");
     refused({}, 2, "for one H alone");
     CHECK(with_simpson({"stepper", "pendulum", "--dense"}).status == 0);
     CHECK(with_simpson({"stepper", "nonseparable", "--dense"}).status == 0);

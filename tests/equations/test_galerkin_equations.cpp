@@ -267,6 +267,9 @@ TEST_CASE(
     CHECK(linear.says("a row of it is zero"));
     CHECK(step(hamiltonian("(p1+p2)^2/2 + cos(q1) + q2^2")).says("its rank is 1 of 2"));
     CHECK(step(hamiltonian("(p1+p2)^2/2 + q1*p2 + q2^2")).says("d2H/dp2 is regular"));
+    CHECK(step(hamiltonian("(p1+p2)^2*(1+q1^2)/2 + q2*p1 + q2^2")).says("its rank is 1 of 2"));
+    CHECK(step(hamiltonian("(q1*p1+q2*p2)^2")).says("its rank is 1 of 2"));
+    CHECK(step(hamiltonian("sqrt(p^2) + q^2")).says("its rank is 0 of 1"));
     CHECK(step(hamiltonian("q*p"), true).says("a row of it is zero"));
     CHECK(step(hamiltonian("p^2/2 + q^4"), true).says("for quadratic Hamiltonians only"));
 }

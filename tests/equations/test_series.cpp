@@ -450,14 +450,6 @@ TEST_CASE("series that there are not") {
         refusal([] { return series(method("1, exp(tau^2)", "0, 1"), "p^2/2 + q^2/2", 2); });
     CHECK(open.status == 1);
     CHECK(open.says("no closed form"));
-    const Refusal singular =
-        refusal([] { return series(rule("1 | 0, 1"), "(p1+p2)^2/2 + q1^2 + q2^2", 2); });
-    CHECK(singular.status == 1);
-    CHECK(singular.says("its rank is 1 of 2"));
-    const Refusal singular_everywhere =
-        refusal([] { return series(rule("1 | 0, 1"), "(p1+p2)^2*(1+q1^2)/2 + q2*p1 + q2^2", 2); });
-    CHECK(singular_everywhere.status == 1);
-    CHECK(singular_everywhere.says("its rank is 1 of 2"));
 }
 
 TEST_CASE("what is too long to be written is decided all the same") {

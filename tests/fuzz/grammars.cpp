@@ -21,7 +21,8 @@ digit: 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9
 $name: <name>
 name: w | mu | a_1 | alpha | <awkward>
 awkward: M_PI | NAN | INFINITY | HUGE_VAL | EOF | errno | assert | NULL | linux | unix | class | int
-    | std | hvi | b | N | k1 | step | energy | State | S_ | stdout | offsetof | e | t | h | tau
+    | std | hvi | b | c | k | m | n | x | I | N | k1 | step | energy | State | S_ | stdout | offsetof
+    | e | t | h | tau
 named: midpoint | stormer-verlet | symplectic-euler | adjoint-symplectic-euler | trig3
     | <family>:1 | <family>:2 | <family>:3
 family: gauss | lobatto | radau-left | radau-right | newton-cotes | newton-cotes-open | chebyshev
@@ -81,6 +82,7 @@ one: 1 | <function_of_tau>
 two: 1, <function_of_tau> | <function_of_tau>, <function_of_tau> | monomials:2 | trig:2
     | exp(<inner>), exp(-<inner>)
 three: 1, <function_of_tau>, <function_of_tau> | 1, tau, <function_of_tau> | monomials:3 | trig:3
+    | 1, tau, 1+tau
     | 1, cos(<inner>), sin(<inner>) | 1, <power>, <power>
     | bspline(<degree>,0), bspline(<degree>,1), bspline(<degree>,2)
 degree: 2 | 1 | 0 | 3
@@ -143,11 +145,12 @@ $kept: kept | <awkward>
 value: 1 | "1/2" | 0.25 | "<number>" | "<$name>" | "<$name>*<number>"
 h: p^2/2 + <u> | p^2/(2*<$name>) + <u> | <kinetic> + <u> | q*p | p^2/2 + q^2/2 | <u>*p | (p-<u>)^2/2
     | p^2/2 + t*<u>
-kinetic: sqrt(1+p^2) | p^4/4 | <function>(p) | p^2*<number>
+kinetic: sqrt(1+p^2) | sqrt(p^2) | p^4/4 | <function>(p) | p^2*<number>
 u: q^2 | -cos(q) | <$name>*q | q^<exponent> | <function>(<argument>) | <number>*<u> | <u>+<u>
     | <u>*<u> | <number>
 argument: q | <$name>*q | q/q | q-q | q^2 | <u> | <number> | q*p
 h_of_two: (px^2 + py^2)/2 + <u_of_two> | px*py + <u_of_two> | x*py - y*px | (px^2 + <number>*py^2)/2
+    | (x*px + y*py)^2 + <u_of_two>
 u_of_two: x^2 + y^2 | -<$name>/sqrt(x^2 + y^2) | x^2*y - y^3/3 | <function>(x - y)
     | <u_of_two>*<number>
 )" + common);

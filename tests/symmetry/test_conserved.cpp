@@ -82,6 +82,15 @@ TEST_CASE("Ranks of d2H/dp2") {
     CHECK(found_of("p1*p2 + p3").rank == 2);
     CHECK(found_of("cos(p1-p2) + cos(p2-p3) + cos(p3-p1)").rank == 2);
     CHECK(found_of("m*p^2").rank == 1);
+    // Where no constant vector belongs to what is missing: a square of one form, and lengths, of
+    // which p itself is taken to zero.
+    CHECK(found_of("(q1*p1+q2*p2)^2").rank == 1);
+    CHECK(found_of("(q1*p1+q2*p2+q3*p3)^2 + p1").rank == 1);
+    CHECK(found_of("(p1*cos(q1)+p2*sin(q1))^2").rank == 1);
+    CHECK(found_of("sqrt(p^2)").rank == 0);
+    CHECK(found_of("sqrt(p1^2+p2^2)").rank == 1);
+    CHECK(found_of("sqrt(1+p1^2+p2^2)").rank == 2);
+    CHECK(found_of("q1*(p1*p2+q2*p3^2)").rank == 3);
 }
 
 TEST_CASE("Structure constants are those of brackets, and obey Jacobi's identity") {
