@@ -94,12 +94,20 @@ void note_left_out(const Steps& asked) {
                stderr);
 }
 
-/// What a summary says beside a measured error.
-std::string said_of(const std::string& name, const std::vector<Statement>& statements) {
-    for (const Statement& statement : statements)
-        if (statement.name == name && statement.keeping != Keeping::unknown)
-            return fmt::format("; {}", keeping_text(statement.keeping));
-    return "";
+/// The start of a quantity, its measured errors, and what is known of it beside them. NOTE: what is
+/// not conserved at all energies may be at that of the run, so its changes are no errors.
+std::string said_of(const Conserved& kept, const std::vector<Statement>& statements) {
+    const auto statement =
+        std::find_if(statements.begin(), statements.end(),
+                     [&](const Statement& each) { return each.name == kept.name; });
+    const bool is_known = statement != statements.end() && statement->keeping != Keeping::unknown;
+    if (is_known && statement->keeping == Keeping::not_conserved)
+        return fmt::format(
+            "{:.10g}; {}; on this run {} changed by {:.2e} at most, {:.2e} at the end", kept.start,
+            statement->reason, kept.name, kept.largest, kept.last);
+    return fmt::format("{:.10g}, largest error {:.2e}, at the end {:.2e}{}", kept.start,
+                       kept.largest, kept.last,
+                       is_known ? fmt::format("; {}", keeping_text(statement->keeping)) : "");
 }
 
 std::string summary(const WishedRun& wished, const Simulation& run) {
@@ -129,9 +137,7 @@ std::string summary(const WishedRun& wished, const Simulation& run) {
             line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
     }
     for (const Conserved& kept : run.conserved)
-        line(kept.name,
-             fmt::format("{:.10g}, largest error {:.2e}, at the end {:.2e}{}", kept.start,
-                         kept.largest, kept.last, said_of(kept.name, wished.statements)));
+        line(kept.name, said_of(kept, wished.statements));
     if (!wished.not_looked_for.empty())
         line("symmetries", "not looked for: " + wished.not_looked_for);
     return text;

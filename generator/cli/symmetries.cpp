@@ -14,11 +14,8 @@ namespace {
 void check_said(const SceneSymmetries& found) {
     for (const ConservedQuantity& invariant : found.invariants)
         if (invariant.finding.conserved == Vanishing::refuted && !invariant.is_approximate)
-            throw MathError("the invariant `" + invariant.name +
-                                "` is not conserved: its bracket with H is " +
-                                to_text(invariant.finding.bracket),
-                            invariant.place,
-                            "where that is meant so, write {value = \"...\", approximate = true}");
+            throw MathError("the invariant `" + invariant.name + "`: " + not_zero(invariant),
+                            invariant.place, help_for_not_zero);
     for (const ConservedQuantity& field : found.fields)
         if (field.finding.conserved == Vanishing::refuted)
             throw MathError(

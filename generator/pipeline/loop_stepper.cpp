@@ -78,7 +78,7 @@ LoopStepper loop_stepper(const Method& wished, const IndexedScene& scene,
     check_wishes(wishes, whole(scene.function.source));
     check_own_names(scene.own);
     for (const NamedIndexed& invariant : scene.invariants) {
-        check_function_name(member_name(invariant.name), invariant.place_of_name);
+        check_function_name(invariant.name, invariant.place_of_name);
     }
     OneStepMethod method{derive_any(wished), wishes.composition, wished.place};
     if (wishes.composition) { check_composition(*wishes.composition, method.base); }

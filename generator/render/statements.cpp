@@ -25,7 +25,7 @@ std::string_view keeping_text(Keeping keeping) {
     case Keeping::kept: return "kept";
     case Keeping::not_in_general: return "not kept in general";
     case Keeping::measured: return "measured, not claimed";
-    case Keeping::not_conserved: return "not conserved by the motion";
+    case Keeping::not_conserved: return "its bracket with H is not zero as a function of q and p";
     case Keeping::unknown: break;
     }
     return "not known";

@@ -97,9 +97,7 @@ std::string verdict(const ConservedQuantity& invariant) {
     switch (invariant.finding.conserved) {
     case Vanishing::proved: return "conserved";
     case Vanishing::refuted:
-        return fmt::format("{}: its bracket with H is {}",
-                           invariant.is_approximate ? "approximate" : "not conserved",
-                           to_text(invariant.finding.bracket));
+        return (invariant.is_approximate ? "approximate: " : "") + not_zero(invariant);
     case Vanishing::unknown: break;
     }
     return "not known to be conserved";

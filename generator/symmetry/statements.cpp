@@ -48,7 +48,7 @@ Statement statement(const ConservedQuantity& quantity, const KeepingFacts& metho
         return result;
     case Vanishing::refuted:
         result.keeping = Keeping::not_conserved;
-        result.reason = "its bracket with H is " + to_text(quantity.finding.bracket);
+        result.reason = not_zero(quantity);
         return result;
     case Vanishing::proved: break;
     }

@@ -24,7 +24,7 @@ enum class Keeping {
     kept,            ///< by each step, but for rounding and what the solver leaves
     not_in_general,  ///< nothing is known that would keep it
     measured,        ///< the momentum map of a symmetry that is not affine: see what a run says
-    not_conserved,   ///< the exact motion does not either
+    not_conserved,   ///< the exact motion does not at all energies; it may at some
     unknown,         ///< whether the motion does is not known
 };
 

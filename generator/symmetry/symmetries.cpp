@@ -186,6 +186,11 @@ void look_at_bodies(SceneSymmetries& result, const Scene& scene) {
 
 }  // namespace
 
+std::string not_zero(const ConservedQuantity& quantity) {
+    return "{" + quantity.name + ", H} = " + to_text(quantity.finding.bracket) +
+           " is not zero as a function of q and p";
+}
+
 SceneSymmetries find_symmetries(const Scene& scene) {
     SceneSymmetries result;
     result.name = scene.name.empty() ? function_of(scene).origin : scene.name;

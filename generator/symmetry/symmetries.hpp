@@ -26,11 +26,18 @@ struct ConservedQuantity {
     bool is_approximate = false;  ///< an invariant that need not be conserved
 };
 
+/// `{C, H} = p^3-p is not zero as a function of q and p`. NOTE: on one energy it still may be.
+/// Precondition: that it vanishes is refuted.
+[[nodiscard]] std::string not_zero(const ConservedQuantity& quantity);
+constexpr const char* help_for_not_zero =
+    "where that is meant so, write {value = \"...\", approximate = true}";
+
 /// What is found out about a scene.
 struct SceneSymmetries {
     std::string name;  ///< of the scene, or what the command line has for it
     Side side = Side::hamiltonian;
-    std::vector<std::string> coordinates;  ///< or families of them, `x[i]`; entries of rotations too
+    std::vector<std::string>
+        coordinates;  ///< or families of them, `x[i]`; entries of rotations too
     std::size_t degrees_of_freedom = 0;
     std::size_t rotations = 0;
     std::optional<std::size_t> rank;  ///< of d2H/dp2, or of d2L/dv2; empty where it is not known

@@ -73,10 +73,11 @@ void add_fields(Scene& scene, const SceneSymmetries& found) {
 void warn_of(const ConservedQuantity& invariant) {
     if (invariant.finding.conserved != Vanishing::refuted || invariant.is_approximate) return;
     const bool is_field = invariant.kind == ConservedQuantity::Kind::field;
-    warn((is_field ? "`" + invariant.name + "` is no symmetry: the bracket of its momentum map"
-                   : "the invariant `" + invariant.name + "` is not conserved: its bracket") +
-             " with H is " + to_text(invariant.finding.bracket),
-         is_field ? "" : "where that is meant so, write {value = \"...\", approximate = true}");
+    if (is_field)
+        warn("`" + invariant.name + "` is no symmetry: the bracket of its momentum map with H is " +
+             to_text(invariant.finding.bracket));
+    else
+        warn("the invariant `" + invariant.name + "`: " + not_zero(invariant), help_for_not_zero);
 }
 
 /// What is done with the work that a run has for it; empty where that is not enough.

@@ -33,13 +33,13 @@ public:
 
     /// Precondition: `x` is where the run begins.
     template <class Stepper, class State>
-    Invariants(const Stepper& stepper, const State& x) : values_(Problem::values(stepper, x)) {
+    Invariants(const Stepper& stepper, const State& x) : values_(values(stepper, x)) {
         for (std::size_t i = 0; i < count; ++i) { departures_[i].start = values_[i]; }
     }
 
     template <class Stepper, class State>
     void see(const Stepper& stepper, const State& x) {
-        values_ = Problem::values(stepper, x);
+        values_ = values(stepper, x);
         for (std::size_t i = 0; i < count; ++i) { departures_[i].see(values_[i]); }
     }
 
@@ -47,6 +47,14 @@ public:
     [[nodiscard]] const std::array<Departure, count>& departures() const { return departures_; }
 
 private:
+    /// NOTE: a sum with 0, so that none of them is -0.
+    template <class Stepper, class State>
+    [[nodiscard]] static std::array<double, count> values(const Stepper& stepper, const State& x) {
+        std::array<double, count> result = Problem::values(stepper, x);
+        for (double& value : result) { value += 0.0; }
+        return result;
+    }
+
     std::array<double, count> values_;
     std::array<Departure, count> departures_{};
 };
