@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
+#include <string>
 
 #include "generator/read/coefficients.hpp"
 #include "generator/read/hamiltonian.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/read/method.hpp"
+#include "generator/read/names.hpp"
 #include "tests/fuzz/attempt.hpp"
 
 namespace hvi::gen::fuzz {
@@ -118,7 +121,10 @@ void check_scene(const Scene& result) {
     const MechanicalFunction& function = function_of(result);
     check_ranges(function.expression, *function.source);
     check_printing(function.expression);
-    require(result.parameters.size() <= 64, "too many parameters");
+    std::set<std::string> names;
+    for (const Parameter& parameter : result.parameters)
+        names.insert(std::string(without_index(parameter.name)));
+    require(names.size() <= 64, "too many parameters");
     require(result.initial.size() == variables(result).size(), "not all initial values");
     require(result.exact.empty() || result.exact.size() == result.initial.size(),
             "not all exact solutions");
@@ -165,7 +171,10 @@ void hamiltonian(std::string_view bytes) {
         check_printing(H.expression);
         require(H.coordinates.size() == H.momenta.size(), "a variable without its partner");
         require(H.degrees_of_freedom() > 0, "no variables");
-        require(parameter_names(H).size() <= 64, "too many parameters");
+        std::set<std::string> names;
+        for (const std::string& name : parameter_names(H))
+            names.insert(std::string(without_index(name)));
+        require(names.size() <= 64, "too many parameters");
         require(H.origin.find('\n') == std::string::npos, "an origin of several lines");
     });
 }
