@@ -4,6 +4,7 @@
 #pragma once
 
 #include <type_traits>
+#include <utility>
 
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
@@ -14,6 +15,13 @@
 
 namespace hvi {
 namespace detail {
+
+/// Whether the slopes can be moved all at once.
+template <class Coupled, class = void>
+struct CanBeNudged : std::false_type {};
+template <class Coupled>
+struct CanBeNudged<Coupled, std::void_t<decltype(std::declval<Coupled&>().s.nudge(1))>>
+    : std::true_type {};
 
 /// Partitioned sweeps, each new value used at once: P from Lp, Lq from dHdp, Q from Lq, Lp from
 /// dHdq. For separable H one of them contracts as much as two sweeps of Jacobi's, in which Q and P
@@ -42,6 +50,7 @@ public:
 private:
     using Scalar = ScalarOf<Vector>;
     static constexpr Scalar rounding = 8 * epsilon<Scalar>;
+    static constexpr int first_nudge = 8;  ///< iteration
     /// NOTE: what looks at changes is on the stack where it can be: else all that is stored in
     /// stages might be stored there, for a compiler, and sweeps took a tenth more instructions.
     static constexpr bool is_fixed = fixed_size<Vector>() > 0;
@@ -57,8 +66,14 @@ private:
         if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
         round_off.begin(coupled.s.n);
         sweep<true>(coupled);  // what it changes is measured against values of no meaning
+        [[maybe_unused]] int nudged_in = 0;  // the iteration; 0: none so far
         for (int iteration = 2; iteration <= most; ++iteration) {
             evaluate(coupled);
+            if constexpr (CanBeNudged<Coupled>::value) {
+                if (iteration >= first_nudge && nudged_in == 0 && nudge(coupled, round_off)) {
+                    nudged_in = iteration;
+                }
+            }
             sweep<false>(coupled);
             switch (judge(coupled, round_off)) {
             case Verdict::go_on:
@@ -69,7 +84,12 @@ private:
                     }
                 }
                 break;
-            case Verdict::unchanged: return Status(Status::Code::ok, iteration);
+            case Verdict::unchanged:
+                if constexpr (CanBeNudged<Coupled>::value) {
+                    if (nudged_in == 0 && iteration >= first_nudge) { break; }
+                    if (nudged_in == iteration) { finish(coupled); }
+                }
+                return Status(Status::Code::ok, iteration);
             case Verdict::at_noise: finish(coupled); return Status(Status::Code::ok, iteration);
             case Verdict::not_finite:
                 // NOTE: later than in the first sweeps it is the iteration that diverges.
@@ -92,6 +112,21 @@ private:
         } else {
             close(coupled);
         }
+    }
+
+    /// Moves slopes that are about to come to rest to one side of where they would, and in the next
+    /// step to the other side. Returns whether they were so near.
+    ///
+    /// NOTE: rounded sweeps have many fixed points, or circle among a few numbers. From which side
+    /// they come decides where they end, and extrapolated slopes always come from the same side:
+    /// the energy of nonseparable drifts by -2.6e-19 of H a step with gauss:4 and h = 1/7, and with
+    /// this by 0.0 +- 0.2e-19. Where few sweeps are enough there are few such points.
+    template <class Coupled>
+    [[nodiscard]] static bool nudge(Coupled& coupled, RoundOff<Vector>& round_off) {
+        if (!round_off.template is_near<Coupled::has_q, by_p<Coupled>>(coupled)) { return false; }
+        constexpr Scalar distance = 8 * epsilon<Scalar>;
+        coupled.s.nudge(coupled.s.side ? 1 + distance : 1 - distance);
+        return true;
     }
 
     /// The slopes that belong to the last stages.

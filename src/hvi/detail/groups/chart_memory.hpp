@@ -34,6 +34,7 @@ public:
     std::size_t n = Space::degrees_of_freedom;
     Scalar h = 0;
     Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
+    bool side = false;       ///< another one in each step; see Sweeps
     bool continues = false;  ///< the step begins, bit for bit, where the last one ended
     bool goes_on = false;    ///< and that was of the same size
 
@@ -42,6 +43,7 @@ public:
         if (!sums_are_exact_) { return Status(Status::Code::unsafe_arithmetic); }
         if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
         continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
+        side = continues && !side;
         h_before = continues ? h : Scalar(0);
         goes_on = continues && h_before == step_size;
         h = step_size;

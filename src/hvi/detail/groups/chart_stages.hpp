@@ -116,6 +116,15 @@ public:
         positions(m);
     }
 
+    /// All slopes times a factor; see Sweeps.
+    void nudge(const Scalar& factor) {
+        for (auto* slopes : {&Lq, &Lp}) {
+            for (Vector& slope : *slopes) {
+                for (std::size_t k = 0; k < slope.size(); ++k) { slope[k] = slope[k] * factor; }
+            }
+        }
+    }
+
     // ---- sweeps ----
 
     /// xi_1 = sum_i Lq_i of each rotation.

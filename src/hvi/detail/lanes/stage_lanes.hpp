@@ -28,7 +28,9 @@ struct StageLanes : StepMemory<Vector> {
     using Matrix = LaneMatrix<Scalar, stages>;
     static constexpr std::size_t dimension = fixed_size<Vector>();
 
-    LaneRows<Scalar, stages, dimension> Q{}, P{}, Lq{}, Lp{};
+    using Rows = LaneRows<Scalar, stages, dimension>;
+
+    Rows Q{}, P{}, Lq{}, Lp{};
     Row hb{};  ///< h b_j; see weigh()
 
     /// Sets hb.
@@ -91,6 +93,13 @@ struct StageLanes : StepMemory<Vector> {
         return write<Lane>(Lp, -Lane(hb));
     }
 
+    /// All slopes times a factor; see Sweeps.
+    void nudge(Scalar factor) {
+        for (Rows* rows : {&Lq, &Lp}) {
+            for (Row& row : *rows) { (Lane(factor) * Lane(row)).store(row); }
+        }
+    }
+
     /// Moves `at` to the end of the step.
     void advance() {
         for (std::size_t k = 0; k < dimension; ++k) {
@@ -124,8 +133,6 @@ struct StageLanes : StepMemory<Vector> {
     void set_slope_p(std::size_t i, std::size_t k, Scalar value) { Lp[k].set(i, value); }
 
 private:
-    using Rows = LaneRows<Scalar, stages, dimension>;
-
     static void fill(Rows& rows, const Vector& gradient, const Lane& factor) {
         for (std::size_t k = 0; k < dimension; ++k) {
             (factor * detail::at(gradient, k)).store(rows[k]);

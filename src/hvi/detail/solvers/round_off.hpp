@@ -41,6 +41,7 @@ public:
             smallest_.p[k] = infinity<Scalar>;
         }
         smallest_total_ = infinity<Scalar>;
+        unit_ = 0;
         stalls_ = 0;
     }
 
@@ -52,8 +53,8 @@ public:
         if constexpr (by_q) { look(change.q, smallest_.q, seen); }
         if constexpr (by_p) { look(change.p, smallest_.p, seen); }
         if (!(seen.total < infinity<Scalar>)) { return Verdict::not_finite; }
-        if (seen.total == 0) { return Verdict::unchanged; }
         total_ = seen.total;
+        if (seen.total == 0) { return Verdict::unchanged; }
         smallest_total_ = total_ < smallest_total_ ? total_ : smallest_total_;
         stalls_ = seen.falls != 0 ? 0 : stalls_ + 1;
         if (stalls_ < 2) { return Verdict::go_on; }
@@ -65,6 +66,19 @@ public:
     template <bool by_q, bool by_p, class Coupled>
     [[nodiscard]] bool grows(const State<Vector>& change, const Coupled& coupled) const {
         return total_ > growth * smallest_total_ && !is_noise<by_q, by_p>(change, coupled);
+    }
+
+    /// Whether the last sweep that was judged changed all components together by no more than
+    /// half a unit in their last places.
+    template <bool by_q, bool by_p, class Coupled>
+    [[nodiscard]] bool is_near(const Coupled& coupled) {
+        if (unit_ == 0) {
+            for (Index k = 0; k < coupled.s.n; ++k) {
+                if constexpr (by_q) { unit_ += epsilon<Scalar> / 2 * coupled.size_q(k); }
+                if constexpr (by_p) { unit_ += epsilon<Scalar> / 2 * coupled.size_p(k); }
+            }
+        }
+        return total_ <= unit_;
     }
 
 private:
@@ -114,6 +128,7 @@ private:
 
     Scalar rounding_;
     Scalar total_ = 0, smallest_total_ = infinity<Scalar>;  // change of all components, and so far
+    Scalar unit_ = 0;                                       // see is_near(); 0: not known
     State<Vector> smallest_;                                // change of each component so far
     int stalls_ = 0;  // sweeps in a row in which no component changed by less than ever
 };

@@ -48,6 +48,12 @@ struct Stages : StepMemory<Vector> {
         weighed_ = this->h;
     }
 
+    /// All slopes times a factor; see Sweeps.
+    void nudge(Scalar factor) {
+        for (Vector& slope : Lq) { scale(slope, factor); }
+        for (Vector& slope : Lp) { scale(slope, factor); }
+    }
+
     // ---- one stage, for Newton's method ----
 
     [[nodiscard]] const Vector& position(std::size_t i) const { return Q[i]; }
@@ -62,6 +68,10 @@ struct Stages : StepMemory<Vector> {
     void set_slope_p(std::size_t i, std::size_t k, Scalar value) { detail::at(Lp[i], k) = value; }
 
 private:
+    void scale(Vector& slope, Scalar factor) const {
+        for (IndexOf<Vector> k = 0; k < this->n; ++k) { slope[k] *= factor; }
+    }
+
     Scalar weighed_ = 0;  ///< the step size of hb_q and hb_p
 };
 

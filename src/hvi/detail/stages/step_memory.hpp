@@ -27,6 +27,7 @@ struct StepMemory {
     Index n{};                ///< dimension of q and of p
     Scalar h = 0;
     Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
+    bool side = false;       ///< another one in each step; see Sweeps
     bool continues = false;  ///< the step begins, bit for bit, where the last one ended
     bool goes_on = false;    ///< and that was as large as it should be: what it left is of use
 
@@ -41,6 +42,7 @@ struct StepMemory {
         if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
         if (x.q.size() != x.p.size()) { return Status(Status::Code::dimension_mismatch); }
         continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
+        side = continues && !side;
         h_before = continues ? h : 0;
         goes_on = continues && h_before == size_before;
         h = step_size;
