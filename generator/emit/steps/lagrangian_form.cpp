@@ -25,8 +25,9 @@ std::string members_of_coupled_lagrangian(const Step& step, const GalerkinStep& 
 std::string correction(const GalerkinStep& form) {
     if (!takes_fixed_points(form)) { return {}; }
     Writer writer(2);
-    writer.comment("W_j, corrected.", "/// ");
-    writer.line("void momenta() {{ s.correct(X, {}, inverse_G, mass); }}", table_D(form));
+    writer.comment("P_i, and W_j corrected.", "/// ");
+    writer.open("void momenta() {{").line("s.momenta();");
+    writer.line("s.correct(X, {}, inverse_G, mass);", table_D(form)).close();
     return writer.str();
 }
 
