@@ -16,6 +16,7 @@
 #include <hvi/detail/numbers/math.hpp>
 #include <hvi/detail/numbers/more_math.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/numbers/two_product.hpp>
 
 namespace hvi::driver {
 
@@ -276,6 +277,18 @@ template <std::size_t n>
     return largest;
 }
 
+/// What rounding cuts off from values; derivatives have no digits to spare.
+template <std::size_t n>
+[[nodiscard]] Pair<driver::Dual<n>> two_product(const driver::Dual<n>& a,
+                                                const driver::Dual<n>& b) {
+    return {a * b, two_product(a.value, b.value).lo};
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> opaque(const driver::Dual<n>& x) {
+    return x;
+}
+
 /// The factors of the values. With them Newton's method x -= J^-1 f(x) computes x as it does in
 /// double, and its derivatives converge to those of the solution with any factors, as x does.
 template <std::size_t n>
@@ -298,6 +311,7 @@ public:
             solve_part([&](std::size_t k) -> double& { return b[k].by[i]; });
         }
     }
+    void solve(driver::Dual<n>* b, std::size_t) const { solve(b); }
 
 private:
     template <class Part>

@@ -16,11 +16,11 @@
 namespace hvi {
 namespace detail {
 
-/// Whether the slopes can be moved all at once.
+/// Whether the slopes that are solved for can be moved all at once.
 template <class Coupled, class = void>
 struct CanBeNudged : std::false_type {};
 template <class Coupled>
-struct CanBeNudged<Coupled, std::void_t<decltype(std::declval<Coupled&>().s.nudge(1))>>
+struct CanBeNudged<Coupled, std::void_t<decltype(std::declval<Coupled&>().nudge(1))>>
     : std::true_type {};
 
 /// Partitioned sweeps, each new value used at once: P from Lp, Lq from dHdp, Q from Lq, Lp from
@@ -50,7 +50,6 @@ public:
 private:
     using Scalar = ScalarOf<Vector>;
     static constexpr Scalar rounding = 8 * epsilon<Scalar>;
-    static constexpr int first_nudge = 8;  ///< iteration
     /// NOTE: what looks at changes is on the stack where it can be: else all that is stored in
     /// stages might be stored there, for a compiler, and sweeps took a tenth more instructions.
     static constexpr bool is_fixed = fixed_size<Vector>() > 0;
@@ -70,7 +69,7 @@ private:
         for (int iteration = 2; iteration <= most; ++iteration) {
             evaluate(coupled);
             if constexpr (CanBeNudged<Coupled>::value) {
-                if (iteration >= first_nudge && nudged_in == 0 && nudge(coupled, round_off)) {
+                if (nudged_in == 0 && can_nudge(iteration) && nudge(coupled, round_off)) {
                     nudged_in = iteration;
                 }
             }
@@ -85,9 +84,10 @@ private:
                 }
                 break;
             case Verdict::unchanged:
+                // NOTE: slopes that were nudged are not those of these stages.
                 if constexpr (CanBeNudged<Coupled>::value) {
-                    if (nudged_in == 0 && iteration >= first_nudge) { break; }
-                    if (nudged_in == iteration) { finish(coupled); }
+                    if (nudged_in == 0 && can_nudge(iteration)) { break; }
+                    if (nudged_in == iteration) { break; }
                 }
                 return Status(Status::Code::ok, iteration);
             case Verdict::at_noise: finish(coupled); return Status(Status::Code::ok, iteration);
@@ -125,8 +125,15 @@ private:
     [[nodiscard]] static bool nudge(Coupled& coupled, RoundOff<Vector>& round_off) {
         if (!round_off.template is_near<Coupled::has_q, by_p<Coupled>>(coupled)) { return false; }
         constexpr Scalar distance = 8 * epsilon<Scalar>;
-        coupled.s.nudge(coupled.s.side ? 1 + distance : 1 - distance);
+        coupled.nudge(coupled.s.side ? 1 + distance : 1 - distance);
         return true;
+    }
+
+    /// NOTE: what is left of a nudge after the three sweeps that follow at least is a fifth of a
+    /// unit where as many sweeps as these have come to round-off. Where sweeps contract less it
+    /// would be more than what it is to mend.
+    [[nodiscard]] static constexpr bool can_nudge(int iteration) {
+        return 8 <= iteration && iteration <= 25;
     }
 
     /// The slopes that belong to the last stages.

@@ -100,7 +100,6 @@ TEST_CASE("names in capitals and with an underscore in front are taken for macro
         CHECK(is_spelled_as_macro(name));
         CHECK(is_macro(name));
         CHECK(member_name(name) == std::string(name) + "_");
-        CHECK(function_name(name) == std::string(name) + "_");
         CHECK_THROWS_AS(check_class_name(name, {}), InputError);
         CHECK_NOTHROW(check_function_name(name, {}));
     }
@@ -114,7 +113,6 @@ TEST_CASE("one capital with digits, and what has letters in lower case, is none"
         CAPTURE(name);
         CHECK_FALSE(is_macro(name));
         CHECK(member_name(name) == name + std::string(name == std::string("std") ? "_" : ""));
-        CHECK(function_name(name) == name);
         CHECK(is_macro("EIGEN_" + std::string(name)));
     }
 }
@@ -127,7 +125,7 @@ TEST_CASE("the few macros that are spelled as variables are members of other nam
         CHECK(is_macro(name));
         CHECK(member_name(name) == std::string(name) + "_");
         CHECK_THROWS_AS(check_class_name(name, {}), InputError);
-        CHECK_THROWS_AS(check_function_name(name, {}), InputError);
+        CHECK_NOTHROW(check_function_name(name, {}));
     }
 }
 

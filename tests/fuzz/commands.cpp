@@ -164,6 +164,7 @@ void carry_out(const RunOptions& options) {
 }
 
 void carry_out(const ReportOptions&) {}
+void carry_out(const CacheOptions&) {}  // what it does is outside
 void carry_out(const ListOptions&) {}
 void carry_out(const CompletionsOptions& options) { static_cast<void>(result(options)); }
 void carry_out(const ManualOptions& options) { static_cast<void>(result(options)); }

@@ -16,16 +16,15 @@ struct Nudged : contracting::Stages {
     double scale = 1;  ///< of W against Q
     std::vector<double> factors;
     std::vector<int> sweeps_before;
-
-    void nudge(double factor) {
-        W *= factor;
-        factors.push_back(factor);
-        sweeps_before.push_back(sweeps);
-    }
 };
 
 /// Q = 1 + scale W, W = (rate Q)/scale: for a large W as above, for a small one Q does not see it.
 struct Coupled : contracting::Coupled<Nudged> {
+    void nudge(double factor) {
+        s.W *= factor;
+        s.factors.push_back(factor);
+        s.sweeps_before.push_back(s.sweeps);
+    }
     void positions() {
         const double before = s.Q;
         s.Q = 1 + s.scale * s.W;

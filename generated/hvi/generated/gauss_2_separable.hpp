@@ -211,6 +211,8 @@ private:
             }
         }
 
+        void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
+
         /// What the rounding of component k of Q is to be compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[0][k])

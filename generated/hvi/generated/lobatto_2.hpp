@@ -211,6 +211,8 @@ private:
             }
         }
 
+        void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
+
         /// What the rounding of component k of Q is to be compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return 0;
@@ -265,6 +267,8 @@ private:
         /// Lp_i = -h b_i dH/dq.
         void forces() {
         }
+
+        void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
         /// What the rounding of component k of Q is to be compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {

@@ -25,11 +25,12 @@ double length(const IntegerMultivariate& polynomial) {
 }  // namespace
 
 TooLarge::TooLarge()
-    : MathError("exact arithmetic gets too large: polynomials of more than " +
-                    std::to_string(Budget::most_terms) + " terms, or too many long ones",
-                {},
-                "choose simpler functions or nodes, and give parameters values where there are "
-                "some") {}
+    : MathError(
+          "exact arithmetic gets too large: polynomials of more than " +
+              std::to_string(Budget::most_terms) + " terms, or too many long ones",
+          {},
+          "choose simpler functions or nodes, or give parameters, where there are some, values "
+          "with --param") {}
 
 void Budget::spend(double products) {
     constexpr double units_of_product = 0.05;

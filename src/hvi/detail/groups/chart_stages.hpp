@@ -119,8 +119,8 @@ public:
     /// All slopes times a factor; see Sweeps.
     void nudge(const Scalar& factor) {
         for (auto* slopes : {&Lq, &Lp}) {
-            for (Vector& slope : *slopes) {
-                for (std::size_t k = 0; k < slope.size(); ++k) { slope[k] = slope[k] * factor; }
+            for (Vector& each : *slopes) {
+                for (std::size_t k = 0; k < each.size(); ++k) { each[k] = each[k] * factor; }
             }
         }
     }

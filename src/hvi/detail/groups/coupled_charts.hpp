@@ -41,6 +41,8 @@ public:
         });
     }
 
+    void nudge(const typename Stages::Scalar& factor) { s.nudge(factor); }
+
     /// Of stage i, into matrices of zeros.
     template <class Matrix>
     void second_derivatives(std::size_t i, Matrix& Hqq, Matrix& Hqp, Matrix& Hpp) const {

@@ -48,10 +48,11 @@ struct Stages : StepMemory<Vector> {
         weighed_ = this->h;
     }
 
-    /// All slopes times a factor; see Sweeps.
-    void nudge(Scalar factor) {
-        for (Vector& slope : Lq) { scale(slope, factor); }
-        for (Vector& slope : Lp) { scale(slope, factor); }
+    /// These slopes times a factor; see Sweeps.
+    template <class Indices, class OtherIndices>
+    void nudge(const Indices& of_q, const OtherIndices& of_p, Scalar factor) {
+        for (const std::size_t j : of_q) { scale(Lq[j], factor); }
+        for (const std::size_t i : of_p) { scale(Lp[i], factor); }
     }
 
     // ---- one stage, for Newton's method ----
@@ -68,8 +69,8 @@ struct Stages : StepMemory<Vector> {
     void set_slope_p(std::size_t i, std::size_t k, Scalar value) { detail::at(Lp[i], k) = value; }
 
 private:
-    void scale(Vector& slope, Scalar factor) const {
-        for (IndexOf<Vector> k = 0; k < this->n; ++k) { slope[k] *= factor; }
+    void scale(Vector& x, Scalar factor) const {
+        for (IndexOf<Vector> k = 0; k < this->n; ++k) { x[k] *= factor; }
     }
 
     Scalar weighed_ = 0;  ///< the step size of hb_q and hb_p
