@@ -5,6 +5,8 @@
 #include <cstddef>
 
 #include <catch2/catch.hpp>
+#include <hvi/detail/stages/free_path.hpp>
+// Behind it: its templates find what lanes have for them all the same.
 #include <hvi/detail/lanes/velocity_lanes.hpp>
 #include <hvi/detail/numbers/pair.hpp>
 #include <hvi/detail/stages/velocity_stages.hpp>
@@ -201,7 +203,7 @@ TEST_CASE("products and sums keep what rounding cuts off") {
         x[i] = number(i);
         y[i] = number(10 + i);
     }
-    const hvi::detail::Pair<Lane> products = hvi::detail::two_product(Lane::load(x), Lane::load(y));
+    const hvi::detail::Pair<Lane> products = two_product(Lane::load(x), Lane::load(y));
     double hi[4], lo[4];
     products.hi.store(hi);
     products.lo.store(lo);

@@ -7,31 +7,35 @@
 #include <hvi/detail/lanes/lanes.hpp>
 #include <hvi/detail/numbers/two_product.hpp>
 
-namespace hvi::detail {
+namespace hvi {
+
+// NOTE: beside Lanes, where templates that were written before find them.
 
 /// x, of which the compiler no longer knows that it was a product; see that of numbers.
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> opaque(const Lanes<Number, count, most>& x) {
     typename Lanes<Number, count, most>::Row row;
     x.store(row);
-    for (Number& each : row.at) { each = opaque(each); }
+    for (Number& each : row.at) { each = detail::opaque(each); }
     return row;
 }
 
 /// x * y == hi + lo in each lane.
 template <class Number, std::size_t count, std::size_t most>
-[[nodiscard]] Pair<Lanes<Number, count, most>> two_product(const Lanes<Number, count, most>& x,
-                                                           const Lanes<Number, count, most>& y) {
+[[nodiscard]] detail::Pair<Lanes<Number, count, most>>
+two_product(const Lanes<Number, count, most>& x, const Lanes<Number, count, most>& y) {
     typename Lanes<Number, count, most>::Row a, b;
     x.store(a);
     y.store(b);
     for (std::size_t i = 0; i < a.places; ++i) {
-        const Pair<Number> product = two_product(a.at[i], b.at[i]);
+        const detail::Pair<Number> product = detail::two_product(a.at[i], b.at[i]);
         a.at[i] = product.hi;
         b.at[i] = product.lo;
     }
     return {a, b};
 }
+
+namespace detail {
 
 /// The largest power of two that is not above `count`.
 [[nodiscard]] constexpr std::size_t power_of_two_in(std::size_t count) {
@@ -63,4 +67,5 @@ template <std::size_t count, class Number>
     }
 }
 
-}  // namespace hvi::detail
+}  // namespace detail
+}  // namespace hvi
