@@ -82,8 +82,8 @@ std::vector<unsigned> regular_part(const Algebra& algebra, const GiNaC::matrix& 
     return kept;
 }
 
-/// Of a symmetric matrix: that of a regular part where every minor that has a row and a column more
-/// vanishes. Nothing where that is not proved, or these are too large to be asked.
+/// Rank of a symmetric matrix: that of a regular part where every minor that has a row and a column
+/// more vanishes. Nothing where that is not proved, or these are too large to be asked.
 std::optional<std::size_t> rank_by_minors(const Algebra& algebra, const GiNaC::matrix& whole) {
     constexpr std::size_t most_rows = 4;
     const std::vector<unsigned> kept = regular_part(algebra, whole);

@@ -1,4 +1,4 @@
-// What is in a directory of compiled programs, and what of it goes.
+// Content of a directory of compiled programs, and removal of old ones.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -277,7 +277,7 @@ template <std::size_t n>
     return largest;
 }
 
-/// What rounding cuts off from values; derivatives have no digits to spare.
+/// Keeps what rounding cuts off from values; derivatives have no digits to spare.
 template <std::size_t n>
 [[nodiscard]] Pair<driver::Dual<n>> two_product(const driver::Dual<n>& a,
                                                 const driver::Dual<n>& b) {

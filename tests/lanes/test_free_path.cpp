@@ -18,7 +18,7 @@ constexpr std::size_t stages = 3;
 using Two = std::array<double, 2>;
 using Exact = hvi::detail::Pair<long double>;  // 128 bits
 
-// Of gauss:3, in doubles.
+// Coefficients of gauss:3, in doubles.
 constexpr double b[stages] = {5.0 / 18, 4.0 / 9, 5.0 / 18};
 constexpr double c[stages] = {0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr double n[stages][stages] = {};  // not used where forces are given

@@ -1,4 +1,4 @@
-// What of compiled programs is kept, and what goes.
+// Compiled programs that are kept, and those that go.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <chrono>
 #include <filesystem>

@@ -11,7 +11,7 @@ using namespace hvi::test;
 
 namespace {
 
-/// Of the oscillator that begins at (1, 0), by symplectic-euler, whose steps keep
+/// Runs the oscillator from (1, 0) with symplectic-euler, whose steps keep
 /// q^2 + p^2 + h q p or q^2 + p^2 - h q p: so H changes by up to (1/2) (h/2)/(1 - h/2).
 Outcome oscillator(const std::string& hamiltonian, const std::string& step) {
     use_cache();

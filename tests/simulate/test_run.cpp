@@ -166,7 +166,7 @@ until  = 1
 TEST_CASE("what is conserved on the energy of a run alone is said to be just that") {
     use_cache();
     const Directory directory;
-    // Of a free particle; C = q (p^2 - 1) moves with p (p^2 - 1), which is 0 where p = 1.
+    // A free particle: C = q (p^2 - 1) moves with p (p^2 - 1), which is 0 where p = 1.
     write(directory / "free.toml", R"toml(
 coordinates = "u"
 momenta     = "w"
@@ -216,7 +216,7 @@ p = 1
                         "gauss:5", "--step", h, "--until", h, "-o", "out", "--only", "table"},
                        directory.path());
     };
-    // Of (4.6), by another program with Newton's method along h.
+    // Ends of steps by (4.6), from another program with Newton's method along h.
     const std::vector<std::pair<std::string, std::vector<double>>> ends = {
         {"2", {3.505930726494, 3.193411156000}},
         {"11/4", {4.423450626268, 1.811436530987}},

@@ -21,8 +21,8 @@ constexpr std::array<std::string_view, 11> families{
     "pthread_", "sigev_", "vec2d_", "vec4f_",  "vec4i_",
 };
 
-/// Of the standard library, of C, and of compilers for this and other systems; each with a blank
-/// behind it.
+/// Macros of the standard library, of C, and of compilers for this and other systems; each with a
+/// blank behind it.
 constexpr std::string_view others =
     "L_ctermid L_cuserid L_tmpnam P_tmpdir alloca assert assert_perror be16toh be32toh "
     "be64toh complex errno htobe16 htobe32 htobe64 htole16 htole32 htole64 i386 imaginary "

@@ -195,7 +195,7 @@ private:
 
     [[nodiscard]] Scalar factor(std::size_t k) const { return detail::at(factors_.all(), k); }
 
-    /// What forces move q by beside the path of the momenta: sum_j (1 - c_j) W_j, and its rest.
+    /// The way of q beside the path of the momenta: sum_j (1 - c_j) W_j, and the rest of that.
     [[nodiscard]] Scalar near_of_q(const Table& table, std::size_t k) const {
         return detail::at(rest_of_path, k) + sum_of_lanes(Lane(table.left) * Lane(W[k]));
     }

@@ -72,7 +72,7 @@ public:
 
     /// Replaces the right side b by the solution.
     void solve(Scalar* b) const { solve(b, rows_.size()); }
-    /// The same of a matrix whose size n the compiler knows, and with it the end of b.
+    /// Solves for a matrix whose size n the compiler knows, and with it the end of b.
     void solve(Scalar* b, std::size_t n) const {
         for (std::size_t k = 0; k < n; ++k) { std::swap(b[k], b[pivots_[k]]); }
         for (std::size_t k = 0; k < n; ++k) {

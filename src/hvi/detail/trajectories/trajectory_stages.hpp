@@ -292,7 +292,7 @@ private:
         store(rest, rest_of_path);
     }
 
-    /// What the forces of the step change component k of p by; see PathFactors.
+    /// Change of component k of p by the forces of the step; see PathFactors.
     template <class System>
     [[nodiscard]] Pair<Lane> change_of_p(std::size_t k) const {
         if (factor(k) == 0) {
