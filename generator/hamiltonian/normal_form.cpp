@@ -92,9 +92,9 @@ ex common_divisor(const ex& a, const ex& b) {
 }
 
 ex multiplied_out(const ex& expression) {
-    constexpr double most_terms = 20'000;
+    constexpr double most_expanded = 20'000;
     const double terms = fraction_terms(expression).above;
-    if (terms > most_terms) return expression;
+    if (terms > most_expanded) return expression;
     spend_work(terms);
     return expression.expand();
 }
