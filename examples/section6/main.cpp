@@ -169,7 +169,7 @@ double part_of_rounding(double error, double h, int steps, long double factor) {
     // 2 (factor^n - e^t), which loses digits as it stands.
     const long double t = static_cast<long double>(h) * steps;
     const long double exact = 2 * std::exp(t) * std::expm1(steps * std::log(factor) - t);
-    return static_cast<double>(std::abs(error / exact - 1));
+    return static_cast<double>(std::abs(static_cast<long double>(error) / exact - 1));
 }
 
 /// The energy errors after every tenth step.
@@ -211,9 +211,10 @@ int main(int argc, char** argv) {
     std::printf("Example 6.1: H = q p, (q, p) = (2, 2)\n");
     show_convergence<Degenerate>(directory + "/figure_2.csv");
     const auto [cheby4, gaule4] = show_errors<Degenerate>(directory + "/figure_3.csv", 0.4, 50);
+    constexpr auto h = static_cast<long double>(0.4);
     std::printf("  of the error of q at t = 20 rounding makes: Cheby4 %.0e, GauLe4 %.0e\n",
-                part_of_rounding(cheby4, 0.4, 50, factor_of_cheby4(0.4)),
-                part_of_rounding(gaule4, 0.4, 50, factor_of_gaule4(0.4)));
+                part_of_rounding(cheby4, 0.4, 50, factor_of_cheby4(h)),
+                part_of_rounding(gaule4, 0.4, 50, factor_of_gaule4(h)));
     show_energy<Degenerate>(directory + "/figure_4.csv", 0.4, 1000);
 
     std::printf("\nExample 6.2: H = (p^2 + q^2)/2, (q, p) = (2, 1)\n");
