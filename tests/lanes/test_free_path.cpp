@@ -57,7 +57,7 @@ double force(std::size_t j, std::size_t k) {
 
 constexpr Two momenta = {0.3, -1.7};
 
-Exact exact(double x) { return {x, 0}; }
+Exact exact(double x) { return {static_cast<long double>(x), 0}; }
 
 /// |a - b|, in units of 2^-100.
 double distance(const Exact& x, const Exact& y) {
