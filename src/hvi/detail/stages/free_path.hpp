@@ -75,28 +75,23 @@ template <class V, std::size_t count, std::size_t first = 0, class F>
 
 /// The factors h K_k from momenta to paths in a step of size h, where K is diagonal; else h, and
 /// paths are K times scaled momenta.
+///
+/// NOTE: what does not depend on h is computed once: steps of a composition have sizes in turn.
 template <class Vector>
 class PathFactors {
 public:
     using Index = IndexOf<Vector>;
     using Scalar = ScalarOf<Vector>;
 
+    /// Precondition: it is the same system each time.
     template <class System>
     void set(const System& system, Index n, Scalar h) {
-        for (Vector* v : {&factor_, &inverse_, &offset_, &scratch_}) { fit(*v, n); }
+        if (!is_known_ || n != K_.size()) { look_at(system, n); }
         has_zeros_ = false;
-        if constexpr (System::has_diagonal_mass) {
-            for (Index k = 0; k < n; ++k) { scratch_[k] = 1; }
-            system.inverse_mass(scratch_, factor_);
-        } else {
-            for (Index k = 0; k < n; ++k) { factor_[k] = 1; }
-        }
-        for (Index k = 0; k < n; ++k) { scratch_[k] = 0; }
-        system.dHdp(scratch_, offset_);
         for (Index k = 0; k < n; ++k) {
-            factor_[k] = h * factor_[k];
+            factor_[k] = h * K_[k];
             inverse_[k] = 1 / factor_[k];
-            offset_[k] = h * offset_[k];
+            offset_[k] = h * velocity_[k];
             has_zeros_ = has_zeros_ || factor_[k] == 0;
         }
     }
@@ -107,9 +102,6 @@ public:
 
     /// h times what dH/dp is without p.
     [[nodiscard]] const Scalar& offset(Index k) const { return offset_[k]; }
-
-    /// Whether momenta do not move their positions: their kicks tell nothing of forces.
-    [[nodiscard]] bool has_zeros() const { return has_zeros_; }
 
     /// Room for momenta times factors.
     [[nodiscard]] Vector& scratch() { return scratch_; }
@@ -144,6 +136,23 @@ public:
     }
 
 private:
+    /// Sets what does not depend on h.
+    template <class System>
+    [[gnu::noinline]] void look_at(const System& system, Index n) {
+        for (Vector* v : {&K_, &velocity_, &factor_, &inverse_, &offset_, &scratch_}) {
+            fit(*v, n);
+        }
+        for (Index k = 0; k < n; ++k) { scratch_[k] = 0; }
+        system.dHdp(scratch_, velocity_);
+        for (Index k = 0; k < n; ++k) { scratch_[k] = 1; }
+        if constexpr (System::has_diagonal_mass) {
+            system.inverse_mass(scratch_, K_);
+        } else {
+            copy(scratch_, K_);
+        }
+        is_known_ = true;
+    }
+
     /// Moves p where some factors are 0, and forces alone tell of kicks.
     template <class Kick, class Force>
     [[gnu::noinline]] void kick_some(Vector& p, Vector& e_p, const Kick& kick,
@@ -155,8 +164,10 @@ private:
         }
     }
 
+    Vector K_{}, velocity_{};  ///< K_k, or 1; dH/dp without p
     Vector factor_{}, inverse_{}, offset_{}, scratch_{};
-    bool has_zeros_ = false;
+    bool is_known_ = false;   ///< what does not depend on h
+    bool has_zeros_ = false;  ///< some momenta do not move their positions
 };
 
 }  // namespace hvi::detail
