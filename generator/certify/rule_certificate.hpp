@@ -25,7 +25,7 @@ struct RuleCertificate : Findings {
 /// Preconditions as for orders().
 [[nodiscard]] RuleCertificate certify(const GalerkinRule& rule, int max_order);
 
-/// Of what a METHOD is, with the exceptional values of a free parameter.
+/// Certificate of a METHOD of either kind, with the exceptional values of a free parameter.
 using AnyCertificate = std::variant<Certificate, RuleCertificate>;
 [[nodiscard]] AnyCertificate certify(const Method& method, int max_order);
 

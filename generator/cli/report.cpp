@@ -60,7 +60,7 @@ std::string name_of(const Subject& subject) {
     return std::visit([](const auto& scene) { return scene.name; }, subject.scene);
 }
 
-/// That of the scene; where it has none, the first of those that are asked for.
+/// The step of the scene; where it has none, the first of those that are asked for.
 NamedExpression first_step(const Scene& scene, const ReportOptions& options) {
     const bool is_given = !scene.run.step && options.steps;
     return wish(scene, is_given ? list_items(options.steps).front() : nullptr, scene.run.step,

@@ -6,7 +6,7 @@
 
 namespace hvi::gen {
 
-/// The same expression without ranges: what is made of parts of several texts stands in none.
+/// An expression without ranges: what is made of parts of several texts stands in none of them.
 [[nodiscard]] Expression without_places(Expression expression);
 
 }  // namespace hvi::gen

@@ -170,8 +170,8 @@ public:
     [[nodiscard]] const Relations& found() const { return relations_; }
     [[nodiscard]] const Algebra& algebra() const { return function_.algebra; }
 
-    /// Those that one would name: translations, then what has the shortest momentum maps. NOTE:
-    /// those that were found where it is not known which of them are independent.
+    /// Symmetries that one would name: translations, then those with the shortest momentum maps.
+    /// NOTE: all that were found, where it is not known which of them are independent.
     [[nodiscard]] std::vector<Candidate> named() const {
         std::vector<Candidate> found;
         for (const SparseVector& field : relations_.basis) found.push_back(candidate(field));

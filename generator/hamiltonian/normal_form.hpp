@@ -10,7 +10,7 @@ namespace hvi::gen {
 /// it has at most.
 [[nodiscard]] GiNaC::ex normal_form(const GiNaC::ex& expression);
 
-/// The same work, for whoever asks GiNaC for the parts of that fraction.
+/// Spends the work of normal_form(), for callers that ask GiNaC for the parts of that fraction.
 void spend_on_normal_form(const GiNaC::ex& expression);
 
 /// The greatest common divisor of polynomials. Spends work for all pairs of their terms.

@@ -268,7 +268,7 @@ std::variant<ValueList, ValueFile> values_of_npy(const ColumnFile& file, std::if
     return list;
 }
 
-/// Those of at most so many are read.
+/// Values of a column: read where they are at most so many, else left in the file.
 std::variant<ValueList, ValueFile> values_in(const ColumnFile& file, std::size_t most) {
     const Progress::Stage stage("reading files of numbers");
     if (file.path.find('\0') != std::string::npos)

@@ -202,7 +202,7 @@ void SceneUnrolling::add_parameter(std::vector<Parameter>& list, const IndexedVa
     list.push_back({std::move(name), unrolled(written, sizes_), value.place, written.source});
 }
 
-/// Those of a list, also where they stand in a file.
+/// Values of a list, also where they stand in a file.
 ValueList SceneUnrolling::values_of(const IndexedValue& value) const {
     const auto* file = std::get_if<ValueFile>(&value.value);
     if (file == nullptr) { return std::get<ValueList>(value.value); }

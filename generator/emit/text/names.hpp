@@ -22,8 +22,9 @@ namespace hvi::gen {
 /// uses.
 void check_class_name(std::string_view name, const std::optional<Place>& place);
 
-/// The same for a function that a stepper is to have besides its own, which member_name() calls.
-/// Tables and variables in functions of the header give way to it; see with_other_tables().
+/// Throws InputError, pointing at `place`, unless member_name() of `name` may be a function that a
+/// stepper has besides its own. Tables and variables in functions of the header give way to it; see
+/// with_other_tables().
 void check_function_name(std::string_view name, const std::optional<Place>& place);
 
 /// The text of a header in which tables of ours that are called as a function of the user, which
