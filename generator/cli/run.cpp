@@ -136,8 +136,7 @@ std::string summary(const WishedRun& wished, const Simulation& run) {
         if (run.iterations > 0)
             line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
     }
-    for (const Conserved& kept : run.conserved)
-        line(kept.name, said_of(kept, wished.statements));
+    for (const Conserved& kept : run.conserved) line(kept.name, said_of(kept, wished.statements));
     if (!wished.not_looked_for.empty())
         line("symmetries", "not looked for: " + wished.not_looked_for);
     return text;
@@ -299,7 +298,7 @@ WishedRun wished_run(const RunOptions& options, const MethodAndLargeScene& wishe
     const Steps steps = wished_steps(without_motion(wished.scene), options);
     IndexedScene scene = wished.scene;
     const Watched watched = watch(scene, options);
-    const LoopStepper stepper = loop_stepper(wished.method, scene, wishes_of(options));
+    const SceneStepper stepper = scene_stepper(wished.method, scene, wishes_of(options));
     return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
             watched.left_out, "a smaller --step"};
 }

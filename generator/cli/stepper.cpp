@@ -13,7 +13,6 @@
 #include "generator/cli/method.hpp"
 #include "generator/emit/steps/banner.hpp"
 #include "generator/emit/text/names.hpp"
-#include "generator/pipeline/loop_stepper.hpp"
 #include "generator/pipeline/stage.hpp"
 #include "generator/plan/facts.hpp"
 #include "generator/support/process.hpp"
@@ -33,9 +32,11 @@ void write_method(const StepperOptions& options) {
 std::string explanation(const SceneStepper& stepper) {
     std::string text = fmt::format("found in {}:\n", stepper.system.function_letter());
     for (const std::string& fact : facts(stepper.system)) text += "  " + fact + "\n";
-    text += "cost:\n";
-    for (const std::string& cost : costs(stepper.system, stepper.step, stepper.evaluations))
-        text += "  " + cost + "\n";
+    if (stepper.evaluations) {
+        text += "cost:\n";
+        for (const std::string& cost : costs(stepper.system, stepper.step, *stepper.evaluations))
+            text += "  " + cost + "\n";
+    }
     text += "plan:\n";
     for (const Decision& decision : stepper.step.decisions)
         text += "  " + decision.what + ": " + decision.why + "\n";
@@ -54,23 +55,14 @@ void check_output(const StepperOptions& options, const OwnFunctions& own) {
     }
 }
 
-void write_scene(const StepperOptions& options, const MethodAndScene& wished) {
+/// With a scene that is written out, or with loops.
+template <class AnyMethodAndScene>
+void write_scene(const StepperOptions& options, const AnyMethodAndScene& wished) {
     check_output(options, wished.scene.own);
     const SceneStepper stepper = scene_stepper(wished.method, wished.scene, options.wishes);
     if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
     write_result(options.output,
                  options.dump ? dump(wished.method, stepper, *options.dump) : stepper.header);
-}
-
-/// What has loops where a scene of a few degrees of freedom has none.
-void write_scene(const StepperOptions& options, const MethodAndLargeScene& wished) {
-    if (options.dump)
-        throw InputError("--dump is not built for more than 64 degrees of freedom",
-                         options.dump->place);
-    check_output(options, wished.scene.own);
-    const LoopStepper stepper = loop_stepper(wished.method, wished.scene, options.wishes);
-    if (options.explain) std::fputs(dump(stepper.step).c_str(), stderr);
-    write_result(options.output, stepper.header);
 }
 
 void write_scene(const StepperOptions& options) {

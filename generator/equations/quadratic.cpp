@@ -69,11 +69,11 @@ QuadraticProof quadratic_form(const Hamiltonian& hamiltonian, const Ground& grou
     System system = system_of(hamiltonian, parameter_names(hamiltonian));
     const Structure& found = system.structure;
     if (!found.has_linear_map) return {};
-    const auto constant = at_origin(system.graph, system.function);
+    const auto constant = at_origin(system.graph, function_of(system));
     if (!constant) return {std::nullopt, "H has no value for q = p = 0 as it is written"};
     Coefficients coefficients(system.graph, ground);
     QuadraticForm form;
-    form.S = matrix(system.hessian, coefficients);
+    form.S = matrix(hessian_of(system), coefficients);
     for (const auto* slopes : {&found.by_q, &found.by_p})
         for (const Scaled& slope : *slopes) form.g.push_back(coefficients.number(slope));
     form.constant = coefficients.number(*constant);

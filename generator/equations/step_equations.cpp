@@ -94,7 +94,7 @@ std::string obstacle_to_map(const QuadraticProof& proof, bool method_has_closed_
 void check_determined(const Hamiltonian& hamiltonian) {
     const Place place{hamiltonian.source, hamiltonian.expression.range};
     const System system = system_of(hamiltonian, parameter_names(hamiltonian));
-    if (!is_degenerate(system.hessian)) return check_fibre_rank(hamiltonian, place);
+    if (!is_degenerate(hessian_of(system))) return check_fibre_rank(hamiltonian, place);
     throw MathError("with more nodes than functions (4.6e) determines p at the nodes only where "
                     "d2H/dp2 is regular, and its rank is below the degrees of freedom, as a row of "
                     "it is zero",

@@ -45,6 +45,13 @@ struct EvaluationCosts {
     friend bool operator==(const EvaluationCosts&, const EvaluationCosts&) = default;
 };
 
+/// What holds the vectors of a state.
+enum class Container {
+    of_user,  ///< the class of a user says so
+    arrays,   ///< of a size that is known when the header is written
+    vectors,  ///< of any size
+};
+
 /// Of the H of a scene what its graph proves, see Structure; of that of a class of the user what he
 /// says. What is false may be true and not seen.
 struct SystemProperties {
@@ -58,7 +65,8 @@ struct SystemProperties {
     std::size_t degrees_of_freedom = 0;  ///< 0: not known
     std::size_t rotations = 0;           ///< of them, with three each
     LinearPart linear = {};
-    bool has_any_size = false;  ///< they are as many as a state has
+    Container container = Container::of_user;
+    bool is_lattice = false;  ///< see Sites
     HessianForm hessian = HessianForm::dense;
     EvaluationCosts costs = {};     ///< zeros: not known
     std::size_t shared_slopes = 0;  ///< values that dH/dp takes from the dH/dq at the same q

@@ -231,6 +231,7 @@ enum class Layout {
     stages,        ///< all stages of a step: see hvi::Lanes
     trajectories,  ///< trajectories: see hvi::Trajectories
     components,    ///< components of vectors of any size
+    sites,         ///< sites of a lattice, over which all moves of a step sweep at once
 };
 
 inline constexpr std::size_t widest_register = 8;  ///< numbers
@@ -281,6 +282,7 @@ struct Step {
     /// gamma_1, ..., gamma_k. Else empty: all that a step does is here.
     NumberVector in_a_row;
     Layout layout = Layout::one;
+    Container container = Container::of_user;
     /// Of stages in lanes whose solver is automatic; none where the stages do not decouple.
     std::optional<StageCorrections> corrections = {};
     /// How many numbers go into a register, of stages in lanes.

@@ -67,6 +67,17 @@ std::string_view text(Layout layout) {
     case Layout::stages: return "stages";
     case Layout::trajectories: return "trajectories";
     case Layout::components: return "components";
+    case Layout::sites: return "sites";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
+std::string_view text(Container container) {
+    switch (container) {
+    case Container::of_user: return "the user's";
+    case Container::arrays: return "arrays";
+    case Container::vectors: return "of any size";
     }
     HVI_CHECK(false);
     return {};
@@ -241,7 +252,7 @@ std::string dump(const Step& step) {
     }
     result += std::visit([](const auto& form) { return lines(form); }, step.form);
     result += line_of_steps(step.in_a_row);
-    result += fmt::format("lanes: {}\n", text(step.layout));
+    result += fmt::format("vectors: {}\nlanes: {}\n", text(step.container), text(step.layout));
     if (step.layout == Layout::stages) {
         result += fmt::format("registers of: {}\n", step.register_width);
         result += fmt::format("shared slopes: {}\n", step.shared_slopes);

@@ -152,7 +152,7 @@ void verify_rounded(const RoundedGalerkinForm& form, std::size_t r, std::size_t 
 
 void verify_form(const Step& step, const ExplicitStep&) {
     HVI_CHECK(step.is_separable() && step.is_explicit());
-    HVI_CHECK(step.layout != Layout::stages);
+    HVI_CHECK(step.layout != Layout::stages && step.layout != Layout::components);
     verify_order(step);
 }
 
@@ -224,6 +224,15 @@ void verify_form(const Step& step, const GalerkinStep& form) {
     HVI_CHECK(P.has_value() == (form.side == Side::hamiltonian) && (!P || is_table(*P, r, r)));
 }
 
+/// What holds vectors decides what lanes can hold.
+void verify_container(const Step& step) {
+    const bool are_vectors = step.container == Container::vectors;
+    const Layout layout = step.layout;
+    HVI_CHECK(are_vectors || (layout != Layout::components && layout != Layout::sites));
+    HVI_CHECK(!are_vectors || !step.has_lanes());
+    HVI_CHECK(layout != Layout::sites || std::holds_alternative<ExplicitStep>(step.form));
+}
+
 /// What only stages side by side have.
 void verify_lanes(const Step& step) {
     const bool are_lanes = step.layout == Layout::stages;
@@ -247,6 +256,7 @@ void verify(const Step& step) {
     HVI_CHECK(step.in_a_row.empty() || step.layout == Layout::stages ||
               std::holds_alternative<GalerkinStep>(step.form));
     verify_stages(step);
+    verify_container(step);
     verify_lanes(step);
     std::visit([&](const auto& form) { verify_form(step, form); }, step.form);
 }

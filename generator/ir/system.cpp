@@ -2,8 +2,55 @@
 #include "generator/ir/system.hpp"
 
 #include <algorithm>
+#include <map>
+
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
+
+namespace {
+
+bool is_rotation(const SystemFamily& family) { return family.space == rotations_of_space; }
+
+/// The number of a degree of freedom of a system that is written out.
+std::size_t degree_of(const System& system, const Access& access) {
+    const std::size_t flat = flat_coordinates(system);
+    return access.family < flat
+               ? access.family
+               : flat + rotations_of_space.tangent * (access.family - flat) + access.component;
+}
+
+std::vector<Scaled> derivatives(const System& system, const std::vector<AccessSlope>& slopes) {
+    std::vector<Scaled> result(system.degrees_of_freedom(), Graph::number(0));
+    for (const AccessSlope& slope : slopes) {
+        result[degree_of(system, system.accesses[slope.access])] = slope.value;
+    }
+    return result;
+}
+
+std::vector<Node> nodes_of(const System& system, FamilyKind kind) {
+    HVI_CHECK(system.is_written_out());
+    std::vector<Node> result;
+    for (const Access& access : system.accesses) {
+        if (access.kind == kind) { result.push_back(access.node); }
+    }
+    return result;
+}
+
+const SystemSum& only(const std::vector<SystemSum>& sums) {
+    HVI_CHECK(sums.size() == 1 && sums.front().loops.empty());
+    return sums.front();
+}
+
+std::size_t count_of(const SystemFamily& family, const std::map<std::string, long>& sizes) {
+    long count = 1;
+    for (const LoopRange& range : family.ranges) {
+        count *= range.last.at(sizes) - range.first.at(sizes) + 1;
+    }
+    return static_cast<std::size_t>(count);
+}
+
+}  // namespace
 
 bool has_linear_part(const Structure& quadratic) {
     const auto is_not_zero = [](const Scaled& slope) { return !slope.is_zero(); };
@@ -17,12 +64,106 @@ bool is_degenerate(const Hessian& hessian) {
     });
 }
 
-std::vector<std::size_t> System::cyclic_coordinates() const {
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < flat_coordinates(); ++i) {
-        if (by_q[i].is_zero()) { result.push_back(i); }
+const SystemFamily& System::family(const Access& access) const {
+    switch (access.kind) {
+    case FamilyKind::coordinate:
+    case FamilyKind::direction:
+    case FamilyKind::turn: return coordinates.at(access.family);
+    case FamilyKind::conjugate: return conjugates.at(access.family);
+    case FamilyKind::table: break;
+    }
+    return tables.at(access.family).family;
+}
+
+bool System::is_written_out() const {
+    return std::all_of(coordinates.begin(), coordinates.end(),
+                       [](const SystemFamily& family) { return family.ranges.empty(); });
+}
+
+std::size_t System::degrees_of_freedom() const {
+    std::map<std::string, long> values;
+    for (const SystemSize& size : sizes) { values[size.name] = size.value; }
+    std::size_t count = 0;
+    for (const SystemFamily& each : coordinates) {
+        count += each.space.tangent * count_of(each, values);
+    }
+    return count;
+}
+
+bool System::reads_files() const {
+    const auto in_file = [](const auto& of) {
+        return std::holds_alternative<NumbersInFile>(of.values);
+    };
+    return std::any_of(tables.begin(), tables.end(), in_file) ||
+           std::any_of(initial.begin(), initial.end(), in_file);
+}
+
+std::vector<std::string> System::momentum_names() const {
+    if (side == Side::lagrangian) { return momenta; }
+    std::vector<std::string> names;
+    for (const SystemFamily& each : conjugates) { names.push_back(each.name); }
+    return names;
+}
+
+std::vector<Node> coordinate_nodes(const System& system) {
+    return nodes_of(system, FamilyKind::coordinate);
+}
+
+std::vector<Node> conjugate_nodes(const System& system) {
+    return nodes_of(system, FamilyKind::conjugate);
+}
+
+const Scaled& function_of(const System& system) { return only(system.sums).value; }
+
+const Scaled& energy_of(const System& system) { return only(system.energy).value; }
+
+const Scaled& value_of(const SystemValue& value) { return only(value.sums).value; }
+
+std::vector<Scaled> by_coordinates(const System& system) {
+    return derivatives(system, only(system.sums).by_q);
+}
+
+std::vector<Scaled> by_conjugates(const System& system) {
+    return derivatives(system, only(system.sums).by_conjugates);
+}
+
+const Hessian& hessian_of(const System& system) { return std::get<Hessian>(system.second); }
+
+std::vector<Scaled> start_of(const System& system) {
+    std::vector<Scaled> result;
+    for (const SystemStart& start : system.initial) {
+        if (const auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
+            result.push_back(rule->value);
+        } else {
+            const auto& list = std::get<SystemStart::List>(start.values);
+            result.insert(result.end(), list.values.begin(), list.values.end());
+        }
     }
     return result;
+}
+
+std::size_t rotations_of(const System& system) {
+    return static_cast<std::size_t>(
+        std::count_if(system.coordinates.begin(), system.coordinates.end(), is_rotation));
+}
+
+std::size_t flat_coordinates(const System& system) {
+    return system.coordinates.size() - rotations_of(system);
+}
+
+std::vector<std::size_t> cyclic_coordinates(const System& system) {
+    const std::vector<Scaled> slopes = by_coordinates(system);
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < flat_coordinates(system); ++i) {
+        if (slopes[i].is_zero()) { result.push_back(i); }
+    }
+    return result;
+}
+
+bool is_separable(const System& system) {
+    return std::all_of(system.sums.begin(), system.sums.end(), [](const SystemSum& sum) {
+        return sum.by_q.empty() || sum.by_conjugates.empty();
+    });
 }
 
 bool operator==(const System& left, const System& right) { return dump(left) == dump(right); }

@@ -1,61 +1,18 @@
-// A Hamiltonian or Lagrangian system: what a scene says, as one graph, and what is found in it.
+// A Hamiltonian or Lagrangian system of any size: what a scene says, as one graph, and what is
+// found in it. Straight-line code is a sum without loops.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "generator/graph/graph.hpp"
-#include "generator/ir/properties.hpp"
+#include "generator/ir/sites.hpp"
+#include "generator/ir/structure.hpp"
 
 namespace hvi::gen {
-
-/// A block of a Hessian; a zero entry is proved to be one.
-using HessianBlock = std::vector<std::vector<Scaled>>;
-
-/// The second derivatives of H, or of L, all in the system's graph.
-struct Hessian {
-    HessianBlock qq;
-    HessianBlock mixed;       ///< [i][j] by q_i and the conjugate of q_j
-    HessianBlock conjugates;  ///< by p, or by v
-};
-
-/// A constant term of (d2H/dp2)_kk (d2H/dq2)_kk, as of a linear spring the square of a frequency.
-struct LinearStiffness {
-    std::size_t component;  ///< k
-    Scaled value;
-};
-
-/// Terms of second derivatives that do not vary: of springs, or of a magnetic field. Those of
-/// components that are coupled with no other, where T is quadratic, or of all; nothing where no
-/// motion comes from them alone.
-using ConstantTerms = std::variant<std::monostate, std::vector<LinearStiffness>, Hessian>;
-
-/// What the derivatives of H tell; of an L nothing is looked for. What is true here is proved: a
-/// graph computes by exact algebra, and what it does not see to be constant may be proved so in a
-/// field; see constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p.
-struct Structure {
-    bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)
-    bool kinetic_is_quadratic = false;  ///< and T is quadratic, with a constant matrix d2H/dp2
-    bool has_diagonal_mass = false;     ///< and that matrix is diagonal
-    std::vector<Scaled> inverse_mass;   ///< then K p, for T = p^T K p/2 and what is linear in p
-    std::vector<Node> direction;        ///< then inputs v_k of their own,
-    std::vector<Scaled> qq_along;       ///< and d2H/dq2 v
-    ConstantTerms constant;
-    bool is_quadratic = false;       ///< all second derivatives are constant
-    bool has_linear_map = false;     ///< and H has no t: all steps are one linear map
-    std::vector<Scaled> by_q, by_p;  ///< then the first derivatives at q = p = 0
-    bool is_linear_in_p = false;     ///< d2H/dp2 is zero, and not all else
-    bool is_linear_in_q = false;
-};
-
-/// Whether H has terms that are linear in q or p. Precondition: has_linear_map.
-[[nodiscard]] bool has_linear_part(const Structure& quadratic);
-
-/// Whether H does not depend on some momentum, or not more than linearly: a row of d2H/dp2 is zero.
-[[nodiscard]] bool is_degenerate(const Hessian& hessian);
 
 /// A parameter that stays one: its value is a default.
 struct SystemParameter {
@@ -64,65 +21,133 @@ struct SystemParameter {
     Node node = 0;
 };
 
-/// An expression of the scene with its name.
+/// A number that ranges are made of.
+struct SystemSize {
+    std::string name;
+    long value = 0;  ///< a default
+};
+
+/// Numbers that a program reads from a file.
+struct NumbersInFile {
+    std::string path;    ///< relative to the directory of the scene, or absolute
+    std::string column;  ///< of a CSV file; empty of an NPY file
+};
+
+/// Parameters with an index.
+struct SystemTable {
+    SystemFamily family;
+    std::variant<std::vector<Expression>, NumbersInFile> values;  ///< defaults, without symbols
+};
+
+/// Where the elements of a family begin: the value for all indices, or the numbers of all elements
+/// one by one, or as a file has them.
+struct SystemStart {
+    struct Rule {
+        std::vector<std::string> indices;
+        Scaled value;
+        std::vector<std::size_t> accesses = {};  ///< that the value depends on, ascending
+    };
+    struct List {
+        std::vector<Scaled> values;
+        std::vector<std::size_t> accesses = {};  ///< as of a rule
+    };
+    std::variant<Rule, List, NumbersInFile> values;
+};
+
+/// A sum of sums with its name.
 struct SystemValue {
     std::string name;
     Expression expression;  ///< as it was written
-    Scaled value;
+    std::vector<SystemSum> sums;
 };
 
-/// A rotation from body to space, and its angular momentum in the body, by their names.
-struct SystemRotation {
-    std::string rotation, momentum;
-};
-
-/// H(q, p) or L(q, v), its variables, its derivatives, and what else a scene has. What they have in
-/// common is one node. The conjugates are the momenta, or on the Lagrangian side the velocities;
-/// there the momenta are names alone.
+/// H(q, p) or L(q, v), its variables, its derivatives, and what else a scene has. Inputs of the
+/// graph are accesses, indices as numbers, sizes, parameters and the time. The conjugates of the
+/// coordinates are the momenta, or on the Lagrangian side the velocities; there the momenta are
+/// names alone.
+///
+/// A system is *written out* where no family of its variables has an index. Then H or L is one sum
+/// without loops, every variable is an access, coordinates before conjugates, and families that
+/// are rotations are the last of either.
 struct System {
-    std::string name, description;  ///< of the scene; may be empty
+    std::string name, description;    ///< of the scene; may be empty
+    std::filesystem::path directory;  ///< of the scene
     Side side = Side::hamiltonian;
-    Expression expression;  ///< of the function, as it was written
-    std::vector<std::string> coordinates, momenta;
-    std::vector<SystemRotation> rotations;  ///< their entries are the last of these, nine and three
-    std::vector<std::string> velocities;    ///< on the Lagrangian side
-    std::vector<SystemParameter> parameters;  ///< in the order of the scene
-    std::vector<std::string> own_headers;     ///< of functions of the user's own
+    Expression expression;                 ///< of the function, as it was written
+    std::vector<std::string> own_headers;  ///< of functions of the user's own
+
+    std::vector<SystemSize> sizes;
+    std::vector<SystemParameter> parameters;  ///< without an index, in the order of the scene
+    std::vector<SystemTable> tables;
+    std::vector<SystemFamily> coordinates, conjugates;  ///< with the same ranges, in pairs
+    std::vector<std::string> momenta;  ///< of a Lagrangian, one for each coordinate
 
     Graph graph;
-    std::vector<Node> q, conjugates;  ///< inputs, in the order of their names
-    std::optional<Node> time;         ///< the input t, where the function depends on it
-    Scaled function;                  ///< H or L
-    Scaled energy;                    ///< H, or v dL/dv - L
-    /// The first derivatives, by each degree of freedom: of a rotation those by turns of the body;
-    /// see by_turns().
-    std::vector<Scaled> by_q, by_conjugates;
-    Hessian hessian;                      ///< the same; of rotations the block qq is not symmetric
-    Structure structure;                  ///< of H
-    std::vector<SystemValue> initial;     ///< of coordinates, then of conjugates; or empty
+    std::optional<Node> time;  ///< the input t, where the function depends on it
+    std::vector<Access> accesses;
+    std::vector<SystemSum> sums;    ///< H or L; with loops each of q alone, of p alone, or of both
+    std::vector<SystemSum> energy;  ///< H, or v dL/dv - L
+    std::vector<SystemStart> initial;     ///< of coordinates, then of conjugates; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
 
-    /// NOTE: a rotation has three, and nine q.
-    [[nodiscard]] std::size_t degrees_of_freedom() const { return conjugates.size(); }
-    /// Those that are not of rotations.
-    [[nodiscard]] std::size_t flat_coordinates() const { return q.size() - 9 * rotations.size(); }
-    /// The q_i that do not occur in the function, so that p_i stays.
-    [[nodiscard]] std::vector<std::size_t> cyclic_coordinates() const;
-    /// `p` or `v` as the scene names them.
-    [[nodiscard]] const std::vector<std::string>& conjugate_names() const {
-        return side == Side::hamiltonian ? momenta : velocities;
-    }
+    Structure structure;
+    SecondOrder second;
+    std::optional<Sites> sites;  ///< where it is a lattice, and not written out
+
+    [[nodiscard]] const SystemFamily& family(const Access& access) const;
+    [[nodiscard]] bool is_written_out() const;
+    /// With the default values of its sizes. NOTE: a rotation has three, and nine q.
+    [[nodiscard]] std::size_t degrees_of_freedom() const;
+    /// Whether numbers of it stand in files.
+    [[nodiscard]] bool reads_files() const;
+
+    /// Names of the momenta, or of the velocities: one for each family.
+    [[nodiscard]] std::vector<std::string> momentum_names() const;
     /// `H` or `L`, and what its conjugates are called, `p` or `v`.
     [[nodiscard]] char function_letter() const { return side == Side::hamiltonian ? 'H' : 'L'; }
     [[nodiscard]] char conjugate_letter() const { return side == Side::hamiltonian ? 'p' : 'v'; }
 };
+
+// ---- of a system that is written out ----
+
+/// Inputs of the graph, in the order of the families: rotations have nine coordinates and three
+/// conjugates.
+[[nodiscard]] std::vector<Node> coordinate_nodes(const System& system);
+[[nodiscard]] std::vector<Node> conjugate_nodes(const System& system);
+
+/// H or L as one node, and the energy.
+[[nodiscard]] const Scaled& function_of(const System& system);
+[[nodiscard]] const Scaled& energy_of(const System& system);
+[[nodiscard]] const Scaled& value_of(const SystemValue& value);
+
+/// The first derivatives by each degree of freedom, zeros too: of a rotation those by its turns.
+[[nodiscard]] std::vector<Scaled> by_coordinates(const System& system);
+[[nodiscard]] std::vector<Scaled> by_conjugates(const System& system);
+
+[[nodiscard]] const Hessian& hessian_of(const System& system);
+
+/// Where it begins: coordinates, then conjugates; or empty.
+[[nodiscard]] std::vector<Scaled> start_of(const System& system);
+
+/// How many of its families are rotations, and how many are not.
+[[nodiscard]] std::size_t rotations_of(const System& system);
+[[nodiscard]] std::size_t flat_coordinates(const System& system);
+
+/// The coordinates that do not occur in the function, so that the momenta stay.
+[[nodiscard]] std::vector<std::size_t> cyclic_coordinates(const System& system);
+
+// ---- of any ----
+
+/// H = T(p) + U(q): no sum has slopes by both. Precondition: these are there, with loops.
+[[nodiscard]] bool is_separable(const System& system);
 
 /// Stable text, for people and tests: what each node computes, `#7: product #3 #4`, and which nodes
 /// are the function, its derivatives, the initial data and the invariants.
 [[nodiscard]] std::string dump(const System& system);
 
 /// Stops the program (HVI_CHECK) where the record contradicts itself: a node that needs a later one
-/// or depends on something else than its arguments, tables of other sizes than there are variables.
+/// or depends on something else than its arguments, an access that is no input, slopes by what does
+/// not occur, tables of other sizes than there are variables.
 void verify(const System& system);
 
 /// Whether the texts are.

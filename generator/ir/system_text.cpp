@@ -63,21 +63,35 @@ std::string lines(const std::string& second, const HessianBlock& block,
     return result;
 }
 
-/// What derivatives are by: coordinates, and turns of bodies, `R~1`.
+std::vector<std::string> names_of(const Graph& graph, const std::vector<Node>& inputs) {
+    std::vector<std::string> result;
+    for (const Node node : inputs) { result.push_back(graph.at(node).name); }
+    return result;
+}
+
+/// Degrees of freedom that derivatives are by: coordinates, and turns of bodies, `R~1`.
 std::vector<std::string> names_of_degrees(const System& system) {
-    std::vector<std::string> names(system.coordinates.begin(),
-                                   system.coordinates.begin() +
-                                       static_cast<std::ptrdiff_t>(system.flat_coordinates()));
-    for (const SystemRotation& rotation : system.rotations) {
-        for (const char* axis : {"~1", "~2", "~3"}) { names.push_back(rotation.rotation + axis); }
+    std::vector<std::string> result;
+    for (const SystemFamily& family : system.coordinates) {
+        if (family.space == real_line) {
+            result.push_back(family.name);
+            continue;
+        }
+        for (std::size_t k = 1; k <= family.space.tangent; ++k) {
+            result.push_back(family.name + "~" + std::to_string(k));
+        }
     }
-    return names;
+    return result;
+}
+
+std::vector<std::string> names_of_conjugates(const System& system) {
+    return names_of(system.graph, conjugate_nodes(system));
 }
 
 /// Blocks of second derivatives; `second` is d2H or d2L.
 std::string lines(const std::string& second, const Hessian& all, const System& system) {
     const std::vector<std::string> q = names_of_degrees(system);
-    const std::vector<std::string>& y = system.conjugate_names();
+    const std::vector<std::string> y = names_of_conjugates(system);
     return lines(second, all.qq, q, q) + lines(second, all.mixed, q, y) +
            lines(second, all.conjugates, y, y);
 }
@@ -86,7 +100,8 @@ std::string lines(const ConstantTerms& constant, const System& system) {
     std::string result;
     if (const auto* stiff = std::get_if<std::vector<LinearStiffness>>(&constant)) {
         for (const LinearStiffness& each : *stiff) {
-            result += line("stiffness " + system.coordinates[each.component], text(each.value));
+            result +=
+                line("stiffness " + system.coordinates[each.component].name, text(each.value));
         }
     }
     const auto* all = std::get_if<Hessian>(&constant);
@@ -114,22 +129,165 @@ std::string found(const System& system) {
 std::string derivatives(const System& system) {
     const std::string f(1, system.function_letter());
     const std::vector<std::string> q = names_of_degrees(system);
-    const std::vector<std::string>& y = system.conjugate_names();
-    std::string result = line(f, text(system.function));
+    const std::vector<std::string> y = names_of_conjugates(system);
+    const std::vector<Scaled> by_q = by_coordinates(system), by_y = by_conjugates(system);
+    std::string result = line(f, text(function_of(system)));
     for (std::size_t i = 0; i < q.size(); ++i) {
-        result += line("d" + f + "/d" + q[i], text(system.by_q[i]));
+        result += line("d" + f + "/d" + q[i], text(by_q[i]));
     }
     for (std::size_t i = 0; i < y.size(); ++i) {
-        result += line("d" + f + "/d" + y[i], text(system.by_conjugates[i]));
+        result += line("d" + f + "/d" + y[i], text(by_y[i]));
     }
-    result += lines("d2" + f, system.hessian, system);
-    return system.side == Side::hamiltonian ? result : result + line("energy", text(system.energy));
+    result += lines("d2" + f, hessian_of(system), system);
+    return system.side == Side::hamiltonian ? result
+                                            : result + line("energy", text(energy_of(system)));
 }
 
-std::string lines(const std::string& what, const std::vector<SystemValue>& values) {
+// ---- sums with loops ----
+
+std::string text(const LoopRange& range) {
+    return to_text(range.first) + ".." + to_text(range.last);
+}
+
+std::string text(const ElementIndex& index) {
+    if (!index.modulus) { return to_text(index.form); }
+    const std::string rest = "mod(" + to_text(index.form) + ", " + to_text(*index.modulus) + ")";
+    return index.offset == AffineForm{} ? rest : rest + " + " + to_text(index.offset);
+}
+
+/// `x[i + 1]`, as what it is: a coordinate, or the direction at one.
+std::string text(const System& system, const Access& access) {
+    std::string indices;
+    for (const ElementIndex& index : access.indices) {
+        indices += (indices.empty() ? "[" : ",") + text(index);
+    }
+    const std::string name = system.family(access).name + (indices.empty() ? "" : indices + "]");
+    return access.kind == FamilyKind::direction ? "direction at " + name : name;
+}
+
+std::string text(const SystemFamily& family) {
+    std::string indices;
+    for (const LoopRange& range : family.ranges) {
+        indices += (indices.empty() ? "[" : ",") + text(range);
+    }
+    return family.name + (indices.empty() ? "" : indices + "]");
+}
+
+std::string text(const std::vector<SystemFamily>& families) {
+    std::vector<std::string> texts;
+    for (const SystemFamily& family : families) { texts.push_back(text(family)); }
+    return names(texts);
+}
+
+/// `i = 1..N - 1, j = i + 1..N`.
+std::string text(const std::vector<Loop>& loops) {
     std::string result;
-    for (const SystemValue& each : values) {
-        result += line(what + " " + each.name, text(each.value));
+    for (const Loop& loop : loops) {
+        result += (result.empty() ? "" : ", ") + loop.index + " = " + text(loop.range);
+    }
+    return result;
+}
+
+std::string lines(const System& system, const std::string& what,
+                  const std::vector<SystemSum>& sums) {
+    std::string result;
+    for (const SystemSum& sum : sums) {
+        const std::string over = sum.loops.empty() ? "" : " over " + text(sum.loops);
+        result += line(what + over, text(sum.value));
+        for (const auto* slopes : {&sum.by_q, &sum.by_conjugates}) {
+            for (const AccessSlope& slope : *slopes) {
+                result +=
+                    line("  by " + text(system, system.accesses[slope.access]), text(slope.value));
+            }
+        }
+    }
+    return result;
+}
+
+std::string lines(const System& system, const HessianEntries& second) {
+    std::string result;
+    for (const SumEntries& sum : second.sums) {
+        for (const SumEntry& entry : sum.entries) {
+            result +=
+                line("d2H/d" + text(system, system.accesses[entry.row]) + " d" +
+                         text(system, system.accesses[entry.column]) + " over " + text(sum.loops),
+                     text(entry.value));
+        }
+    }
+    return result;
+}
+
+std::string text(const System& system, const SystemStart& start) {
+    if (const auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
+        return names(rule->indices) + (rule->indices.empty() ? "" : ": ") + text(rule->value);
+    }
+    if (const auto* list = std::get_if<SystemStart::List>(&start.values)) {
+        return std::to_string(list->values.size()) + " values:" + joined(list->values);
+    }
+    const auto& file = std::get<NumbersInFile>(start.values);
+    return "in " + (system.directory / file.path).string() + " " + file.column;
+}
+
+std::string with_loops(const System& system) {
+    std::string result = lines(system, std::string(1, system.function_letter()), system.sums);
+    if (system.side == Side::lagrangian) { result += lines(system, "energy", system.energy); }
+    if (const auto* entries = std::get_if<HessianEntries>(&system.second)) {
+        result += lines(system, *entries);
+    }
+    if (const auto* products = std::get_if<HessianProducts>(&system.second)) {
+        result += lines(system, "along the direction", products->sums);
+    }
+    for (std::size_t k = 0; system.sites && k < system.sites->forces.size(); ++k) {
+        result +=
+            line("force on a site, " + system.coordinates[k].name, text(system.sites->forces[k]));
+        result += line("velocity of a site, " + system.conjugates[k].name,
+                       text(system.sites->velocities[k]));
+    }
+    return result;
+}
+
+std::string starts(const System& system) {
+    std::string result;
+    if (system.is_written_out() && !system.initial.empty()) {
+        std::vector<Node> inputs = coordinate_nodes(system);
+        const std::vector<Node> others = conjugate_nodes(system);
+        inputs.insert(inputs.end(), others.begin(), others.end());
+        const std::vector<Scaled> values = start_of(system);
+        for (std::size_t k = 0; k < inputs.size(); ++k) {
+            result += line("initial " + system.graph.at(inputs[k]).name, text(values[k]));
+        }
+        return result;
+    }
+    const std::size_t count = system.coordinates.size();
+    for (std::size_t k = 0; k < system.initial.size(); ++k) {
+        const SystemFamily& family =
+            k < count ? system.coordinates[k] : system.conjugates[k - count];
+        result += line("initial " + text(family), text(system, system.initial[k]));
+    }
+    return result;
+}
+
+/// Sizes and variables.
+std::string variables(const System& system) {
+    const bool has_L = system.side == Side::lagrangian;
+    const std::string conjugates = has_L ? "velocities" : "momenta";
+    std::string result;
+    for (const SystemSize& size : system.sizes) {
+        result += line("size " + size.name, std::to_string(size.value));
+    }
+    if (system.is_written_out()) {
+        result += line("coordinates", names(names_of(system.graph, coordinate_nodes(system))));
+        if (has_L) { result += line("momenta", names(system.momenta)); }
+        result += line(conjugates, names(names_of_conjugates(system)));
+    } else {
+        result += line("coordinates", text(system.coordinates));
+        result += line(conjugates, text(system.conjugates));
+    }
+    for (std::size_t k = 0; k < system.coordinates.size(); ++k) {
+        const SystemFamily& family = system.coordinates[k];
+        if (family.space == real_line) { continue; }
+        result +=
+            line(std::string(family.space.name), text(family) + ", " + text(system.conjugates[k]));
     }
     return result;
 }
@@ -137,22 +295,22 @@ std::string lines(const std::string& what, const std::vector<SystemValue>& value
 }  // namespace
 
 std::string dump(const System& system) {
-    std::string result = line("scene", system.name);
-    result += line("coordinates", names(system.coordinates));
-    result += line("momenta", names(system.momenta));
-    if (system.side == Side::lagrangian) { result += line("velocities", names(system.velocities)); }
-    for (const SystemRotation& rotation : system.rotations) {
-        result += line("rotation", rotation.rotation + ", " + rotation.momentum);
-    }
+    std::string result = line("scene", system.name) + variables(system);
     for (const SystemParameter& parameter : system.parameters) {
         result += line("parameter " + parameter.name, to_text(parameter.value));
     }
+    for (const SystemTable& table : system.tables) { result += line("table", text(table.family)); }
     result += found(system);
     for (Node node = 0; node < system.graph.size(); ++node) {
         result += line(text(node), text(system.graph.at(node)));
     }
-    return result + derivatives(system) + lines("initial", system.initial) +
-           lines("invariant", system.invariants);
+    const bool is_written_out = system.is_written_out();
+    result += (is_written_out ? derivatives(system) : with_loops(system)) + starts(system);
+    for (const SystemValue& each : system.invariants) {
+        result += is_written_out ? line("invariant " + each.name, text(value_of(each)))
+                                 : lines(system, "invariant " + each.name, each.sums);
+    }
+    return result;
 }
 
 }  // namespace hvi::gen

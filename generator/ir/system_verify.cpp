@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
+#include <tuple>
 
 #include "generator/ir/system.hpp"
 #include "generator/support/error.hpp"
@@ -42,8 +43,41 @@ void verify(const Graph& graph, const HessianBlock& block, std::size_t n, bool i
     }
 }
 
-void verify(const Graph& graph, const std::vector<SystemValue>& values) {
-    for (const SystemValue& each : values) { HVI_CHECK(each.value.node < graph.size()); }
+void verify(const System& system, const Access& access) {
+    if (access.kind == FamilyKind::turn) { return; }
+    HVI_CHECK(system.graph.at(access.node).operation == Operation::input);
+    const SystemFamily& family = system.family(access);
+    HVI_CHECK(access.indices.size() == family.ranges.size());
+    HVI_CHECK(access.component < family.space.point);
+}
+
+void verify(const System& system, const std::vector<std::size_t>& accesses) {
+    HVI_CHECK(std::is_sorted(accesses.begin(), accesses.end()));
+    HVI_CHECK(accesses.empty() || accesses.back() < system.accesses.size());
+}
+
+/// NOTE: a rotation is differentiated by its turns, which do not occur.
+void verify(const System& system, const SystemSum& sum, const std::vector<AccessSlope>& slopes,
+            FamilyKind kind) {
+    for (const AccessSlope& slope : slopes) {
+        HVI_CHECK(!slope.value.is_zero() && slope.value.node < system.graph.size());
+        const Access& access = system.accesses.at(slope.access);
+        const bool occurs =
+            std::binary_search(sum.accesses.begin(), sum.accesses.end(), slope.access);
+        const bool is_turn = access.kind == FamilyKind::turn && kind == FamilyKind::coordinate;
+        HVI_CHECK(is_turn || (occurs && access.kind == kind));
+    }
+}
+
+void verify(const System& system, const std::vector<SystemSum>& sums) {
+    for (const SystemSum& sum : sums) {
+        HVI_CHECK(sum.value.node < system.graph.size());
+        verify(system, sum.accesses);
+        verify(system, sum, sum.by_q, FamilyKind::coordinate);
+        verify(system, sum, sum.by_conjugates, FamilyKind::conjugate);
+    }
+    HVI_CHECK(!system.is_written_out() || sums.size() == 1);
+    HVI_CHECK(!system.is_written_out() || sums.front().loops.empty());
 }
 
 void verify_constant(const System& system, const Scaled& value) {
@@ -73,38 +107,59 @@ void verify_constant(const System& system) {
     }
 }
 
-void verify_variables(const System& system) {
-    const std::size_t n = system.degrees_of_freedom();
-    HVI_CHECK(system.q.size() == n + 6 * system.rotations.size());
-    HVI_CHECK(system.rotations.empty() || system.side == Side::hamiltonian);
-    HVI_CHECK(system.coordinates.size() == system.q.size() && system.momenta.size() == n);
-    HVI_CHECK(system.conjugate_names().size() == n && system.energy.node < system.graph.size());
-    HVI_CHECK(system.initial.empty() || system.initial.size() == system.q.size() + n);
+/// A coordinate and its conjugate have the same indices, and spaces that belong together.
+void verify_families(const System& system) {
+    const auto& [q, y] = std::tie(system.coordinates, system.conjugates);
+    HVI_CHECK(q.size() == y.size());
+    for (std::size_t k = 0; k < q.size(); ++k) {
+        HVI_CHECK(q[k].ranges == y[k].ranges && q[k].space.tangent == y[k].space.point);
+    }
+    const bool has_L = system.side == Side::lagrangian;
+    HVI_CHECK(system.momenta.size() == (has_L ? q.size() : 0));
+    HVI_CHECK(system.initial.empty() || system.initial.size() == 2 * q.size());
     for (const SystemParameter& parameter : system.parameters) {
         HVI_CHECK(system.graph.at(parameter.node).operation == Operation::input);
     }
+}
+
+/// Every variable is an access, in the order of the families, and derivatives are by all of them.
+void verify_written_out(const System& system) {
+    const Structure& found = system.structure;
+    const std::size_t n = system.degrees_of_freedom();
+    std::size_t points = 0, access = 0;
+    for (const auto* families : {&system.coordinates, &system.conjugates}) {
+        for (const SystemFamily& family : *families) {
+            for (std::size_t k = 0; k < family.space.point; ++k, ++access) {
+                HVI_CHECK(&system.family(system.accesses.at(access)) == &family);
+                HVI_CHECK(system.accesses[access].component == k);
+            }
+            points += family.space.point;
+        }
+    }
+    HVI_CHECK(conjugate_nodes(system).size() == n && !system.sites);
+    HVI_CHECK(system.initial.empty() || start_of(system).size() == points);
+    const Hessian& second = hessian_of(system);
+    verify(system.graph, second.qq, n, rotations_of(system) == 0);
+    verify(system.graph, second.mixed, n, false);
+    verify(system.graph, second.conjugates, n, true);
+    HVI_CHECK(found.kinetic_is_quadratic == (found.inverse_mass.size() == n));
+    verify_constant(system);
+    HVI_CHECK(!found.has_linear_map || (found.by_q.size() == n && found.by_p.size() == n));
 }
 
 }  // namespace
 
 void verify(const System& system) {
     const Structure& found = system.structure;
-    const Graph& graph = system.graph;
-    const std::size_t n = system.degrees_of_freedom();
-    for (Node node = 0; node < graph.size(); ++node) { verify(graph, node); }
-    verify_variables(system);
-    verify(graph, system.by_q, n);
-    verify(graph, system.by_conjugates, n);
-    verify(graph, system.hessian.qq, n, system.rotations.empty());
-    verify(graph, system.hessian.mixed, n, false);
-    verify(graph, system.hessian.conjugates, n, true);
-    verify(graph, system.initial);
-    verify(graph, system.invariants);
+    for (Node node = 0; node < system.graph.size(); ++node) { verify(system.graph, node); }
+    verify_families(system);
+    for (const Access& access : system.accesses) { verify(system, access); }
+    verify(system, system.sums);
+    verify(system, system.energy);
+    for (const SystemValue& each : system.invariants) { verify(system, each.sums); }
     HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);
     HVI_CHECK(!found.has_diagonal_mass || found.kinetic_is_quadratic);
-    HVI_CHECK(found.kinetic_is_quadratic == (found.inverse_mass.size() == n));
-    verify_constant(system);
-    HVI_CHECK(!found.has_linear_map || (found.by_q.size() == n && found.by_p.size() == n));
+    if (system.is_written_out()) { verify_written_out(system); }
 }
 
 }  // namespace hvi::gen

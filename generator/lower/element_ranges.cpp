@@ -116,7 +116,7 @@ std::string loop_values(const std::vector<Loop>& loops, const Values& values) {
 
 }  // namespace
 
-void check_ranges(const LoopFamily& family, const std::vector<ElementIndex>& indices,
+void check_ranges(const SystemFamily& family, const std::vector<ElementIndex>& indices,
                   const std::vector<Loop>& loops, const std::map<std::string, long>& sizes,
                   const Place& place) {
     for (std::size_t d = 0; d < indices.size(); ++d) {

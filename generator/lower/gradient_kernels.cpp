@@ -19,13 +19,14 @@ double cost(const OperationCounts& counts) {
 }  // namespace
 
 GradientKernels gradient_kernels(const System& system) {
-    std::vector<Scaled> both = system.by_q;
-    both.insert(both.end(), system.by_conjugates.begin(), system.by_conjugates.end());
+    const std::vector<Scaled> by_q = by_coordinates(system), by_y = by_conjugates(system);
+    std::vector<Scaled> both = by_q;
+    both.insert(both.end(), by_y.begin(), by_y.end());
     GradientKernels result;
-    result.by_q = kernel(system.graph, system.by_q);
-    result.by_conjugates = kernel(system.graph, system.by_conjugates);
+    result.by_q = kernel(system.graph, by_q);
+    result.by_conjugates = kernel(system.graph, by_y);
     result.joint = kernel(system.graph, std::move(both));
-    result.by_conjugates_at_q = kernel_of_momenta(system.graph, system.by_conjugates);
+    result.by_conjugates_at_q = kernel_of_momenta(system.graph, by_y);
     result.shared = computed_before(system.graph, result.by_conjugates_at_q);
     return result;
 }
@@ -43,7 +44,7 @@ std::vector<Node> computed_before(const Graph& graph, const Kernel& kernel) {
 
 EvaluationCosts evaluation_costs(const System& system, const GradientKernels& kernels) {
     std::vector<Scaled> second;
-    const auto& [qq, mixed, conjugates] = system.hessian;
+    const auto& [qq, mixed, conjugates] = hessian_of(system);
     for (const HessianBlock* block : {&qq, &mixed, &conjugates}) {
         for (const std::vector<Scaled>& row : *block) {
             second.insert(second.end(), row.begin(), row.end());

@@ -10,8 +10,10 @@
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/element_ranges.hpp"
 #include "generator/lower/kernel.hpp"
+#include "generator/lower/loop_structure.hpp"
 #include "generator/lower/loop_terms.hpp"
 #include "generator/lower/lower.hpp"
+#include "generator/lower/sites.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/own_functions.hpp"
@@ -43,8 +45,8 @@ std::string text_of(const std::string& name, const std::vector<ElementIndex>& in
 
 NumbersInFile numbers_in(const ValueFile& file) { return {file.path, file.column.value_or("")}; }
 
-LoopFamily family_of(const std::string& name, const std::vector<std::size_t>& extents) {
-    LoopFamily family{name, {}};
+SystemFamily family_of(const std::string& name, const std::vector<std::size_t>& extents) {
+    SystemFamily family{name, {}};
     for (const std::size_t extent : extents) {
         family.ranges.push_back({{1}, {static_cast<long>(extent)}});
     }
@@ -55,7 +57,7 @@ class LoopLowering {
 public:
     explicit LoopLowering(const IndexedScene& written) : written_(written) {}
 
-    [[nodiscard]] LoopSystem operator()();
+    [[nodiscard]] System operator()();
 
 private:
     void refuse_side() const;
@@ -64,11 +66,11 @@ private:
     void check_pairs() const;
     void declare(const std::string& name, const Place& place);
     void declare_parameters();
-    void declare_table(LoopTable table);
-    [[nodiscard]] LoopTable table(const std::string& name, const ValueList& list) const;
+    void declare_table(SystemTable table);
+    [[nodiscard]] SystemTable table(const std::string& name, const ValueList& list) const;
     void define();
 
-    [[nodiscard]] std::vector<LoopSum> sums(const IndexedExpression& expression);
+    [[nodiscard]] std::vector<SystemSum> sums(const IndexedExpression& expression);
     [[nodiscard]] Scaled value(const Expression& term, const std::vector<Loop>& loops,
                                const std::shared_ptr<const Source>& source);
     [[nodiscard]] Expression with_accesses(const Expression& term, const std::vector<Loop>& loops,
@@ -81,16 +83,16 @@ private:
     void check_known(const Expression& part, const std::vector<Loop>& loops,
                      const std::shared_ptr<const Source>& source) const;
     [[nodiscard]] std::vector<std::size_t> accesses_in(const std::vector<Scaled>& values) const;
-    void add_slopes(LoopSum& sum);
-    [[nodiscard]] const LoopFamily& family(const Named& named) const;
+    void add_slopes(SystemSum& sum);
+    [[nodiscard]] const SystemFamily& family(const Named& named) const;
 
-    void check_count(const LoopFamily& family, std::size_t given, const Place& place) const;
+    void check_count(const SystemFamily& family, std::size_t given, const Place& place) const;
     [[nodiscard]] Scaled value_at_start(const LoopTerm& term, const IndexedExpression& whole);
-    [[nodiscard]] LoopStart start(const LoopFamily& family);
-    [[nodiscard]] LoopStart start(const LoopFamily& family, const IndexedValue& value);
+    [[nodiscard]] SystemStart start(const SystemFamily& family);
+    [[nodiscard]] SystemStart start(const SystemFamily& family, const IndexedValue& value);
 
     const IndexedScene& written_;
-    LoopSystem system_;
+    System system_;
     std::map<std::string, long> sizes_;
     std::map<std::string, Named> families_;
     std::set<std::string> taken_;  ///< all names but those of indices
@@ -121,14 +123,14 @@ void LoopLowering::declare_sizes() {
 }
 
 void LoopLowering::declare_families(const NameTexts& texts, FamilyKind kind) {
-    std::vector<LoopFamily>& families =
-        kind == FamilyKind::coordinate ? system_.coordinates : system_.momenta;
+    std::vector<SystemFamily>& families =
+        kind == FamilyKind::coordinate ? system_.coordinates : system_.conjugates;
     for (const NameTexts::Text& text : texts.texts) {
         for (const Name& name : text.names) {
             const Place place{text.source, name.range};
             check_parameter_name(name.stem, place, "a variable");
             declare(name.stem, place);
-            LoopFamily family{name.stem, {}};
+            SystemFamily family{name.stem, {}};
             for (const IndexBounds& written : name.bounds) {
                 const auto first = affine_form(written.first), last = affine_form(written.last);
                 if (!first || !last) {
@@ -147,7 +149,7 @@ void LoopLowering::check_pairs() const {
     const auto extent = [&](const LoopRange& range) {
         return range.last.at(sizes_) - range.first.at(sizes_);
     };
-    const auto& [coordinates, momenta] = std::tie(system_.coordinates, system_.momenta);
+    const auto& [coordinates, momenta] = std::tie(system_.coordinates, system_.conjugates);
     bool are_pairs = coordinates.size() == momenta.size();
     for (std::size_t k = 0; are_pairs && k < coordinates.size(); ++k) {
         are_pairs = coordinates[k].ranges == momenta[k].ranges;
@@ -167,7 +169,7 @@ void LoopLowering::check_pairs() const {
 
 // ---- parameters ----
 
-LoopTable LoopLowering::table(const std::string& name, const ValueList& list) const {
+SystemTable LoopLowering::table(const std::string& name, const ValueList& list) const {
     std::vector<Expression> values;
     for (const IndexedExpression& each : list.values) {
         Expression number = unrolled(each, {sizes_.begin(), sizes_.end()});
@@ -185,7 +187,7 @@ LoopTable LoopLowering::table(const std::string& name, const ValueList& list) co
     return {family_of(name, list.extents), std::move(values)};
 }
 
-void LoopLowering::declare_table(LoopTable table) {
+void LoopLowering::declare_table(SystemTable table) {
     families_[table.family.name] = {FamilyKind::table, system_.tables.size()};
     system_.tables.push_back(std::move(table));
 }
@@ -233,8 +235,8 @@ void LoopLowering::define() {
 
 // ---- summands ----
 
-const LoopFamily& LoopLowering::family(const Named& named) const {
-    return system_.family({named.kind, named.number, {}, 0});
+const SystemFamily& LoopLowering::family(const Named& named) const {
+    return system_.family({named.kind, named.number});
 }
 
 /// NOTE: in an index a mod stands once, and what is beside it is added.
@@ -286,7 +288,7 @@ std::string LoopLowering::access(const Expression& element, const std::vector<Lo
             fmt::format("there is no variable or parameter `{}` with an index", element.name),
             place, did_you_mean(element.name, names, ""));
     }
-    const LoopFamily& of = family(found->second);
+    const SystemFamily& of = family(found->second);
     if (of.ranges.size() != element.arguments.size()) {
         throw InputError(fmt::format("`{}` has {} ind{}, and here {}", element.name,
                                      of.ranges.size(), of.ranges.size() == 1 ? "ex" : "ices",
@@ -300,9 +302,9 @@ std::string LoopLowering::access(const Expression& element, const std::vector<Lo
     check_ranges(of, indices, loops, sizes_, place);
     const std::string name = indices.empty() ? element.name : text_of(element.name, indices);
     const FamilyKind kind = found->second.kind;
-    const Role role = kind == FamilyKind::coordinate ? Role::coordinate
-                      : kind == FamilyKind::momentum ? Role::conjugate
-                                                     : Role::index;
+    const Role role = kind == FamilyKind::coordinate  ? Role::coordinate
+                      : kind == FamilyKind::conjugate ? Role::conjugate
+                                                      : Role::index;
     const Scaled node = system_.graph.input(name, role);
     const bool is_new = std::none_of(system_.accesses.begin(), system_.accesses.end(),
                                      [&](const Access& other) { return other.node == node.node; });
@@ -364,7 +366,7 @@ Scaled LoopLowering::value(const Expression& term, const std::vector<Loop>& loop
     return lower(system_.graph, written, symbols, source);
 }
 
-std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
+std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression) {
     const IndexedExpression whole = definitions_.put_in(expression);
     check_numbers(whole.written, whole.source);
     const auto roles = [&](const std::string& name) -> Roles {
@@ -372,9 +374,10 @@ std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
         if (found == families_.end()) { return 0; }
         switch (found->second.kind) {
         case FamilyKind::coordinate: return static_cast<Roles>(Role::coordinate);
-        case FamilyKind::momentum: return static_cast<Roles>(Role::conjugate);
+        case FamilyKind::conjugate: return static_cast<Roles>(Role::conjugate);
         case FamilyKind::table:
-        case FamilyKind::direction: break;
+        case FamilyKind::direction:
+        case FamilyKind::turn: break;
         }
         return 0;
     };
@@ -398,7 +401,7 @@ std::vector<LoopSum> LoopLowering::sums(const IndexedExpression& expression) {
             same->values.push_back(summand);
         }
     }
-    std::vector<LoopSum> result;
+    std::vector<SystemSum> result;
     for (Group& group : groups) {
         result.push_back(
             {std::move(group.loops), system_.graph.sum(std::move(group.values)), {}, {}, {}});
@@ -417,7 +420,7 @@ std::vector<std::size_t> LoopLowering::accesses_in(const std::vector<Scaled>& va
     return result;
 }
 
-void LoopLowering::add_slopes(LoopSum& sum) {
+void LoopLowering::add_slopes(SystemSum& sum) {
     sum.accesses = accesses_in({sum.value});
     std::vector<Node> inputs;
     for (const std::size_t k : sum.accesses) { inputs.push_back(system_.accesses[k].node); }
@@ -425,14 +428,14 @@ void LoopLowering::add_slopes(LoopSum& sum) {
     for (std::size_t k = 0; k < slopes.size(); ++k) {
         const FamilyKind kind = system_.accesses[sum.accesses[k]].kind;
         if (kind == FamilyKind::table || slopes[k].is_zero()) { continue; }
-        (kind == FamilyKind::coordinate ? sum.by_q : sum.by_momenta)
+        (kind == FamilyKind::coordinate ? sum.by_q : sum.by_conjugates)
             .push_back({sum.accesses[k], slopes[k]});
     }
 }
 
 // ---- where it begins ----
 
-void LoopLowering::check_count(const LoopFamily& family, std::size_t given,
+void LoopLowering::check_count(const SystemFamily& family, std::size_t given,
                                const Place& place) const {
     long wanted = 1;
     for (const LoopRange& range : family.ranges) {
@@ -454,14 +457,14 @@ Scaled LoopLowering::value_at_start(const LoopTerm& term, const IndexedExpressio
     return result;
 }
 
-LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& value) {
+SystemStart LoopLowering::start(const SystemFamily& family, const IndexedValue& value) {
     if (const auto* file = std::get_if<ValueFile>(&value.value)) {
         check_count(family, count(*file), value.place_of_value);
         return {numbers_in(*file)};
     }
     if (const auto* list = std::get_if<ValueList>(&value.value)) {
         check_count(family, list->values.size(), value.place_of_value);
-        LoopStart::List result;
+        SystemStart::List result;
         for (const IndexedExpression& each : list->values) {
             const IndexedExpression put = definitions_.put_in(each);
             refuse_own_functions(put.written, each.source, "an initial value");
@@ -487,14 +490,14 @@ LoopStart LoopLowering::start(const LoopFamily& family, const IndexedValue& valu
     for (std::size_t d = 0; d < indices.size(); ++d) {
         term = within_loop(std::move(term), indices[d], family.ranges[d], taken_);
     }
-    LoopStart::Rule result;
+    SystemStart::Rule result;
     for (const Loop& loop : term.loops) { result.indices.push_back(loop.index); }
     result.value = value_at_start(term, whole);
     result.accesses = accesses_in({result.value});
     return {std::move(result)};
 }
 
-LoopStart LoopLowering::start(const LoopFamily& family) {
+SystemStart LoopLowering::start(const SystemFamily& family) {
     for (const IndexedValue& value : written_.initial.values) {
         if (value.name == family.name) { return start(family, value); }
     }
@@ -502,7 +505,7 @@ LoopStart LoopLowering::start(const LoopFamily& family) {
                      written_.initial.place);
 }
 
-LoopSystem LoopLowering::operator()() {
+System LoopLowering::operator()() {
     refuse_side();
     system_.name = written_.name;
     system_.description = written_.description;
@@ -511,13 +514,14 @@ LoopSystem LoopLowering::operator()() {
     system_.own_headers = written_.own.includes();
     declare_sizes();
     declare_families(written_.coordinates, FamilyKind::coordinate);
-    declare_families(written_.conjugates, FamilyKind::momentum);
+    declare_families(written_.conjugates, FamilyKind::conjugate);
     check_pairs();
     declare_parameters();
     define();
     system_.sums = sums(written_.function);
-    for (const auto* families : {&system_.coordinates, &system_.momenta}) {
-        for (const LoopFamily& each : *families) { system_.initial.push_back(start(each)); }
+    system_.energy = system_.sums;
+    for (const auto* families : {&system_.coordinates, &system_.conjugates}) {
+        for (const SystemFamily& each : *families) { system_.initial.push_back(start(each)); }
     }
     for (const IndexedValue& value : written_.initial.values) {
         const auto found = families_.find(value.name);
@@ -536,6 +540,10 @@ LoopSystem LoopLowering::operator()() {
 
 }  // namespace
 
-LoopSystem loop_system(const IndexedScene& scene) { return LoopLowering(scene)(); }
+System loop_system(const IndexedScene& scene) {
+    System system = with_loop_structure(with_sites(LoopLowering(scene)()));
+    verify(system);
+    return system;
+}
 
 }  // namespace hvi::gen

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/ir/loop_system.hpp"
+#include "generator/ir/system.hpp"
 #include "generator/read/parse.hpp"
 
 namespace hvi::gen {

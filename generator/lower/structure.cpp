@@ -69,11 +69,12 @@ bool depends_on(const Graph& graph, const std::vector<Scaled>& values, Role role
 
 /// K p.
 std::vector<Scaled> product(System& system, const Matrix& K) {
+    const std::vector<Node> momenta = conjugate_nodes(system);
     std::vector<Scaled> result;
     for (const std::vector<Scaled>& row : K) {
         std::vector<Scaled> terms;
         for (std::size_t j = 0; j < row.size(); ++j) {
-            terms.push_back(system.graph.product(row[j], {{1, 1}, system.conjugates[j]}));
+            terms.push_back(system.graph.product(row[j], {{1, 1}, momenta[j]}));
         }
         result.push_back(system.graph.sum(std::move(terms)));
     }
@@ -103,7 +104,7 @@ bool is_diagonal(const Matrix& matrix) {
 }
 
 Hessian constant_terms(System& system) {
-    Hessian constant = system.hessian;
+    Hessian constant = hessian_of(system);
     for (Matrix* block : {&constant.qq, &constant.mixed, &constant.conjugates}) {
         for (std::vector<Scaled>& row : *block) {
             for (Scaled& entry : row) { entry = constant_terms(system.graph, entry); }
@@ -118,7 +119,7 @@ Hessian constant_terms(System& system) {
 ConstantTerms stiffness(System& system, const Matrix& qq) {
     std::vector<LinearStiffness> result;
     for (std::size_t k = 0; k < qq.size(); ++k) {
-        const Scaled value = system.graph.product(system.hessian.conjugates[k][k], qq[k][k]);
+        const Scaled value = system.graph.product(hessian_of(system).conjugates[k][k], qq[k][k]);
         if (!value.is_zero()) { result.push_back({k, value}); }
     }
     return result.empty() ? ConstantTerms{} : result;
@@ -126,7 +127,6 @@ ConstantTerms stiffness(System& system, const Matrix& qq) {
 
 /// NOTE: (Hpq Hpp; -Hqq -Hqp) with nothing but Hqq, or Hpp, has no square, and nothing is stiff.
 ConstantTerms constant_part(System& system, const Structure& found) {
-    if (system.side == Side::lagrangian || !system.rotations.empty()) { return {}; }
     Hessian constant = constant_terms(system);
     const bool is_by_components =
         found.kinetic_is_quadratic && is_diagonal(constant.qq) && is_diagonal(constant.conjugates);
@@ -143,39 +143,41 @@ void set_linear_part(Structure& found, System& system) {
         found.has_linear_map = found.has_linear_map && value;
         values.push_back(value.value_or(Graph::number(0)));
     };
-    for (const Scaled& slope : system.by_q) { add(found.by_q, slope); }
-    for (const Scaled& slope : system.by_conjugates) { add(found.by_p, slope); }
+    for (const Scaled& slope : by_coordinates(system)) { add(found.by_q, slope); }
+    for (const Scaled& slope : by_conjugates(system)) { add(found.by_p, slope); }
 }
 
 /// NOTE: not the sums of qq_ij v_j: as the gradient of v dH/dq it costs as much as a few dH/dq,
 /// however many degrees of freedom there are.
 void set_direction(Structure& found, System& system) {
+    const std::vector<Scaled> slopes = by_coordinates(system);
     std::vector<Scaled> terms;
-    for (std::size_t k = 0; k < system.degrees_of_freedom(); ++k) {
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
         const Scaled v = system.graph.input("direction " + std::to_string(k), Role::direction);
         found.direction.push_back(v.node);
-        terms.push_back(system.graph.product(v, system.by_q[k]));
+        terms.push_back(system.graph.product(v, slopes[k]));
     }
     const Scaled along = system.graph.sum(std::move(terms));
-    found.qq_along = gradient(system.graph, along, system.q);
+    found.qq_along = gradient(system.graph, along, coordinate_nodes(system));
 }
 
-}  // namespace
-
+/// Second derivatives, added to the graph; what is proved to be constant does not vary in it.
 Hessian hessian(System& system) {
     Hessian second;
     Graph& graph = system.graph;
-    for (std::size_t i = 0; i < system.degrees_of_freedom(); ++i) {
-        second.qq.push_back(by_turns(system, gradient(graph, system.by_q[i], system.q)));
-        second.mixed.push_back(gradient(graph, system.by_q[i], system.conjugates));
-        second.conjugates.push_back(gradient(graph, system.by_conjugates[i], system.conjugates));
+    const std::vector<Node> q = coordinate_nodes(system), y = conjugate_nodes(system);
+    const std::vector<Scaled> by_q = by_coordinates(system), by_y = by_conjugates(system);
+    for (std::size_t i = 0; i < by_q.size(); ++i) {
+        second.qq.push_back(by_turns(system, gradient(graph, by_q[i], q)));
+        second.mixed.push_back(gradient(graph, by_q[i], y));
+        second.conjugates.push_back(gradient(graph, by_y[i], y));
     }
-    if (system.rotations.empty()) { share_zeros(second.qq); }
+    if (rotations_of(system) == 0) { share_zeros(second.qq); }
     share_zeros(second.conjugates);
     // NOTE: the derivatives of a function with a kink are constant on both sides of it, and not
     // one. And where one block is not constant, what the others are is of no use.
-    static_cast<void>(!has_kinks(graph, system.by_conjugates) && settle(graph, second.conjugates) &&
-                      !has_kinks(graph, system.by_q) && settle(graph, second.mixed) &&
+    static_cast<void>(!has_kinks(graph, by_y) && settle(graph, second.conjugates) &&
+                      !has_kinks(graph, by_q) && settle(graph, second.mixed) &&
                       settle(graph, second.qq));
     return second;
 }
@@ -183,12 +185,13 @@ Hessian hessian(System& system) {
 Structure structure(System& system) {
     Structure found;
     const Graph& graph = system.graph;
-    const auto& [qq, mixed, pp] = system.hessian;
-    found.is_separable = !depends_on(graph, system.by_q, Role::conjugate) &&
-                         !depends_on(graph, system.by_conjugates, Role::coordinate) &&
-                         !depends_on(graph, system.by_conjugates, Role::time);
-    const bool is_smooth_in_p = !has_kinks(graph, system.by_conjugates);
-    const bool is_smooth_in_q = !has_kinks(graph, system.by_q);
+    const auto& [qq, mixed, pp] = hessian_of(system);
+    const std::vector<Scaled> by_q = by_coordinates(system), by_p = by_conjugates(system);
+    found.is_separable = !depends_on(graph, by_q, Role::conjugate) &&
+                         !depends_on(graph, by_p, Role::coordinate) &&
+                         !depends_on(graph, by_p, Role::time);
+    const bool is_smooth_in_p = !has_kinks(graph, by_p);
+    const bool is_smooth_in_q = !has_kinks(graph, by_q);
     found.kinetic_is_quadratic = found.is_separable && is_smooth_in_p && is_constant(graph, pp);
     if (found.kinetic_is_quadratic) {
         found.has_diagonal_mass = is_diagonal(pp);
@@ -203,6 +206,16 @@ Structure structure(System& system) {
     found.is_linear_in_p = is_smooth_in_p && is_zero(pp);
     found.is_linear_in_q = is_smooth_in_q && is_zero(qq);
     return found;
+}
+
+}  // namespace
+
+System with_structure(System system) {
+    system.second = hessian(system);
+    if (system.side == Side::hamiltonian && rotations_of(system) == 0) {
+        system.structure = structure(system);
+    }
+    return system;
 }
 
 }  // namespace hvi::gen

@@ -6,11 +6,9 @@
 
 namespace hvi::gen {
 
-/// Of H or L, added to the graph; what is proved to be constant does not vary in it. Precondition:
-/// the gradient is there.
-[[nodiscard]] Hessian hessian(System& system);
-
-/// What H is made of. Precondition: the Hessian is there, and it is that of H.
-[[nodiscard]] Structure structure(System& system);
+/// The system with its second derivatives, and with its structure where it is an H of numbers: no
+/// step for an L, or of rotations, takes anything of that. Precondition: it is written out, and its
+/// slopes are there.
+[[nodiscard]] System with_structure(System system);
 
 }  // namespace hvi::gen

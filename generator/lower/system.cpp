@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/kernel.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/lower/structure.hpp"
 #include "generator/lower/turns.hpp"
@@ -23,37 +24,103 @@ struct NamedSystem {
         symbols[name] = node;
         return node.node;
     }
+
+    /// The numbers of a family, with their names as inputs.
+    void add(FamilyKind kind, SystemFamily family, const std::vector<std::string>& names) {
+        const bool is_q = kind == FamilyKind::coordinate;
+        std::vector<SystemFamily>& families = is_q ? system.coordinates : system.conjugates;
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const Node node = input(names[k], is_q ? Role::coordinate : Role::conjugate);
+            system.accesses.push_back({kind, families.size(), {}, node, k});
+        }
+        families.push_back(std::move(family));
+    }
+
+    /// Numbers by their names, then those of rotations.
+    void add(FamilyKind kind, const std::vector<std::string>& names,
+             const std::vector<RotationNames>& rotations) {
+        const bool is_q = kind == FamilyKind::coordinate;
+        const Space& space = is_q ? rotations_of_space : angular_momenta;
+        const std::size_t numbers = names.size() - space.point * rotations.size();
+        for (std::size_t k = 0; k < numbers; ++k) { add(kind, {names[k]}, {names[k]}); }
+        for (const RotationNames& each : rotations) {
+            const std::string& name = is_q ? each.rotation : each.momentum;
+            add(kind, {name, {}, space}, is_q ? entries_of(name) : components_of(name));
+        }
+    }
 };
 
-void add_gradient(System& system) {
-    std::vector<Node> variables = system.q;
-    variables.insert(variables.end(), system.conjugates.begin(), system.conjugates.end());
-    const std::vector<Scaled> slopes = gradient(system.graph, system.function, variables);
-    const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(system.q.size());
-    system.by_q = by_turns(system, {slopes.begin(), middle});
-    system.by_conjugates.assign(middle, slopes.end());
+void add_variables(NamedSystem& result, const Hamiltonian& hamiltonian) {
+    result.add(FamilyKind::coordinate, hamiltonian.coordinates, hamiltonian.rotations);
+    result.add(FamilyKind::conjugate, hamiltonian.momenta, hamiltonian.rotations);
 }
 
-void set_variables(System& system, const Hamiltonian& hamiltonian) {
-    system.momenta = hamiltonian.momenta;
-    for (const RotationNames& names : hamiltonian.rotations) {
-        system.rotations.push_back({names.rotation, names.momentum});
+void add_variables(NamedSystem& result, const Lagrangian& lagrangian) {
+    result.system.side = Side::lagrangian;
+    result.system.momenta = momentum_names(lagrangian);
+    result.add(FamilyKind::coordinate, lagrangian.coordinates, {});
+    result.add(FamilyKind::conjugate, lagrangian.velocities, {});
+}
+
+/// What derivatives by a rotation are by, as accesses.
+void add_turns(System& system) {
+    for (std::size_t f = flat_coordinates(system); f < system.coordinates.size(); ++f) {
+        for (std::size_t axis = 0; axis < system.coordinates[f].space.tangent; ++axis) {
+            system.accesses.push_back({FamilyKind::turn, f, {}, 0, axis});
+        }
     }
 }
 
-void set_variables(System& system, const Lagrangian& lagrangian) {
-    system.side = Side::lagrangian;
-    system.momenta = momentum_names(lagrangian);
-    system.velocities = lagrangian.velocities;
+std::vector<AccessSlope> slopes(const System& system, FamilyKind kind,
+                                const std::vector<Scaled>& values) {
+    std::vector<AccessSlope> result;
+    std::size_t degree = 0;
+    for (std::size_t k = 0; k < system.accesses.size(); ++k) {
+        const Access& access = system.accesses[k];
+        const bool is_degree =
+            kind == FamilyKind::conjugate
+                ? access.kind == kind
+                : access.kind == FamilyKind::turn ||
+                      (access.kind == kind && system.family(access).space == real_line);
+        if (!is_degree) { continue; }
+        if (!values[degree].is_zero()) { result.push_back({k, values[degree]}); }
+        ++degree;
+    }
+    return result;
+}
+
+/// A value as a sum without loops.
+SystemSum term(const System& system, const Scaled& value) {
+    const Kernel whole = kernel(system.graph, {value});
+    SystemSum sum{{}, value, {}, {}, {}};
+    for (std::size_t k = 0; k < system.accesses.size(); ++k) {
+        const Access& access = system.accesses[k];
+        const bool is_used = access.kind != FamilyKind::turn && whole.uses[access.node] != 0;
+        if (is_used) { sum.accesses.push_back(k); }
+    }
+    return sum;
+}
+
+/// The sum with its derivatives.
+SystemSum differentiated(System& system, SystemSum sum) {
+    const std::vector<Node> q = coordinate_nodes(system);
+    std::vector<Node> variables = q;
+    for (const Node node : conjugate_nodes(system)) { variables.push_back(node); }
+    const std::vector<Scaled> by_all = gradient(system.graph, sum.value, variables);
+    const auto middle = by_all.begin() + static_cast<std::ptrdiff_t>(q.size());
+    sum.by_q = slopes(system, FamilyKind::coordinate, by_turns(system, {by_all.begin(), middle}));
+    sum.by_conjugates = slopes(system, FamilyKind::conjugate, {middle, by_all.end()});
+    return sum;
 }
 
 /// H, or v dL/dv - L.
 Scaled energy(System& system) {
-    if (system.side == Side::hamiltonian) { return system.function; }
-    std::vector<Scaled> terms{system.graph.times({-1, 1}, system.function)};
-    for (std::size_t k = 0; k < system.conjugates.size(); ++k) {
-        terms.push_back(
-            system.graph.product({{1, 1}, system.conjugates[k]}, system.by_conjugates[k]));
+    if (system.side == Side::hamiltonian) { return function_of(system); }
+    std::vector<Scaled> terms{system.graph.times({-1, 1}, function_of(system))};
+    const std::vector<Node> v = conjugate_nodes(system);
+    const std::vector<Scaled> momenta = by_conjugates(system);
+    for (std::size_t k = 0; k < v.size(); ++k) {
+        terms.push_back(system.graph.product({{1, 1}, v[k]}, momenta[k]));
     }
     return system.graph.sum(std::move(terms));
 }
@@ -63,28 +130,18 @@ NamedSystem named_system(const Function& function, const std::vector<std::string
     NamedSystem result;
     System& system = result.system;
     system.expression = function.expression;
-    system.coordinates = function.coordinates;
-    set_variables(system, function);
-    const bool has_velocities = system.side == Side::lagrangian;
-    for (const std::string& name : system.coordinates) {
-        system.q.push_back(result.input(name, Role::coordinate));
-    }
-    for (const std::string& name : has_velocities ? system.velocities : system.momenta) {
-        system.conjugates.push_back(result.input(name, Role::conjugate));
-    }
+    add_variables(result, function);
     if (depends_on_time(function)) { system.time = result.input("t", Role::time); }
     for (const std::string& name : parameters) { result.input(name, Role::parameter); }
     for (const Parameter& fixed : function.parameters) {
         result.symbols[fixed.name] = lower(system.graph, fixed.value, {}, fixed.place.source);
     }
-    system.function = lower(system.graph, function.expression, result.symbols, function.source);
-    add_gradient(system);
-    system.hessian = hessian(system);
-    // NOTE: no step for an L, or of rotations, takes anything of that.
-    if (system.side == Side::hamiltonian && system.rotations.empty()) {
-        system.structure = structure(system);
-    }
-    system.energy = energy(system);
+    const Scaled value = lower(system.graph, function.expression, result.symbols, function.source);
+    const SystemSum whole = term(system, value);
+    add_turns(system);
+    system.sums = {differentiated(system, whole)};
+    system = with_structure(std::move(system));
+    system.energy = {term(system, energy(system))};
     return result;
 }
 
@@ -92,9 +149,33 @@ std::vector<SystemValue> values(NamedSystem& into,
                                 const std::vector<NamedExpression>& expressions) {
     std::vector<SystemValue> result;
     for (const NamedExpression& each : expressions) {
-        result.push_back(
-            {each.name, each.expression,
-             lower(into.system.graph, each.expression, into.symbols, each.place.source)});
+        const Scaled value =
+            lower(into.system.graph, each.expression, into.symbols, each.place.source);
+        result.push_back({each.name, each.expression, {term(into.system, value)}});
+    }
+    return result;
+}
+
+/// Where each family begins; nothing where there are no expressions.
+std::vector<SystemStart> starts(NamedSystem& into,
+                                const std::vector<NamedExpression>& expressions) {
+    std::vector<SystemStart> result;
+    if (expressions.empty()) { return result; }
+    std::size_t next = 0;
+    for (const auto* families : {&into.system.coordinates, &into.system.conjugates}) {
+        for (const SystemFamily& family : *families) {
+            std::vector<Scaled> numbers;
+            for (std::size_t k = 0; k < family.space.point; ++k, ++next) {
+                const NamedExpression& each = expressions.at(next);
+                numbers.push_back(
+                    lower(into.system.graph, each.expression, into.symbols, each.place.source));
+            }
+            if (numbers.size() == 1) {
+                result.push_back({SystemStart::Rule{{}, numbers.front()}});
+            } else {
+                result.push_back({SystemStart::List{std::move(numbers)}});
+            }
+        }
     }
     return result;
 }
@@ -134,31 +215,46 @@ System system_of(const Scene& scene) {
     system.name = scene.name;
     system.description = scene.description;
     system.own_headers = scene.own.includes();
+    for (const auto& [name, value] : function_of(scene).sizes) {
+        system.sizes.push_back({name, value});
+    }
     for (const Parameter& parameter : parameters) {
         system.parameters.push_back(
             {parameter.name, parameter.value, result.symbols.at(parameter.name).node});
     }
-    system.initial = values(result, scene.initial);
+    system.initial = starts(result, scene.initial);
     system.invariants = values(result, scene.invariants);
     verify(system);
     return std::move(system);
 }
 
-SystemProperties properties(const System& system, const GradientKernels& gradients) {
-    return {
+SystemProperties properties(const System& system) {
+    const Structure& found = system.structure;
+    SystemProperties result{
         .side = system.side,
-        .is_separable = system.structure.is_separable,
+        .is_separable = found.is_separable,
         .depends_on_time = system.time.has_value(),
-        .kinetic_is_quadratic = system.structure.kinetic_is_quadratic,
-        .has_diagonal_mass = system.structure.has_diagonal_mass,
-        .has_linear_map = system.structure.has_linear_map,
-        .is_degenerate = system.rotations.empty() && is_degenerate(system.hessian),
+        .kinetic_is_quadratic = found.kinetic_is_quadratic,
+        .has_diagonal_mass = found.has_diagonal_mass,
+        .has_linear_map = found.has_linear_map,
         .degrees_of_freedom = system.degrees_of_freedom(),
-        .rotations = system.rotations.size(),
-        .linear = linear_part(system.structure.constant),
-        .costs = evaluation_costs(system, gradients),
-        .shared_slopes = gradients.shared.size(),
+        .rotations = rotations_of(system),
+        .linear = linear_part(found.constant),
+        .container = system.is_written_out() ? Container::arrays : Container::vectors,
+        .is_lattice = system.sites.has_value(),
+        .hessian = found.hessian,
     };
+    if (const auto* second = std::get_if<Hessian>(&system.second)) {
+        result.is_degenerate = result.rotations == 0 && is_degenerate(*second);
+    }
+    return result;
+}
+
+SystemProperties properties(const System& system, const GradientKernels& gradients) {
+    SystemProperties result = properties(system);
+    result.costs = evaluation_costs(system, gradients);
+    result.shared_slopes = gradients.shared.size();
+    return result;
 }
 
 }  // namespace hvi::gen

@@ -21,7 +21,8 @@ namespace hvi::gen {
 /// The same with all that a scene has. Of its parameters those of H that have a value are replaced.
 [[nodiscard]] System system_of(const Scene& scene);
 
-/// What is proved of it.
+/// What is proved of it. Costs of evaluations are those of a system that is written out.
+[[nodiscard]] SystemProperties properties(const System& system);
 [[nodiscard]] SystemProperties properties(const System& system, const GradientKernels& gradients);
 
 }  // namespace hvi::gen

@@ -10,7 +10,7 @@ void add_terms(std::vector<Scaled>& terms, System& system, const std::vector<Sca
                std::size_t first, std::size_t j, std::size_t k, long sign) {
     Graph& graph = system.graph;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Scaled R{{sign, 1}, system.q[first + 3 * i + j]};
+        const Scaled R{{sign, 1}, system.accesses[first + 3 * i + j].node};
         terms.push_back(graph.product(R, by_entries[first + 3 * i + k]));
     }
 }
@@ -18,10 +18,11 @@ void add_terms(std::vector<Scaled>& terms, System& system, const std::vector<Sca
 }  // namespace
 
 std::vector<Scaled> by_turns(System& system, const std::vector<Scaled>& by_entries) {
-    const std::size_t coordinates = system.q.size() - 9 * system.rotations.size();
+    const std::size_t coordinates = flat_coordinates(system);
     std::vector<Scaled> result(by_entries.begin(),
                                by_entries.begin() + static_cast<std::ptrdiff_t>(coordinates));
-    for (std::size_t first = coordinates; first < system.q.size(); first += 9) {
+    for (std::size_t first = coordinates; first < by_entries.size();
+         first += rotations_of_space.point) {
         for (std::size_t a = 0; a < 3; ++a) {
             const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
             std::vector<Scaled> terms;

@@ -23,6 +23,7 @@
 #include "generator/lower/system.hpp"
 #include "generator/options/wishes.hpp"
 #include "generator/plan/evaluations.hpp"
+#include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
@@ -42,17 +43,23 @@ struct MethodStepper {
 /// A stepper of a scene, and what was found on the way to it.
 struct SceneStepper {
     OneStepMethod method;
-    Scene scene;
     System system;
     Step step;
-    Evaluations evaluations;
+    std::optional<Evaluations> evaluations;  ///< of a system that is written out
     std::string class_name;
     std::string header;
+    std::vector<OwnHeader> own_headers;  ///< that it needs
 };
 
 /// The same. Throws InputError and MathError also for a scene that cannot start, an invariant that
 /// cannot be a member, and a solver that is not built for this H. Preconditions: those of lower().
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
+                                         const StepperWishes& wishes);
+
+/// The same with loops for the sums of the scene: the sizes are parameters of the class. Throws
+/// InputError and MathError as loop_system() does, too, and for what is wished for and not built
+/// for systems of any size.
+[[nodiscard]] SceneStepper scene_stepper(const Method& method, const IndexedScene& scene,
                                          const StepperWishes& wishes);
 
 }  // namespace hvi::gen

@@ -27,7 +27,7 @@ BlockKernel block(const Graph& graph, const HessianBlock& entries, bool is_symme
 SecondDerivatives blocks(const System& system, const Hessian& hessian, const Step& step) {
     const Graph& graph = system.graph;
     SecondDerivatives result;
-    result.qq = block(graph, hessian.qq, system.rotations.empty());
+    result.qq = block(graph, hessian.qq, rotations_of(system) == 0);
     if (std::holds_alternative<VelocityStep>(step.form)) { return result; }
     result.conjugates = block(graph, hessian.conjugates, true);
     if (!step.is_separable()) { result.mixed = block(graph, hessian.mixed, false); }
@@ -35,9 +35,9 @@ SecondDerivatives blocks(const System& system, const Hessian& hessian, const Ste
 }
 
 SecondDerivatives second_derivatives(const System& system, const Step& step) {
-    if (step.iteration()->takes_newton()) { return blocks(system, system.hessian, step); }
+    if (step.iteration()->takes_newton()) { return blocks(system, hessian_of(system), step); }
     SecondDerivatives result;
-    result.conjugates = block(system.graph, system.hessian.conjugates, true);
+    result.conjugates = block(system.graph, hessian_of(system).conjugates, true);
     return result;
 }
 
@@ -56,7 +56,7 @@ void add_linear_part(Evaluations& evaluations, const System& system, const Step&
 
 /// dH/dq, then these.
 Kernel force_and(const System& system, const std::vector<Node>& kept) {
-    std::vector<Scaled> values = system.by_q;
+    std::vector<Scaled> values = by_coordinates(system);
     for (const Node node : kept) { values.push_back({{1, 1}, node}); }
     return kernel(system.graph, std::move(values));
 }

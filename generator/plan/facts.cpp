@@ -38,7 +38,7 @@ std::string text(const SolverCosts& costs) {
 
 /// Of L = v^T M v/2 + a v - U.
 std::string kind_of_lagrangian(const System& system) {
-    for (const std::vector<Scaled>& row : system.hessian.conjugates) {
+    for (const std::vector<Scaled>& row : hessian_of(system).conjugates) {
         for (const Scaled& entry : row) {
             if (varies(system.graph.at(entry.node).roles)) {
                 return "L is quadratic in v, and the mass matrix d2L/dv2 is not constant";
@@ -51,9 +51,9 @@ std::string kind_of_lagrangian(const System& system) {
 std::string kind_of(const System& system) {
     const Structure& found = system.structure;
     if (system.side == Side::lagrangian) { return kind_of_lagrangian(system); }
-    if (!system.rotations.empty()) {
+    if (rotations_of(system) > 0) {
         return fmt::format("H is of {}, with three degrees of freedom each",
-                           counted(system.rotations.size(), "rotation"));
+                           counted(rotations_of(system), "rotation"));
     }
     if (found.is_quadratic) { return "H is quadratic: Hamilton's equations are linear"; }
     if (found.is_linear_in_p && found.is_linear_in_q) { return "H is linear in q and in p"; }
@@ -68,7 +68,7 @@ std::string kind_of(const System& system) {
 std::string names(const System& system, const std::vector<std::size_t>& degrees) {
     std::string result;
     for (const std::size_t i : degrees) {
-        result += (result.empty() ? "" : ", ") + system.coordinates[i];
+        result += (result.empty() ? "" : ", ") + system.coordinates[i].name;
     }
     return result;
 }
@@ -105,20 +105,44 @@ std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
                        counted(additions, "addition"));
 }
 
+/// Sums with loops, and what is found in these.
+std::vector<std::string> facts_of_loops(const System& system) {
+    std::vector<std::string> result{kind_of(system)};
+    if (system.structure.is_quadratic) { result.emplace_back("H = T(p) + U(q)"); }
+    for (const SystemSum& sum : system.sums) {
+        std::string loops;
+        for (const Loop& loop : sum.loops) {
+            loops += fmt::format("{}{} = {}..{}", loops.empty() ? "" : ", ", loop.index,
+                                 to_text(loop.range.first), to_text(loop.range.last));
+        }
+        result.push_back(fmt::format("{}{}, of {}", counted(sum.accesses.size(), "element"),
+                                     loops.empty() ? " in a summand" : " in a sum over " + loops,
+                                     sum.by_q.empty()            ? "momenta"
+                                     : sum.by_conjugates.empty() ? "coordinates"
+                                                                 : "both"));
+    }
+    if (system.sites) {
+        result.push_back(fmt::format("a lattice of {}: a force needs sites that are near",
+                                     counted(system.sites->ranges.size(), "index")));
+    }
+    return result;
+}
+
 }  // namespace
 
 std::vector<std::string> facts(const System& system) {
+    if (!system.is_written_out()) { return facts_of_loops(system); }
     const Structure& found = system.structure;
     const char f = system.function_letter();
     std::vector<std::string> result{kind_of(system)};
     if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
     if (system.time) { result.push_back(fmt::format("{} depends on the time", f)); }
-    const std::vector<std::size_t> cyclic = system.cyclic_coordinates();
+    const std::vector<std::size_t> cyclic = cyclic_coordinates(system);
     if (!cyclic.empty()) {
         result.push_back(fmt::format("{} does not depend on {}: the momenta are constant", f,
                                      names(system, cyclic)));
     }
-    const Entries second = entries(system.graph, system.hessian);
+    const Entries second = entries(system.graph, hessian_of(system));
     result.push_back(fmt::format("{} of {} second derivatives are not zero, {} constant",
                                  second.not_zero, second.all, second.constant));
     return result;
@@ -128,7 +152,7 @@ std::vector<std::string> costs(const System& system, const Step& step,
                                const Evaluations& evaluations) {
     const std::size_t n = system.degrees_of_freedom();
     // NOTE: the momenta of charts at the end of the step are solved for, too.
-    const std::size_t unknowns = n * step.unknowns() + 3 * system.rotations.size();
+    const std::size_t unknowns = n * step.unknowns() + 3 * rotations_of(system);
     if (const auto* map = std::get_if<TabulatedStep>(&step.form)) {
         return {cost_of_map(n, map->as == TabulatedStep::As::shears,
                             has_linear_part(system.structure))};

@@ -70,10 +70,12 @@ std::string obstacle_to_ensemble(const Step& step) {
 }
 
 void set_lanes(Step& step, Lanes wished, const SystemProperties& system) {
-    if (system.has_any_size && std::holds_alternative<VelocityStep>(step.form)) {
+    if (system.container == Container::vectors) {
+        if (!std::holds_alternative<VelocityStep>(step.form)) { return; }
         step.layout = Layout::components;
         step.decisions.push_back(
             {"the components of vectors are computed side by side", "there are many of them"});
+        return;
     }
     if (wished == Lanes::ensemble && obstacle_to_ensemble(step).empty()) {
         step.layout = Layout::trajectories;

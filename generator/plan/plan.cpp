@@ -307,8 +307,11 @@ void round_coefficients(const Step& step, ChartStep& form) { form.coefficients =
 void round_coefficients(const Step&, VelocityStep& form) { form.rounded = rounded(form.form); }
 void round_coefficients(const Step&, GalerkinStep& form) { form.rounded = rounded(form.form); }
 
-/// What is left to do once all is decided.
-Step completed(Step step) {
+/// What is left to do once all else is decided.
+Step completed(Step step, const SystemProperties& system) {
+    step.container = system.container;
+    const bool is_swept = system.is_lattice && std::holds_alternative<ExplicitStep>(step.form);
+    if (is_swept) { step.layout = Layout::sites; }
     std::visit([&](auto& form) { round_coefficients(step, form); }, step.form);
     verify(step);
     return step;
@@ -398,11 +401,11 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
              const StepWishes& wishes) {
     if (method.composition) {
         std::optional<Step> one_by_one = planned_in_a_row(tableau, method, system, wishes);
-        if (one_by_one) { return completed(*std::move(one_by_one)); }
+        if (one_by_one) { return completed(*std::move(one_by_one), system); }
     }
     Step step = planned_as_one(tableau, method, system, wishes);
     if (!method.composition) { set_extrapolation(step, {tableau.c, tableau.b}); }
-    return completed(std::move(step));
+    return completed(std::move(step), system);
 }
 
 /// By the general Galerkin form with its own unknowns. Decisions that are made are kept.
@@ -414,7 +417,7 @@ Step planned_as_curves(Step step, const OneStepMethod& method, const SystemPrope
     if (tableau != nullptr) { step.partner = partner(*tableau); }
     if (system.depends_on_time) { set_times(step, std::get<GalerkinStep>(step.form).form.c); }
     set_solver(step, solver_for(wishes), system);
-    return completed(std::move(step));
+    return completed(std::move(step), system);
 }
 
 /// By the map of the curve, or of several in a row.
@@ -427,7 +430,7 @@ Step planned_as_map(const OneStepMethod& method, TabulatedCurve curve,
     set_nodes(step, method, curve.form);
     note_composition(step, method);
     std::get<TabulatedStep>(step.form).tables = std::move(curve);
-    return completed(std::move(step));
+    return completed(std::move(step), system);
 }
 
 /// By positions alone. Precondition: set_rule() has set them.
@@ -444,7 +447,7 @@ Step planned_as_positions(Step step, const OneStepMethod& method, const Quadratu
     set_lanes(step, wishes.lanes, system);
     set_corrections(step, system);
     set_extrapolation(step, quadrature);
-    return completed(std::move(step));
+    return completed(std::move(step), system);
 }
 
 Step planned(const GalerkinRule& rule, const OneStepMethod& method, const SystemProperties& system,

@@ -62,9 +62,14 @@ void set_hessian(Step& step, HessianForm hessian) {
     }
 }
 
-/// NOTE: where the equations are linear, one correction solves them, with factors that are kept as
+/// NOTE: Newton's method for pairs is one of arrays. And where the equations are linear, one
+/// correction solves them, with factors that are kept as
 /// long as h is.
 Solver solver_of(const Step& step, Solver wished, const SystemProperties& system) {
+    const bool are_pairs = std::holds_alternative<PairStep>(step.form);
+    if (are_pairs && system.container == Container::vectors && wished == Solver::automatic) {
+        return Solver::fixed_point;
+    }
     const bool is_linear = system.has_linear_map && has_factors(system.hessian) &&
                            std::holds_alternative<VelocityStep>(step.form);
     return wished == Solver::automatic && is_linear ? Solver::newton : wished;
@@ -133,7 +138,7 @@ void set_solver(Step& step, Solver wished, const SystemProperties& system) {
     Iteration* iteration = iteration_of(step);
     if (iteration == nullptr) { return; }
     iteration->solver = solver_of(step, wished, system);
-    if (iteration->solver != wished) {
+    if (iteration->solver == Solver::newton && wished != Solver::newton) {
         step.decisions.push_back({"Newton's method, which keeps its factors while h stays",
                                   "H is quadratic: the equations are linear"});
     }

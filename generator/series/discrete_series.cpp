@@ -224,9 +224,10 @@ std::optional<bool> Series::are_equal(const std::optional<SeriesTrees>& trees) {
 }
 
 void check_smooth(const Hamiltonian& hamiltonian, const System& system) {
-    std::vector<Scaled> slopes = system.by_q;
-    slopes.insert(slopes.end(), system.by_conjugates.begin(), system.by_conjugates.end());
-    slopes.push_back(system.function);
+    std::vector<Scaled> slopes = by_coordinates(system);
+    const std::vector<Scaled> by_p = by_conjugates(system);
+    slopes.insert(slopes.end(), by_p.begin(), by_p.end());
+    slopes.push_back(function_of(system));
     if (!has_kinks(system.graph, slopes)) { return; }
     throw MathError("the series have derivatives of H of all orders, and H is not smooth",
                     Place{hamiltonian.source, hamiltonian.expression.range},

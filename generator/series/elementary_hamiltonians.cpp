@@ -47,10 +47,10 @@ auto ElementaryHamiltonians<Values>::on_arrow(const SeriesTree& branch) -> std::
 template <class Values>
 auto ElementaryHamiltonians<Values>::on_link(const SeriesTree& branch) -> std::vector<Value> {
     std::vector<Value> result(edges_, Values::integer(0));
-    for (std::size_t e = 0; e < system_.conjugates.size(); ++e) {
+    for (std::size_t e = 0; e < system_.degrees_of_freedom(); ++e) {
         const Value below = at_vertex(branch, {variable(e, End::link)}, 0);
         if (Values::is_zero(below)) { continue; }
-        for (std::size_t d = 0; d < system_.conjugates.size(); ++d) {
+        for (std::size_t d = 0; d < system_.degrees_of_freedom(); ++d) {
             count_product();
             result[d] = Values::sum(result[d], Values::product(inverse_pp()[d][e], below));
         }
@@ -62,7 +62,7 @@ template <class Values>
 auto ElementaryHamiltonians<Values>::inverse_pp() -> const std::vector<std::vector<Value>>& {
     if (inverse_pp_) { return *inverse_pp_; }
     std::vector<std::vector<Value>> pp;
-    for (const std::vector<Scaled>& row : system_.hessian.conjugates) {
+    for (const std::vector<Scaled>& row : hessian_of(system_).conjugates) {
         pp.emplace_back();
         for (const Scaled& entry : row) { pp.back().push_back(values_(entry)); }
     }

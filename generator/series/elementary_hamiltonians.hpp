@@ -29,11 +29,14 @@ public:
     /// Gets the system's graph, and what else `Values` are made of.
     template <class What>
     ElementaryHamiltonians(System system, const What& what)
-        : system_(std::move(system)), inputs_(system_.q), values_(system_.graph, what) {
+        : system_(std::move(system)),
+          inputs_(coordinate_nodes(system_)),
+          values_(system_.graph, what) {
         if (system_.time) { inputs_.push_back(*system_.time); }
         edges_ = inputs_.size();
-        inputs_.insert(inputs_.end(), system_.conjugates.begin(), system_.conjugates.end());
-        nodes_.emplace(Index(), system_.function);
+        const std::vector<Node> momenta = conjugate_nodes(system_);
+        inputs_.insert(inputs_.end(), momenta.begin(), momenta.end());
+        nodes_.emplace(Index(), function_of(system_));
     }
     ElementaryHamiltonians(const ElementaryHamiltonians&) = delete;
     ElementaryHamiltonians& operator=(const ElementaryHamiltonians&) = delete;

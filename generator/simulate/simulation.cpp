@@ -47,7 +47,7 @@ ProgramText program_around(const std::string& stepper, const std::vector<OwnHead
 
 ProgramText program_around(const SceneStepper& stepper, std::string_view main, const Holes& holes,
                            const std::vector<std::string>& libraries) {
-    return program_around(stepper.header, stepper.scene.own.headers, main, holes, libraries);
+    return program_around(stepper.header, stepper.own_headers, main, holes, libraries);
 }
 
 std::vector<std::string> conserved_names(const System& system) {
@@ -66,16 +66,17 @@ std::vector<NameBox> column_names(const RunSubject& subject) {
 
 namespace {
 
-std::vector<NameBox> boxes(const std::vector<std::string>& names) {
+std::vector<NameBox> boxes(const System& system, FamilyKind kind) {
     std::vector<NameBox> result;
-    for (const std::string& name : names) result.push_back(name_box(name));
-    return result;
-}
-
-std::vector<NameBox> boxes(const std::vector<LoopFamily>& families,
-                           const std::map<std::string, long>& sizes) {
-    std::vector<NameBox> result;
-    for (const LoopFamily& family : families) {
+    if (system.is_written_out()) {
+        for (const Access& access : system.accesses)
+            if (access.kind == kind) result.push_back(name_box(system.graph.at(access.node).name));
+        return result;
+    }
+    std::map<std::string, long> sizes;
+    for (const SystemSize& size : system.sizes) sizes[size.name] = size.value;
+    const bool is_q = kind == FamilyKind::coordinate;
+    for (const SystemFamily& family : is_q ? system.coordinates : system.conjugates) {
         result.push_back({family.name, {}});
         for (const LoopRange& range : family.ranges)
             result.back().ranges.push_back({range.first.at(sizes), range.last.at(sizes)});
@@ -83,10 +84,12 @@ std::vector<NameBox> boxes(const std::vector<LoopFamily>& families,
     return result;
 }
 
-std::vector<std::string> conserved_names(const LoopSystem& system) {
-    std::vector<std::string> names{"energy"};
-    for (const LoopInvariant& invariant : system.invariants) names.push_back(invariant.name);
-    return names;
+/// NOTE: of a Lagrangian the momenta are names alone.
+std::vector<NameBox> boxes_of_momenta(const System& system) {
+    if (system.side == Side::hamiltonian) return boxes(system, FamilyKind::conjugate);
+    std::vector<NameBox> result;
+    for (const std::string& name : system.momenta) result.push_back(name_box(name));
+    return result;
 }
 
 }  // namespace
@@ -94,31 +97,18 @@ std::vector<std::string> conserved_names(const LoopSystem& system) {
 RunSubject run_subject(const SceneStepper& stepper) {
     check_simulation(stepper);
     const System& system = stepper.system;
-    return {.scene = stepper.scene.name,
-            .description = stepper.scene.description,
-            .method = stepper.method.name(),
-            .title = stepper.method.title(),
-            .function_letter = system.function_letter(),
-            .coordinates = boxes(system.coordinates),
-            .momenta = boxes(system.momenta),
-            .conserved = conserved_names(system),
-            .sizes = function_of(stepper.scene).sizes,
-            .program = simulation_program(stepper)};
-}
-
-RunSubject run_subject(const LoopStepper& stepper) {
-    const LoopSystem& system = stepper.system;
-    std::map<std::string, long> sizes;
-    for (const LoopSize& size : system.sizes) sizes[size.name] = size.value;
-    return {.scene = system.name,
-            .description = system.description,
-            .method = stepper.method.name(),
-            .title = stepper.method.title(),
-            .coordinates = boxes(system.coordinates, sizes),
-            .momenta = boxes(system.momenta, sizes),
-            .conserved = conserved_names(system),
-            .sizes = {sizes.begin(), sizes.end()},
-            .program = simulation_program(stepper)};
+    RunSubject subject{.scene = system.name,
+                       .description = system.description,
+                       .method = stepper.method.name(),
+                       .title = stepper.method.title(),
+                       .function_letter = system.function_letter(),
+                       .coordinates = boxes(system, FamilyKind::coordinate),
+                       .momenta = boxes_of_momenta(system),
+                       .conserved = conserved_names(system),
+                       .sizes = {},
+                       .program = simulation_program(stepper)};
+    for (const SystemSize& size : system.sizes) subject.sizes[size.name] = size.value;
+    return subject;
 }
 
 void check_simulation(const SceneStepper& stepper) {
@@ -138,25 +128,17 @@ StepperWishes simulation_wishes(Solver solver, std::optional<Composition> compos
             .composition = std::move(composition)};
 }
 
-ProgramText simulation_program(const SceneStepper& stepper) { return driver_program(stepper, {}); }
-
 namespace {
 
-ProgramText program_around(const LoopStepper& stepper, std::string_view main, const Holes& holes) {
-    return program_around(stepper.header, stepper.own_headers, main, holes, {});
-}
-
 /// NOTE: files are found from wherever the program is started.
-std::string parameters_of(const LoopStepper& stepper) {
+std::string parameters_of(const SceneStepper& stepper) {
     if (!stepper.system.reads_files()) return "Stepper::Parameters{}";
     const std::filesystem::path directory =
         std::filesystem::absolute("." / stepper.system.directory);
     return fmt::format("Stepper::read_parameters({})", text_literal(directory.string()));
 }
 
-}  // namespace
-
-ProgramText simulation_program(const LoopStepper& stepper) {
+ProgramText large_program(const SceneStepper& stepper) {
     const std::vector<std::string> conserved = conserved_names(stepper.system);
     return program_around(stepper, "large_driver.cpp.in",
                           {{"stepper", stepper.class_name},
@@ -164,6 +146,13 @@ ProgramText simulation_program(const LoopStepper& stepper) {
                            {"count", std::to_string(conserved.size())},
                            {"parameters", parameters_of(stepper)},
                            {"values", values(conserved)}});
+}
+
+}  // namespace
+
+ProgramText simulation_program(const SceneStepper& stepper) {
+    return stepper.step.container == Container::vectors ? large_program(stepper)
+                                                        : driver_program(stepper, {});
 }
 
 ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
@@ -186,16 +175,14 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
 }
 
 ProgramText reference_program(const SceneStepper& stepper) {
-    const bool has_own = !stepper.scene.own.functions.empty();
-    return program_around(stepper, "reference.cpp.in",
-                          {{"stepper", stepper.class_name},
-                           {"number", has_own ? "long double" : "hvi::math::Widest"}});
-}
-
-ProgramText reference_program(const LoopStepper& stepper) {
+    if (stepper.step.container == Container::vectors)
+        return program_around(
+            stepper, "large_reference.cpp.in",
+            {{"stepper", stepper.class_name}, {"parameters", parameters_of(stepper)}});
     return program_around(
-        stepper, "large_reference.cpp.in",
-        {{"stepper", stepper.class_name}, {"parameters", parameters_of(stepper)}});
+        stepper, "reference.cpp.in",
+        {{"stepper", stepper.class_name},
+         {"number", stepper.own_headers.empty() ? "hvi::math::Widest" : "long double"}});
 }
 
 ReferenceSolution find_reference(const std::filesystem::path& program, double until,

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "generator/emit/text/text.hpp"
-#include "generator/pipeline/loop_stepper.hpp"
 #include "generator/pipeline/stepper.hpp"
 #include "generator/program/cache.hpp"
 #include "generator/read/table_columns.hpp"
@@ -59,7 +58,6 @@ struct RunSubject {
 /// Precondition: the stepper is made as simulation_wishes() are. Throws InputError where a
 /// parameter of the method is left without a value.
 [[nodiscard]] RunSubject run_subject(const SceneStepper& stepper);
-[[nodiscard]] RunSubject run_subject(const LoopStepper& stepper);
 
 /// The names of what a run keeps: the energy, where H does not depend on the time, and invariants.
 [[nodiscard]] std::vector<std::string> conserved_names(const System& system);
@@ -98,18 +96,13 @@ struct Driver {
     std::vector<std::string> libraries = {};  ///< that it is linked with
 };
 
-/// The same of a scene of any size.
-[[nodiscard]] ProgramText simulation_program(const LoopStepper& stepper);
-
-/// The same with another driver.
+/// The same with another driver. Precondition: the system is written out.
 [[nodiscard]] ProgramText driver_program(const SceneStepper& stepper, const Driver& driver);
 
 /// The program of find_reference(), in the widest numbers that there are, or, with functions of the
-/// user's own, in long double. Precondition: `stepper` is made with float128.
+/// user's own, in long double; of vectors of any size that of write_reference() and write_start().
+/// Precondition: of arrays `stepper` is made with float128.
 [[nodiscard]] ProgramText reference_program(const SceneStepper& stepper);
-
-/// The program of write_reference() and write_start().
-[[nodiscard]] ProgramText reference_program(const LoopStepper& stepper);
 
 /// A solution in more digits than a double has, at its end.
 struct ReferenceSolution {

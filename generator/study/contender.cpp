@@ -50,7 +50,7 @@ Contender contender(Builds& builds, const ComposedMethod& method, const Scene& s
 }
 
 Contender contender(Builds& builds, const ComposedMethod& method, const IndexedScene& scene) {
-    const LoopStepper stepper = loop_stepper(
+    const SceneStepper stepper = scene_stepper(
         method.method, scene, simulation_wishes(Solver::automatic, method.composition));
     return {stepper.method.title(), order_of(stepper.method),
             builds.order(simulation_program(stepper))};

@@ -27,7 +27,7 @@ struct Contender {
 [[nodiscard]] Contender contender(Builds& builds, const ComposedMethod& method, const Scene& scene,
                                   Solver solver);
 
-/// The same on a scene of any size. Throws what loop_stepper() does.
+/// The same on a scene of any size.
 [[nodiscard]] Contender contender(Builds& builds, const ComposedMethod& method,
                                   const IndexedScene& scene);
 

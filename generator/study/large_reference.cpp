@@ -71,16 +71,16 @@ IndexedScene exact_at(IndexedScene scene, double until) {
     return scene;
 }
 
-LoopStepper stepper_by(const char* method, const IndexedScene& scene) {
+SceneStepper stepper_by(const char* method, const IndexedScene& scene) {
     const auto name = std::make_shared<const Source>(Source{"--methods", method});
     const ComposedMethod composed = composed_method(name);
-    return loop_stepper(composed.method, scene, {.composition = composed.composition});
+    return scene_stepper(composed.method, scene, {.composition = composed.composition});
 }
 
 /// A stepper of high order.
-LoopStepper fine_stepper(const IndexedScene& scene) {
-    LoopStepper stepper = stepper_by(explicit_method, scene);
-    if (stepper.system.is_separable()) return stepper;
+SceneStepper fine_stepper(const IndexedScene& scene) {
+    SceneStepper stepper = stepper_by(explicit_method, scene);
+    if (stepper.step.is_separable()) return stepper;
     return stepper_by(implicit_method, scene);
 }
 
@@ -92,7 +92,7 @@ LargeReference::LargeReference(Builds& builds, const IndexedScene& scene, double
     : until_(until),
       directory_(temporary_files(), "hvi-gen-reference"),
       file_(directory_.path() / "end") {
-    const LoopStepper stepper =
+    const SceneStepper stepper =
         scene.exact ? stepper_by(explicit_method, exact_at(scene, until)) : fine_stepper(scene);
     if (!scene.exact) method_ = stepper.method.title();
     build_ = builds.order(reference_program(stepper));

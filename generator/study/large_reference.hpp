@@ -16,7 +16,7 @@ namespace hvi::gen {
 /// An end that is in a file: programs read it there, as it is long.
 class LargeReference {
 public:
-    /// Orders the program. Throws what loop_stepper() does, for the scene's [exact] too.
+    /// Orders the program. Throws what scene_stepper() does, for the scene's [exact] too.
     LargeReference(Builds& builds, const IndexedScene& scene, double until);
 
     void wait() const { static_cast<void>(built(build_)); }

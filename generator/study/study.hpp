@@ -31,7 +31,7 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent);
 
 /// The same of a scene of any size, by steppers with loops. Without libraries: wishes.libraries is
-/// not looked at. Throws as loop_stepper(), a Build and ask() do.
+/// not looked at. Throws as scene_stepper(), a Build and ask() do.
 void study(Builds& builds, const IndexedScene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent);
 

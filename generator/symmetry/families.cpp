@@ -83,10 +83,10 @@ class FamilyScene {
 public:
     explicit FamilyScene(const IndexedScene& scene)
         : scene_(scene), system_(loop_system(scene)), groups_(groups_of(system_.sums)) {
-        for (const LoopFamily& family : system_.coordinates) {
+        for (const SystemFamily& family : system_.coordinates) {
             const auto same = std::find_if(
                 system_.coordinates.begin(), system_.coordinates.end(),
-                [&](const LoopFamily& other) { return other.ranges == family.ranges; });
+                [&](const SystemFamily& other) { return other.ranges == family.ranges; });
             shapes_.push_back(static_cast<std::size_t>(same - system_.coordinates.begin()));
             nests_.push_back(nest_of(family));
         }
@@ -122,9 +122,9 @@ public:
 
 private:
     /// Those with the same loops, by whatever names. A value that is too long is left out.
-    [[nodiscard]] std::vector<Group> groups_of(const std::vector<LoopSum>& sums) const {
+    [[nodiscard]] std::vector<Group> groups_of(const std::vector<SystemSum>& sums) const {
         std::vector<Group> groups;
-        for (const LoopSum& sum : sums) {
+        for (const SystemSum& sum : sums) {
             std::optional<IndexNames> names;
             Group* target = nullptr;
             for (Group& group : groups) {
@@ -153,15 +153,15 @@ private:
     [[nodiscard]] bool is_written() const { return !groups_.empty(); }
 
     /// The loops over all elements of a family.
-    [[nodiscard]] std::vector<Loop> nest_of(const LoopFamily& family) const {
+    [[nodiscard]] std::vector<Loop> nest_of(const SystemFamily& family) const {
         for (const Group& group : groups_)
             if (covers(group.loops, family)) return group.loops;
         std::vector<Loop> loops;
         std::set<std::string> taken{"i"};
-        for (const LoopFamily& each : system_.coordinates) taken.insert(each.name);
-        for (const LoopFamily& each : system_.momenta) taken.insert(each.name);
+        for (const SystemFamily& each : system_.coordinates) taken.insert(each.name);
+        for (const SystemFamily& each : system_.conjugates) taken.insert(each.name);
         for (const SystemParameter& each : system_.parameters) taken.insert(each.name);
-        for (const LoopSize& each : system_.sizes) taken.insert(each.name);
+        for (const SystemSize& each : system_.sizes) taken.insert(each.name);
         taken.erase("i");
         for (const LoopRange& range : family.ranges) {
             std::string name(1, static_cast<char>('i' + loops.size()));
@@ -171,7 +171,7 @@ private:
         return loops;
     }
 
-    [[nodiscard]] static bool covers(const std::vector<Loop>& loops, const LoopFamily& family) {
+    [[nodiscard]] static bool covers(const std::vector<Loop>& loops, const SystemFamily& family) {
         if (loops.size() != family.ranges.size()) return false;
         for (std::size_t d = 0; d < loops.size(); ++d)
             if (!(loops[d].range == family.ranges[d])) return false;
@@ -195,16 +195,16 @@ private:
             const Access& access = system_.accesses[number];
             const IndexNames names = names_in(system_.sums, group.loops);
             const std::string place = hvi::gen::place_of(access, names);
-            const LoopFamily& family = system_.family(access);
+            const SystemFamily& family = system_.family(access);
             const std::string symbol = element_name(family.name, place);
             if (!seen.insert(symbol).second) continue;
             if (access.kind == FamilyKind::coordinate)
                 result.coordinates.push_back({symbol, access.family, place});
-            else if (access.kind == FamilyKind::momentum)
+            else if (access.kind == FamilyKind::conjugate)
                 result.momenta.push_back({symbol, access.family, place});
             else
                 result.others.push_back(symbol);
-            if (access.kind == FamilyKind::momentum)
+            if (access.kind == FamilyKind::conjugate)
                 is_over_family =
                     is_over_family && covers(group.loops, family) && place == place_of(group.loops);
         }
@@ -212,7 +212,7 @@ private:
         return result;
     }
 
-    [[nodiscard]] Expression element(const LoopFamily& family, std::size_t number) const {
+    [[nodiscard]] Expression element(const SystemFamily& family, std::size_t number) const {
         if (family.ranges.empty()) return Expression::symbol(family.name);
         std::vector<Expression> indices;
         for (const Loop& loop : nests_[number]) indices.push_back(Expression::symbol(loop.index));
@@ -220,7 +220,7 @@ private:
     }
 
     [[nodiscard]] Expression q(std::size_t f) const { return element(system_.coordinates[f], f); }
-    [[nodiscard]] Expression p(std::size_t f) const { return element(system_.momenta[f], f); }
+    [[nodiscard]] Expression p(std::size_t f) const { return element(system_.conjugates[f], f); }
 
     /// Over all elements of a family.
     [[nodiscard]] Expression summed(Expression term, std::size_t family) const {
@@ -340,7 +340,7 @@ private:
         std::vector<std::string> variables;
     };
 
-    [[nodiscard]] std::optional<SummedUp> summed_up(const LoopInvariant& invariant) const {
+    [[nodiscard]] std::optional<SummedUp> summed_up(const SystemValue& invariant) const {
         const std::vector<Group> groups = groups_of(invariant.sums);
         if (groups.size() != 1) return {};
         for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
@@ -409,7 +409,7 @@ private:
     void set_invariants(SceneSymmetries& result, const std::vector<FamilyField>& fields) const {
         std::vector<SummedUp> all;
         for (std::size_t k = 0; k < system_.invariants.size(); ++k) {
-            const LoopInvariant& invariant = system_.invariants[k];
+            const SystemValue& invariant = system_.invariants[k];
             ConservedQuantity& quantity = result.invariants.emplace_back();
             quantity.name = invariant.name;
             quantity.expression = invariant.expression;
@@ -429,17 +429,17 @@ private:
     }
 
     /// How the indices of all sums with these loops are called in them.
-    [[nodiscard]] static IndexNames names_in(const std::vector<LoopSum>& sums,
+    [[nodiscard]] static IndexNames names_in(const std::vector<SystemSum>& sums,
                                              const std::vector<Loop>& loops) {
         IndexNames names;
-        for (const LoopSum& sum : sums)
+        for (const SystemSum& sum : sums)
             if (const auto found = renaming(sum.loops, loops))
                 names.insert(found->begin(), found->end());
         return names;
     }
 
     const IndexedScene& scene_;
-    LoopSystem system_;
+    System system_;
     std::vector<Group> groups_;
     std::vector<std::size_t> shapes_;       ///< of each family, the first one with its ranges
     std::vector<std::vector<Loop>> nests_;  ///< over all elements of each family

@@ -141,6 +141,7 @@ TEST_CASE("the dump of a step is stable") {
         "evaluate Lp_2\n"
         "kept: dH/dq\n"
         "form: explicit, plain sums\n"
+        "vectors: the user's\n"
         "lanes: one\n"
         "P_1 = P_2 is evaluated once: these stages are equal\n"
         "Q_1 is not solved for: it is q at the start of the step\n"

@@ -115,13 +115,14 @@ void check_values(const Hamiltonian& H, const Graph& graph, const std::vector<Sc
 
 void check_first(const Hamiltonian& H) {
     const System system = system_of(H, parameter_names(H));
-    check_values(H, system.graph, both(system.by_q, system.by_conjugates), both(gradient(H)));
+    check_values(H, system.graph, both(by_coordinates(system), by_conjugates(system)),
+                 both(gradient(H)));
 }
 
 /// Second derivatives: GiNaC's of its first ones.
 void check_second(const Hamiltonian& H) {
     const System system = system_of(H, parameter_names(H));
-    const Hessian& found = system.hessian;
+    const Hessian& found = hessian_of(system);
     const Gradient first = gradient(H);
     const auto again = [&](const Expression& derivative) {
         Hamiltonian slope = H;
@@ -139,7 +140,7 @@ void check_second(const Hamiltonian& H) {
 /// free. What is proved to differ fails.
 bool are_proved_same(const Hamiltonian& H) {
     const System system = system_of(H, parameter_names(H));
-    const std::vector<Scaled> found = both(system.by_q, system.by_conjugates);
+    const std::vector<Scaled> found = both(by_coordinates(system), by_conjugates(system));
     const std::vector<Expression> expected = both(gradient(H));
     bool all = true;
     for (std::size_t i = 0; i < found.size(); ++i) {

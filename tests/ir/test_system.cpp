@@ -1,9 +1,11 @@
 // The record of a system: what contradicts itself is found, and its text says all.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <memory>
+#include <functional>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
+#include "generator/lower/loop_system.hpp"
 #include "generator/lower/system.hpp"
 #include "tests/ir/is_found.hpp"
 
@@ -41,17 +43,71 @@ TEST_CASE("the text of a system says what each node computes") {
     CHECK_THAT(text, !Catch::Matchers::Contains("d2H/dq dp"));
     CHECK(scene(swing) == scene(swing));
     System other = scene(swing);
-    other.initial[1].value = other.initial[0].value;
+    other.initial[1] = other.initial[0];
     CHECK_FALSE(scene(swing) == other);
 }
 
 TEST_CASE("a system that contradicts itself is found") {
     const System right = scene(swing);
-    CHECK(is_found<System>(right, [](System& system) { system.by_q.clear(); }));
-    CHECK(is_found<System>(right, [](System& system) { system.q.clear(); }));
-    CHECK(is_found<System>(right, [](System& system) { system.hessian.conjugates.clear(); }));
-    CHECK(is_found<System>(right, [](System& system) { system.initial.pop_back(); }));
-    CHECK(is_found<System>(right, [](System& system) { system.structure.is_separable = false; }));
-    CHECK(is_found<System>(right, [](System& system) { system.structure.has_linear_map = true; }));
-    CHECK(is_found<System>(right, [](System& system) { system.invariants[0].value.node = 1000; }));
+    const auto is_wrong = [&](const std::function<void(System&)>& mistake) {
+        return is_found<System>(right, mistake);
+    };
+    CHECK(is_wrong([](System& system) { system.sums.clear(); }));
+    CHECK(is_wrong([](System& system) { system.sums[0].by_q[0].access = 1; }));
+    CHECK(is_wrong([](System& system) { system.accesses.pop_back(); }));
+    CHECK(is_wrong([](System& system) { std::get<Hessian>(system.second).conjugates.clear(); }));
+    CHECK(is_wrong([](System& system) { system.initial.pop_back(); }));
+    CHECK(is_wrong([](System& system) { system.conjugates.pop_back(); }));
+    CHECK(is_wrong([](System& system) { system.structure.is_separable = false; }));
+    CHECK(is_wrong([](System& system) { system.structure.has_linear_map = true; }));
+    CHECK(is_wrong([](System& system) { system.invariants[0].sums[0].value.node = 1000; }));
+}
+
+namespace {
+
+System chain() {
+    constexpr const char* text = R"toml(
+hamiltonian = "sum(i=1..N, p[i]^2/2) + sum(i=1..N-1, k[1]*(q[i+1] - q[i])^4)"
+coordinates = ["q[1..N]"]
+momenta = ["p[1..N]"]
+[parameters]
+N = 100
+k = ["1/4", 2]
+[initial]
+"q[i]" = "i"
+"p[i]" = 0
+)toml";
+    return loop_system(indexed_scene_from_toml(Source{"chain.toml", text}));
+}
+
+}  // namespace
+
+TEST_CASE("the text of a system with loops says what each sum is") {
+    const std::string text = dump(chain());
+    for (const char* line :
+         {"size N: 100\n", "coordinates: q[1..N]\n", "momenta: p[1..N]\n", "table: k[1..2]\n",
+          "found: H = T(p) + U(q)\n", "H over i = 1..N: 1/2 #", "H over i = 1..N - 1: #",
+          "  by q[i + 1]: ", "  by q[i]: ", "  by p[i]: #",
+          "d2H/dq[i + 1] dq[i] over i = 1..N - 1: ", "force on a site, q: 4 #",
+          "velocity of a site, p: #", "initial q[1..N]: i: #"}) {
+        CAPTURE(text, line);
+        CHECK_THAT(text, Catch::Matchers::Contains(line));
+    }
+    CHECK(chain() == chain());
+    System other = chain();
+    other.sizes[0].value = 101;
+    CHECK_FALSE(chain() == other);
+}
+
+TEST_CASE("a system with loops that contradicts itself is found") {
+    const System right = chain();
+    const auto is_wrong = [&](const std::function<void(System&)>& mistake) {
+        return is_found<System>(right, mistake);
+    };
+    CHECK(is_wrong([](System& system) { system.accesses[0].indices.clear(); }));
+    CHECK(is_wrong([](System& system) { system.accesses[0].node = 0; }));
+    CHECK(is_wrong([](System& system) { system.conjugates[0].ranges.clear(); }));
+    CHECK(is_wrong([](System& system) { system.sums[1].accesses.clear(); }));
+    CHECK(is_wrong([](System& system) { system.initial.pop_back(); }));
+    CHECK(is_wrong([](System& system) { std::swap(system.sums[0].by_q, system.sums[1].by_q); }));
 }

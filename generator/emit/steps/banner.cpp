@@ -197,7 +197,7 @@ std::string banner(const OneStepMethod& method, const Step& step, const EmitOpti
               {"command", one_line(options.command)},
               {"method", of_base([&](const auto& base) { return method_text(base, step); })},
               {"numbers", of_base([&](const auto& base) { return numbers_text(base, step); })},
-              {"scene", options.system == nullptr
+              {"scene", options.evaluations == nullptr
                             ? std::string()
                             : scene_text(step, *options.system, *options.evaluations)},
               {"choices", choices_text(step)}});

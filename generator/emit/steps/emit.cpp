@@ -9,24 +9,27 @@ namespace hvi::gen {
 namespace {
 
 std::string text_of(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
-    if (step.layout == Layout::trajectories) { return emit_ensemble(method, step, options); }
+    switch (step.layout) {
+    case Layout::trajectories: return emit_ensemble(method, step, options);
+    case Layout::sites: return emit_sites(method, step, options);
+    case Layout::one:
+    case Layout::stages:
+    case Layout::components: break;
+    }
     return std::visit([&](const auto& form) { return emit_one(method, step, form, options); },
                       step.form);
 }
 
 }  // namespace
 
-std::string with_names_of_user(std::string text, const EmitOptions& options) {
-    const auto make_way = [&](const auto& invariants) {
-        for (const auto& invariant : invariants) { text = with_other_tables(text, invariant.name); }
-    };
-    if (options.wishes.invariants) { make_way(options.system->invariants); }
-    if (options.loops != nullptr) { make_way(options.loops->system.invariants); }
-    return text;
-}
-
 std::string emit(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
-    return with_names_of_user(text_of(method, step, options), options);
+    std::string text = text_of(method, step, options);
+    if (!options.wishes.invariants) { return text; }
+    // NOTE: tables of ours give way to invariants that are members.
+    for (const SystemValue& invariant : options.system->invariants) {
+        text = with_other_tables(text, invariant.name);
+    }
+    return text;
 }
 
 }  // namespace hvi::gen

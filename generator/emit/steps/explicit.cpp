@@ -180,7 +180,8 @@ std::string copy_of(std::string_view name) {
 std::string support(const Step& step, const ExplicitParts& parts, const EmitOptions& options,
                     bool with_rounded) {
     const SceneWishes& wishes = options.wishes;
-    const bool calls_more = options.system && calls_more_math(*options.system, wishes);
+    const bool calls_more =
+        step.container == Container::arrays && calls_more_math(*options.system, wishes);
     std::vector<std::string> names{"state", "detail/numbers/scalar"};
     const auto add = [&](const std::vector<std::string>& more) {
         names.insert(names.end(), more.begin(), more.end());
@@ -247,7 +248,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const Explic
     holes.merge(Holes{{"banner", banner(method, step, options)},
                       {"support", support(step, parts, options, rounds)},
                       {"parameter", parameter_text(step)},
-                      {"begins", begins(step, options)},
+                      {"begins", begins(step)},
                       {"weights", weights},
                       {"fits", fits_text(step, parts)},
                       {"moves", parts.moves},

@@ -38,6 +38,10 @@ struct NewtonPolicy {
 [[nodiscard]] std::string emit_ensemble(const OneStepMethod& method, const Step& step,
                                         const EmitOptions& options);
 
+/// Kicks and drifts that sweep over the sites of a lattice.
+[[nodiscard]] std::string emit_sites(const OneStepMethod& method, const Step& step,
+                                     const EmitOptions& options);
+
 /// The weights b_p of kicks and b_q of drifts, as tables; see Move.
 [[nodiscard]] std::string weights_text(const Step& step);
 
@@ -73,7 +77,7 @@ struct NewtonPolicy {
 /// The struct Functions, of which coefficients are quotients. Precondition: from_parameter.
 [[nodiscard]] std::string functions_of_parameter(const Step& step);
 /// What step() does first: there may be no method, or no system of the size of x.
-[[nodiscard]] std::string begins(const Step& step, const EmitOptions& options);
+[[nodiscard]] std::string begins(const Step& step);
 
 /// What Q_i[k] is, and P_j[k], of the slopes in `s`.
 [[nodiscard]] std::string moved_position(const Step& step, std::size_t i, std::string_view s);

@@ -59,7 +59,7 @@ std::string one_step(const Step& step, const std::string& body, const EmitOption
         {{"name", step.in_a_row.empty() ? "step" : "part_of_step"},
          {"part", has_parts ? ", std::size_t part, Scalar size_before" : ""},
          {"sizes", has_parts ? "h, size_before" : "h"},
-         {"begins", begins(step, options)},
+         {"begins", begins(step)},
          {"clock", clock_begins(step, options.wishes.action ? "s_.forget()" : "reset()")},
          {"steps", body}});
 }

@@ -339,12 +339,12 @@ std::string_view coefficients_argument(const Step& step) {
     return step.from_parameter ? "coefficients_, " : "";
 }
 
-std::string begins(const Step& step, const EmitOptions& options) {
+std::string begins(const Step& step) {
     Writer writer(2);
     if (step.from_parameter) {
         writer.line("if (!coefficients_.status.ok()) {{ return coefficients_.status; }}");
     }
-    if (options.loops != nullptr) {
+    if (step.container == Container::vectors) {
         writer.line("if (!system_.fits(x.q, x.p)) {{ return "
                     "Status(Status::Code::dimension_mismatch); }}");
     }

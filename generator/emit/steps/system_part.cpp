@@ -5,6 +5,7 @@
 
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
+#include "generator/emit/system/loop_code.hpp"
 #include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/rotation_code.hpp"
 #include "generator/emit/text/names.hpp"
@@ -87,8 +88,9 @@ std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& o
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     Writer writer(0);
     const std::string_view states =
-        scene.rotations.empty() ? " States hold Numbers: arrays, or vectors of Eigen of fixed size."
-                                : "";
+        rotations_of(scene) == 0
+            ? " States hold Numbers: arrays, or vectors of Eigen of fixed size."
+            : "";
     writer.comment(fmt::format("{} with {}, computed in Number: {}.{}", what, method,
                                numbers(options.wishes), states),
                    "/// ");
@@ -115,11 +117,11 @@ std::string types_for_scene(const Step& step, const EmitOptions& options) {
     const System& system = *options.system;
     Writer writer(1);
     writer.line("using Scalar = Number;");
-    if (system.rotations.empty()) {
+    if (rotations_of(system) == 0) {
         writer.line("using Vector = Numbers;");
     } else {
         writer.line("using Space = hvi::detail::ChartSpace<Number, {}, {}>;",
-                    system.flat_coordinates(), system.rotations.size());
+                    flat_coordinates(system), rotations_of(system));
         writer.line("using Vector = typename Space::Vector;");
         writer.blank().insert(bodies_text(system));
     }
@@ -193,7 +195,7 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
     part.purpose = purpose_for_scene(provenance, options);
     part.class_name = "Basic" + options.class_name;
     const std::size_t n = options.system->degrees_of_freedom();
-    const bool has_rotations = !options.system->rotations.empty();
+    const bool has_rotations = rotations_of(*options.system) > 0;
     part.head = has_rotations ? "template <class Number>"
                               : fmt::format("template <class Number, class Numbers = "
                                             "std::array<Number, {}>>",
@@ -210,44 +212,46 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
 // ---- a scene with loops ----
 
 /// NOTE: explicit steppers include of hvi what they have in copies too.
-std::string include_of_loops(const LoopCode& code, const Step& step) {
+std::string include_of_loops(const System& system, const Step& step) {
     std::string text = "#include <algorithm>\n#include <array>\n#include <cstdint>\n"
                        "#include <limits>\n#include <type_traits>\n#include <vector>\n\n"
                        "#include <hvi/detail/coefficients/rounded.hpp>\n"
                        "#include <hvi/detail/lanes/lane_functions.hpp>\n"
                        "#include <hvi/detail/loops/along.hpp>\n"
                        "#include <hvi/detail/loops/ranges.hpp>\n";
-    text += include_of_files(code.system);
-    if (code.scatters()) { text += "#include <hvi/detail/loops/chunks.hpp>\n"; }
-    if (code.sites) { text += "#include <hvi/detail/loops/sites.hpp>\n"; }
+    text += include_of_files(system);
+    if (scatters(system, step)) { text += "#include <hvi/detail/loops/chunks.hpp>\n"; }
+    if (system.sites) { text += "#include <hvi/detail/loops/sites.hpp>\n"; }
     if (step.layout == Layout::components) {
         text += "#include <hvi/detail/loops/stage_sweeps.hpp>\n";
     }
     return text;
 }
 
-std::string constructors_for_loops(const LoopCode& code, const std::string& class_name) {
+std::string constructors_for_loops(const System& system, bool counts,
+                                   const std::string& class_name) {
     Writer writer(1);
     writer.line("{0}() : {0}(Parameters{{}}) {{}}", class_name);
     writer.line("/// `threads`: 0 for as many as there are processors.");
     writer.line("explicit {}(const Parameters& parameters, unsigned threads = 1) : "
                 "system_(parameters, threads) {{}}",
                 class_name);
-    return writer.blank().insert(loop_members_text(code)).str();
+    return writer.blank().insert(loop_members_text(system, counts)).str();
 }
 
 SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitOptions& options) {
-    const LoopCode& code = *options.loops;
+    const System& system = *options.system;
+    // NOTE: sweeps over sites know how many they take.
+    const bool counts = options.wishes.evaluations && step.layout != Layout::sites;
     SystemPart part;
-    part.include = own_includes(code.system.own_headers) + include_of_loops(code, step);
+    part.include = own_includes(system.own_headers) + include_of_loops(system, step);
     Writer purpose(0);
     purpose.comment(
         fmt::format("The scene {} of any size with {}, computed in Number: float, double or long "
                     "double. States hold std::vector.",
-                    code.system.name,
-                    provenance.name.empty() ? "a method of its own" : provenance.name),
+                    system.name, provenance.name.empty() ? "a method of its own" : provenance.name),
         "/// ");
-    if (!code.system.description.empty()) { purpose.comment(code.system.description, "/// "); }
+    if (!system.description.empty()) { purpose.comment(system.description, "/// "); }
     part.purpose = purpose.str();
     part.head = "template <class Number>";
     part.class_name = "Basic" + options.class_name;
@@ -256,14 +260,14 @@ SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitO
     Writer types(1);
     types.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
     types.line("using Place = std::ptrdiff_t;").blank();
-    types.insert(loop_parameters_text(code.system)).blank();
-    types.insert(loop_system_text(code, step)).blank();
+    types.insert(loop_parameters_text(system)).blank();
+    types.insert(loop_system_text(system, step, counts)).blank();
     if (step.iteration() != nullptr) {
         types.line("using Solver = {};", solver_type(step)).blank();
     }
     part.types = types.str();
     part.state = "hvi::State<Vector>";
-    part.construct = constructors_for_loops(code, part.class_name);
+    part.construct = constructors_for_loops(system, counts, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;
 }
@@ -277,9 +281,13 @@ std::string own_includes(const std::vector<std::string>& headers) {
 }
 
 SystemPart system_part(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
-    if (options.system != nullptr) { return for_scene(method.provenance(), step, options); }
-    return options.loops != nullptr ? for_loops(method.provenance(), step, options)
-                                    : for_users(step, options);
+    switch (step.container) {
+    case Container::of_user: return for_users(step, options);
+    case Container::arrays: return for_scene(method.provenance(), step, options);
+    case Container::vectors: return for_loops(method.provenance(), step, options);
+    }
+    HVI_CHECK(false);
+    return {};
 }
 
 Holes holes_of(const SystemPart& part) {

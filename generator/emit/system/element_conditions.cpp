@@ -28,8 +28,8 @@ AffineForm extreme(const ElementIndex& index, const std::vector<Loop>& loops, En
 
 class Conditions {
 public:
-    Conditions(const LoopSystem& system, const LoopNames& names) : system_(system), names_(names) {
-        for (const LoopSize& size : system.sizes) { sizes_[size.name] = size.value; }
+    Conditions(const System& system, const LoopNames& names) : system_(system), names_(names) {
+        for (const SystemSize& size : system.sizes) { sizes_[size.name] = size.value; }
     }
 
     void add(const std::vector<std::size_t>& accesses, const std::vector<Loop>& loops) {
@@ -40,7 +40,7 @@ public:
 
 private:
     void add(const Access& access, const std::vector<Loop>& loops) {
-        const LoopFamily& family = system_.family(access);
+        const SystemFamily& family = system_.family(access);
         const bool is_list = access.kind == FamilyKind::table && family.ranges.size() == 1;
         for (std::size_t d = 0; d < access.indices.size(); ++d) {
             const AffineForm largest = extreme(access.indices[d], loops, End::largest);
@@ -60,13 +60,13 @@ private:
     }
 
     /// NOTE: a program may give a list of another length.
-    void add_length(const LoopFamily& list, const AffineForm& largest) {
+    void add_length(const SystemFamily& list, const AffineForm& largest) {
         if (largest.at(sizes_) > list.ranges[0].last.constant) { return; }
         all_.insert(fmt::format("{} <= static_cast<Place>({}_values_.size())",
                                 names_.whole(largest), member_of(list.name)));
     }
 
-    const LoopSystem& system_;
+    const System& system_;
     const LoopNames& names_;
     std::map<std::string, long> sizes_;
     std::set<std::string> all_;
@@ -74,29 +74,30 @@ private:
 
 }  // namespace
 
-std::set<std::string> conditions_of_sums(const LoopSystem& system, const LoopNames& names) {
+std::set<std::string> conditions_of_sums(const System& system, const LoopNames& names) {
     Conditions conditions(system, names);
-    const auto add_all = [&](const std::vector<LoopSum>& sums) {
-        for (const LoopSum& sum : sums) { conditions.add(sum.accesses, sum.loops); }
+    const auto add_all = [&](const std::vector<SystemSum>& sums) {
+        for (const SystemSum& sum : sums) { conditions.add(sum.accesses, sum.loops); }
     };
     add_all(system.sums);
-    for (const LoopInvariant& invariant : system.invariants) { add_all(invariant.sums); }
+    for (const SystemValue& invariant : system.invariants) { add_all(invariant.sums); }
     return std::move(conditions).all();
 }
 
-std::set<std::string> conditions_of_starts(const LoopSystem& system, const LoopNames& names) {
+std::set<std::string> conditions_of_starts(const System& system, const LoopNames& names) {
     Conditions conditions(system, names);
     std::set<std::string> lengths;
     const std::size_t count = system.coordinates.size();
     for (std::size_t k = 0; k < system.initial.size(); ++k) {
-        const LoopFamily& family = k < count ? system.coordinates[k] : system.momenta[k - count];
+        const SystemFamily& family =
+            k < count ? system.coordinates[k] : system.conjugates[k - count];
         if (std::holds_alternative<NumbersInFile>(system.initial[k].values)) { continue; }
-        if (const auto* list = std::get_if<LoopStart::List>(&system.initial[k].values)) {
+        if (const auto* list = std::get_if<SystemStart::List>(&system.initial[k].values)) {
             lengths.insert(fmt::format("{} == {}", names.count(family), list->values.size()));
             conditions.add(list->accesses, {});
             continue;
         }
-        const auto* rule = std::get_if<LoopStart::Rule>(&system.initial[k].values);
+        const auto* rule = std::get_if<SystemStart::Rule>(&system.initial[k].values);
         std::vector<Loop> loops;
         for (std::size_t d = 0; d < rule->indices.size(); ++d) {
             loops.push_back({rule->indices[d], family.ranges[d]});

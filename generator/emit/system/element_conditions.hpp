@@ -6,18 +6,18 @@
 #include <string>
 
 #include "generator/emit/system/loop_names.hpp"
-#include "generator/ir/loop_system.hpp"
+#include "generator/ir/system.hpp"
 
 namespace hvi::gen {
 
 /// `N_ <= static_cast<Place>(m_values_.size())`, ...: conditions of C++ on the members of System
 /// that hold for the sizes of the scene. What holds for all sizes is left out, and so is what
 /// bounds of each loop alone do not show: element_ranges has looked at these for the scene's sizes.
-[[nodiscard]] std::set<std::string> conditions_of_sums(const LoopSystem& system,
+[[nodiscard]] std::set<std::string> conditions_of_sums(const System& system,
                                                        const LoopNames& names);
 
 /// The same of what initial values are made of.
-[[nodiscard]] std::set<std::string> conditions_of_starts(const LoopSystem& system,
+[[nodiscard]] std::set<std::string> conditions_of_starts(const System& system,
                                                          const LoopNames& names);
 
 }  // namespace hvi::gen

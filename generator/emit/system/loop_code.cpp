@@ -20,12 +20,12 @@ namespace hvi::gen {
 
 namespace {
 
-std::vector<const LoopFamily*> all_families(const LoopSystem& system) {
-    std::vector<const LoopFamily*> families;
-    for (const auto* each : {&system.coordinates, &system.momenta}) {
-        for (const LoopFamily& family : *each) { families.push_back(&family); }
+std::vector<const SystemFamily*> all_families(const System& system) {
+    std::vector<const SystemFamily*> families;
+    for (const auto* each : {&system.coordinates, &system.conjugates}) {
+        for (const SystemFamily& family : *each) { families.push_back(&family); }
     }
-    for (const LoopTable& table : system.tables) { families.push_back(&table.family); }
+    for (const SystemTable& table : system.tables) { families.push_back(&table.family); }
     return families;
 }
 
@@ -34,29 +34,31 @@ std::vector<const LoopFamily*> all_families(const LoopSystem& system) {
 /// One sum's derivatives: the name of what adds them, and which.
 struct Derivative {
     std::string name;
-    const LoopSum* sum;
+    const SystemSum* sum;
     const std::vector<AccessSlope>* slopes;
 };
 
-std::vector<Derivative> derivatives(const LoopSystem& system, bool by_q) {
+std::vector<Derivative> derivatives(const System& system, bool by_q) {
     std::vector<Derivative> result;
     for (std::size_t s = 0; s < system.sums.size(); ++s) {
-        const LoopSum& sum = system.sums[s];
-        const std::vector<AccessSlope>& slopes = by_q ? sum.by_q : sum.by_momenta;
+        const SystemSum& sum = system.sums[s];
+        const std::vector<AccessSlope>& slopes = by_q ? sum.by_q : sum.by_conjugates;
         if (slopes.empty()) { continue; }
         result.push_back({fmt::format("add_by_{}_{}", by_q ? "q" : "p", s + 1), &sum, &slopes});
     }
     return result;
 }
 
+/// Whether Newton's method may be called for.
+bool takes_second(const Step& step) {
+    const auto* velocities = std::get_if<VelocityStep>(&step.form);
+    return velocities != nullptr && velocities->iteration.takes_newton();
+}
+
 class SystemClass {
 public:
-    SystemClass(const LoopCode& code, const Step& step)
-        : code_(code),
-          step_(step),
-          system_(code.system),
-          names_(system_),
-          loops_(system_, names_) {}
+    SystemClass(const System& system, const Step& step, bool counts)
+        : step_(step), system_(system), counts_(counts), names_(system_), loops_(system_, names_) {}
 
     [[nodiscard]] std::string text() {
         // NOTE: the constructor comes last, as it computes what the others need.
@@ -69,7 +71,7 @@ public:
         writer.comment("H = " + to_text(system_.expression), "/// ");
         writer.open("struct System {{");
         writer.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
-        if (code_.sites) { write_site_types(writer, *code_.sites); }
+        if (system_.sites) { write_site_types(writer, *system_.sites); }
         writer.blank();
         write_constructor(writer);
         writer.blank().insert(functions.str());
@@ -87,8 +89,8 @@ private:
                        "/// ");
         writer.open("[[nodiscard]] bool fits(const Vector& q, const Vector& p) const {{");
         writer.line("return fits_ && q.size() == size_ && p.size() == size_;").close().blank();
-        if (code_.sites) {
-            SiteWriter(*code_.sites, loops_).write(writer);
+        if (system_.sites) {
+            SiteWriter(*system_.sites, loops_).write(writer);
             write_gathered(writer);
             return;
         }
@@ -106,7 +108,7 @@ private:
     }
 
     void count_evaluation(Writer& writer) const {
-        if (code_.evaluations) { writer.line("++evaluations;"); }
+        if (counts_) { writer.line("++evaluations;"); }
     }
 
     void write_scattered(Writer& writer, bool by_q) {
@@ -115,7 +117,7 @@ private:
             loops_.write_derivatives(writer, each.name, *each.sum, *each.slopes, "p");
             writer.blank();
         }
-        const bool is_separable = system_.is_separable();
+        const bool is_separable = system_.structure.is_separable;
         const std::string letter = by_q ? "q" : "p";
         writer.open("void dHd{}({}, Vector& out) const {{", letter,
                     is_separable
@@ -138,11 +140,11 @@ private:
         writer.comment("d2H/dp2 v, which is constant.", "/// ");
         writer.line("void inverse_mass(const Vector& v, Vector& out) const {{ dHdp(v, out); }}");
         write_kick_of_stage(writer);
-        if (!code_.hessian) { return; }
-        if (std::get<VelocityStep>(step_.form).hessian == HessianForm::products) {
-            write_products(writer, *code_.hessian);
+        if (!takes_second(step_)) { return; }
+        if (const auto* products = std::get_if<HessianProducts>(&system_.second)) {
+            write_products(writer, *products);
         } else {
-            write_entries(writer, *code_.hessian);
+            write_entries(writer, std::get<HessianEntries>(system_.second));
         }
     }
 
@@ -150,7 +152,7 @@ private:
         writer.blank().comment("Lp_j = -h b_j dH/dq(Q_j) and W_j = h d2H/dp2 Lp_j.", "/// ");
         writer.line("template <class Stages>");
         writer.open("void kick_stage(Stages& s, std::size_t j) const {{");
-        if (code_.sites) {
+        if (system_.sites) {
             count_evaluation(writer);
             writer.line("hvi::detail::kick_stage(*this, s, j);");
         } else {
@@ -160,21 +162,19 @@ private:
         writer.close();
     }
 
-    void write_entries(Writer& writer, const LoopHessian& hessian) {
+    void write_entries(Writer& writer, const HessianEntries& hessian) {
         writer.blank().comment("Adds the entries i, j of d2H/dq2 by out.add(i, j, value).", "/// ");
         writer.line("template <class Matrix>");
         writer.open("void d2Hdq2([[maybe_unused]] const Vector& q_of, [[maybe_unused]] Matrix& "
                     "out) const {{");
         writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
-        for (const LoopEntries& entries : hessian.entries) {
-            loops_.write_entries(writer, entries);
-        }
+        for (const SumEntries& entries : hessian.sums) { loops_.write_entries(writer, entries); }
         writer.close();
     }
 
-    void write_products(Writer& writer, const LoopHessian& hessian) {
+    void write_products(Writer& writer, const HessianProducts& hessian) {
         std::size_t count = 0;
-        for (const LoopSum& sum : hessian.products) {
+        for (const SystemSum& sum : hessian.sums) {
             writer.blank();
             loops_.write_derivatives(writer, fmt::format("add_product_{}", ++count), sum, sum.by_q,
                                      "way");
@@ -184,14 +184,14 @@ private:
                     "way, Vector& out) const {{");
         writer.line("std::fill(out.begin(), out.end(), Scalar(0));");
         count = 0;
-        for (const LoopSum& sum : hessian.products) {
+        for (const SystemSum& sum : hessian.sums) {
             loops_.call_derivatives(writer, fmt::format("add_product_{}", ++count), sum, "q.data()",
                                     "way.data()");
         }
         writer.close();
     }
 
-    void write_value(Writer& writer, const std::string& name, const std::vector<LoopSum>& sums) {
+    void write_value(Writer& writer, const std::string& name, const std::vector<SystemSum>& sums) {
         writer.blank().open("[[nodiscard]] Scalar {}([[maybe_unused]] const Vector& q_of, "
                             "[[maybe_unused]] const Vector& p_of) const {{",
                             name);
@@ -200,13 +200,13 @@ private:
         writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
         writer.line("[[maybe_unused]] const Scalar* const p = p_of.data();");
         writer.line("hvi::detail::CompensatedTotal<Scalar> total;");
-        for (const LoopSum& sum : sums) { loops_.write_total(writer, sum); }
+        for (const SystemSum& sum : sums) { loops_.write_total(writer, sum); }
         writer.line("return total.sum();").close();
     }
 
     void write_values(Writer& writer) {
         write_value(writer, "energy", system_.sums);
-        for (const LoopInvariant& invariant : system_.invariants) {
+        for (const SystemValue& invariant : system_.invariants) {
             write_value(writer, member_name(invariant.name), invariant.sums);
         }
     }
@@ -227,7 +227,8 @@ private:
         const std::size_t count = system_.coordinates.size();
         for (std::size_t k = 0; k < system_.initial.size(); ++k) {
             const bool is_q = k < count;
-            loops_.write_start(writer, is_q ? system_.coordinates[k] : system_.momenta[k - count],
+            loops_.write_start(writer,
+                               is_q ? system_.coordinates[k] : system_.conjugates[k - count],
                                is_q ? "q" : "p", system_.initial[k]);
         }
         writer.close();
@@ -235,7 +236,7 @@ private:
 
     // ---- the constructor, and the data ----
 
-    void write_places(Writer& writer, const LoopFamily& family, std::string_view total) {
+    void write_places(Writer& writer, const SystemFamily& family, std::string_view total) {
         const std::string name = member_of(family.name);
         const std::size_t d = family.ranges.size();
         std::string first;
@@ -256,7 +257,7 @@ private:
 
     /// NOTE: for other sizes than those of the scene.
     void write_fits(Writer& writer) const {
-        for (const LoopTable& table : system_.tables) {
+        for (const SystemTable& table : system_.tables) {
             if (table.family.ranges.size() == 1) { continue; }
             long count = 1;
             for (const LoopRange& range : table.family.ranges) { count *= range.last.constant; }
@@ -271,11 +272,15 @@ private:
     void write_constructor(Writer& writer) {
         Writer body(2);
         body.line("Place in_q = 0, in_p = 0;");
-        for (const LoopFamily& family : system_.coordinates) { write_places(body, family, "in_q"); }
-        for (const LoopFamily& family : system_.momenta) { write_places(body, family, "in_p"); }
-        for (const LoopTable& table : system_.tables) { write_places(body, table.family, ""); }
+        for (const SystemFamily& family : system_.coordinates) {
+            write_places(body, family, "in_q");
+        }
+        for (const SystemFamily& family : system_.conjugates) {
+            write_places(body, family, "in_p");
+        }
+        for (const SystemTable& table : system_.tables) { write_places(body, table.family, ""); }
         body.line("size_ = static_cast<std::size_t>(in_q);");
-        if (code_.sites) { body.line("count_ = in_q / {};", system_.coordinates.size()); }
+        if (system_.sites) { body.line("count_ = in_q / {};", system_.coordinates.size()); }
         write_fits(body);
         const NodeNames given = names_.setup_names();
         const auto results = write_code(body, system_.graph, names_.setup(), given, "hvi::math");
@@ -286,10 +291,10 @@ private:
                     uses_parameters() ? "" : "[[maybe_unused]] ",
                     has_chunks() ? ", unsigned threads = 1" : ", unsigned /*threads*/ = 1");
         std::vector<std::string> members;
-        for (const LoopSize& size : system_.sizes) {
+        for (const SystemSize& size : system_.sizes) {
             members.push_back(fmt::format("{0}_(parameters.{0})", member_of(size.name)));
         }
-        for (const LoopTable& table : system_.tables) {
+        for (const SystemTable& table : system_.tables) {
             members.push_back(
                 fmt::format("{0}_values_(parameters.{0})", member_of(table.family.name)));
         }
@@ -308,11 +313,9 @@ private:
 
     /// Whether sums over pairs are cut into chunks.
     [[nodiscard]] bool has_chunks() const {
-        const bool are_scattered =
-            !code_.sites || (code_.hessian && !code_.hessian->products.empty());
-        return are_scattered &&
+        return scatters(system_, step_) &&
                std::any_of(system_.sums.begin(), system_.sums.end(),
-                           [](const LoopSum& sum) { return sum.loops.size() > 1; });
+                           [](const SystemSum& sum) { return sum.loops.size() > 1; });
     }
 
     void write_data(Writer& writer) const {
@@ -321,13 +324,13 @@ private:
             writer.line("static constexpr Scalar k{} = {};  // {}", k + 1, initializer(value),
                         to_text(value));
         }
-        for (const LoopSize& size : system_.sizes) {
+        for (const SystemSize& size : system_.sizes) {
             writer.line("Place {}_;", member_of(size.name));
         }
-        for (const LoopTable& table : system_.tables) {
+        for (const SystemTable& table : system_.tables) {
             writer.line("Vector {}_values_;", member_of(table.family.name));
         }
-        for (const LoopFamily* family : all_families(system_)) {
+        for (const SystemFamily* family : all_families(system_)) {
             const std::string name = member_of(family->name);
             std::string line = fmt::format("Place {}_at_ = 0", name);
             for (std::size_t d = 1; d < family->ranges.size(); ++d) {
@@ -339,36 +342,39 @@ private:
             writer.line("Scalar c{} = 0;", k + 1);
         }
         writer.line("std::size_t size_ = 0;").line("bool fits_ = true;");
-        if (code_.sites) { writer.line("Place count_ = 0;  // of sites"); }
+        if (system_.sites) { writer.line("Place count_ = 0;  // of sites"); }
         if (has_chunks()) {
             writer.line("mutable hvi::detail::Team team_;");
             writer.line("mutable Vector memory_{{}};  // of chunks");
         }
-        if (code_.evaluations) {
-            writer.line("mutable std::int64_t evaluations = 0;  // of dH/dq");
-        }
+        if (counts_) { writer.line("mutable std::int64_t evaluations = 0;  // of dH/dq"); }
     }
 
-    const LoopCode& code_;
     const Step& step_;
-    const LoopSystem& system_;
+    const System& system_;
+    bool counts_;
     LoopNames names_;
     LoopWriter loops_;
 };
 
 }  // namespace
 
-std::string loop_parameters_text(const LoopSystem& system) {
+bool scatters(const System& system, const Step& step) {
+    const auto* products = std::get_if<HessianProducts>(&system.second);
+    return !system.sites || (takes_second(step) && products != nullptr && !products->sums.empty());
+}
+
+std::string loop_parameters_text(const System& system) {
     Writer writer(1);
     writer.line("/// As the scene has them.").open("struct Parameters {{");
-    for (const LoopSize& size : system.sizes) {
+    for (const SystemSize& size : system.sizes) {
         writer.line("Place {} = {};", member_of(size.name), size.value);
     }
     for (const SystemParameter& parameter : system.parameters) {
         writer.line("Scalar {} = {};  // {} = {}", member_of(parameter.name),
                     initializer(parameter.value), parameter.name, to_text(parameter.value));
     }
-    for (const LoopTable& table : system.tables) {
+    for (const SystemTable& table : system.tables) {
         const auto* values = std::get_if<std::vector<Expression>>(&table.values);
         if (values == nullptr) { continue; }
         writer.open("std::vector<Scalar> {} = hvi::detail::listed<Scalar>({{",
@@ -380,18 +386,17 @@ std::string loop_parameters_text(const LoopSystem& system) {
     return writer.close("};").str();
 }
 
-std::string loop_system_text(const LoopCode& code, const Step& step) {
-    return SystemClass(code, step).text();
+std::string loop_system_text(const System& system, const Step& step, bool counts) {
+    return SystemClass(system, step, counts).text();
 }
 
-std::string loop_members_text(const LoopCode& code) {
+std::string loop_members_text(const System& system, bool counts) {
     Writer writer(1);
-    write_reading(writer, code.system);
+    write_reading(writer, system);
     writer.line("/// Where the scene begins; empty where a list does not fit its sizes.");
     writer.open("[[nodiscard]] static State initial(const Parameters& parameters) {{")
         .line("State x;")
-        .line("System(parameters).begin({}x.q, x.p);",
-              begins_in_file(code.system) ? "parameters, " : "")
+        .line("System(parameters).begin({}x.q, x.p);", begins_in_file(system) ? "parameters, " : "")
         .line("return x;")
         .close();
     writer.line("[[nodiscard]] static State initial() {{ return initial(Parameters{{}}); }}");
@@ -402,13 +407,13 @@ std::string loop_members_text(const LoopCode& code) {
             .line("return system_.{}(x.q, x.p);", name)
             .close();
     };
-    if (code.evaluations) {
+    if (counts) {
         writer.blank().line("/// How often dH/dq was evaluated.");
         writer.line(
             "[[nodiscard]] std::int64_t evaluations() const {{ return system_.evaluations; }}");
     }
-    value("energy", code.system.expression);
-    for (const LoopInvariant& invariant : code.system.invariants) {
+    value("energy", system.expression);
+    for (const SystemValue& invariant : system.invariants) {
         value(member_name(invariant.name), invariant.expression);
     }
     return writer.str();

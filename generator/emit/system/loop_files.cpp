@@ -16,7 +16,7 @@ std::string place_of(const NumbersInFile& file) {
 
 /// A member of Parameters that is read from a file.
 struct NumbersMember {
-    const LoopFamily* family;  ///< parameters, or variables that begin there
+    const SystemFamily* family;  ///< parameters, or variables that begin there
     NumbersInFile file;
 };
 
@@ -38,11 +38,12 @@ by_file(const std::vector<NumbersMember>& members) {
 }
 
 /// Where the scene begins.
-std::vector<NumbersMember> starts_in_files(const LoopSystem& system) {
+std::vector<NumbersMember> starts_in_files(const System& system) {
     std::vector<NumbersMember> result;
     const std::size_t count = system.coordinates.size();
     for (std::size_t k = 0; k < system.initial.size(); ++k) {
-        const LoopFamily& family = k < count ? system.coordinates[k] : system.momenta[k - count];
+        const SystemFamily& family =
+            k < count ? system.coordinates[k] : system.conjugates[k - count];
         if (const auto* file = std::get_if<NumbersInFile>(&system.initial[k].values)) {
             result.push_back({&family, *file});
         }
@@ -51,9 +52,9 @@ std::vector<NumbersMember> starts_in_files(const LoopSystem& system) {
 }
 
 /// Those of the parameters, then those of where the scene begins.
-std::vector<NumbersMember> numbers_in_files(const LoopSystem& system) {
+std::vector<NumbersMember> numbers_in_files(const System& system) {
     std::vector<NumbersMember> result;
-    for (const LoopTable& table : system.tables) {
+    for (const SystemTable& table : system.tables) {
         if (const auto* file = std::get_if<NumbersInFile>(&table.values)) {
             result.push_back({&table.family, *file});
         }
@@ -64,14 +65,14 @@ std::vector<NumbersMember> numbers_in_files(const LoopSystem& system) {
 
 }  // namespace
 
-void write_numbers_in_files(Writer& writer, const LoopSystem& system) {
+void write_numbers_in_files(Writer& writer, const System& system) {
     for (const NumbersMember& member : numbers_in_files(system)) {
         writer.line("std::vector<Scalar> {}{{}};  // {}", member_of(member.family->name),
                     place_of(member.file));
     }
 }
 
-void write_reading(Writer& writer, const LoopSystem& system) {
+void write_reading(Writer& writer, const System& system) {
     if (!system.reads_files()) { return; }
     writer.comment("Parameters{} with the numbers that stand in files, whose paths are relative to "
                    "`directory`. Throws std::runtime_error, with the line, where one is not there "
@@ -90,9 +91,9 @@ void write_reading(Writer& writer, const LoopSystem& system) {
     writer.line("return parameters;").close().blank();
 }
 
-bool begins_in_file(const LoopSystem& system) { return !starts_in_files(system).empty(); }
+bool begins_in_file(const System& system) { return !starts_in_files(system).empty(); }
 
-void write_conditions_of_files(Writer& writer, const LoopSystem& system, const LoopNames& names) {
+void write_conditions_of_files(Writer& writer, const System& system, const LoopNames& names) {
     for (const NumbersMember& start : starts_in_files(system)) {
         writer.open("if (static_cast<Place>(parameters.{}.size()) != {}) {{",
                     member_of(start.family->name), names.count(*start.family));
@@ -100,7 +101,7 @@ void write_conditions_of_files(Writer& writer, const LoopSystem& system, const L
     }
 }
 
-std::string include_of_files(const LoopSystem& system) {
+std::string include_of_files(const System& system) {
     if (!system.reads_files()) { return ""; }
     return "#include <hvi/detail/loops/column_files.hpp>\n";
 }

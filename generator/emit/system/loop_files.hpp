@@ -6,24 +6,24 @@
 
 #include "generator/emit/system/loop_names.hpp"
 #include "generator/emit/text/text.hpp"
-#include "generator/ir/loop_system.hpp"
+#include "generator/ir/system.hpp"
 
 namespace hvi::gen {
 
 /// The members of Parameters that are read from files.
-void write_numbers_in_files(Writer& writer, const LoopSystem& system);
+void write_numbers_in_files(Writer& writer, const System& system);
 
 /// What reads them, as a member of a stepper; nothing where there are none.
-void write_reading(Writer& writer, const LoopSystem& system);
+void write_reading(Writer& writer, const System& system);
 
 /// Whether some variables begin as a file has them.
-[[nodiscard]] bool begins_in_file(const LoopSystem& system);
+[[nodiscard]] bool begins_in_file(const System& system);
 
 /// `if (...) { return; }` where a file has not as many numbers as there are variables that begin
 /// there.
-void write_conditions_of_files(Writer& writer, const LoopSystem& system, const LoopNames& names);
+void write_conditions_of_files(Writer& writer, const System& system, const LoopNames& names);
 
 /// What reads them, as #include; empty where there are none.
-[[nodiscard]] std::string include_of_files(const LoopSystem& system);
+[[nodiscard]] std::string include_of_files(const System& system);
 
 }  // namespace hvi::gen

@@ -13,13 +13,13 @@ namespace hvi::gen {
 
 std::string member_of(const std::string& name) { return member_name(name); }
 
-LoopNames::LoopNames(const LoopSystem& system) : system_(system) {
+LoopNames::LoopNames(const System& system) : system_(system) {
     for (Node node = 0; node < system.graph.size(); ++node) {
         const Computation& computation = system.graph.at(node);
         if (computation.operation != Operation::input || varies(computation.roles)) { continue; }
         const std::string& name = computation.name;
         const bool is_size = std::any_of(system.sizes.begin(), system.sizes.end(),
-                                         [&](const LoopSize& size) { return size.name == name; });
+                                         [&](const SystemSize& size) { return size.name == name; });
         inputs_[node] = is_size ? fmt::format("static_cast<Scalar>(parameters.{})", member_of(name))
                                 : fmt::format("parameters.{}", member_of(name));
     }
@@ -42,7 +42,7 @@ std::string LoopNames::whole(const AffineForm& form) const {
     for (const auto& [name, coefficient] : form.coefficients) {
         const bool is_size =
             std::any_of(system_.sizes.begin(), system_.sizes.end(),
-                        [&, &known = name](const LoopSize& size) { return size.name == known; });
+                        [&, &known = name](const SystemSize& size) { return size.name == known; });
         const std::string called = is_size ? member_of(name) + "_" : index(name);
         const long size = std::labs(coefficient);
         add(coefficient < 0, size == 1 ? called : fmt::format("{} * {}", size, called));
@@ -57,7 +57,7 @@ std::string LoopNames::count(const LoopRange& range) const {
     return fmt::format("hvi::detail::count_of({}, {})", whole(range.first), whole(range.last));
 }
 
-std::string LoopNames::count(const LoopFamily& family) const {
+std::string LoopNames::count(const SystemFamily& family) const {
     std::string text;
     for (const LoopRange& range : family.ranges) {
         text += (text.empty() ? "" : " * ") + count(range);
@@ -66,7 +66,7 @@ std::string LoopNames::count(const LoopFamily& family) const {
 }
 
 std::string LoopNames::place(const Access& access) const {
-    const LoopFamily& family = system_.family(access);
+    const SystemFamily& family = system_.family(access);
     const std::string name = member_of(family.name);
     std::string text = name + "_at_";
     for (std::size_t d = 0; d < access.indices.size(); ++d) {
@@ -86,9 +86,10 @@ std::string LoopNames::place(const Access& access) const {
 std::string LoopNames::array(const Access& access) const {
     switch (access.kind) {
     case FamilyKind::coordinate: return "q";
-    case FamilyKind::momentum: return "p";
+    case FamilyKind::conjugate: return "p";
     case FamilyKind::direction: return "way";
-    case FamilyKind::table: break;
+    case FamilyKind::table:
+    case FamilyKind::turn: break;
     }
     return member_of(system_.family(access).name) + "_values_.data()";
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/emit/system/kernel_code.hpp"
-#include "generator/ir/loop_system.hpp"
+#include "generator/ir/system.hpp"
 
 namespace hvi::gen {
 
@@ -15,7 +15,7 @@ namespace hvi::gen {
 /// so are constants, k1, and what is made of parameters, c1.
 class LoopNames {
 public:
-    explicit LoopNames(const LoopSystem& system);
+    explicit LoopNames(const System& system);
 
     /// `i`; of an index that is called like something else in the code, `i_1`.
     [[nodiscard]] std::string index(const std::string& name) const;
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] std::string count(const LoopRange& range) const;
 
     /// How many elements a family has.
-    [[nodiscard]] std::string count(const LoopFamily& family) const;
+    [[nodiscard]] std::string count(const SystemFamily& family) const;
 
     /// `x_at_ + i`: the place of an element among those of its kind.
     [[nodiscard]] std::string place(const Access& access) const;
@@ -49,7 +49,7 @@ public:
 private:
     void name_constant(Node node);
 
-    const LoopSystem& system_;
+    const System& system_;
     std::map<Node, std::string> inputs_;  ///< sizes and parameters
     NodeNames names_;                     ///< of constants and members
     std::vector<Node> members_, constants_;

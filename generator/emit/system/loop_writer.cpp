@@ -37,7 +37,7 @@ bool LoopWriter::depends(std::size_t access, const std::string& index) const {
 }
 
 /// NOTE: each element stays along the innermost loop, or is followed by its neighbours.
-bool LoopWriter::goes_in_lanes(const LoopSum& sum) const {
+bool LoopWriter::goes_in_lanes(const SystemSum& sum) const {
     if (sum.loops.empty()) { return false; }
     const std::string& inner = sum.loops.back().index;
     return std::all_of(sum.accesses.begin(), sum.accesses.end(), [&](std::size_t a) {
@@ -85,7 +85,7 @@ void LoopWriter::open_loop(Writer& writer, const Loop& loop) const {
 }
 
 /// What a sum does at one place, where it goes one by one.
-void LoopWriter::write_body(Writer& writer, const LoopSum& sum,
+void LoopWriter::write_body(Writer& writer, const SystemSum& sum,
                             const std::vector<AccessSlope>& slopes) {
     const Kernel slope = kernel(system_.graph, values(slopes));
     const NodeNames given = load(writer, sum.accesses, slope, sum.loops);
@@ -95,7 +95,7 @@ void LoopWriter::write_body(Writer& writer, const LoopSum& sum,
     }
 }
 
-void LoopWriter::write_along(Writer& writer, const LoopSum& sum, const Kernel& kernel,
+void LoopWriter::write_along(Writer& writer, const SystemSum& sum, const Kernel& kernel,
                              const AlongLoop& loop,
                              const std::function<void(const std::vector<std::string>&)>& use) {
     const std::string& inner = sum.loops.back().index;
@@ -129,7 +129,7 @@ void LoopWriter::write_along(Writer& writer, const LoopSum& sum, const Kernel& k
 
 /// Adds the derivatives, with the innermost loop in lanes. NOTE: what is taken away costs less than
 /// what is turned and added.
-void LoopWriter::write_lanes(Writer& writer, const LoopSum& sum,
+void LoopWriter::write_lanes(Writer& writer, const SystemSum& sum,
                              const std::vector<AccessSlope>& slopes) {
     const Loop& inner = sum.loops.back();
     const auto is_negative = [&](const AccessSlope& slope) {
@@ -167,7 +167,7 @@ void LoopWriter::write_lanes(Writer& writer, const LoopSum& sum,
     }
 }
 
-void LoopWriter::write_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
+void LoopWriter::write_derivatives(Writer& writer, const std::string& name, const SystemSum& sum,
                                    const std::vector<AccessSlope>& slopes, std::string_view other) {
     const bool in_lanes = goes_in_lanes(sum);
     const bool is_only_loop = sum.loops.size() == 1;
@@ -198,7 +198,7 @@ void LoopWriter::write_derivatives(Writer& writer, const std::string& name, cons
     writer.close();
 }
 
-void LoopWriter::call_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
+void LoopWriter::call_derivatives(Writer& writer, const std::string& name, const SystemSum& sum,
                                   std::string_view q, std::string_view other) {
     if (sum.loops.empty()) {
         writer.line("{}({}, {}, out.data());", name, q, other);
@@ -217,16 +217,16 @@ void LoopWriter::call_derivatives(Writer& writer, const std::string& name, const
     writer.line("{}({}, {}, to_out, from, to, stride);", name, q, other).close("});");
 }
 
-void LoopWriter::write_entries(Writer& writer, const LoopEntries& entries) {
+void LoopWriter::write_entries(Writer& writer, const SumEntries& entries) {
     std::vector<Scaled> results;
-    for (const LoopEntry& entry : entries.entries) { results.push_back(entry.value); }
+    for (const SumEntry& entry : entries.entries) { results.push_back(entry.value); }
     const Kernel values = kernel(system_.graph, results);
     if (entries.loops.empty()) { writer.open("{{"); }
     for (const Loop& loop : entries.loops) { open_loop(writer, loop); }
     const NodeNames given = load(writer, entries.accesses, values, entries.loops);
     const auto texts = write_code(writer, system_.graph, values, given, "hvi::math");
     for (std::size_t k = 0; k < texts.size(); ++k) {
-        const LoopEntry& entry = entries.entries[k];
+        const SumEntry& entry = entries.entries[k];
         writer.line("out.add({}, {}, Scalar({}));", names_.place(system_.accesses[entry.row]),
                     names_.place(system_.accesses[entry.column]), texts[k]);
     }
@@ -235,7 +235,7 @@ void LoopWriter::write_entries(Writer& writer, const LoopEntries& entries) {
     }
 }
 
-void LoopWriter::write_total(Writer& writer, const LoopSum& sum) {
+void LoopWriter::write_total(Writer& writer, const SystemSum& sum) {
     const bool in_lanes = goes_in_lanes(sum);
     const std::size_t outer = sum.loops.size() - (in_lanes ? 1 : 0);
     const Kernel value = kernel(system_.graph, {sum.value});
@@ -259,11 +259,11 @@ void LoopWriter::write_total(Writer& writer, const LoopSum& sum) {
     for (std::size_t l = 0; l < std::max<std::size_t>(outer, 1); ++l) { writer.close(); }
 }
 
-void LoopWriter::write_start(Writer& writer, const LoopFamily& family, std::string_view array,
-                             const LoopStart& start) {
-    if (const auto* list = std::get_if<LoopStart::List>(&start.values)) {
+void LoopWriter::write_start(Writer& writer, const SystemFamily& family, std::string_view array,
+                             const SystemStart& start) {
+    if (const auto* list = std::get_if<SystemStart::List>(&start.values)) {
         write_list(writer, family, array, *list);
-    } else if (const auto* rule = std::get_if<LoopStart::Rule>(&start.values)) {
+    } else if (const auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
         write_rule(writer, family, array, *rule);
     } else {
         writer.line("std::copy(parameters.{0}.begin(), parameters.{0}.end(), {1} + {2});",
@@ -272,7 +272,7 @@ void LoopWriter::write_start(Writer& writer, const LoopFamily& family, std::stri
 }
 
 /// Where the element with these indices is.
-std::string LoopWriter::place(const LoopFamily& family,
+std::string LoopWriter::place(const SystemFamily& family,
                               const std::vector<std::string>& indices) const {
     const std::string name = member_of(family.name);
     std::string text = name + "_at_";
@@ -284,7 +284,7 @@ std::string LoopWriter::place(const LoopFamily& family,
     return text;
 }
 
-std::string LoopWriter::first_place(const LoopFamily& family) const {
+std::string LoopWriter::first_place(const SystemFamily& family) const {
     std::vector<std::string> first;
     for (const LoopRange& range : family.ranges) {
         first.push_back("(" + names_.whole(range.first) + ")");
@@ -292,8 +292,8 @@ std::string LoopWriter::first_place(const LoopFamily& family) const {
     return place(family, first);
 }
 
-void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::string_view array,
-                            const LoopStart::List& list) {
+void LoopWriter::write_list(Writer& writer, const SystemFamily& family, std::string_view array,
+                            const SystemStart::List& list) {
     const Kernel all = kernel(system_.graph, list.values);
     writer.open("{{");
     const NodeNames given = load(writer, list.accesses, all, {});
@@ -304,8 +304,8 @@ void LoopWriter::write_list(Writer& writer, const LoopFamily& family, std::strin
     writer.line("hvi::detail::put(values, {} + {});", array, first_place(family)).close();
 }
 
-void LoopWriter::write_rule(Writer& writer, const LoopFamily& family, std::string_view array,
-                            const LoopStart::Rule& rule) {
+void LoopWriter::write_rule(Writer& writer, const SystemFamily& family, std::string_view array,
+                            const SystemStart::Rule& rule) {
     std::vector<Loop> loops;
     std::vector<std::string> indices;
     for (std::size_t d = 0; d < rule.indices.size(); ++d) {

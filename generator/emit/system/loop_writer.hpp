@@ -8,7 +8,7 @@
 
 #include "generator/emit/system/loop_names.hpp"
 #include "generator/emit/text/text.hpp"
-#include "generator/lower/loop_hessian.hpp"
+#include "generator/lower/loop_structure.hpp"
 
 namespace hvi::gen {
 
@@ -16,26 +16,26 @@ namespace hvi::gen {
 /// all elements stand in a row or stay.
 class LoopWriter {
 public:
-    LoopWriter(const LoopSystem& system, LoopNames& names) : system_(system), names_(names) {}
+    LoopWriter(const System& system, LoopNames& names) : system_(system), names_(names) {}
 
     /// A function that adds derivatives of a sum to `out`, for values of its first index from
     /// `first` to `last`. It looks at the array q, and at another one.
-    void write_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
+    void write_derivatives(Writer& writer, const std::string& name, const SystemSum& sum,
                            const std::vector<AccessSlope>& slopes, std::string_view other);
 
     /// The call of it for the whole sum, with these arrays.
-    void call_derivatives(Writer& writer, const std::string& name, const LoopSum& sum,
+    void call_derivatives(Writer& writer, const std::string& name, const SystemSum& sum,
                           std::string_view q, std::string_view other);
 
     /// Adds the entries of a matrix to `out`.
-    void write_entries(Writer& writer, const LoopEntries& entries);
+    void write_entries(Writer& writer, const SumEntries& entries);
 
     /// Adds a sum to `total`.
-    void write_total(Writer& writer, const LoopSum& sum);
+    void write_total(Writer& writer, const SystemSum& sum);
 
     /// Gives the elements of a family their values in `array`.
-    void write_start(Writer& writer, const LoopFamily& family, std::string_view array,
-                     const LoopStart& start);
+    void write_start(Writer& writer, const SystemFamily& family, std::string_view array,
+                     const SystemStart& start);
 
     /// Loads the elements that a kernel is given, by their own names, and returns all names that it
     /// needs. `value`: the type of what is loaded.
@@ -43,7 +43,7 @@ public:
                                  const Kernel& kernel, const std::vector<Loop>& loops);
 
     [[nodiscard]] LoopNames& names() { return names_; }
-    [[nodiscard]] const LoopSystem& system() const { return system_; }
+    [[nodiscard]] const System& system() const { return system_; }
 
 private:
     /// The loop of an innermost index, with so many numbers side by side, from first to end - 1.
@@ -54,24 +54,24 @@ private:
 
     /// Writes the innermost loop in lanes: what stays is loaded before it, and `use` writes what
     /// becomes of the results, which are of the type V.
-    void write_along(Writer& writer, const LoopSum& sum, const Kernel& kernel,
+    void write_along(Writer& writer, const SystemSum& sum, const Kernel& kernel,
                      const AlongLoop& loop,
                      const std::function<void(const std::vector<std::string>&)>& use);
-    void write_body(Writer& writer, const LoopSum& sum, const std::vector<AccessSlope>& slopes);
-    void write_lanes(Writer& writer, const LoopSum& sum, const std::vector<AccessSlope>& slopes);
-    void write_list(Writer& writer, const LoopFamily& family, std::string_view array,
-                    const LoopStart::List& list);
-    void write_rule(Writer& writer, const LoopFamily& family, std::string_view array,
-                    const LoopStart::Rule& rule);
-    [[nodiscard]] std::string place(const LoopFamily& family,
+    void write_body(Writer& writer, const SystemSum& sum, const std::vector<AccessSlope>& slopes);
+    void write_lanes(Writer& writer, const SystemSum& sum, const std::vector<AccessSlope>& slopes);
+    void write_list(Writer& writer, const SystemFamily& family, std::string_view array,
+                    const SystemStart::List& list);
+    void write_rule(Writer& writer, const SystemFamily& family, std::string_view array,
+                    const SystemStart::Rule& rule);
+    [[nodiscard]] std::string place(const SystemFamily& family,
                                     const std::vector<std::string>& indices) const;
-    [[nodiscard]] std::string first_place(const LoopFamily& family) const;
+    [[nodiscard]] std::string first_place(const SystemFamily& family) const;
     void open_loop(Writer& writer, const Loop& loop) const;
-    [[nodiscard]] bool goes_in_lanes(const LoopSum& sum) const;
+    [[nodiscard]] bool goes_in_lanes(const SystemSum& sum) const;
     [[nodiscard]] bool depends(std::size_t access, const std::string& index) const;
     void name_indices(NodeNames& locals, const std::vector<Loop>& loops) const;
 
-    const LoopSystem& system_;
+    const System& system_;
     LoopNames& names_;
 };
 

@@ -41,9 +41,9 @@ void add(std::vector<Member>& members, std::vector<std::string>& each, const std
 
 RotationMembers members_of(const System& system) {
     RotationMembers result;
-    for (const SystemRotation& rotation : system.rotations) {
-        add(result.rotations, result.each_rotation, rotation.rotation);
-        add(result.momenta, result.each_momentum, rotation.momentum);
+    for (std::size_t k = flat_coordinates(system); k < system.coordinates.size(); ++k) {
+        add(result.rotations, result.each_rotation, system.coordinates[k].name);
+        add(result.momenta, result.each_momentum, system.conjugates[k].name);
     }
     return result;
 }
@@ -67,7 +67,7 @@ void declare(Writer& writer, const Member& member, std::size_t numbers, std::str
 
 void write_structs(Writer& writer, const System& system, const RotationMembers& members) {
     constexpr std::string_view identity = "1, 0, 0, 0, 1, 0, 0, 0, 1";
-    const std::size_t n = system.flat_coordinates();
+    const std::size_t n = flat_coordinates(system);
     writer.comment("Where bodies are: coordinates q, and rotations from body to space, row by row.",
                    "/// ");
     writer.open("struct Placement {{");
@@ -85,7 +85,7 @@ void write_structs(Writer& writer, const System& system, const RotationMembers& 
 /// Copies in one direction or the other.
 void write_copies(Writer& writer, const System& system, const RotationMembers& members,
                   bool with_momenta, bool is_inward) {
-    const std::size_t n = system.flat_coordinates();
+    const std::size_t n = flat_coordinates(system);
     const auto copy = [&](std::size_t count, const std::string& outer, const std::string& inner) {
         writer.line("for (std::size_t k = 0; k < {}; ++k) {{ {} = {}; }}", count,
                     is_inward ? inner : outer, is_inward ? outer : inner);

@@ -48,7 +48,7 @@ struct StateArguments {
 };
 
 StateArguments arguments_of(const System& system) {
-    if (!system.rotations.empty()) {
+    if (rotations_of(system) > 0) {
         return {"const hvi::detail::ChartState<Space> at = flat(x);", "at.q, at.p"};
     }
     return {"", system.side == Side::lagrangian ? "x.q, velocity(x)" : "x.q, x.p"};
@@ -67,7 +67,7 @@ void write_member(Writer& writer, std::string_view doc, std::string_view state,
 
 void write_initial(Writer& writer, const System& system, std::string_view state) {
     writer.line("/// Where the scene begins.");
-    if (!system.rotations.empty()) {
+    if (rotations_of(system) > 0) {
         writer.open("[[nodiscard]] static {} initial(const Parameters& parameters) {{", state)
             .line("hvi::detail::ChartState<Space> at;")
             .line("System::begin(parameters, at.q, at.p);")

@@ -17,7 +17,7 @@ std::string joined(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-void write_site_types(Writer& writer, const SiteSystem& sites) {
+void write_site_types(Writer& writer, const Sites& sites) {
     writer.line("static constexpr std::size_t dimension = {};  // indices of a site",
                 sites.ranges.size());
     writer.line("static constexpr std::size_t components = {};", sites.forces.size());
@@ -61,8 +61,8 @@ void SiteWriter::write_sites(Writer& writer) const {
 
 /// Of an element that a site sees, from the number e of the site on.
 std::string SiteWriter::place(const SiteAccess& seen) const {
-    const LoopSystem& system = loops_.system();
-    const LoopFamily& family = system.family({seen.kind, seen.family, {}, 0});
+    const System& system = loops_.system();
+    const SystemFamily& family = system.family({seen.kind, seen.family});
     const std::string name = member_of(family.name);
     const std::size_t d = family.ranges.size();
     if (seen.kind != FamilyKind::table) {
@@ -97,11 +97,11 @@ NodeNames SiteWriter::locals(Writer& writer, const Kernel& kernel) {
     std::size_t count = 0;
     for (const SiteAccess& seen : sites_.accesses) {
         if (seen.node >= kernel.uses.size() || kernel.uses[seen.node] == 0) { continue; }
-        if (seen.kind == FamilyKind::momentum) {
+        if (seen.kind == FamilyKind::conjugate) {
             names[seen.node] = fmt::format("p[{}]", seen.family);
             continue;
         }
-        const Access access{seen.kind, seen.family, {}, 0};
+        const Access access{seen.kind, seen.family};
         const bool moves = std::find(seen.of.begin(), seen.of.end(), last) != seen.of.end();
         names[seen.node] = fmt::format("a{}", ++count);
         if (moves) {
@@ -142,8 +142,8 @@ void SiteWriter::write_force(Writer& writer) {
 }
 
 void SiteWriter::write_edge_term(Writer& writer, const SiteTerm& term) {
-    const LoopSystem& system = loops_.system();
-    const LoopSum& sum = system.sums[term.sum];
+    const System& system = loops_.system();
+    const SystemSum& sum = system.sums[term.sum];
     std::vector<std::string> conditions;
     writer.open("{{");
     for (std::size_t d = 0; d < term.indices.size(); ++d) {

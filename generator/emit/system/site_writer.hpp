@@ -3,17 +3,17 @@
 #pragma once
 
 #include "generator/emit/system/loop_writer.hpp"
-#include "generator/lower/site_force.hpp"
+#include "generator/lower/sites.hpp"
 
 namespace hvi::gen {
 
 /// What is known of the sites when the header is compiled.
-void write_site_types(Writer& writer, const SiteSystem& sites);
+void write_site_types(Writer& writer, const Sites& sites);
 
 /// Writes what src/hvi/detail/loops/sites.hpp asks of a system.
 class SiteWriter {
 public:
-    SiteWriter(const SiteSystem& sites, LoopWriter& loops)
+    SiteWriter(const Sites& sites, LoopWriter& loops)
         : sites_(sites), loops_(loops), names_(loops.names()) {}
 
     void write(Writer& writer);
@@ -28,7 +28,7 @@ private:
     [[nodiscard]] NodeNames locals(Writer& writer, const Kernel& kernel);
     [[nodiscard]] std::string place(const SiteAccess& access) const;
 
-    const SiteSystem& sites_;
+    const Sites& sites_;
     LoopWriter& loops_;
     LoopNames& names_;
 };

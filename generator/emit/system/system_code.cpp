@@ -25,8 +25,8 @@ public:
                 names_[nodes[k]] = fmt::format("{}[{}]", letter, k);
             }
         };
-        variables(system.q, "q");
-        variables(system.conjugates, std::string(1, system.conjugate_letter()));
+        variables(coordinate_nodes(system), "q");
+        variables(conjugate_nodes(system), std::string(1, system.conjugate_letter()));
         if (system.time) { names_[*system.time] = "t"; }
     }
 
@@ -282,6 +282,7 @@ std::vector<SystemFunction> slopes(const System& system, const Step& step,
 /// The constants of a quadratic H that are not zero.
 SystemFunction quadratic(const System& system) {
     const Structure& found = system.structure;
+    const Hessian& second = hessian_of(system);
     const std::size_t n = system.degrees_of_freedom();
     SystemFunction function{"quadratic", {}, {}, false, false, ""};
     function.out = fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n);
@@ -293,9 +294,9 @@ SystemFunction quadratic(const System& system) {
     };
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < n; ++j) {
-            add(fmt::format("H.qq[{}][{}]", i, j), system.hessian.qq[i][j]);
-            add(fmt::format("H.qp[{}][{}]", i, j), system.hessian.mixed[i][j]);
-            add(fmt::format("H.pp[{}][{}]", i, j), system.hessian.conjugates[i][j]);
+            add(fmt::format("H.qq[{}][{}]", i, j), second.qq[i][j]);
+            add(fmt::format("H.qp[{}][{}]", i, j), second.mixed[i][j]);
+            add(fmt::format("H.pp[{}][{}]", i, j), second.conjugates[i][j]);
         }
         add(fmt::format("H.by_q[{}]", i), found.by_q[i]);
         add(fmt::format("H.by_p[{}]", i), found.by_p[i]);
@@ -323,13 +324,15 @@ std::vector<SystemFunction> functions(const System& system, const SceneWishes& w
         function.is_counted = wishes.evaluations && has_forces;
     }
     if (wishes.energy || (wishes.action && !has_L)) {
-        result.push_back(value_in_time("energy", system.energy));
+        result.push_back(value_in_time("energy", energy_of(system)));
     }
-    if (wishes.action && has_L) { result.push_back(value_in_time("lagrangian", system.function)); }
+    if (wishes.action && has_L) {
+        result.push_back(value_in_time("lagrangian", function_of(system)));
+    }
     if (wishes.invariants) {
         for (std::size_t i = 0; i < system.invariants.size(); ++i) {
             result.push_back(
-                value(member_name(system.invariants[i].name), system.invariants[i].value));
+                value(member_name(system.invariants[i].name), value_of(system.invariants[i])));
         }
     }
     return result;
@@ -347,12 +350,12 @@ void write(Writer& writer, const System& system, NodeNames names, const SystemFu
     const std::string_view vector = vector_type(function.takes_lanes);
     if (function.has_q) {
         arguments.push_back(
-            argument(uses_any(function.kernel, system.q),
-                     fmt::format("const {}& q", system.rotations.empty() ? vector : "Positions")));
+            argument(uses_any(function.kernel, coordinate_nodes(system)),
+                     fmt::format("const {}& q", rotations_of(system) == 0 ? vector : "Positions")));
     }
     if (function.has_p) {
         arguments.push_back(
-            argument(uses_any(function.kernel, system.conjugates),
+            argument(uses_any(function.kernel, conjugate_nodes(system)),
                      fmt::format("const {}& {}", vector, system.conjugate_letter())));
     }
     if (function.has_time) {
@@ -412,9 +415,9 @@ void write_begin(Writer& writer, const System& system, const GivenNodes& given,
     const char p = system.conjugate_letter();
     writer.open("static constexpr void begin({}, {}& q, Vector& {}) {{",
                 argument(uses_parameters(system, initial), "const Parameters& parameters"),
-                system.rotations.empty() ? "Vector" : "Positions", p);
+                rotations_of(system) == 0 ? "Vector" : "Positions", p);
     const auto results = write_code(writer, system.graph, initial, given.of_inputs(), library);
-    const std::size_t n = system.q.size();
+    const std::size_t n = coordinate_nodes(system).size();
     for (std::size_t k = 0; k < results.size(); ++k) {
         writer.line("{}[{}] = {};", k < n ? 'q' : p, k < n ? k : k - n, results[k]);
     }
@@ -434,34 +437,28 @@ std::string data_text(const System& system, const GivenNodes& given) {
     return writer.str();
 }
 
-/// The coordinates that are no entries of rotations, and these by their names.
-std::string names_of(const System& system, const std::vector<std::string>& all,
-                     std::string SystemRotation::*name) {
-    std::vector<std::string> names(
-        all.begin(), all.begin() + static_cast<std::ptrdiff_t>(system.flat_coordinates()));
-    for (const SystemRotation& rotation : system.rotations) { names.push_back(rotation.*name); }
+/// The names of families, one after the other.
+std::string names_of(const std::vector<SystemFamily>& families) {
+    std::vector<std::string> names;
+    for (const SystemFamily& family : families) { names.push_back(family.name); }
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string about(const System& system) {
-    if (!system.rotations.empty()) {
+    if (rotations_of(system) > 0) {
         return fmt::format(
             "H = {}, where q is ({}) and p is ({}); D, the part of dH/dq that "
             "belongs to a rotation R, is the derivative of H(R exp(hat eta)) by eta.",
-            to_text(system.expression),
-            names_of(system, system.coordinates, &SystemRotation::rotation),
-            names_of(system, system.momenta, &SystemRotation::momentum));
+            to_text(system.expression), names_of(system.coordinates), names_of(system.conjugates));
     }
     return fmt::format("{} = {}, where q is ({}) and {} is ({}).", system.function_letter(),
-                       to_text(system.expression), fmt::join(system.coordinates, ", "),
-                       system.conjugate_letter(), fmt::join(system.conjugate_names(), ", "));
+                       to_text(system.expression), names_of(system.coordinates),
+                       system.conjugate_letter(), names_of(system.conjugates));
 }
 
 /// Coordinates, then momenta or velocities, where the scene begins.
 Kernel initial_values(const System& system) {
-    Results results;
-    for (const SystemValue& each : system.initial) { results.push_back(each.value); }
-    return kernel_of_inputs(system.graph, results);
+    return kernel_of_inputs(system.graph, start_of(system));
 }
 
 }  // namespace
@@ -485,7 +482,7 @@ std::string system_text(const System& system, const SceneWishes& wishes, const S
     Writer writer(1);
     writer.comment(about(system), "/// ");
     writer.open("struct System {{");
-    if (system.rotations.empty()) {
+    if (rotations_of(system) == 0) {
         writer.line("using Vector = Numbers;");
     } else {
         writer.line("using Vector = typename Space::Vector;");

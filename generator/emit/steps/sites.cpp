@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/emit/steps/loops.hpp"
-
 #include <algorithm>
 
 #include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
+#include "generator/emit/system/loop_code.hpp"
 #include "generator/emit/system/loop_files.hpp"
 #include "generator/ir/equal.hpp"
 #include "src/hvi/version.hpp"
@@ -42,12 +41,14 @@ std::string forces_of(const std::vector<Move>& all, std::string_view steps) {
                       : fmt::format("{} * {}", kicks, steps);
 }
 
-std::string emit_sites(const OneStepMethod& method, const Step& step, const ExplicitStep& form,
-                       const LoopCode& code, const EmitOptions& options) {
+}  // namespace
+
+std::string emit_sites(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
+    const auto& form = std::get<ExplicitStep>(step.form);
+    const System& system = *options.system;
     const SystemPart part = system_part(method, step, options);
     const std::vector<Move> all = moves(step);
-    const std::string include = include_of_files(code.system) +
-                                own_includes(code.system.own_headers) +
+    const std::string include = include_of_files(system) + own_includes(system.own_headers) +
                                 "#include <hvi/detail/coefficients/rounded.hpp>\n"
                                 "#include <hvi/detail/lanes/lane_functions.hpp>\n"
                                 "#include <hvi/detail/loops/along.hpp>\n"
@@ -62,23 +63,12 @@ std::string emit_sites(const OneStepMethod& method, const Step& step, const Expl
                  {"name", part.class_name},
                  {"purpose", part.purpose},
                  {"types", part.types},
-                 {"members", loop_members_text(code)},
+                 {"members", loop_members_text(system, false)},
                  {"weights", weights_text(step)},
                  {"moves", moves_text(step)},
                  {"forces", forces_of(all, "run.steps")},
                  {"sums", form.sums == Sums::plain ? "PlainSums" : "CompensatedSums"},
                  {"alias", part.alias}});
-}
-
-}  // namespace
-
-std::string emit_loops(const OneStepMethod& method, const Step& step, const LoopCode& code,
-                       const EmitOptions& options) {
-    const auto* form = std::get_if<ExplicitStep>(&step.form);
-    if (form != nullptr && code.sites) {
-        return with_names_of_user(emit_sites(method, step, *form, code, options), options);
-    }
-    return emit(method, step, options);
 }
 
 }  // namespace hvi::gen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/lower/site_force.hpp"
+#include "generator/lower/sites.hpp"
 
 #include <fmt/format.h>
 
@@ -51,11 +51,11 @@ bool are_box(const std::vector<Loop>& loops) {
 
 class SiteLowering {
 public:
-    explicit SiteLowering(LoopSystem& system) : system_(system) {}
+    explicit SiteLowering(System& system) : system_(system) {}
 
     /// Whether it is a lattice; then the result is complete.
     [[nodiscard]] bool find() {
-        if (!have_equal_indices() || !system_.is_separable()) { return false; }
+        if (!have_equal_indices() || !is_separable(system_)) { return false; }
         sites_.ranges = system_.coordinates.front().ranges;
         const std::size_t d = sites_.ranges.size();
         if (d < 1 || d > 3) { return false; }
@@ -68,7 +68,7 @@ public:
                 system_.graph.input(fmt::format("index {} of a site", k), Role::index).node);
         }
         forces_.resize(system_.coordinates.size());
-        velocities_.resize(system_.momenta.size());
+        velocities_.resize(system_.conjugates.size());
         for (std::size_t s = 0; s < system_.sums.size(); ++s) {
             if (!add(s)) { return false; }
         }
@@ -77,28 +77,28 @@ public:
         return true;
     }
 
-    [[nodiscard]] SiteSystem result() && { return std::move(sites_); }
+    [[nodiscard]] Sites result() && { return std::move(sites_); }
 
 private:
     [[nodiscard]] bool have_equal_indices() const {
         const auto& families = system_.coordinates;
-        return std::all_of(families.begin(), families.end(), [&](const LoopFamily& family) {
+        return std::all_of(families.begin(), families.end(), [&](const SystemFamily& family) {
             return family.ranges == families.front().ranges;
         });
     }
 
     [[nodiscard]] bool add(std::size_t s) {
         // NOTE: a copy of the slopes, since the graph grows.
-        const LoopSum sum = system_.sums[s];
+        const SystemSum sum = system_.sums[s];
         if (!are_box(sum.loops)) { return false; }
         return std::all_of(sum.by_q.begin(), sum.by_q.end(),
                            [&](const AccessSlope& slope) { return add_force(s, sum, slope); }) &&
-               std::all_of(sum.by_momenta.begin(), sum.by_momenta.end(),
+               std::all_of(sum.by_conjugates.begin(), sum.by_conjugates.end(),
                            [&](const AccessSlope& slope) { return add_velocity(sum, slope); });
     }
 
     /// What the indices of an element say of the loops of its sum.
-    [[nodiscard]] std::optional<std::vector<SiteIndex>> site_indices(const LoopSum& sum,
+    [[nodiscard]] std::optional<std::vector<SiteIndex>> site_indices(const SystemSum& sum,
                                                                      const Access& access) {
         std::vector<SiteIndex> result;
         std::size_t found = 0;
@@ -125,7 +125,7 @@ private:
         return found == sum.loops.size() ? std::optional(std::move(result)) : std::nullopt;
     }
 
-    [[nodiscard]] bool add_force(std::size_t s, const LoopSum& sum, const AccessSlope& slope) {
+    [[nodiscard]] bool add_force(std::size_t s, const SystemSum& sum, const AccessSlope& slope) {
         const Access& access = system_.accesses[slope.access];
         auto indices = site_indices(sum, access);
         if (!indices) { return false; }
@@ -159,7 +159,7 @@ private:
         return false;
     }
 
-    void bound_inside(const LoopSum& sum, const std::vector<SiteIndex>& indices) {
+    void bound_inside(const SystemSum& sum, const std::vector<SiteIndex>& indices) {
         for (std::size_t d = 0; d < indices.size(); ++d) {
             const auto& [loop, shift, wraps] = indices[d];
             bound(d, sum.loops[*loop].range.first + shift, sum.loops[*loop].range.last + shift);
@@ -185,7 +185,7 @@ private:
     }
 
     /// A summand's value where the indices of its loops are those of the site less shifts.
-    [[nodiscard]] std::optional<Scaled> seen_from_site(const LoopSum& sum, const Scaled& value,
+    [[nodiscard]] std::optional<Scaled> seen_from_site(const SystemSum& sum, const Scaled& value,
                                                        const std::vector<SiteIndex>& indices) {
         Graph& graph = system_.graph;
         std::map<Node, Scaled> inputs;
@@ -204,7 +204,7 @@ private:
         return replaced(graph, value, inputs);
     }
 
-    [[nodiscard]] std::optional<Node> seen_from_site(const LoopSum& sum, const Access& access,
+    [[nodiscard]] std::optional<Node> seen_from_site(const SystemSum& sum, const Access& access,
                                                      const std::vector<SiteIndex>& indices) {
         SiteAccess seen{access.kind, access.family, {}, {}, 0};
         std::string name = system_.family(access).name;
@@ -242,9 +242,9 @@ private:
     }
 
     [[nodiscard]] Node input(SiteAccess seen, const std::string& name) {
-        const Role role = seen.kind == FamilyKind::coordinate ? Role::coordinate
-                          : seen.kind == FamilyKind::momentum ? Role::conjugate
-                                                              : Role::index;
+        const Role role = seen.kind == FamilyKind::coordinate  ? Role::coordinate
+                          : seen.kind == FamilyKind::conjugate ? Role::conjugate
+                                                               : Role::index;
         seen.node = system_.graph.input(name, role).node;
         const bool is_new =
             std::none_of(sites_.accesses.begin(), sites_.accesses.end(),
@@ -255,7 +255,7 @@ private:
     }
 
     /// NOTE: one formula for all sites, and so no neighbours.
-    [[nodiscard]] bool add_velocity(const LoopSum& sum, const AccessSlope& slope) {
+    [[nodiscard]] bool add_velocity(const SystemSum& sum, const AccessSlope& slope) {
         const auto is_at_site = [&](const Access& access) {
             if (access.kind == FamilyKind::table) { return true; }
             const auto indices = site_indices(sum, access);
@@ -278,17 +278,17 @@ private:
         return true;
     }
 
-    LoopSystem& system_;
-    SiteSystem sites_;
+    System& system_;
+    Sites sites_;
     std::vector<std::vector<Scaled>> forces_, velocities_;
 };
 
 }  // namespace
 
-std::optional<SiteSystem> site_system(LoopSystem& system) {
+System with_sites(System system) {
     SiteLowering lowering(system);
-    if (!lowering.find()) { return std::nullopt; }
-    return std::move(lowering).result();
+    if (lowering.find()) { system.sites = std::move(lowering).result(); }
+    return system;
 }
 
 }  // namespace hvi::gen

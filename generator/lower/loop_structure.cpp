@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/lower/loop_hessian.hpp"
+#include "generator/lower/loop_structure.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -11,12 +11,12 @@ namespace hvi::gen {
 
 namespace {
 
-bool depends_on_state(const LoopSystem& system, const Scaled& value) {
+bool depends_on_state(const System& system, const Scaled& value) {
     return (system.graph.at(value.node).roles & of_state) != 0;
 }
 
 /// The derivatives of a slope by the elements of other slopes of its sum.
-std::vector<Scaled> second(LoopSystem& system, const Scaled& slope,
+std::vector<Scaled> second(System& system, const Scaled& slope,
                            const std::vector<AccessSlope>& by) {
     std::vector<Node> inputs;
     for (const AccessSlope& each : by) { inputs.push_back(system.accesses[each.access].node); }
@@ -28,9 +28,9 @@ std::vector<Scaled> second(LoopSystem& system, const Scaled& slope,
 enum class Kinetic { other, quadratic, diagonal };
 
 /// Of one sum: whether each slope is the sum of constants times momenta, and of its own alone.
-Kinetic kinetic(LoopSystem& system, const LoopSum& sum) {
+Kinetic kinetic(System& system, const SystemSum& sum) {
     // NOTE: a copy, as the graph grows.
-    const std::vector<AccessSlope> slopes = sum.by_momenta;
+    const std::vector<AccessSlope> slopes = sum.by_conjugates;
     Kinetic result = Kinetic::diagonal;
     for (std::size_t a = 0; a < slopes.size(); ++a) {
         const std::vector<Scaled> row = second(system, slopes[a].value, slopes);
@@ -47,17 +47,17 @@ Kinetic kinetic(LoopSystem& system, const LoopSum& sum) {
     return result;
 }
 
-Kinetic kinetic(LoopSystem& system) {
+Kinetic kinetic(System& system) {
     Kinetic result = Kinetic::diagonal;
-    for (const LoopSum& sum : system.sums) {
-        if (!sum.by_momenta.empty()) { result = std::min(result, kinetic(system, sum)); }
+    for (const SystemSum& sum : system.sums) {
+        if (!sum.by_conjugates.empty()) { result = std::min(result, kinetic(system, sum)); }
     }
     return result;
 }
 
 // ---- U ----
 
-bool is_quadratic(LoopSystem& system, const LoopSum& sum) {
+bool is_quadratic(System& system, const SystemSum& sum) {
     const std::vector<AccessSlope> slopes = sum.by_q;
     for (const AccessSlope& slope : slopes) {
         for (const Scaled& entry : second(system, slope.value, slopes)) {
@@ -83,44 +83,29 @@ bool is_told_by(const Access& access, const std::vector<Loop>& loops) {
     });
 }
 
-bool couples_few(const LoopSystem& system, const LoopSum& sum) {
+bool couples_few(const System& system, const SystemSum& sum) {
     return std::all_of(sum.by_q.begin(), sum.by_q.end(), [&](const AccessSlope& slope) {
         const Access& access = system.accesses[slope.access];
         return !access.indices.empty() && is_told_by(access, sum.loops);
     });
 }
 
-HessianForm hessian_form(const LoopSystem& system, const std::optional<SiteSystem>& sites,
-                         Kinetic kinetic, bool is_quadratic) {
+HessianForm hessian_form(const System& system, Kinetic kinetic, bool is_quadratic) {
     // NOTE: with a K that is not diagonal G K has more places than G.
     if (kinetic != Kinetic::diagonal) { return HessianForm::products; }
-    if (sites && sites->ranges.size() == 1) { return HessianForm::band; }
+    if (system.sites && system.sites->ranges.size() == 1) { return HessianForm::band; }
     // NOTE: factors of a lattice in the plane take 2 to 5 times as long as the products that solve
     // the equations (64 x 64 to 128 x 128 sites, h omega = 6), and pay where they are kept.
     const bool are_few =
         is_quadratic && std::all_of(system.sums.begin(), system.sums.end(),
-                                    [&](const LoopSum& sum) { return couples_few(system, sum); });
+                                    [&](const SystemSum& sum) { return couples_few(system, sum); });
     return are_few ? HessianForm::sparse : HessianForm::products;
-}
-
-std::size_t degrees_of_freedom(const LoopSystem& system) {
-    std::map<std::string, long> sizes;
-    for (const LoopSize& size : system.sizes) { sizes[size.name] = size.value; }
-    long count = 0;
-    for (const LoopFamily& family : system.coordinates) {
-        long elements = 1;
-        for (const LoopRange& range : family.ranges) {
-            elements *= range.last.at(sizes) - range.first.at(sizes) + 1;
-        }
-        count += elements;
-    }
-    return static_cast<std::size_t>(count);
 }
 
 // ---- second derivatives ----
 
-LoopEntries entries_of(LoopSystem& system, const LoopSum& sum) {
-    LoopEntries result{sum.loops, sum.accesses, {}};
+SumEntries entries_of(System& system, const SystemSum& sum) {
+    SumEntries result{sum.loops, sum.accesses, {}};
     const std::vector<AccessSlope> slopes = sum.by_q;
     for (const AccessSlope& row : slopes) {
         const std::vector<Scaled> values = second(system, row.value, slopes);
@@ -133,7 +118,7 @@ LoopEntries entries_of(LoopSystem& system, const LoopSum& sum) {
 }
 
 /// The element of the vector at the place of a coordinate, among the accesses.
-std::size_t direction_of(LoopSystem& system, std::size_t coordinate) {
+std::size_t direction_of(System& system, std::size_t coordinate) {
     Access access = system.accesses[coordinate];
     access.kind = FamilyKind::direction;
     access.node =
@@ -146,8 +131,8 @@ std::size_t direction_of(LoopSystem& system, std::size_t coordinate) {
 }
 
 /// The derivative of U along the vector, whose derivatives by coordinates are the product.
-LoopSum product_of(LoopSystem& system, const LoopSum& sum) {
-    LoopSum result{sum.loops, {}, sum.accesses, {}, {}};
+SystemSum product_of(System& system, const SystemSum& sum) {
+    SystemSum result{sum.loops, {}, sum.accesses, {}, {}};
     const std::vector<AccessSlope> slopes = sum.by_q;
     std::vector<Scaled> terms;
     for (const AccessSlope& slope : slopes) {
@@ -164,39 +149,47 @@ LoopSum product_of(LoopSystem& system, const LoopSum& sum) {
     return result;
 }
 
-}  // namespace
-
-SystemProperties properties(LoopSystem& system, const std::optional<SiteSystem>& sites) {
-    SystemProperties result;
-    result.has_any_size = true;
-    result.degrees_of_freedom = degrees_of_freedom(system);
-    result.is_separable = system.is_separable();
+Structure structure(System& system) {
+    Structure result;
+    result.is_separable = is_separable(system);
     if (!result.is_separable) { return result; }
     const Kinetic found = kinetic(system);
     result.kinetic_is_quadratic = found != Kinetic::other;
     result.has_diagonal_mass = found == Kinetic::diagonal;
     if (!result.kinetic_is_quadratic) { return result; }
-    result.has_linear_map =
+    result.is_quadratic =
         std::all_of(system.sums.begin(), system.sums.end(),
-                    [&](const LoopSum& sum) { return is_quadratic(system, sum); });
-    result.hessian = hessian_form(system, sites, found, result.has_linear_map);
+                    [&](const SystemSum& sum) { return is_quadratic(system, sum); });
+    result.has_linear_map = result.is_quadratic;
+    result.hessian = hessian_form(system, found, result.is_quadratic);
     return result;
 }
 
-LoopHessian loop_hessian(LoopSystem& system, HessianForm form) {
-    HVI_CHECK(form != HessianForm::dense);
-    LoopHessian result;
-    for (const LoopSum& sum : system.sums) {
+SecondOrder second_order(System& system) {
+    HessianEntries entries;
+    HessianProducts products;
+    const bool are_products = system.structure.hessian == HessianForm::products;
+    // NOTE: a copy, as accesses are added.
+    const std::vector<SystemSum> sums = system.sums;
+    for (const SystemSum& sum : sums) {
         if (sum.by_q.empty()) { continue; }
-        if (form == HessianForm::products) {
-            LoopSum product = product_of(system, sum);
-            if (!product.by_q.empty()) { result.products.push_back(std::move(product)); }
+        if (are_products) {
+            SystemSum product = product_of(system, sum);
+            if (!product.by_q.empty()) { products.sums.push_back(std::move(product)); }
         } else {
-            LoopEntries entries = entries_of(system, sum);
-            if (!entries.entries.empty()) { result.entries.push_back(std::move(entries)); }
+            SumEntries of_sum = entries_of(system, sum);
+            if (!of_sum.entries.empty()) { entries.sums.push_back(std::move(of_sum)); }
         }
     }
-    return result;
+    return are_products ? SecondOrder{std::move(products)} : SecondOrder{std::move(entries)};
+}
+
+}  // namespace
+
+System with_loop_structure(System system) {
+    system.structure = structure(system);
+    if (system.structure.kinetic_is_quadratic) { system.second = second_order(system); }
+    return system;
 }
 
 }  // namespace hvi::gen

@@ -4,10 +4,9 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "generator/ir/loop_system.hpp"
+#include "generator/ir/sums.hpp"
 
 namespace hvi::gen {
 
@@ -21,7 +20,7 @@ struct SiteIndex {
 
 /// The derivative of a summand by an element at a site.
 struct SiteTerm {
-    std::size_t sum = 0;        ///< of LoopSystem::sums
+    std::size_t sum = 0;        ///< of System::sums
     AccessSlope slope;          ///< by this element
     std::size_t component = 0;  ///< the coordinate that it is one of
     std::vector<SiteIndex> indices;
@@ -40,7 +39,7 @@ struct SiteAccess {
 /// H = T(p) + U(q) of a lattice: all coordinates have the same indices, the *sites*; dU/dq at a
 /// site is made of a number of elements that does not depend on sizes, and dT/dp of the momenta
 /// there.
-struct SiteSystem {
+struct Sites {
     std::vector<LoopRange> ranges;  ///< of the sites
     std::vector<SiteTerm> terms;    ///< of dU/dq
     /// Where all terms exist and no index wraps, for each index from the largest of `firsts` to the
@@ -55,8 +54,5 @@ struct SiteSystem {
     std::vector<SiteAccess> accesses;  ///< inputs of forces and velocities
     std::vector<Node> indices;         ///< the inputs k as numbers
 };
-
-/// The system seen from its sites, the values added to its graph; empty where it is no lattice.
-[[nodiscard]] std::optional<SiteSystem> site_system(LoopSystem& system);
 
 }  // namespace hvi::gen

@@ -1,0 +1,14 @@
+// What a system with loops is, as far as its graph proves it, and its second derivatives.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/ir/system.hpp"
+
+namespace hvi::gen {
+
+/// The system with its structure: H = T(p) + U(q), T = p^T K p/2, whether U is quadratic, and what
+/// is coupled in d2U/dq2: read off the summands, never off sizes. Where T is quadratic d2H/dq2 is
+/// there too, as Newton's method takes it. Precondition: slopes, and sites of a lattice, are there.
+[[nodiscard]] System with_loop_structure(System system);
+
+}  // namespace hvi::gen

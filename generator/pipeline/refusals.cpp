@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/pipeline/refusals.hpp"
+
+#include "generator/plan/lanes.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+void check_solver(const Step& step, const StepperWishes& wishes, const Place& place) {
+    const Iteration* iteration = step.iteration();
+    if (iteration == nullptr || std::holds_alternative<VelocityStep>(step.form)) return;
+    if (iteration->solver != Solver::newton_taylor) return;
+    if (wishes.action)
+        throw InputError("--solver newton-taylor solves for positions alone, and --action needs "
+                         "the momenta of the stages",
+                         place, "--solver newton goes with it");
+    throw InputError("--solver newton-taylor is built only for H = T(p) + U(q) with a "
+                     "quadratic T",
+                     place, "--solver newton takes any H");
+}
+
+void check_lanes(const Step& step, const StepperWishes& wishes) {
+    const Wish<Lanes>& wished = wishes.lanes;
+    if (wished.choice != Lanes::stages) return;
+    if (wishes.action)
+        throw InputError("--action is not built for stages side by side: it is summed over one "
+                         "stage after the other",
+                         wished.place, "without --lanes it takes them so");
+    const std::string obstacle = obstacle_to_stage_lanes(step);
+    if (obstacle.empty()) return;
+    throw InputError("no lanes for the stages of this method on this H: " + obstacle, wished.place,
+                     "without --lanes they are used where they can be");
+}
+
+/// An ensemble, and what is not built for it.
+void check_ensemble(const Step& step, const StepperWishes& wishes) {
+    if (wishes.lanes.choice != Lanes::ensemble) return;
+    const std::optional<Place>& place = wishes.lanes.place;
+    const auto refuse = [&](bool is_wished, const char* flag, const char* reason) {
+        if (is_wished)
+            throw InputError(std::string(flag) + " is not built for ensembles: " + reason, place,
+                             "without --lanes ensemble there is a stepper of one trajectory");
+    };
+    refuse(wishes.dense, "--dense", "trajectories take all their steps at once");
+    refuse(wishes.action, "--action", "trajectories take all their steps at once");
+    refuse(wishes.float128, "--float128", "no processor computes several of these at once");
+    refuse(wishes.evaluations, "--evaluations", "one evaluation serves several trajectories");
+    const std::string obstacle = obstacle_to_ensemble(step);
+    if (!obstacle.empty())
+        throw InputError("no ensembles of this method on this H: " + obstacle, place,
+                         "they are built for explicit methods, as stormer-verlet and its "
+                         "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
+}
+
+/// Steps that vectors of any size do not have.
+void check_vectors(const Step& step, const Method& method, const StepperWishes& wishes,
+                   const Place& place) {
+    if (step.from_parameter) {
+        throw InputError("methods with a free parameter are not built for more than 64 degrees of "
+                         "freedom",
+                         method.place, "give it a value");
+    }
+    if (std::holds_alternative<GalerkinStep>(step.form)) {
+        throw InputError("more nodes than functions are built for more than 64 degrees of freedom "
+                         "where the kinetic energy is quadratic, and no steps are composed",
+                         method.place, "take as many nodes as functions");
+    }
+    if (std::holds_alternative<PairStep>(step.form) && wishes.solver == Solver::newton) {
+        throw InputError("--solver newton is built for more than 64 degrees of freedom where the "
+                         "kinetic energy is quadratic, and no steps are composed",
+                         place, "without it fixed points are iterated");
+    }
+}
+
+}  // namespace
+
+void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place) {
+    const auto refuse = [&](bool is_wished, const char* flag) {
+        if (!is_wished) { return; }
+        throw InputError(std::string(flag) + " is not built for more than 64 degrees of freedom",
+                         place);
+    };
+    refuse(wishes.dense, "--dense");
+    refuse(wishes.action, "--action");
+    refuse(wishes.float128, "--float128");
+    refuse(wishes.lanes.choice == Lanes::ensemble, "--lanes ensemble");
+    refuse(wishes.lanes.choice == Lanes::stages, "--lanes stages");
+    refuse(wishes.solver == Solver::newton_taylor, "--solver newton-taylor");
+}
+
+void check_step(const Step& step, const Method& method, const StepperWishes& wishes,
+                const Place& place) {
+    if (step.container == Container::vectors) {
+        check_vectors(step, method, wishes, place);
+        return;
+    }
+    check_solver(step, wishes, place);
+    check_lanes(step, wishes);
+    check_ensemble(step, wishes);
+}
+
+}  // namespace hvi::gen

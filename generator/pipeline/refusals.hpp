@@ -1,0 +1,19 @@
+// What is wished for and not built, with a word why and what would help.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/ir/step.hpp"
+#include "generator/options/wishes.hpp"
+#include "generator/read/method.hpp"
+
+namespace hvi::gen {
+
+/// Throws InputError at `place`, that of H, for what systems of any size do not have.
+void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place);
+
+/// Throws InputError for a step that was planned and is not what was wished for, or that its
+/// container does not have. `place` is that of H.
+void check_step(const Step& step, const Method& method, const StepperWishes& wishes,
+                const Place& place);
+
+}  // namespace hvi::gen
