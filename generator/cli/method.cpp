@@ -147,9 +147,10 @@ MethodAndLargeScene completed(IndexedScene scene, const Given& name, const Metho
         const bool is_of_method = has_parameter(method, parameter.name);
         if (is_of_scene && is_of_method)
             throw InputError(fmt::format("both the method and the scene have a parameter `{}`, "
-                                         "which is not built for more than {} degrees of freedom",
-                                         parameter.name, most_unrolled),
-                             parameter.place, "give one of the two another name");
+                                         "which is not built where sums stay loops",
+                                         parameter.name),
+                             parameter.place,
+                             "give one of the two another name, or write sums out: --unroll yes");
         if (is_of_scene) {
             scene.origin += parameter_option(parameter);
         } else if (is_of_method) {
@@ -175,10 +176,16 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
 std::variant<MethodAndScene, MethodAndLargeScene>
 read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system) {
     if (!system.scene) return read_scene(options, system);
-    auto found = find_scene_of_any_size(system.scene, parameters_in(options.parameters));
-    if (auto* large = std::get_if<IndexedScene>(&found))
-        return completed(std::move(*large), system.scene, options);
-    return completed(std::get<Scene>(std::move(found)), options);
+    auto [found, unrolling] =
+        find_scene_of_any_size(system.scene, parameters_in(options.parameters), system.sums);
+    if (auto* large = std::get_if<IndexedScene>(&found)) {
+        MethodAndLargeScene both = completed(std::move(*large), system.scene, options);
+        both.unrolling = std::move(unrolling);
+        return both;
+    }
+    MethodAndScene both = completed(std::get<Scene>(std::move(found)), options);
+    both.unrolling = std::move(unrolling);
+    return both;
 }
 
 std::variant<Scene, IndexedScene> read_scene_alone(const std::vector<Given>& assignments,
@@ -186,7 +193,7 @@ std::variant<Scene, IndexedScene> read_scene_alone(const std::vector<Given>& ass
     const std::vector<Parameter> parameters = parameters_in(assignments);
     std::variant<Scene, IndexedScene> found;
     if (system.scene)
-        found = find_scene_of_any_size(system.scene, parameters);
+        found = find_scene_of_any_size(system.scene, parameters, system.sums).scene;
     else
         found = scene_of(read_hamiltonian(system, parameters));
     Method none;
@@ -204,7 +211,7 @@ std::variant<MethodAndScene, MethodAndLargeScene> read_both(const MethodOptions&
                                                             const SystemOptions& system) {
     const std::vector<Parameter> parameters = parameters_in(options.parameters);
     if (system.scene) {
-        auto found = find_scene_of_any_size(system.scene, parameters);
+        auto found = find_scene_of_any_size(system.scene, parameters, system.sums).scene;
         if (auto* large = std::get_if<IndexedScene>(&found))
             return completed(std::move(*large), system.scene, options);
     }

@@ -8,6 +8,7 @@
 #include "generator/read/coefficients.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/read/unrolling.hpp"
 
 namespace hvi::gen {
 
@@ -33,14 +34,16 @@ struct MethodAndSystem {
 struct MethodAndScene {
     Method method;
     Scene scene;
+    UnrollDecision unrolling = {};
 };
 [[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
 
-/// A method, and a scene of more degrees of freedom than are written out, as it is written. Its
-/// parameters have their values, and so have those of the method.
+/// A method, and a scene whose sums stay loops, as it is written. Its parameters have their values,
+/// and so have those of the method.
 struct MethodAndLargeScene {
     Method method;
     IndexedScene scene;
+    UnrollDecision unrolling = {};
 };
 
 /// Whichever of the two the scene is. Throws InputError, too, where a scene that is not written out

@@ -64,6 +64,9 @@ struct WishReader {
     void operator()(Solver StepperWishes::*member) const {
         if (const auto solver = words.choice<Solver>(option)) wishes.*member = *solver;
     }
+    void operator()(Unroll StepperWishes::*member) const {
+        if (const auto unroll = words.choice<Unroll>(option)) wishes.*member = *unroll;
+    }
     void operator()(Wish<Lanes> StepperWishes::*member) const {
         if (const auto lanes = words.choice<Lanes>(option))
             wishes.*member = {*lanes, whole(words.value(option))};
@@ -103,6 +106,21 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
     return options;
 }
 
+/// The first of what is wished for that loops do not have.
+std::string needed_for(const StepperWishes& wishes) {
+    const std::pair<bool, const char*> all[] = {
+        {wishes.dense, "--dense"},
+        {wishes.action, "--action"},
+        {wishes.float128, "--float128"},
+        {wishes.lanes.choice == Lanes::ensemble, "--lanes ensemble"},
+        {wishes.lanes.choice == Lanes::stages, "--lanes stages"},
+        {wishes.solver == Solver::newton_taylor, "--solver newton-taylor"},
+    };
+    for (const auto& [is_wished, option] : all)
+        if (is_wished) return option;
+    return "";
+}
+
 StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     StepperOptions options;
     options.system = system_options(words);
@@ -112,6 +130,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     options.method = options.system && options.system->scene ? method_beside_scene(words)
                                                              : method_options(words, line);
     options.wishes = wishes_of(words);
+    if (options.system) options.system->sums = {options.wishes.unroll, needed_for(options.wishes)};
     options.explain = words.has("--explain");
     if (const auto stage = words.choice<Stage>("--dump")) {
         options.dump = Wish<Stage>{*stage, whole(words.value("--dump"))};
@@ -151,6 +170,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.system.scene = words.value("SCENE");
     if (!options.system.scene) refuse_without_scene(line);
     options.wishes = wishes_of(words);
+    options.system.sums = {options.wishes.unroll, needed_for(options.wishes)};
     options.accuracy = words.fraction("--accuracy");
     if (const auto seconds = words.whole_number("--budget")) options.budget = *seconds;
     options.step = words.value("--step");
@@ -195,6 +215,10 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
     options.scenes = words.texts("SCENE");
     if (words.has("--peers")) options.peers = words.place("--peers");
     options.edges = place_of_edges(words);
+    options.sums = {words.choice<Unroll>("--unroll").value_or(Unroll::automatic),
+                    options.peers   ? "--peers"
+                    : options.edges ? "what is measured at edges"
+                                    : ""};
     options.symmetries = !words.has("--no-symmetries");
     options.method = method_beside_scene(words);
     options.methods = words.value("--methods");

@@ -34,6 +34,7 @@ struct TableauOptions {
 struct SystemOptions {
     Given scene;  ///< the name of one, or a file
     Given hamiltonian, coordinates, momenta;
+    UnrollWish sums = {};  ///< of a scene
 };
 
 struct CheckOptions {
@@ -82,6 +83,7 @@ struct ReportOptions {
     Given until;                 ///< in place of the scenes'
     std::optional<Place> peers;  ///< where integrators of other libraries are asked for too
     std::optional<Place> edges;  ///< where any of these items are asked for by name
+    UnrollWish sums = {};        ///< of the scenes
     bool symmetries = true;      ///< look for them
     std::set<ReportItem> items;  ///< work only where there are scenes
     std::optional<std::filesystem::path> output;  ///< a directory

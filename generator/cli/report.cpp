@@ -45,9 +45,7 @@ struct Subject {
 void check_large(const ReportOptions& options) {
     const auto refuse = [](const std::optional<Place>& place, const char* what, const char* help) {
         if (place)
-            throw InputError(fmt::format("{} not built for scenes of more than {} degrees of "
-                                         "freedom",
-                                         what, most_unrolled),
+            throw InputError(fmt::format("{} not built for scenes whose sums stay loops", what),
                              *place, help);
     };
     refuse(options.peers, "integrators of other libraries are",
@@ -68,7 +66,7 @@ NamedExpression first_step(const Scene& scene, const ReportOptions& options) {
 }
 
 Subject subject(const Given& name, const ReportOptions& options) {
-    Subject result{find_scene_of_any_size(name)};
+    Subject result{find_scene_of_any_size(name, {}, options.sums).scene};
     const auto* large = std::get_if<IndexedScene>(&result.scene);
     if (large != nullptr) check_large(options);
     Scene scene = large != nullptr ? without_motion(*large) : std::get<Scene>(result.scene);
@@ -186,9 +184,10 @@ std::vector<Scene> scenes_by_name(const std::vector<std::string>& names) {
 /// All that come with the program. NOTE: but for the large ones, whose steps have derivatives of
 /// too many parts.
 std::vector<std::string> all_scenes() {
+    constexpr std::size_t most_at_edges = 64;
     std::vector<std::string> names;
     for (const SceneEntry& entry : scenes())
-        if (entry.degrees_of_freedom <= most_degrees_of_freedom) names.emplace_back(entry.name);
+        if (entry.degrees_of_freedom <= most_at_edges) names.emplace_back(entry.name);
     return names;
 }
 

@@ -311,7 +311,7 @@ WishedRun advised_run(const RunOptions& options) {
     }();
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
-    const auto [method, scene] = read_scene(method_options, options.system);
+    const auto [method, scene, sums] = read_scene(method_options, options.system);
     WishedRun run = watched_run(method, scene, simulation_wishes(advice.solver, advice.composition),
                                 advice.steps, options);
     run.shortfall = advice.shortfall;

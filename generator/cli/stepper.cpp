@@ -29,7 +29,7 @@ void write_method(const StepperOptions& options) {
                  options.dump ? dump(method, stepper, *options.dump) : stepper.header);
 }
 
-std::string explanation(const SceneStepper& stepper) {
+std::string explanation(const SceneStepper& stepper, const UnrollDecision& unrolling = {}) {
     std::string text = fmt::format("found in {}:\n", stepper.system.function_letter());
     for (const std::string& fact : facts(stepper.system)) text += "  " + fact + "\n";
     if (stepper.evaluations) {
@@ -38,6 +38,9 @@ std::string explanation(const SceneStepper& stepper) {
             text += "  " + cost + "\n";
     }
     text += "plan:\n";
+    if (!unrolling.why.empty())
+        text += fmt::format("  sums {}: {}\n",
+                            unrolling.writes_out ? "are written out" : "stay loops", unrolling.why);
     for (const Decision& decision : stepper.step.decisions)
         text += "  " + decision.what + ": " + decision.why + "\n";
     return text;
@@ -60,7 +63,7 @@ template <class AnyMethodAndScene>
 void write_scene(const StepperOptions& options, const AnyMethodAndScene& wished) {
     check_output(options, wished.scene.own);
     const SceneStepper stepper = scene_stepper(wished.method, wished.scene, options.wishes);
-    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
+    if (options.explain) std::fputs(explanation(stepper, wished.unrolling).c_str(), stderr);
     write_result(options.output,
                  options.dump ? dump(wished.method, stepper, *options.dump) : stepper.header);
 }
@@ -81,7 +84,7 @@ void write_advised(const StepperOptions& options) {
                         "ask for less, for an earlier end by --until, or for more by --budget");
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
-    const auto [method, scene] = read_scene(method_options, *options.system);
+    const auto [method, scene, sums] = read_scene(method_options, *options.system);
     StepperWishes wishes = options.wishes;
     wishes.solver = advice.solver;
     wishes.composition = advice.composition;

@@ -104,8 +104,8 @@ private:
 
 void LoopLowering::refuse_side() const {
     if (written_.side == Side::hamiltonian) { return; }
-    throw InputError("a Lagrangian of more than 64 degrees of freedom is not built",
-                     whole(written_.function.source), "write its Hamiltonian");
+    throw InputError("a Lagrangian has no loops", whole(written_.function.source),
+                     "write its Hamiltonian, or write sums out: --unroll yes");
 }
 
 void LoopLowering::declare(const std::string& name, const Place& place) {
@@ -161,8 +161,8 @@ void LoopLowering::check_pairs() const {
         }
     }
     if (!are_pairs) {
-        throw InputError("where there are more than 64 degrees of freedom, coordinates and momenta "
-                         "are pairs of families with the same indices",
+        throw InputError("where sums stay loops, coordinates and momenta are pairs of families "
+                         "with the same indices",
                          written_.conjugates.place, "as x[1..N], y[1..N] and px[1..N], py[1..N]");
     }
 }
@@ -176,8 +176,7 @@ SystemTable LoopLowering::table(const std::string& name, const ValueList& list) 
         refuse_own_functions(number, each.source, "the value of a parameter");
         walk(number, [&](const Expression& part) {
             if (part.kind == Expression::Kind::symbol && !is_constant(part.name)) {
-                throw InputError("where there are more than 64 degrees of freedom, lists of "
-                                 "parameters are made of numbers",
+                throw InputError("where sums stay loops, lists of parameters are made of numbers",
                                  Place{each.source, part.range});
             }
             return true;
@@ -270,9 +269,9 @@ ElementIndex LoopLowering::index(const Expression& written, const std::vector<Lo
             return {std::move(*form), std::move(modulus), std::move(*offset)};
         }
     }
-    throw InputError("where there are more than 64 degrees of freedom, an index is made of whole "
-                     "numbers, sizes and indices of sums by +, - and products with numbers, or of "
-                     "one mod of these and what is added to it",
+    throw InputError("where sums stay loops, an index is made of whole numbers, sizes and indices "
+                     "of sums by +, - and products with numbers, or of one mod of these and what "
+                     "is added to it",
                      Place{source, written.range});
 }
 
@@ -343,9 +342,8 @@ void LoopLowering::check_known(const Expression& part, const std::vector<Loop>& 
     if (is_constant(name) || is_index || symbols_.count(name) != 0) { return; }
     const Place place{source, part.range};
     if (name == "t") {
-        throw InputError("a Hamiltonian of more than 64 degrees of freedom with explicit time is "
-                         "not built",
-                         place);
+        throw InputError("an H that depends on the time has no loops", place,
+                         "write sums out: --unroll yes");
     }
     if (families_.count(name) != 0) {
         throw InputError(fmt::format("`{}` has an index", name), place);

@@ -15,6 +15,8 @@ namespace {
 
 using Expressions = std::vector<Expression>;
 
+constexpr const char* write_out = "write sums out, where there are not many terms: --unroll yes";
+
 template <class Test>
 bool any_part(const Expression& expression, const Test& test) {
     bool found = false;
@@ -135,10 +137,9 @@ private:
 
     [[nodiscard]] AffineForm bound(const Expression& written) const {
         if (auto form = affine_form(written)) { return std::move(*form); }
-        throw InputError("where there are more than 64 degrees of freedom, bounds of sums are made "
-                         "of whole numbers, sizes and other indices by +, - and products with "
-                         "numbers",
-                         Place{source_, written.range});
+        throw InputError("where sums stay loops, their bounds are made of whole numbers, sizes and "
+                         "other indices by +, - and products with numbers",
+                         Place{source_, written.range}, write_out);
     }
 
     /// NOTE: what is multiplied out is one factor, the others being without variables, so that
@@ -162,9 +163,8 @@ private:
         if (inner != nullptr && is_linear) { return split(*inner, more, loops); }
         const Expression written = written_out(product);
         if (has_sum(written)) {
-            throw InputError("a product of two sums is not built for more than 64 degrees of "
-                             "freedom",
-                             Place{source_, product.range});
+            throw InputError("a product of two sums is not built where sums stay loops",
+                             Place{source_, product.range}, write_out);
         }
         add(written, factors, loops);
     }
@@ -195,8 +195,8 @@ Expression without_sums(const IndexedExpression& expression) {
     walk(result, [&](const Expression& part) {
         if (part.kind != Expression::Kind::sum_over) { return true; }
         throw InputError("a sum inside a function is built only for at most 16 terms, with numbers "
-                         "for its bounds, where there are more than 64 degrees of freedom",
-                         Place{expression.source, part.range});
+                         "for its bounds, where sums stay loops",
+                         Place{expression.source, part.range}, write_out);
     });
     return result;
 }

@@ -105,8 +105,8 @@ struct Relation {
 /// The member of the wishes that an option sets.
 using WishMember =
     std::variant<std::monostate, bool StepperWishes::*, Solver StepperWishes::*,
-                 Wish<Lanes> StepperWishes::*, std::optional<Composition> StepperWishes::*,
-                 Given StepperWishes::*>;
+                 Wish<Lanes> StepperWishes::*, Unroll StepperWishes::*,
+                 std::optional<Composition> StepperWishes::*, Given StepperWishes::*>;
 
 /// A row. An option may have several, of different commands; in each it means the same.
 struct OptionEntry {

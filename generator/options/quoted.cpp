@@ -35,6 +35,9 @@ struct Quotation {
     std::string operator()(Solver StepperWishes::*member) const {
         return option_for(option, wishes.*member, usual.*member);
     }
+    std::string operator()(Unroll StepperWishes::*member) const {
+        return option_for(option, wishes.*member, usual.*member);
+    }
     std::string operator()(Wish<Lanes> StepperWishes::*member) const {
         return option_for(option, (wishes.*member).choice, (usual.*member).choice);
     }

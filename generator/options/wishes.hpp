@@ -6,6 +6,7 @@
 
 #include "generator/exact/methods/composition.hpp"
 #include "generator/plan/plan.hpp"
+#include "generator/read/unrolling.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -23,6 +24,7 @@ struct StepperWishes {
     bool separable = false;  ///< H = T(p) + U(q), of a class of the user
     Solver solver = Solver::automatic;
     Wish<Lanes> lanes = {Lanes::automatic};
+    Unroll unroll = Unroll::automatic;            ///< whether sums are written out
     bool energy = false;                          ///< as a member
     bool invariants = false;                      ///< the same
     bool evaluations = false;                     ///< of dH/dq, counted, the same

@@ -57,19 +57,20 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
 void check_vectors(const Step& step, const Method& method, const StepperWishes& wishes,
                    const Place& place) {
     if (step.from_parameter) {
-        throw InputError("methods with a free parameter are not built for more than 64 degrees of "
-                         "freedom",
-                         method.place, "give it a value");
+        throw InputError("methods with a free parameter are not built where sums stay loops",
+                         method.place, "give it a value, or write sums out: --unroll yes");
     }
     if (std::holds_alternative<GalerkinStep>(step.form)) {
-        throw InputError("more nodes than functions are built for more than 64 degrees of freedom "
-                         "where the kinetic energy is quadratic, and no steps are composed",
-                         method.place, "take as many nodes as functions");
+        throw InputError(
+            "more nodes than functions are built where sums stay loops for a quadratic "
+            "kinetic energy alone, and no steps are composed",
+            method.place, "take as many nodes as functions, or write sums out: --unroll yes");
     }
     if (std::holds_alternative<PairStep>(step.form) && wishes.solver == Solver::newton) {
-        throw InputError("--solver newton is built for more than 64 degrees of freedom where the "
-                         "kinetic energy is quadratic, and no steps are composed",
-                         place, "without it fixed points are iterated");
+        throw InputError("--solver newton is built where sums stay loops for a quadratic kinetic "
+                         "energy alone, and no steps are composed",
+                         place,
+                         "without it fixed points are iterated; or write sums out: --unroll yes");
     }
 }
 
@@ -78,8 +79,8 @@ void check_vectors(const Step& step, const Method& method, const StepperWishes& 
 void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place) {
     const auto refuse = [&](bool is_wished, const char* flag) {
         if (!is_wished) { return; }
-        throw InputError(std::string(flag) + " is not built for more than 64 degrees of freedom",
-                         place);
+        throw InputError(std::string(flag) + " is not built where sums stay loops", place,
+                         "write sums out: --unroll yes");
     };
     refuse(wishes.dense, "--dense");
     refuse(wishes.action, "--action");

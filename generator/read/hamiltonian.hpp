@@ -12,8 +12,9 @@
 
 namespace hvi::gen {
 
-/// The most degrees of freedom that a Hamiltonian can have.
-constexpr std::size_t most_degrees_of_freedom = 64;
+/// The most degrees of freedom that a function without loops can have: there is an entry for each
+/// two of them in the matrix of its second derivatives.
+constexpr std::size_t most_degrees_of_freedom = 256;
 
 /// What a Hamiltonian and a Lagrangian have in common: a function of coordinates, of as many other
 /// variables, of parameters and of the time, as it was given, checked as far as words go. Names of

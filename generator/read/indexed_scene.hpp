@@ -125,23 +125,14 @@ struct IndexedScene {
 /// index is no whole number, and where an index has no value.
 [[nodiscard]] std::size_t degrees_of_freedom(const IndexedScene& scene);
 
-/// So many make a scene of loops; below, sums may be written out.
-constexpr std::size_t most_unrolled = 64;
-
 /// Gives a parameter another value: `N`, or `m[2]` of a list. Whether there is such a parameter.
 [[nodiscard]] bool assign(IndexedScene& scene, const Parameter& parameter);
 
 /// The scene with all sums written out, names with indices as so many names, definitions put in,
 /// and parameters that are made of others computed. What stands in an index or a range is a number:
 /// no parameter of the result. Throws InputError where a word has no meaning or stands where it may
-/// not, and for more than 64 degrees of freedom, parameters or invariants.
+/// not, for more than most_degrees_of_freedom, and for more than 64 parameters or invariants.
 [[nodiscard]] Scene unrolled(const IndexedScene& scene);
-
-/// The scene that the command line names, as find_indexed_scene() finds it: unrolled, or as it is
-/// written where it has more degrees of freedom than are written out. Throws InputError as
-/// unrolled() does.
-[[nodiscard]] std::variant<Scene, IndexedScene>
-find_scene_of_any_size(const Given& name_or_file, const std::vector<Parameter>& values = {});
 
 /// What a scene of any size says besides its motion: names, parameters without an index, sizes, and
 /// what [run] asks for. Throws InputError as unrolled() does for these.

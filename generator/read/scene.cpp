@@ -14,6 +14,7 @@
 #include "generator/read/nearest.hpp"
 #include "generator/read/sizes.hpp"
 #include "generator/read/unroll.hpp"
+#include "generator/read/unrolling.hpp"
 
 namespace hvi::gen {
 
@@ -95,31 +96,10 @@ IndexedScene find_indexed_scene(const Given& name_or_file, const std::vector<Par
     return written;
 }
 
-std::variant<Scene, IndexedScene> find_scene_of_any_size(const Given& name_or_file,
-                                                         const std::vector<Parameter>& values) {
-    IndexedScene written = find_indexed_scene(name_or_file, values);
-    const std::size_t degrees = degrees_of_freedom(written);
-    if (degrees > most_unrolled && !written.rotations.texts.empty())
-        throw InputError(fmt::format("this scene has {} degrees of freedom, and with rotations {} "
-                                     "are the most",
-                                     degrees, most_unrolled),
-                         written.rotations.place, "a rotation has three");
-    if (degrees > most_unrolled) return written;
-    Scene scene = unrolled(written);
-    scene.place = whole(name_or_file);
-    return scene;
-}
-
 Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
-    auto found = find_scene_of_any_size(name_or_file, values);
-    if (const auto* large = std::get_if<IndexedScene>(&found)) {
-        throw InputError(fmt::format("this scene has {} degrees of freedom, more than {}",
-                                     degrees_of_freedom(*large), most_unrolled),
-                         whole(name_or_file),
-                         "here sums are written out; `stepper`, `run` and `report` take scenes of "
-                         "any size, without --accuracy");
-    }
-    return std::get<Scene>(std::move(found));
+    return written_out(find_indexed_scene(name_or_file, values), name_or_file,
+                       "here sums are written out; `stepper`, `run` and `report` take scenes of "
+                       "any size, without --accuracy");
 }
 
 std::vector<SceneEntry> scenes() {

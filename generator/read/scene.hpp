@@ -80,7 +80,8 @@ struct Scene {
 
 /// The scene that the command line names: one that comes with the program (`kepler`), else that of
 /// the file; with other values for those of its parameters that `values` names. Throws InputError,
-/// with what may have been meant, where there is neither, and for more than 64 degrees of freedom.
+/// with what may have been meant, where there is neither, and for more than
+/// most_degrees_of_freedom.
 [[nodiscard]] Scene find_scene(const Given& name_or_file,
                                const std::vector<Parameter>& values = {});
 

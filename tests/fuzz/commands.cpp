@@ -150,7 +150,7 @@ void carry_out(StepperOptions options) {
 /// Up to where the compiler starts.
 void carry_out(const RunOptions& options) {
     if (options.accuracy) return;
-    const auto [method, scene] = read_scene(options.method, options.system);
+    const auto [method, scene, sums] = read_scene(options.method, options.system);
     static_cast<void>(steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
                                   wish(scene, options.until, scene.run.until, "until")));
     const StepperWishes wishes =

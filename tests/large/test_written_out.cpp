@@ -9,9 +9,11 @@
 #include <large/chain.hpp>
 #include <large/chain_gauss.hpp>
 #include <large/chain_of_1.hpp>
+#include <large/chain_of_100.hpp>
 #include <large/chain_of_2.hpp>
 #include <large/chain_of_64.hpp>
 #include <large/gauss_of_1.hpp>
+#include <large/gauss_of_100.hpp>
 #include <large/gauss_of_64.hpp>
 #include <large/plane.hpp>
 #include <large/plane_of_4.hpp>
@@ -83,6 +85,7 @@ double distance(std::ptrdiff_t n, double h) {
 TEST_CASE("where sums go in the same order, loops have the bits of what is written out") {
     CHECK(distance<generated::Chain, generated::ChainOf2>(2, 0.1) == 0);
     CHECK(distance<generated::Chain, generated::ChainOf64>(64, 0.1) == 0);
+    CHECK(distance<generated::Chain, generated::ChainOf100>(100, 0.1) == 0);
     CHECK(distance<generated::Ring, generated::RingOf1>(1, 0.1) == 0);
     CHECK(distance<generated::Ring, generated::RingOf2>(2, 0.1) == 0);
 }
@@ -91,6 +94,7 @@ TEST_CASE("where sums go in another order they agree to rounding") {
     CHECK(distance<generated::Chain, generated::ChainOf1>(1, 0.1) < 1e-14);
     CHECK(distance<generated::ChainGauss, generated::GaussOf1>(1, 0.1) < 1e-14);
     CHECK(distance<generated::ChainGauss, generated::GaussOf64>(64, 0.1) < 1e-14);
+    CHECK(distance<generated::ChainGauss, generated::GaussOf100>(100, 0.1) < 1e-14);
     CHECK(distance<generated::Ring, generated::RingOf64>(64, 0.1) < 1e-14);
     CHECK(distance<generated::Plane, generated::PlaneOf4>(4, 0.1) < 1e-13);
     CHECK(distance<generated::Stars, generated::StarsOf2>(2, 0.01) < 1e-14);

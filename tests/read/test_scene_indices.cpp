@@ -160,7 +160,7 @@ TEST_CASE("a size that is no whole number is refused where its value stands") {
     CHECK(half.marked == "[7/2]");
     CHECK(half.what == "a whole number is wanted here");
     CHECK(refused(ring, "N = 3", "N = 0").says("there is no such index"));
-    CHECK(refused(ring, "N = 3", "N = 65").says("more than 64 degrees of freedom"));
+    CHECK(refused(ring, "N = 3", "N = 257").says("more than 256 degrees of freedom"));
     CHECK(refused(ring, "N = 3", "N = 2000").says("more than 1000 names"));
     CHECK(refused(ring, "N = 3", "M = 3").marked == "q[1..[N]]");
     CHECK(refused(ring, "N = 3", "N = [3]").marked == "q[1..[N]]");

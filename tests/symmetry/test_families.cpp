@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/read/unrolling.hpp"
 #include "generator/symmetry/families.hpp"
 #include "tests/read/refusal.hpp"
 #include "tests/read/scratch.hpp"
@@ -145,7 +146,7 @@ TEST_CASE("A function of the user's own has no exact symmetries, however many el
         std::ofstream(file) << toml;
         const Refusal own_function = refusal([&] {
             return std::visit([](const auto& scene) { return find_symmetries(scene); },
-                              find_scene_of_any_size(given("SCENE", file)));
+                              find_scene_of_any_size(given("SCENE", file)).scene);
         });
         CHECK(own_function.what == "`V` cannot stand in what is computed exactly");
         CHECK(own_function.marked == "sum(i=1..N, px[i]^2/2 + [V(x[i])])");

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/read/unrolling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "generator/read/put_in.hpp"
+#include "generator/read/sizes.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+bool has_sum(const Expression& expression) {
+    bool found = false;
+    walk(expression, [&](const Expression& part) {
+        found = found || part.kind == Kind::sum_over;
+        return !found;
+    });
+    return found;
+}
+
+bool mentions_time(const Expression& expression) {
+    bool found = false;
+    walk(expression, [&](const Expression& part) {
+        found = found || (part.kind == Kind::symbol && part.name == "t");
+        return !found;
+    });
+    return found;
+}
+
+class Count {
+public:
+    Count(const std::shared_ptr<const Source>& source, WholeNumbers known, std::size_t most)
+        : source_(source), known_(std::move(known)), most_(most) {}
+
+    [[nodiscard]] std::size_t operator()(const Expression& written) {
+        switch (written.kind) {
+        case Kind::number:
+        case Kind::symbol:
+        case Kind::element: return 0;
+        case Kind::sum_over: return of_sum(written);
+        case Kind::sum:
+        case Kind::product: return of_arguments(written, written.arguments.size() - 1);
+        case Kind::negation: return of_arguments(written, 0);
+        case Kind::reciprocal:
+        case Kind::power:
+        case Kind::call: break;
+        }
+        return of_arguments(written, 1);
+    }
+
+private:
+    [[nodiscard]] std::size_t of_arguments(const Expression& written, std::size_t own) {
+        for (const Expression& argument : written.arguments) {
+            own += (*this)(argument);
+            if (own >= most_) { return most_; }
+        }
+        return own;
+    }
+
+    /// An addition for each term. NOTE: a term without sums has as many for every index.
+    [[nodiscard]] std::size_t of_sum(const Expression& sum) {
+        const long first = whole_number(sum.arguments[0], source_, known_);
+        const long last = whole_number(sum.arguments[1], source_, known_);
+        const Expression& term = sum.arguments[2];
+        const auto before = known_.find(sum.name);
+        const auto hidden = before == known_.end() ? std::nullopt : std::optional(before->second);
+        std::size_t total = 0;
+        if (!has_sum(term)) {
+            const auto terms = static_cast<std::size_t>(std::max(0L, last - first + 1));
+            const std::size_t each = (*this)(term) + 1;
+            total = terms > most_ / each ? most_ : terms * each;
+        } else {
+            for (long index = first; index <= last && total < most_; ++index) {
+                known_[sum.name] = index;
+                total += (*this)(term) + 1;
+            }
+        }
+        known_.erase(sum.name);
+        if (hidden) { known_[sum.name] = *hidden; }
+        return std::min(total, most_);
+    }
+
+    const std::shared_ptr<const Source>& source_;
+    WholeNumbers known_;
+    std::size_t most_;
+};
+
+/// Why H, or L, cannot be one with loops; empty where it can.
+std::string obstacle_to_loops(const IndexedScene& scene, const Expression& function) {
+    if (scene.side == Side::lagrangian) { return "a Lagrangian has no loops"; }
+    if (!scene.rotations.texts.empty()) { return "rotations have no loops"; }
+    if (mentions_time(function)) { return "an H that depends on the time has no loops"; }
+    return "";
+}
+
+bool has_indices(const NameTexts& names) {
+    return std::any_of(names.texts.begin(), names.texts.end(), [](const NameTexts::Text& text) {
+        return std::any_of(text.names.begin(), text.names.end(),
+                           [](const Name& name) { return !name.bounds.empty(); });
+    });
+}
+
+}  // namespace
+
+std::size_t operations_written_out(const IndexedExpression& expression, const WholeNumbers& known,
+                                   std::size_t most) {
+    return Count(expression.source, known, most)(expression.written);
+}
+
+UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish) {
+    // NOTE: measured; see docs/large.md.
+    constexpr std::size_t most_operations = 2000;
+    if (!has_indices(scene.coordinates) && !has_indices(scene.rotations)) {
+        return {true, "no variable has an index"};
+    }
+    Definitions definitions;
+    for (const Definition& definition : scene.definitions) { definitions.add(definition); }
+    const IndexedExpression function = definitions.put_in(scene.function);
+    const std::string obstacle = obstacle_to_loops(scene, function.written);
+    switch (wish.choice) {
+    case Unroll::yes: return {true, "--unroll yes"};
+    case Unroll::no:
+        if (obstacle.empty()) { return {false, "--unroll no"}; }
+        throw InputError(obstacle, whole(scene.function.source),
+                         "without --unroll no its sums are written out");
+    case Unroll::automatic: break;
+    }
+    const std::size_t operations =
+        operations_written_out(function, sizes(scene), most_operations + 1);
+    if (operations <= most_operations) {
+        return {true, fmt::format("they make {} operations, and {} are the most", operations,
+                                  most_operations)};
+    }
+    if (!obstacle.empty()) { return {true, obstacle}; }
+    if (!wish.needed_for.empty()) {
+        return {true, fmt::format("{} is not built for loops", wish.needed_for)};
+    }
+    return {false, fmt::format("written out they make more than {} operations", most_operations)};
+}
+
+Scene written_out(const IndexedScene& written, const Given& name_or_file, const std::string& why) {
+    const std::size_t degrees = degrees_of_freedom(written);
+    if (degrees > most_degrees_of_freedom) {
+        throw InputError(fmt::format("this scene has {} degrees of freedom, and sums of at most {} "
+                                     "are written out",
+                                     degrees, most_degrees_of_freedom),
+                         whole(name_or_file), why);
+    }
+    Scene scene = unrolled(written);
+    scene.place = whole(name_or_file);
+    return scene;
+}
+
+SceneOfAnySize find_scene_of_any_size(const Given& name_or_file,
+                                      const std::vector<Parameter>& values,
+                                      const UnrollWish& wish) {
+    IndexedScene written = find_indexed_scene(name_or_file, values);
+    UnrollDecision decision = unroll_decision(written, wish);
+    if (!decision.writes_out) { return {std::move(written), std::move(decision)}; }
+    return {written_out(written, name_or_file, decision.why), std::move(decision)};
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,61 @@
+// Whether sums are written out: by the operations that this makes, by wishes, and by need.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "generator/read/unrolling.hpp"
+#include "tests/read/refusal.hpp"
+
+using namespace hvi::gen;
+
+namespace {
+
+IndexedScene chain(const std::string& size, const std::string& more = "") {
+    return indexed_scene_from_toml(
+        Source{"chain.toml", "hamiltonian = \"sum(i=1..N, p[i]^2/2 + x[i]^4)" + more +
+                                 "\"\ncoordinates = [\"x[1..N]\"]\nmomenta = [\"p[1..N]\"]\n"
+                                 "[parameters]\nN = " +
+                                 size + "\n[initial]\n\"x[i]\" = 1\n\"p[i]\" = 0\n"});
+}
+
+std::size_t operations(const char* expression, std::size_t most = 1000) {
+    return operations_written_out(parse_indexed_expression(given("H", expression)), {{"N", 4}},
+                                  most);
+}
+
+}  // namespace
+
+TEST_CASE("operations are counted as if sums were written out") {
+    CHECK(operations("x") == 0);
+    CHECK(operations("-x") == 0);
+    CHECK(operations("x*y + 2") == 2);
+    CHECK(operations("sin(x)/y^2") == 4);  // sin, power, reciprocal, product
+    CHECK(operations("sum(i=1..N, x[i]^2)") == 8);
+    // Six pairs, each of a difference, a square and an addition, and an addition for each i.
+    CHECK(operations("sum(i=1..N, j=i+1..N, (x[i] - x[j])^2)") == 22);
+    CHECK(operations("sum(i=1..100000000, x[i])", 50) == 50);
+    CHECK(operations("sum(i=1..0, x[i])") == 0);
+}
+
+TEST_CASE("sums are written out up to so many operations, and not by degrees of freedom") {
+    // Four operations a term: a power, a quotient, a power, an addition, and one for the sum.
+    const UnrollDecision few = unroll_decision(chain("333"), {});
+    CHECK(few.writes_out);
+    CHECK(few.why.find("operations") != std::string::npos);
+    CHECK_FALSE(unroll_decision(chain("500"), {}).writes_out);
+    CHECK_FALSE(unroll_decision(chain("65"), {Unroll::no}).writes_out);
+    CHECK(unroll_decision(chain("500"), {Unroll::yes}).writes_out);
+}
+
+TEST_CASE("what loops do not have is written out") {
+    const UnrollDecision in_time = unroll_decision(chain("500", " + x[1]*sin(t)"), {});
+    CHECK(in_time.writes_out);
+    CHECK(in_time.why == "an H that depends on the time has no loops");
+    const UnrollDecision needed = unroll_decision(chain("500"), {Unroll::automatic, "--dense"});
+    CHECK(needed.writes_out);
+    CHECK(needed.why.find("--dense") != std::string::npos);
+    CHECK(refusal([] {
+              static_cast<void>(unroll_decision(chain("500", " + x[1]*sin(t)"), {Unroll::no}));
+          }).says("depends on the time"));
+}
