@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -21,10 +22,14 @@ enum class HessianForm {
 /// Components k each by itself: (d2H/dp2)_kk (d2H/dq2)_kk has a constant term.
 struct StiffComponents {
     std::vector<std::size_t> components;
+
+    friend bool operator==(const StiffComponents&, const StiffComponents&) = default;
 };
 
 /// Constant terms of second derivatives couple components.
-struct CoupledConstants {};
+struct CoupledConstants {
+    friend bool operator==(const CoupledConstants&, const CoupledConstants&) = default;
+};
 
 /// What of the equations of the stages is linear, and can be solved exactly in each sweep; see
 /// ConstantTerms.
@@ -70,6 +75,14 @@ struct SystemProperties {
     HessianForm hessian = HessianForm::dense;
     EvaluationCosts costs = {};     ///< zeros: not known
     std::size_t shared_slopes = 0;  ///< values that dH/dp takes from the dH/dq at the same q
+
+    friend bool operator==(const SystemProperties&, const SystemProperties&) = default;
 };
+
+/// Stable text, for people and tests: a line for each property that is there.
+[[nodiscard]] std::string dump(const SystemProperties& system);
+
+/// Stops the program (HVI_CHECK) where the record contradicts itself.
+void verify(const SystemProperties& system);
 
 }  // namespace hvi::gen

@@ -474,6 +474,7 @@ Step planned(const GalerkinRule& rule, const OneStepMethod& method, const System
 
 Step plan(const OneStepMethod& method, const SystemProperties& system, const StepWishes& wishes) {
     verify(method);
+    verify(system);
     if (system.side == Side::lagrangian) { return planned_as_curves({}, method, system, wishes); }
     return std::visit([&](const auto& base) { return planned(base, method, system, wishes); },
                       method.base);
