@@ -155,4 +155,18 @@ Expression renamed(const Expression& expression, const std::map<std::string, std
     return result;
 }
 
+Expression replaced(const Expression& expression, const std::map<std::string, Expression>& by) {
+    if (expression.kind == Kind::symbol) {
+        const auto found = by.find(expression.name);
+        if (found == by.end()) return expression;
+        Expression result = found->second;
+        result.range = expression.range;
+        return result;
+    }
+    std::vector<Expression> arguments;
+    for (const Expression& argument : expression.arguments)
+        arguments.push_back(replaced(argument, by));
+    return with_arguments(expression, std::move(arguments));
+}
+
 }  // namespace hvi::gen

@@ -75,6 +75,10 @@ struct Expression {
 [[nodiscard]] Expression renamed(const Expression& expression,
                                  const std::map<std::string, std::string>& names);
 
+/// The expression with others in the places of its symbols; those that are no key stay.
+[[nodiscard]] Expression replaced(const Expression& expression,
+                                  const std::map<std::string, Expression>& by);
+
 /// The expression in LaTeX's mathematics: `\frac{\pi - 2}{2\pi}`, `\sin\left(w/3\right)`. Names of
 /// Greek letters become these letters, `w_1`, `w1` and `w[1]` an indexed w, `w1_max` one with two
 /// indices, and `w_dot` a w with a dot. A name with a brace in it is LaTeX already.

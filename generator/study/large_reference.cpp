@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 
 #include "generator/exact/methods/composed_method.hpp"
+#include "generator/exact/numbers/exact_number.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/error.hpp"
 
@@ -20,26 +22,6 @@ constexpr double enough = 1e-16;  // errors of runs in double are above that
 // Of these two the first needs less memory, and fewer evaluations where bodies come near.
 constexpr const char* explicit_method = "stormer-verlet-kahan-li:8";
 constexpr const char* implicit_method = "gauss:6";
-
-/// A double as a decimal that is just that number.
-std::string exact_text(double value) {
-    std::string text = fmt::format("{:.1074f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
-}
-
-Expression at_time(const Expression& solution, const Expression& time) {
-    if (solution.kind == Expression::Kind::symbol && solution.name == "t") {
-        Expression result = time;
-        result.range = solution.range;
-        return result;
-    }
-    std::vector<Expression> arguments;
-    for (const Expression& argument : solution.arguments)
-        arguments.push_back(at_time(argument, time));
-    return with_arguments(solution, std::move(arguments));
-}
 
 /// Whether each variable has a solution.
 void check_complete(const IndexedScene& scene) {
@@ -54,10 +36,9 @@ void check_complete(const IndexedScene& scene) {
 
 /// The scene that begins where its exact solution is at that time.
 IndexedScene exact_at(IndexedScene scene, double until) {
-    const auto source = std::make_shared<const Source>(Source{"until", exact_text(until)});
-    const Expression time = parse_expression(source);
+    const std::map<std::string, Expression> time{{"t", exact_number(until).closed_form().value()}};
     const auto put_in = [&](IndexedExpression& solution) {
-        solution.written = at_time(solution.written, time);
+        solution.written = replaced(solution.written, time);
     };
     check_complete(scene);
     scene.initial = *scene.exact;
