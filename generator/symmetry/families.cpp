@@ -20,6 +20,7 @@ struct Group {
     std::vector<Loop> loops;
     std::vector<Expression> values;
     std::vector<std::size_t> accesses;
+    std::map<std::string, Expression> elements;  ///< that the symbols stand for
 };
 
 /// The names of loops in the order of another nest.
@@ -47,26 +48,6 @@ std::optional<IndexNames> renaming(const std::vector<Loop>& from, const std::vec
     return names;
 }
 
-std::string text_of(const ElementIndex& index, const IndexNames& names) {
-    const std::string form = to_text(renamed(index.form, names));
-    if (!index.modulus) return form;
-    const std::string mod = "mod(" + form + "," + to_text(renamed(*index.modulus, names)) + ")";
-    const AffineForm offset = renamed(index.offset, names);
-    return offset == AffineForm{} ? mod : mod + "+" + to_text(offset);
-}
-
-/// `i,j`.
-std::string place_of(const Access& access, const IndexNames& names) {
-    std::string text;
-    for (const ElementIndex& index : access.indices)
-        text += (text.empty() ? "" : ",") + text_of(index, names);
-    return text;
-}
-
-std::string element_name(const std::string& family, const std::string& place) {
-    return place.empty() ? family : family + "[" + place + "]";
-}
-
 Expression as_expression(const AffineForm& form) {
     std::vector<Expression> terms;
     for (const auto& [name, coefficient] : form.coefficients)
@@ -77,6 +58,41 @@ Expression as_expression(const AffineForm& form) {
             term = term.arguments[1];
     if (form.constant != 0 || terms.empty()) terms.push_back(Expression::integer(form.constant));
     return Expression::sum(std::move(terms));
+}
+
+Expression as_expression(const ElementIndex& index, const IndexNames& names) {
+    Expression form = as_expression(renamed(index.form, names));
+    if (!index.modulus) return form;
+    Expression mod =
+        Expression::call("mod", {std::move(form), as_expression(renamed(*index.modulus, names))});
+    const AffineForm offset = renamed(index.offset, names);
+    if (offset == AffineForm{}) return mod;
+    return Expression::sum({std::move(mod), as_expression(offset)});
+}
+
+std::vector<Expression> indices_of(const Access& access, const IndexNames& names) {
+    std::vector<Expression> indices;
+    for (const ElementIndex& index : access.indices) indices.push_back(as_expression(index, names));
+    return indices;
+}
+
+/// `i,j`.
+std::string place_of(const Access& access, const IndexNames& names) {
+    std::string text;
+    for (const Expression& index : indices_of(access, names))
+        text += (text.empty() ? "" : ",") + to_text(index);
+    return text;
+}
+
+/// An element; a family without indices is one.
+Expression element_of(const std::string& family, std::vector<Expression> indices) {
+    if (indices.empty()) return Expression::symbol(family);
+    return Expression::element(family, std::move(indices));
+}
+
+bool has_element(const Expression& expression) {
+    return expression.kind == Expression::Kind::element ||
+           std::any_of(expression.arguments.begin(), expression.arguments.end(), has_element);
 }
 
 class FamilyScene {
@@ -108,7 +124,8 @@ public:
                              "what is computed exactly");
         std::vector<FamilySummand> summands;
         for (const Group& group : groups_) summands.push_back(summand(group));
-        const FamilySymmetries found = family_symmetries(summands, shapes_, scene_.function.source);
+        const FamilySymmetries found =
+            with_elements(family_symmetries(summands, shapes_, scene_.function.source));
         for (const FamilyField& field : found.fields) add(result, field);
         add_turned_centres(result, found);
         if (!result.affine.basis.empty() && !found.algebra.empty())
@@ -133,7 +150,7 @@ private:
                 if (names) break;
             }
             if (!names) {
-                target = &groups.emplace_back(Group{sum.loops, {}, {}});
+                target = &groups.emplace_back(Group{sum.loops, {}, {}, {}});
                 names = renaming(sum.loops, sum.loops);
             }
             const auto value = written(system_.graph, sum.value);
@@ -141,8 +158,10 @@ private:
             std::map<std::string, std::string> symbols(names->begin(), names->end());
             for (const std::size_t number : sum.accesses) {
                 const Access& access = system_.accesses[number];
-                symbols[system_.graph.at(access.node).name] =
-                    element_name(system_.family(access).name, hvi::gen::place_of(access, *names));
+                Expression element = element_at(access, *names);
+                std::string name = to_text(element);
+                symbols[system_.graph.at(access.node).name] = name;
+                target->elements.emplace(std::move(name), std::move(element));
                 target->accesses.push_back(number);
             }
             target->values.push_back(hvi::gen::renamed(*value, symbols));
@@ -196,7 +215,7 @@ private:
             const IndexNames names = names_in(system_.sums, group.loops);
             const std::string place = hvi::gen::place_of(access, names);
             const SystemFamily& family = system_.family(access);
-            const std::string symbol = element_name(family.name, place);
+            const std::string symbol = to_text(element_at(access, names));
             if (!seen.insert(symbol).second) continue;
             if (access.kind == FamilyKind::coordinate)
                 result.coordinates.push_back({symbol, access.family, place});
@@ -212,11 +231,14 @@ private:
         return result;
     }
 
+    [[nodiscard]] Expression element_at(const Access& access, const IndexNames& names) const {
+        return element_of(system_.family(access).name, indices_of(access, names));
+    }
+
     [[nodiscard]] Expression element(const SystemFamily& family, std::size_t number) const {
-        if (family.ranges.empty()) return Expression::symbol(family.name);
         std::vector<Expression> indices;
         for (const Loop& loop : nests_[number]) indices.push_back(Expression::symbol(loop.index));
-        return Expression::element(family.name, std::move(indices));
+        return element_of(family.name, std::move(indices));
     }
 
     [[nodiscard]] Expression q(std::size_t f) const { return element(system_.coordinates[f], f); }
@@ -309,7 +331,7 @@ private:
 
     [[nodiscard]] AffineSymmetry turned_centre(std::size_t f, std::size_t g,
                                                const Expression& mass) const {
-        const bool is_one_mass = to_text(mass).find('[') == std::string::npos;
+        const bool is_one_mass = !has_element(mass);
         const auto centre = [&](std::size_t family) {
             return summed(is_one_mass ? q(family) : Expression::product({mass, q(family)}), family);
         };
@@ -321,6 +343,19 @@ private:
             Expression::sum({Expression::product({centre(f), momentum(g)}),
                              Expression::negation(Expression::product({centre(g), momentum(f)}))});
         return symmetry;
+    }
+
+    /// Symbols that are called as elements are written become these.
+    [[nodiscard]] FamilySymmetries with_elements(FamilySymmetries found) const {
+        std::map<std::string, Expression> elements;
+        for (const Group& group : groups_)
+            elements.insert(group.elements.begin(), group.elements.end());
+        for (FamilyField& field : found.fields)
+            for (FamilyField::Entry& entry : field.entries)
+                entry.value = replaced(entry.value, elements);
+        for (auto& mass : found.masses)
+            if (mass) mass = replaced(*mass, elements);
+        return found;
     }
 
     /// As symbols, which are called as elements are written.
@@ -353,9 +388,8 @@ private:
             std::map<std::string, std::string> symbols;
             for (const std::size_t number : groups[0].accesses) {
                 const Access& access = system_.accesses[number];
-                const std::string& family = system_.family(access).name;
-                const std::string name = element_name(family, hvi::gen::place_of(access, after));
-                symbols[element_name(family, hvi::gen::place_of(access, before))] = name;
+                const std::string name = to_text(element_at(access, after));
+                symbols[to_text(element_at(access, before))] = name;
                 result.variables.push_back(name);
             }
             result.function = hvi::gen::renamed(result.function, symbols);

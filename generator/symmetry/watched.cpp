@@ -5,7 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include "generator/read/parse.hpp"
 #include "generator/support/warning.hpp"
 #include "generator/support/work.hpp"
 #include "generator/symmetry/families.hpp"
@@ -157,7 +156,7 @@ Watched watch(IndexedScene& scene) {
             const auto source =
                 std::make_shared<const Source>(Source{map.name, to_text(map.expression)});
             invariants.push_back(
-                {map.name, parse_indexed_expression(source), whole(source), whole(source)});
+                {map.name, {map.expression, source}, whole(source), whole(source)});
         }
         return invariants;
     });
