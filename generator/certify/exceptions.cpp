@@ -22,8 +22,8 @@ std::optional<ExceptionalValue> exception_at(Method method, const std::string& n
                                              const Number& value, int max_order) {
     const auto form = value.closed_form();
     if (!form) { return {}; }
-    set_parameter(method, parse_parameter(std::make_shared<const Source>(
-                              Source{"--param", name + "=" + to_text(*form)})));
+    const Given source = given("--param", name);
+    set_parameter(method, {name, *form, whole(source), source});
     try {
         const OrderConditions there =
             std::visit([&](const auto& derived) { return conditions(derived, max_order); },
