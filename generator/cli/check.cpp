@@ -45,10 +45,8 @@ std::string name_of(const Scene& scene) {
 
 std::string name_of(const IndexedScene& scene) { return scene.name; }
 
-/// The certificate with what the method keeps of the scene.
-std::string with_statements(const CheckOptions& options, const AnyScene& scene,
-                            const std::string& certificate, const KeepingFacts& facts) {
-    const bool as_json = options.format == CheckOptions::Format::json;
+SceneStatements statements_of(const CheckOptions& options, const AnyScene& scene,
+                              const KeepingFacts& facts) {
     SceneStatements of_scene;
     of_scene.name = std::visit([](const auto& each) { return name_of(each); }, scene);
     of_scene.left_out = "--no-symmetries is given";
@@ -58,17 +56,17 @@ std::string with_statements(const CheckOptions& options, const AnyScene& scene,
         of_scene.left_out = symmetry_work_is_spent;
     }
     if (of_scene.found) of_scene.statements = statements(*of_scene.found, facts);
-    return as_json ? with_statements_json(certificate, of_scene)
-                   : with_statements_text(certificate, of_scene);
+    return of_scene;
 }
 
 /// `whole`: what is written, in which the findings are.
 void write(const CheckOptions& options, const std::optional<AnyScene>& scene, const auto& findings,
            const auto& whole) {
     const Progress::Stage stage("writing the certificate");
+    std::optional<SceneStatements> of_scene;
+    if (scene) { of_scene = statements_of(options, *scene, facts_of(findings)); }
     const bool as_json = options.format == CheckOptions::Format::json;
-    std::string text = as_json ? render_json(whole) : render_text(whole);
-    if (scene) { text = with_statements(options, *scene, text, facts_of(findings)); }
+    const std::string text = as_json ? render_json(whole, of_scene) : render_text(whole, of_scene);
     if (options.plot) { write_result(options.plot->text, plot(findings, options.plot)); }
     write_result(options.output, text);
 }

@@ -73,9 +73,10 @@ Json audit_json(const Audit& audit) {
 
 }  // namespace
 
-std::string render_json(const Audit& audit) {
+std::string render_json(const Audit& audit, const std::optional<SceneStatements>& scene) {
     Json json = certificate_json(audit.certificate);
     json["audit"] = audit_json(audit);
+    add_statements(json, scene);
     return json.dump(2) + "\n";
 }
 

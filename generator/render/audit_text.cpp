@@ -110,7 +110,7 @@ std::string closing(const Audit& audit) {
 
 }  // namespace
 
-std::string render_text(const Audit& audit) {
+std::string render_text(const Audit& audit, const std::optional<SceneStatements>& scene) {
     const Certificate& certificate = audit.certificate;
     NamedLines lines;
     lines.title(certificate.name.empty() ? certificate.origin : certificate.name);
@@ -130,6 +130,7 @@ std::string render_text(const Audit& audit) {
     lines.blank();
     write_certificate(lines, certificate);
     lines.title(closing(audit));
+    write_statements(lines, scene);
     return lines.text();
 }
 

@@ -139,8 +139,11 @@ Json certificate_json(const Certificate& certificate) {
     return json;
 }
 
-std::string render_json(const Certificate& certificate) {
-    return certificate_json(certificate).dump(2) + "\n";
+std::string render_json(const Certificate& certificate,
+                        const std::optional<SceneStatements>& scene) {
+    Json json = certificate_json(certificate);
+    add_statements(json, scene);
+    return json.dump(2) + "\n";
 }
 
 }  // namespace hvi::gen

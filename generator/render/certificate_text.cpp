@@ -211,7 +211,8 @@ void write_certificate(NamedLines& lines, const Certificate& certificate) {
     lines.blank();
 }
 
-std::string render_text(const Certificate& certificate) {
+std::string render_text(const Certificate& certificate,
+                        const std::optional<SceneStatements>& scene) {
     NamedLines lines;
     lines.title(certificate.name.empty() ? certificate.origin : certificate.name);
     if (certificate.name.empty() && !certificate.known_as.empty()) {
@@ -221,6 +222,7 @@ std::string render_text(const Certificate& certificate) {
     write_certificate(lines, certificate);
     lines.title(certificate.is_proved() ? "All of it is proved."
                                         : "Some of it rests on enclosures of 50 digits.");
+    write_statements(lines, scene);
     return lines.text();
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "generator/certify/certificate.hpp"
 #include "generator/render/layout.hpp"
+#include "generator/render/statements.hpp"
 
 namespace hvi::gen {
 
@@ -50,6 +52,7 @@ void write_failures(NamedLines& lines, const OrderConditions& conditions);
 void write_exceptions(NamedLines& lines, const std::vector<ExceptionalValue>& exceptions);
 void write_signs(NamedLines& lines, const Findings& findings);
 void write_oscillator(NamedLines& lines, const Findings& findings);
+void write_statements(NamedLines& lines, const std::optional<SceneStatements>& scene);
 
 /// All that a certificate says but for its title and its last line.
 void write_certificate(NamedLines& lines, const Certificate& certificate);

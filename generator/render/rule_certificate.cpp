@@ -8,7 +8,8 @@
 
 namespace hvi::gen {
 
-std::string render_text(const RuleCertificate& certificate) {
+std::string render_text(const RuleCertificate& certificate,
+                        const std::optional<SceneStatements>& scene) {
     NamedLines lines;
     lines.title(certificate.name.empty() ? certificate.origin : certificate.name);
     lines.blank();
@@ -30,10 +31,12 @@ std::string render_text(const RuleCertificate& certificate) {
     lines.blank();
     lines.title(certificate.is_proved() ? "All of it is proved."
                                         : "Some of it rests on enclosures of 50 digits.");
+    write_statements(lines, scene);
     return lines.text();
 }
 
-std::string render_json(const RuleCertificate& certificate) {
+std::string render_json(const RuleCertificate& certificate,
+                        const std::optional<SceneStatements>& scene) {
     const OrderConditions& nystrom = certificate.nystrom;
     Json json;
     json["schema"] = "hvi-check/1";
@@ -61,6 +64,7 @@ std::string render_json(const RuleCertificate& certificate) {
     json["conserves"] = {
         {"linear", true}, {"qCp", certificate.symplectic.holds}, {"quadratic", false}};
     json["linear_stability"] = stability_json(certificate);
+    add_statements(json, scene);
     return json.dump(2) + "\n";
 }
 

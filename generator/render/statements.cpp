@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/render/statements.hpp"
 
-#include "generator/render/json_entry.hpp"
+#include "generator/render/certificate_json.hpp"
 #include "generator/render/named_lines.hpp"
 
 namespace hvi::gen {
@@ -31,19 +31,19 @@ std::string_view keeping_text(Keeping keeping) {
     return "not known";
 }
 
-std::string with_statements_text(const std::string& certificate, const SceneStatements& scene) {
-    NamedLines lines;
+void write_statements(NamedLines& lines, const std::optional<SceneStatements>& scene) {
+    if (!scene) return;
     lines.blank();
-    lines.title("Of " + scene.name);
+    lines.title("Of " + scene->name);
     lines.blank();
-    if (!scene.found) {
-        lines.line("symmetries", "not looked for: " + scene.left_out);
+    if (!scene->found) {
+        lines.line("symmetries", "not looked for: " + scene->left_out);
         lines.line("", "`hvi-gen symmetries` looks for them for as long as it takes");
-        return certificate + lines.text();
+        return;
     }
-    const std::size_t maps = scene.found->momentum_maps.size();
-    for (std::size_t i = 0; i < scene.statements.size(); ++i) {
-        const Statement& statement = scene.statements[i];
+    const std::size_t maps = scene->found->momentum_maps.size();
+    for (std::size_t i = 0; i < scene->statements.size(); ++i) {
+        const Statement& statement = scene->statements[i];
         const std::string name = i < maps ? to_text(statement.expression) : statement.name;
         const bool is_first = i == 0 || i == maps;
         lines.line(!is_first  ? ""
@@ -52,28 +52,27 @@ std::string with_statements_text(const std::string& certificate, const SceneStat
                    name + ": " + std::string(keeping_text(statement.keeping)));
         lines.line("", "(" + statement.reason + ")");
     }
-    if (scene.statements.empty()) lines.line("keeps", "nothing is known to be conserved");
-    return certificate + lines.text();
+    if (scene->statements.empty()) lines.line("keeps", "nothing is known to be conserved");
 }
 
-std::string with_statements_json(const std::string& certificate, const SceneStatements& scene) {
-    Json json = Json::parse(certificate);
-    json["scene"] = scene.name;
-    json["left_out"] = scene.found ? Json(nullptr) : Json(scene.left_out);
-    if (!scene.found) {
+void add_statements(Json& json, const std::optional<SceneStatements>& scene) {
+    if (!scene) return;
+    json["scene"] = scene->name;
+    json["left_out"] = scene->found ? Json(nullptr) : Json(scene->left_out);
+    if (!scene->found) {
         for (const char* name : {"momentum_maps", "invariants", "fields", "energy"})
             json[name] = nullptr;
-        return json.dump(2) + "\n";
+        return;
     }
     json["momentum_maps"] = Json::array();
     json["invariants"] = Json::array();
     json["fields"] = Json::array();
     json["energy"] = nullptr;
-    const std::size_t maps = scene.found->momentum_maps.size();
-    const std::size_t invariants = maps + scene.found->invariants.size();
-    const std::size_t fields = invariants + scene.found->fields.size();
-    for (std::size_t i = 0; i < scene.statements.size(); ++i) {
-        const Statement& statement = scene.statements[i];
+    const std::size_t maps = scene->found->momentum_maps.size();
+    const std::size_t invariants = maps + scene->found->invariants.size();
+    const std::size_t fields = invariants + scene->found->fields.size();
+    for (std::size_t i = 0; i < scene->statements.size(); ++i) {
+        const Statement& statement = scene->statements[i];
         if (i < maps)
             json["momentum_maps"].push_back(
                 statement_json(statement, "momentum_map", to_text(statement.expression)));
@@ -84,7 +83,6 @@ std::string with_statements_json(const std::string& certificate, const SceneStat
         else
             json["energy"] = {{"kept", kept_json(statement.keeping)}, {"reason", statement.reason}};
     }
-    return json.dump(2) + "\n";
 }
 
 }  // namespace hvi::gen

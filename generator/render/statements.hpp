@@ -19,14 +19,6 @@ struct SceneStatements {
     std::vector<Statement> statements;
 };
 
-/// The certificate, which is text, with them at its end.
-[[nodiscard]] std::string with_statements_text(const std::string& certificate,
-                                               const SceneStatements& scene);
-
-/// The certificate, which is JSON, with members for them.
-[[nodiscard]] std::string with_statements_json(const std::string& certificate,
-                                               const SceneStatements& scene);
-
 /// `kept`, `not kept in general`, ...: what a summary says.
 [[nodiscard]] std::string_view keeping_text(Keeping keeping);
 
