@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace hvi::gen {
@@ -132,6 +133,56 @@ bool operator==(const Expression& left, const Expression& right) {
     return left.kind == right.kind && left.name == right.name &&
            left.numerator == right.numerator && left.denominator == right.denominator &&
            left.arguments == right.arguments;
+}
+
+namespace {
+
+/// Adds the expression and all of its parts, each before its own parts.
+void collect(const Expression& expression, std::vector<const Expression*>& parts) {
+    parts.push_back(&expression);
+    for (const Expression& argument : expression.arguments) collect(argument, parts);
+}
+
+std::vector<const Expression*> leaves(std::vector<const Expression*> parts) {
+    std::erase_if(parts, [](const Expression* part) { return !part->arguments.empty(); });
+    return parts;
+}
+
+bool leaf_precedes(const Expression* left, const Expression* right) {
+    const auto key = [](const Expression& leaf) {
+        return std::tuple(leaf.kind, leaf.numerator.size(), std::string_view(leaf.numerator),
+                          leaf.denominator.size(), std::string_view(leaf.denominator),
+                          std::string_view(leaf.name));
+    };
+    return key(*left) < key(*right);
+}
+
+bool operation_precedes(const Expression* left, const Expression* right) {
+    const auto key = [](const Expression& part) {
+        return std::tuple(part.kind, part.arguments.size(), std::string_view(part.name));
+    };
+    return key(*left) < key(*right);
+}
+
+}  // namespace
+
+bool precedes(const Expression& left, const Expression& right) {
+    std::vector<const Expression*> all_left, all_right;
+    collect(left, all_left);
+    collect(right, all_right);
+    const auto is_less = [](const auto& a, const auto& b, auto less) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+    };
+    const auto left_leaves = leaves(all_left), right_leaves = leaves(all_right);
+    if (is_less(left_leaves, right_leaves, leaf_precedes)) return true;
+    if (is_less(right_leaves, left_leaves, leaf_precedes)) return false;
+    return is_less(all_left, all_right, operation_precedes);
+}
+
+std::size_t word_count(const Expression& expression) {
+    std::size_t count = 1;
+    for (const Expression& argument : expression.arguments) count += word_count(argument);
+    return count;
 }
 
 Expression with_arguments(Expression expression, std::vector<Expression> arguments) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
@@ -62,6 +63,13 @@ struct Expression {
 
 /// Same tree, whatever the ranges.
 [[nodiscard]] bool operator==(const Expression& left, const Expression& right);
+
+/// A total order of expressions, whatever the ranges: by their numbers and names in the order in
+/// which they are written, numbers before names, then by what is made of them.
+[[nodiscard]] bool precedes(const Expression& left, const Expression& right);
+
+/// How many numbers, names and operations it is made of.
+[[nodiscard]] std::size_t word_count(const Expression& expression);
 
 /// The expression as the reader of `generator/read` takes it: no blanks, parentheses only where
 /// precedence asks for them. `1/6-5*sqrt(2)/48`, `(pi-2)/(2*pi)`, `cos(2*pi*tau)`.

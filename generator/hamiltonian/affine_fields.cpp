@@ -62,7 +62,7 @@ bool wants_other_sign(const Algebra& algebra, const ex& value) {
     const Expression one = algebra.written(value), other = algebra.written((-value).expand());
     const bool is_negative = one.kind == Expression::Kind::negation;
     if (is_negative != (other.kind == Expression::Kind::negation)) return is_negative;
-    return to_text(other) < to_text(one);
+    return precedes(other, one);
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ bool is_negative(const ex& value) { return value.info(GiNaC::info_flags::negativ
 struct Candidate {
     SparseVector field;
     Expression momentum_map;
-    std::size_t length = 0;  ///< of its text
+    std::size_t words = 0;  ///< of the momentum map
 };
 
 /// All in one algebra.
@@ -179,7 +179,7 @@ public:
         add_turned_centres(candidates);
         std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
             const auto rank = [&](const Candidate& of) {
-                return is_translation(unknowns_, of.field) ? 0 : of.length;
+                return is_translation(unknowns_, of.field) ? 0 : of.words;
             };
             return rank(a) < rank(b);
         });
@@ -277,12 +277,12 @@ private:
             const auto& [factor, along] = *direction;
             ex momentum;
             for (const auto& [i, value] : along) momentum += value * function_.momentum(i);
-            return with_length(field, Expression::product({written(factor), written(momentum)}));
+            return with_words(field, Expression::product({written(factor), written(momentum)}));
         }
         ex sum;
         for (std::size_t i = 0; i < velocity.size(); ++i)
             sum += velocity[i] * function_.momentum(i);
-        return with_length(field, written(sum));
+        return with_words(field, written(sum));
     }
 
     /// Where all coordinates move along one vector with numbers for entries: how fast, and the
@@ -304,9 +304,9 @@ private:
         return std::pair{*first, std::move(along)};
     }
 
-    static Candidate with_length(SparseVector field, Expression momentum_map) {
-        const std::size_t length = to_text(momentum_map).size();
-        return {std::move(field), std::move(momentum_map), length};
+    static Candidate with_words(SparseVector field, Expression momentum_map) {
+        const std::size_t words = word_count(momentum_map);
+        return {std::move(field), std::move(momentum_map), words};
     }
 
     /// d2H/dp2 inverted, or d2L/dv2, where it is constant and has no entries beside its diagonal.
@@ -363,10 +363,11 @@ private:
             for (const auto& [i, x] : along) sum += x * mass[i] * function_.q[i];
             return written(sum);
         };
-        candidates.push_back(with_length(
-            std::move(field), Expression::sum({Expression::product({centre(a), momentum(b)}),
-                                               Expression::negation(Expression::product(
-                                                   {centre(b), momentum(a)}))})));
+        candidates.push_back(
+            with_words(std::move(field),
+                       Expression::sum(
+                           {Expression::product({centre(a), momentum(b)}),
+                            Expression::negation(Expression::product({centre(b), momentum(a)}))})));
     }
 
     FunctionAndSlopes function_;

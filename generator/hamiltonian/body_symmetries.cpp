@@ -240,7 +240,7 @@ AffineSymmetries named(const BodyMotion& motion, const BodyFields& fields, Found
         all.push_back({std::move(whole), std::move(symmetry)});
     }
     std::stable_sort(all.begin(), all.end(), [](const Named& a, const Named& b) {
-        return to_text(a.symmetry.momentum_map).size() < to_text(b.symmetry.momentum_map).size();
+        return word_count(a.symmetry.momentum_map) < word_count(b.symmetry.momentum_map);
     });
     AffineSymmetries result;
     result.doubt = std::move(found.doubt);

@@ -51,8 +51,8 @@ ex shortest(const ex& entry, const Algebra& algebra) {
     const ex other =
         normal_form(without_squares_of_sines(both.op(0)) / without_squares_of_sines(both.op(1)));
     const ex plain = as_fraction(entry, algebra), reduced = as_fraction(other, algebra);
-    const auto length = [&](const ex& e) { return to_text(algebra.written(e)).size(); };
-    return length(reduced) < length(plain) ? reduced : plain;
+    const auto words = [&](const ex& e) { return word_count(algebra.written(e)); };
+    return words(reduced) < words(plain) ? reduced : plain;
 }
 
 /// A matrix beside the unit matrix, on its way to the unit matrix beside its inverse.
