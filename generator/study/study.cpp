@@ -155,7 +155,7 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
         report.reference = reference(all.reference, scene, until, first_count, 1e-18);
     }
     const Course course{report.reference, until, first_count, wishes.steps,
-                        !system_of(scene).time.has_value()};
+                        !depends_on_time(function_of(scene).expression)};
     for (const Contender& contender : all.contenders)
         study.run(contender, course, measured(contender, until));
     for (const Team& team : all.teams) study.run(team, *all.for_peers, course);
