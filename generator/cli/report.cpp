@@ -12,7 +12,6 @@
 #include "generator/cli/words.hpp"
 #include "generator/edges/edges.hpp"
 #include "generator/edges/program.hpp"
-#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/render/statements.hpp"
 #include "generator/report/render.hpp"
@@ -86,19 +85,20 @@ Subject subject(const Given& name, const ReportOptions& options) {
 }
 
 /// METHOD, then those of --methods; where there are none of both, the usual ones.
-std::vector<ComposedMethod> methods(const ReportOptions& options) {
-    std::vector<ComposedMethod> result;
+std::vector<ExactMethod> methods(const ReportOptions& options) {
+    std::vector<ExactMethod> result;
     const MethodOptions& method = options.method;
     const bool is_given = method.name || method.basis || method.file;
     if (!is_given && !method.parameters.empty())
         throw InputError("--param is of METHOD, and none is given",
                          whole(method.parameters.front()), "for example --method-file mine.toml");
-    if (is_given) result.push_back({method_of(method)});
+    if (is_given) result.push_back(exact_method({method_of(method)}));
     Given names = options.methods;
     if (!names && result.empty())
         names = given("--methods", options.scenes.empty() ? usual_at_edges : usual_on_scenes);
     if (!names) return result;
-    for (const Given& name : list_items(names)) result.push_back(composed_method(name));
+    for (const Given& name : list_items(names))
+        result.push_back(exact_method(composed_method(name)));
     return result;
 }
 
@@ -136,11 +136,11 @@ void note_left_out(Report& report, const Subject& subject) {
 /// What is said of each method beside what was measured. NOTE: curves of methods come first, in
 /// their order.
 void set_kept(SceneReport& of_scene, const Watched& watched,
-              const std::vector<ComposedMethod>& methods) {
+              const std::vector<StudiedMethod>& methods) {
     const std::vector<std::string>& names = watched.names;
     for (std::size_t i = 0; i < methods.size() && i < of_scene.curves.size(); ++i) {
         WorkCurve& curve = of_scene.curves[i];
-        const KeepingFacts facts = keeping_facts(derive_any(methods[i].method));
+        const KeepingFacts facts = keeping_facts(methods[i].base);
         for (const Statement& statement : watched.statements(facts)) {
             const auto place = std::find(names.begin(), names.end(), statement.name);
             const auto at = static_cast<std::size_t>(place - names.begin());
@@ -153,7 +153,11 @@ void set_kept(SceneReport& of_scene, const Watched& watched,
 }
 
 void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subjects,
-                StudyWishes wishes) {
+                const std::vector<ExactMethod>& methods, StudyWishes wishes) {
+    {
+        const TimeSpent::Part part(report.time_spent, "looking for orders");
+        for (const ExactMethod& method : methods) wishes.methods.push_back(studied(method));
+    }
     for (const Subject& subject : subjects) {
         wishes.steps = subject.steps;
         SceneReport& of_scene = report.scenes.emplace_back();
@@ -193,7 +197,7 @@ std::vector<std::string> all_scenes() {
 
 /// On the scenes of the report whose sums are written out; where it has no scene, on some that come
 /// with the program.
-void add_edges(Report& report, Builds& builds, const std::vector<ComposedMethod>& methods,
+void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& methods,
                const std::vector<Subject>& subjects, const std::set<ReportItem>& items) {
     // Each kind of stepper occurs, and a collision.
     const std::vector<std::string> various{"pendulum", "kepler", "henon-heiles", "nonseparable",
@@ -262,8 +266,7 @@ void check_edges(const Report& report, const fs::path& directory) {
 }  // namespace
 
 void run(const ReportOptions& options) {
-    StudyWishes wishes;
-    wishes.methods = methods(options);
+    const std::vector<ExactMethod> exact = methods(options);
     std::vector<Subject> subjects;
     for (const Given& scene : options.scenes) subjects.push_back(subject(scene, options));
     if (options.items.contains(ReportItem::work) && options.symmetries)
@@ -277,9 +280,11 @@ void run(const ReportOptions& options) {
                   compiler.version};
     const fs::path directory = options.output.value_or("report");
     try {
+        StudyWishes wishes;
         if (options.peers) find_peers(builds, wishes, report);
-        if (options.items.contains(ReportItem::work)) add_scenes(report, builds, subjects, wishes);
-        add_edges(report, builds, wishes.methods, subjects, options.items);
+        if (options.items.contains(ReportItem::work))
+            add_scenes(report, builds, subjects, exact, std::move(wishes));
+        add_edges(report, builds, exact, subjects, options.items);
     } catch (const Interruption&) { throw; } catch (const Error& error) {
         if (report.incomplete.empty()) report.incomplete = error.what();
         write(report, options, directory);

@@ -181,7 +181,7 @@ EdgeCheck sweep_of_chain(const KnownOscillator& known, const Form& form, Sweeps&
 
 }  // namespace
 
-EdgeChapter chain(Builds& builds, const std::vector<ComposedMethod>& methods) {
+EdgeChapter chain(Builds& builds, const std::vector<ExactMethod>& methods) {
     EdgeChapter chapter{
         "chain",
         "Soft and stiff springs",
@@ -200,7 +200,7 @@ EdgeChapter chain(Builds& builds, const std::vector<ComposedMethod>& methods) {
         {}};
     Sweeps sweeps(chain_scene, "Soft and stiff springs");
     std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
-    for (const ComposedMethod& method : methods)
+    for (const ExactMethod& method : methods)
         all.push_back({known_oscillator(method), forms(builds, method, edge_scene(chain_scene))});
     Bar bar;
     double done = 0;

@@ -33,15 +33,15 @@ struct EdgeChapter {
 /// a Build do, and Interruption.
 ///
 /// Precondition: the scenes have initial data and say their step.
-[[nodiscard]] EdgeChapter rejections(Builds& builds, const std::vector<ComposedMethod>& methods,
+[[nodiscard]] EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
                                      const std::vector<Scene>& scenes);
-[[nodiscard]] EdgeChapter symplecticity(Builds& builds, const std::vector<ComposedMethod>& methods,
+[[nodiscard]] EdgeChapter symplecticity(Builds& builds, const std::vector<ExactMethod>& methods,
                                         const std::vector<Scene>& scenes);
 
 /// The same on scenes of their own.
-[[nodiscard]] EdgeChapter stiff(Builds& builds, const std::vector<ComposedMethod>& methods);
-[[nodiscard]] EdgeChapter chain(Builds& builds, const std::vector<ComposedMethod>& methods);
-[[nodiscard]] EdgeChapter extreme(Builds& builds, const std::vector<ComposedMethod>& methods);
-[[nodiscard]] EdgeChapter long_runs(Builds& builds, const std::vector<ComposedMethod>& methods);
+[[nodiscard]] EdgeChapter stiff(Builds& builds, const std::vector<ExactMethod>& methods);
+[[nodiscard]] EdgeChapter chain(Builds& builds, const std::vector<ExactMethod>& methods);
+[[nodiscard]] EdgeChapter extreme(Builds& builds, const std::vector<ExactMethod>& methods);
+[[nodiscard]] EdgeChapter long_runs(Builds& builds, const std::vector<ExactMethod>& methods);
 
 }  // namespace hvi::gen

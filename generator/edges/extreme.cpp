@@ -38,7 +38,7 @@ CurvesPicture::Curve& curve_of(const ExtremeMethod& method, EdgeChapter& chapter
     return found->curves.emplace_back(CurvesPicture::Curve{method.name, {}});
 }
 
-EdgeChapter extreme(Builds& builds, const std::vector<ComposedMethod>& methods) {
+EdgeChapter extreme(Builds& builds, const std::vector<ExactMethod>& methods) {
     EdgeChapter chapter{
         "extreme",
         "Extreme orbits",
@@ -56,7 +56,7 @@ EdgeChapter extreme(Builds& builds, const std::vector<ComposedMethod>& methods) 
         {},
         {}};
     std::vector<ExtremeMethod> all;
-    for (const ComposedMethod& method : methods)
+    for (const ExactMethod& method : methods)
         all.push_back({method.name(), method.parts(), known_order(method),
                        kepler_program(builds, method), scaled_forms(builds, method),
                        two_bodies_program(builds, method), three_bodies_program(builds, method)});

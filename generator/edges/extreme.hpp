@@ -25,7 +25,7 @@ struct ExtremeMethod {
 /// All throw what EdgeProgram() does.
 [[nodiscard]] EdgeProgram kepler_program(Builds& builds, const ComposedMethod& method);
 [[nodiscard]] std::vector<std::vector<Form>> scaled_forms(Builds& builds,
-                                                          const ComposedMethod& method);
+                                                          const ExactMethod& method);
 [[nodiscard]] EdgeProgram two_bodies_program(Builds& builds, const ComposedMethod& method);
 [[nodiscard]] EdgeProgram three_bodies_program(Builds& builds, const ComposedMethod& method);
 

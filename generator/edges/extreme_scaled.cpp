@@ -85,7 +85,7 @@ EdgeCheck check(const std::string& method, const std::string& scene, const Form&
 
 }  // namespace
 
-std::vector<std::vector<Form>> scaled_forms(Builds& builds, const ComposedMethod& method) {
+std::vector<std::vector<Form>> scaled_forms(Builds& builds, const ExactMethod& method) {
     std::vector<std::vector<Form>> all;
     for (const ScaledScene& scaled : scaled_scenes()) {
         const Scene scene = scene_of(scaled.text);

@@ -7,7 +7,6 @@
 #include "generator/edges/edges.hpp"
 #include "generator/edges/energy_shifts.hpp"
 #include "generator/edges/rounded_tableau.hpp"
-#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/support/bar.hpp"
 
 namespace hvi::gen {
@@ -118,13 +117,12 @@ void compare(const Comparison& comparison, EdgeChapter& chapter) {
     chapter.pictures.push_back(std::move(drawn));
 }
 
-std::optional<Comparison> comparison(Builds& builds, const std::vector<ComposedMethod>& methods) {
+std::optional<Comparison> comparison(Builds& builds, const std::vector<ExactMethod>& methods) {
     std::optional<Comparison> best;
     const Scene scene = edge_scene(compared_scene);
-    for (const ComposedMethod& method : methods) {
+    for (const ExactMethod& method : methods) {
         if (method.composition) continue;
-        const DerivedMethod derived = derive_any(method.method);
-        const auto* const tableau = std::get_if<Tableau>(&derived);
+        const auto* const tableau = std::get_if<Tableau>(&method.base);
         if (tableau == nullptr) continue;
         EdgeProgram program(builds, method, scene);
         if (program.is_explicit() || (best && best->tableau.stages() >= tableau->stages()))
@@ -140,11 +138,11 @@ LongRun shorter(LongRun run, std::size_t parts) {
     return run;
 }
 
-std::vector<Runner> runners(Builds& builds, const std::vector<ComposedMethod>& methods,
+std::vector<Runner> runners(Builds& builds, const std::vector<ExactMethod>& methods,
                             const LongRun& run, Solver solver) {
     std::vector<Runner> result;
     const bool is_iterated = solver != Solver::automatic;
-    for (const ComposedMethod& method : methods) {
+    for (const ExactMethod& method : methods) {
         EdgeProgram program(builds, method, edge_scene(run.scene), solver);
         if (is_iterated && program.is_explicit()) continue;  // there is nothing to iterate
         result.push_back(
@@ -155,7 +153,7 @@ std::vector<Runner> runners(Builds& builds, const std::vector<ComposedMethod>& m
 
 }  // namespace
 
-EdgeChapter long_runs(Builds& builds, const std::vector<ComposedMethod>& methods) {
+EdgeChapter long_runs(Builds& builds, const std::vector<ExactMethod>& methods) {
     EdgeChapter chapter{
         "long",
         "Long runs",

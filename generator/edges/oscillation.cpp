@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "generator/certify/certificate.hpp"
-#include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/methods/rule_properties.hpp"
 #include "generator/exact/numbers/exact_number.hpp"
 
@@ -134,14 +133,14 @@ KnownOscillator known_of(const GalerkinRule& rule) {
 }  // namespace
 
 // NOTE: A A~ of the adjoint is similar to the transpose of that of the method.
-KnownOscillator known_oscillator(const ComposedMethod& method) {
-    KnownOscillator known = std::visit([](const auto& derived) { return known_of(derived); },
-                                       derive_any(method.method));
+KnownOscillator known_oscillator(const ExactMethod& method) {
+    KnownOscillator known =
+        std::visit([](const auto& derived) { return known_of(derived); }, method.base);
     known.method = method.name();
     if (const auto& composition = method.composition) {
         known.map = composed(known.map, *composition);
-        known.stages =
-            partitioned_method(composed(weighted_stages(derive(method.method)), *composition));
+        known.stages = partitioned_method(
+            composed(weighted_stages(std::get<Tableau>(method.base)), *composition));
         known.contraction *= std::pow(largest_part(composition), 2);
     }
     known.stability = linear_stability(known.map, stability_limit);

@@ -20,8 +20,7 @@ struct KnownOscillator {
     double contraction = 0;
 };
 
-/// Throws what the derivation of the method does.
-[[nodiscard]] KnownOscillator known_oscillator(const ComposedMethod& method);
+[[nodiscard]] KnownOscillator known_oscillator(const ExactMethod& method);
 
 /// At one z = h omega.
 struct Oscillation {

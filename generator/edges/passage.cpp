@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/methods/order.hpp"
 #include "generator/exact/methods/rule_properties.hpp"
 
@@ -87,12 +86,12 @@ OrderConditions nystrom_conditions(const GalerkinRule& rule, int highest) {
 
 }  // namespace
 
-KnownOrder known_order(const ComposedMethod& method) {
+KnownOrder known_order(const ExactMethod& method) {
     constexpr int highest = 8;
     const auto conditions = [](const auto& derived) {
         return nystrom_conditions(derived, highest);
     };
-    const OrderConditions found = std::visit(conditions, derive_any(method.method));
+    const OrderConditions found = std::visit(conditions, method.base);
     return {composed_order(found.order, method.composition), found.is_at_least};
 }
 

@@ -60,7 +60,7 @@ struct KnownOrder {
 
 /// By its exact conditions, up to 8; of a composition it is that of the literature where this is
 /// more.
-[[nodiscard]] KnownOrder known_order(const ComposedMethod& method);
+[[nodiscard]] KnownOrder known_order(const ExactMethod& method);
 
 /// The case that they fall like N^-order.
 [[nodiscard]] EdgeCheck order_check(const std::string& method, const KnownOrder& known,

@@ -10,7 +10,6 @@
 #include "generator/edges/dual_functions.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/text.hpp"
-#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/simulate/peers.hpp"
 #include "generator/support/child.hpp"
@@ -56,8 +55,8 @@ Advance::Advance(const Heard& heard) : failure(heard.failure) {
                  static_cast<double>(std::max(1L, steps));
 }
 
-std::optional<EdgeCheck> refusal_of_general_form(const ComposedMethod& method, const Scene& scene) {
-    if (!std::holds_alternative<GalerkinRule>(derive_any(method.method))) return {};
+std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method, const Scene& scene) {
+    if (!std::holds_alternative<GalerkinRule>(method.base)) return {};
     const auto check = [&](const Error& error) {
         return EdgeCheck{method.name(), scene.name,
                          "a step",      "a step, or a reason why there is none",

@@ -78,7 +78,7 @@ private:
 
 /// The general Galerkin form does not step every H: why not this one, as a case. Empty where it
 /// does, and for other methods.
-[[nodiscard]] std::optional<EdgeCheck> refusal_of_general_form(const ComposedMethod& method,
+[[nodiscard]] std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method,
                                                                const Scene& scene);
 
 }  // namespace hvi::gen

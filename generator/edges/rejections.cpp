@@ -144,7 +144,7 @@ std::vector<EdgeCheck> checks(const Candidate& candidate) {
 
 }  // namespace
 
-EdgeChapter rejections(Builds& builds, const std::vector<ComposedMethod>& methods,
+EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
                        const std::vector<Scene>& scenes) {
     EdgeChapter chapter{
         "rejections",
@@ -157,7 +157,7 @@ EdgeChapter rejections(Builds& builds, const std::vector<ComposedMethod>& method
         {},
         {}};
     std::vector<Candidate> all;
-    for (const ComposedMethod& method : methods) {
+    for (const ExactMethod& method : methods) {
         const bool comes_back = is_symmetric(method);
         for (const Scene& scene : scenes) {
             if (auto refusal = refusal_of_general_form(method, scene))

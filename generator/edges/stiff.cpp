@@ -175,7 +175,7 @@ std::vector<EdgeCheck> at_ends(const KnownOscillator& known, const Form& form) {
 
 }  // namespace
 
-EdgeChapter stiff(Builds& builds, const std::vector<ComposedMethod>& methods) {
+EdgeChapter stiff(Builds& builds, const std::vector<ExactMethod>& methods) {
     EdgeChapter chapter{
         "stiff",
         "Stiff",
@@ -193,7 +193,7 @@ EdgeChapter stiff(Builds& builds, const std::vector<ComposedMethod>& methods) {
         {}};
     Sweeps sweeps(oscillator_scene, "Harmonic oscillator");
     std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
-    for (const ComposedMethod& method : methods)
+    for (const ExactMethod& method : methods)
         all.push_back(
             {known_oscillator(method), forms(builds, method, edge_scene(oscillator_scene))});
     Bar bar;

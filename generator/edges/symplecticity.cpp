@@ -57,7 +57,7 @@ EdgeCheck check(const SymplecticCandidate& candidate, long steps) {
 
 }  // namespace
 
-EdgeChapter symplecticity(Builds& builds, const std::vector<ComposedMethod>& methods,
+EdgeChapter symplecticity(Builds& builds, const std::vector<ExactMethod>& methods,
                           const std::vector<Scene>& scenes) {
     EdgeChapter chapter{
         "symplecticity",
@@ -80,7 +80,7 @@ EdgeChapter symplecticity(Builds& builds, const std::vector<ComposedMethod>& met
         {},
         {}};
     std::vector<SymplecticCandidate> all;
-    for (const ComposedMethod& method : methods)
+    for (const ExactMethod& method : methods)
         for (const Scene& scene : scenes) {
             if (auto refusal = refusal_of_general_form(method, scene))
                 chapter.checks.push_back(*std::move(refusal));

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "generator/lower/system.hpp"
-#include "generator/study/contender.hpp"
 #include "generator/study/path_to_accuracy.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/error.hpp"
@@ -39,8 +38,8 @@ std::vector<Candidate> candidates(const Structure& structure, const AdviceWishes
     if (structure.is_separable)
         for (const char* name : explicit_methods)
             if (ComposedMethod method = named(name); !wishes.has_curve || !method.composition)
-                all.push_back({std::move(method)});
-    for (const char* name : implicit_methods) all.push_back({named(name)});
+                all.push_back({studied(exact_method(std::move(method)))});
+    for (const char* name : implicit_methods) all.push_back({studied(exact_method(named(name)))});
     return all;
 }
 

@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/step.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/study/contender.hpp"
 #include "generator/study/curves.hpp"
 
 namespace hvi::gen {
 
 /// A way to make steps.
 struct Candidate {
-    ComposedMethod method;
+    StudiedMethod method;
     Solver solver = Solver::automatic;
 };
 

@@ -25,35 +25,34 @@ int order_of(const Tableau& tableau) { return orders(tableau, highest_order).gen
 /// For a quadratic kinetic energy; for other H it is at most this.
 int order_of(const GalerkinRule& rule) { return nystrom_order(rule, highest_order).order; }
 
-int order_of(const OneStepMethod& method) {
-    const auto of_base = [](const auto& base) { return order_of(base); };
-    return composed_order(std::visit(of_base, method.base), method.composition);
-}
-
 constexpr const char* reference_method = "gauss:10";
 
 }  // namespace
+
+StudiedMethod studied(ExactMethod method) {
+    const auto of_base = [](const auto& base) { return order_of(base); };
+    const int order = composed_order(std::visit(of_base, method.base), method.composition);
+    return {std::move(method), order};
+}
 
 bool has_exact_states(const Scene& scene) {
     return !scene.exact.empty() && std::holds_alternative<Hamiltonian>(scene.mechanics);
 }
 
-Contender contender(Builds& builds, const ComposedMethod& method, const Scene& scene,
+Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
                     Solver solver) {
     const SceneStepper stepper =
         scene_stepper(method.method, scene, simulation_wishes(solver, method.composition));
     check_simulation(stepper);
     const std::optional<StageCorrections>& corrections = stepper.step.corrections;
-    return {stepper.method.title(), order_of(stepper.method),
-            builds.order(simulation_program(stepper)),
+    return {stepper.method.title(), method.order, builds.order(simulation_program(stepper)),
             corrections ? std::optional(corrections->costs) : std::nullopt};
 }
 
-Contender contender(Builds& builds, const ComposedMethod& method, const IndexedScene& scene) {
+Contender contender(Builds& builds, const StudiedMethod& method, const IndexedScene& scene) {
     const SceneStepper stepper = scene_stepper(
         method.method, scene, simulation_wishes(Solver::automatic, method.composition));
-    return {stepper.method.title(), order_of(stepper.method),
-            builds.order(simulation_program(stepper))};
+    return {stepper.method.title(), method.order, builds.order(simulation_program(stepper))};
 }
 
 MeasureSteps measured(const Contender& contender, double until) {

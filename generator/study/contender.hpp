@@ -15,6 +15,14 @@
 
 namespace hvi::gen {
 
+/// A method that is to be measured.
+struct StudiedMethod : ExactMethod {
+    int order;
+};
+
+/// Looks for the order, which takes longer than all else that is asked of a method.
+[[nodiscard]] StudiedMethod studied(ExactMethod method);
+
 /// A method on a scene, ready to run.
 struct Contender {
     std::string title;
@@ -24,11 +32,11 @@ struct Contender {
 };
 
 /// Throws what scene_stepper() does.
-[[nodiscard]] Contender contender(Builds& builds, const ComposedMethod& method, const Scene& scene,
+[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
                                   Solver solver);
 
 /// The same on a scene of any size.
-[[nodiscard]] Contender contender(Builds& builds, const ComposedMethod& method,
+[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method,
                                   const IndexedScene& scene);
 
 /// Measures its runs, until the time of the course.

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "generator/simulate/simulation.hpp"
-#include "generator/study/contender.hpp"
 #include "generator/study/departures.hpp"
 #include "generator/study/large_reference.hpp"
 #include "generator/study/peers.hpp"
@@ -42,7 +41,7 @@ struct Programs {
 
 Programs programs(Builds& builds, const Scene& scene, const StudyWishes& wishes) {
     Programs all{reference_build(builds, scene), {}, {}, {}};
-    for (const ComposedMethod& method : wishes.methods)
+    for (const StudiedMethod& method : wishes.methods)
         all.contenders.push_back(contender(builds, method, scene, Solver::automatic));
     if (!wishes.libraries.empty()) all.for_peers = stepper_for_peers(scene);
     for (const PeerLibrary& library : wishes.libraries)
@@ -57,9 +56,9 @@ struct LargePrograms {
     std::vector<Contender> contenders;
 
     LargePrograms(Builds& builds, const IndexedScene& scene, double until,
-                  const std::vector<ComposedMethod>& methods)
+                  const std::vector<StudiedMethod>& methods)
         : reference(builds, scene, until) {
-        for (const ComposedMethod& method : methods)
+        for (const StudiedMethod& method : methods)
             contenders.push_back(contender(builds, method, scene));
     }
 

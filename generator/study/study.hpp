@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/exact/methods/composed_method.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
 #include "generator/simulate/peers.hpp"
+#include "generator/study/contender.hpp"
 #include "generator/study/curves.hpp"
 #include "generator/support/time_spent.hpp"
 
@@ -18,7 +18,7 @@ namespace hvi::gen {
 
 /// What is to be measured.
 struct StudyWishes {
-    std::vector<ComposedMethod> methods;
+    std::vector<StudiedMethod> methods;
     std::vector<double> steps;  ///< sizes, of which none is 0; empty: chosen for each method so
                                 ///< that errors go from 1e-2 to round-off
     std::vector<PeerLibrary> libraries = {};  ///< whose integrators are measured too

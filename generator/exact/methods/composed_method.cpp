@@ -5,7 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/methods/properties.hpp"
 #include "generator/exact/methods/rule_properties.hpp"
 
@@ -62,8 +61,13 @@ ComposedMethod composed_method(const std::shared_ptr<const Source>& name) {
     ComposedMethod result{named_method(part(*name, 0, begin - 1)),
                           named_composition(part(*name, begin, end))};
     result.composition->place = whole(name);
-    check_composition(*result.composition, derive(result.method));
     return result;
+}
+
+ExactMethod exact_method(ComposedMethod method) {
+    DerivedMethod base = derive_any(method.method);
+    if (method.composition) check_composition(*method.composition, base);
+    return {std::move(method), std::move(base)};
 }
 
 int composed_order(int of_method, const std::optional<Composition>& composition) {
@@ -72,9 +76,9 @@ int composed_order(int of_method, const std::optional<Composition>& composition)
     return least + least % 2;
 }
 
-bool is_symmetric(const ComposedMethod& method) {
+bool is_symmetric(const ExactMethod& method) {
     const auto comes_back = [](const auto& derived) { return is_symmetric(derived).holds; };
-    return method.composition || std::visit(comes_back, derive_any(method.method));
+    return method.composition || std::visit(comes_back, method.base);
 }
 
 WeightedStages weighted_stages(const ButcherPair& pair) {

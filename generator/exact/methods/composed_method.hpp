@@ -8,6 +8,7 @@
 #include <string>
 
 #include "generator/exact/methods/composition.hpp"
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/methods/number_stages.hpp"
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/read/method.hpp"
@@ -26,16 +27,24 @@ struct ComposedMethod {
     [[nodiscard]] std::size_t parts() const { return composition ? composition->steps.size() : 1; }
 };
 
-/// By its name: `gauss:4`, or `stormer-verlet-yoshida:6`. Throws what named_method(),
-/// named_composition() and check_composition() do.
+/// By its name: `gauss:4`, or `stormer-verlet-yoshida:6`. Throws what named_method() and
+/// named_composition() do.
 [[nodiscard]] ComposedMethod composed_method(const std::shared_ptr<const Source>& name);
+
+/// A method, or a composition of it, whose coefficients are derived.
+struct ExactMethod : ComposedMethod {
+    DerivedMethod base;
+};
+
+/// Throws what derive_any() and check_composition() do.
+[[nodiscard]] ExactMethod exact_method(ComposedMethod method);
 
 /// The order of a composition of a method of this one: at least that of both, and even, as what
 /// compositions make is its own adjoint. That of the method where there is none.
 [[nodiscard]] int composed_order(int of_method, const std::optional<Composition>& composition);
 
 /// Whether a step with -h leads back, as for every composition.
-[[nodiscard]] bool is_symmetric(const ComposedMethod& method);
+[[nodiscard]] bool is_symmetric(const ExactMethod& method);
 
 /// The stages of (4.18), with m_ij = a_ij / b_j.
 struct WeightedStages {
