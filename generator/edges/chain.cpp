@@ -7,10 +7,7 @@
 #include <map>
 
 #include "generator/edges/edges.hpp"
-#include "generator/edges/forms.hpp"
-#include "generator/edges/oscillation.hpp"
 #include "generator/edges/sweep.hpp"
-#include "generator/support/bar.hpp"
 
 namespace hvi::gen {
 
@@ -199,17 +196,10 @@ EdgeChapter chain(Builds& builds, const std::vector<ExactMethod>& methods) {
         {},
         {}};
     Sweeps sweeps(chain_scene, "Soft and stiff springs");
-    std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
-    for (const ExactMethod& method : methods)
-        all.push_back({known_oscillator(method), forms(builds, method, edge_scene(chain_scene))});
-    Bar bar;
-    double done = 0;
-    for (const auto& [known, forms] : all) {
-        bar.show(done++ / static_cast<double>(all.size()), "chain: " + known.method);
-        for (const Form& form : forms) {
-            chapter.checks.push_back(sweep_of_chain(known, form, sweeps));
-        }
-    }
+    const auto check = [&](const KnownOscillator& known, const Form& form) {
+        chapter.checks.push_back(sweep_of_chain(known, form, sweeps));
+    };
+    for_each_form(builds, methods, chain_scene, chapter.name, check);
     chapter.pictures = sweeps.pictures();
     return chapter;
 }

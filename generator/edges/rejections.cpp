@@ -8,9 +8,8 @@
 #include <limits>
 
 #include "generator/edges/edges.hpp"
+#include "generator/edges/method_on_scene.hpp"
 #include "generator/edges/origin.hpp"
-#include "generator/edges/program.hpp"
-#include "generator/support/bar.hpp"
 
 namespace hvi::gen {
 
@@ -114,30 +113,22 @@ std::vector<Case> cases(Origin origin, double h, const std::vector<double>& star
     return all;
 }
 
-/// A method on a scene.
-struct Candidate {
-    std::string method;
-    bool is_symmetric;
-    Scene scene;
-    EdgeProgram program;
-};
-
 /// NOTE: a chart is at the start of a step, so that the way back takes another one.
 bool has_charts(const Scene& scene) { return !function_of(scene).rotations.empty(); }
 
-std::vector<EdgeCheck> checks(const Candidate& candidate) {
-    const EdgeProgram& program = candidate.program;
-    const Scene& scene = candidate.scene;
+std::vector<EdgeCheck> checks(const MethodOnScene& subject) {
+    const auto& [method, scene, program] = subject;
+    const bool comes_back = !has_charts(scene) && is_symmetric(method);
     const std::vector<double> start =
         program.ask({"start"}).answers.numbers("start", scene.initial.size());
     std::vector<EdgeCheck> result;
     for (const Case& edge : cases(origin_of(scene), usual_step(scene), start,
-                                  function_of(scene).coordinates.size(), candidate.is_symmetric)) {
+                                  function_of(scene).coordinates.size(), comes_back)) {
         const bool back = edge.promise == Promise::back;
         const Seen seen = judged(
             program.ask(back ? "return" : "advance", edge.h, back ? 10 : 1, edge.state), edge);
         result.push_back(
-            {candidate.method, scene.name, edge.what, text(edge.promise), seen.text, seen.agrees});
+            {method.name(), scene.name, edge.what, text(edge.promise), seen.text, seen.agrees});
     }
     return result;
 }
@@ -156,24 +147,12 @@ EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
         "a step of a new stepper in a program of its own, which has a minute.",
         {},
         {}};
-    std::vector<Candidate> all;
-    for (const ExactMethod& method : methods) {
-        const bool comes_back = is_symmetric(method);
-        for (const Scene& scene : scenes) {
-            if (auto refusal = refusal_of_general_form(method, scene))
-                chapter.checks.push_back(*std::move(refusal));
-            else
-                all.push_back({method.name(), comes_back && !has_charts(scene), scene,
-                               EdgeProgram(builds, method, scene)});
-        }
-    }
-    Bar bar;
-    double done = 0;
-    for (const Candidate& candidate : all) {
-        bar.show(done++ / static_cast<double>(all.size()),
-                 fmt::format("rejections: {}, {}", candidate.method, candidate.scene.name));
-        for (EdgeCheck& check : checks(candidate)) chapter.checks.push_back(std::move(check));
-    }
+    add_cases(
+        chapter, methods, scenes,
+        [&](const ExactMethod& method, const Scene& scene) {
+            return EdgeProgram(builds, method, scene);
+        },
+        checks);
     return chapter;
 }
 

@@ -6,11 +6,7 @@
 #include <cmath>
 
 #include "generator/edges/edges.hpp"
-#include "generator/edges/forms.hpp"
-#include "generator/edges/oscillation.hpp"
-#include "generator/edges/program.hpp"
 #include "generator/edges/sweep.hpp"
-#include "generator/support/bar.hpp"
 
 namespace hvi::gen {
 
@@ -192,20 +188,11 @@ EdgeChapter stiff(Builds& builds, const std::vector<ExactMethod>& methods) {
         {},
         {}};
     Sweeps sweeps(oscillator_scene, "Harmonic oscillator");
-    std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
-    for (const ExactMethod& method : methods)
-        all.push_back(
-            {known_oscillator(method), forms(builds, method, edge_scene(oscillator_scene))});
-    Bar bar;
-    double done = 0;
-    for (const auto& [known, forms] : all) {
-        bar.show(done++ / static_cast<double>(all.size()), "stiff: " + known.method);
-        for (const Form& form : forms) {
-            chapter.checks.push_back(sweep_of_oscillator(known, form, sweeps));
-            for (EdgeCheck& check : at_ends(known, form))
-                chapter.checks.push_back(std::move(check));
-        }
-    }
+    const auto check = [&](const KnownOscillator& known, const Form& form) {
+        chapter.checks.push_back(sweep_of_oscillator(known, form, sweeps));
+        for (EdgeCheck& at_end : at_ends(known, form)) chapter.checks.push_back(std::move(at_end));
+    };
+    for_each_form(builds, methods, oscillator_scene, chapter.name, check);
     chapter.pictures = sweeps.pictures();
     return chapter;
 }

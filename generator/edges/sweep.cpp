@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "generator/support/bar.hpp"
 
 namespace hvi::gen {
 
@@ -14,6 +17,20 @@ constexpr int points = 57, points_of_decade = 8;
 constexpr double most_drawn = 1e20;
 
 }  // namespace
+
+void for_each_form(Builds& builds, const std::vector<ExactMethod>& methods,
+                   const std::string& scene, const std::string& chapter,
+                   const std::function<void(const KnownOscillator&, const Form&)>& check) {
+    std::vector<std::pair<KnownOscillator, std::vector<Form>>> all;
+    for (const ExactMethod& method : methods)
+        all.push_back({known_oscillator(method), forms(builds, method, edge_scene(scene))});
+    Bar bar;
+    double done = 0;
+    for (const auto& [known, forms] : all) {
+        bar.show(done++ / static_cast<double>(all.size()), chapter + ": " + known.method);
+        for (const Form& form : forms) check(known, form);
+    }
+}
 
 EdgeCheck Sweeps::sweep(const std::string& method, const std::string& form,
                         const std::string& steps, const std::function<SweepPoint(double)>& at) {

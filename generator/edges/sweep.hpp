@@ -8,8 +8,16 @@
 #include <vector>
 
 #include "generator/edges/edges.hpp"
+#include "generator/edges/forms.hpp"
+#include "generator/edges/oscillation.hpp"
 
 namespace hvi::gen {
+
+/// Makes the programs of all methods in all forms on the scene, then has each checked, and says on
+/// standard error what it is at. `chapter`: its name.
+void for_each_form(Builds& builds, const std::vector<ExactMethod>& methods,
+                   const std::string& scene, const std::string& chapter,
+                   const std::function<void(const KnownOscillator&, const Form&)>& check);
 
 /// What was seen at one z = h omega.
 struct SweepPoint {

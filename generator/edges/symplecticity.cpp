@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "generator/edges/edges.hpp"
-#include "generator/edges/program.hpp"
-#include "generator/support/bar.hpp"
+#include "generator/edges/method_on_scene.hpp"
 
 namespace hvi::gen {
 
@@ -23,15 +22,8 @@ double bound_of(const Scene& scene, long steps, double condition) {
     return std::ldexp(2 * 16 * condition * of_charts * static_cast<double>(steps) + terms, -53);
 }
 
-/// A method on a scene.
-struct SymplecticCandidate {
-    ComposedMethod method;
-    Scene scene;
-    EdgeProgram program;
-};
-
-EdgeCheck check(const SymplecticCandidate& candidate, long steps) {
-    const auto& [method, scene, program] = candidate;
+EdgeCheck check(const MethodOnScene& subject, long steps) {
+    const auto& [method, scene, program] = subject;
     const double h = usual_step(scene);
     const Heard heard = program.ask({fmt::format("{}", h), std::to_string(steps)});
     const bool has_ended = heard.failure.empty();
@@ -79,22 +71,14 @@ EdgeChapter symplecticity(Builds& builds, const std::vector<ExactMethod>& method
         "there is no derivative.",
         {},
         {}};
-    std::vector<SymplecticCandidate> all;
-    for (const ExactMethod& method : methods)
-        for (const Scene& scene : scenes) {
-            if (auto refusal = refusal_of_general_form(method, scene))
-                chapter.checks.push_back(*std::move(refusal));
-            else
-                all.push_back({method, scene, EdgeProgram::symplectic(builds, method, scene)});
-        }
-    Bar bar;
-    double done = 0;
-    for (const SymplecticCandidate& candidate : all) {
-        bar.show(
-            done++ / static_cast<double>(all.size()),
-            fmt::format("symplecticity: {}, {}", candidate.method.name(), candidate.scene.name));
-        for (const long steps : {1L, 1000L}) chapter.checks.push_back(check(candidate, steps));
-    }
+    add_cases(
+        chapter, methods, scenes,
+        [&](const ExactMethod& method, const Scene& scene) {
+            return EdgeProgram::symplectic(builds, method, scene);
+        },
+        [](const MethodOnScene& subject) {
+            return std::vector{check(subject, 1), check(subject, 1000)};
+        });
     return chapter;
 }
 
