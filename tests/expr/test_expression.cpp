@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <limits>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -70,6 +71,46 @@ TEST_CASE("symbols get other names, all at once") {
         Expression::sum({x, Expression::call("sin", {y}), Expression::power(y, x)});
     CHECK(to_text(renamed(sum, {{"x", "y"}, {"y", "x"}, {"sin", "cos"}})) == "y+sin(x)+x^y");
     CHECK(renamed(sum, {}) == sum);
+}
+
+TEST_CASE("expressions stand in the places of symbols, all at once, and stay flat") {
+    const Expression x = Expression::symbol("x"), y = Expression::symbol("y");
+    const Expression sum = Expression::sum({x, Expression::call("sin", {y})});
+    const Expression other = replaced(sum, {{"x", Expression::sum({y, y})}, {"y", x}});
+    CHECK(to_text(other) == "y+y+sin(x)");
+    CHECK(other.arguments.size() == 3);
+    CHECK(replaced(sum, {{"sin", x}}) == sum);
+}
+
+TEST_CASE("one of two expressions comes first, unless they are equal") {
+    const Expression x = Expression::symbol("x"), y = Expression::symbol("y"),
+                     two = Expression::integer(2), ten = Expression::integer(10);
+    const std::vector<Expression> in_order{
+        two,
+        Expression::product({two, x}),
+        Expression::power(two, y),
+        ten,
+        Expression::integer(-10),
+        x,
+        Expression::sum({x, Expression::negation(y)}),
+        Expression::product({x, y}),
+        y,
+        Expression::sum({y, Expression::negation(x)}),
+    };
+    for (std::size_t i = 0; i < in_order.size(); ++i)
+        for (std::size_t j = 0; j < in_order.size(); ++j) {
+            INFO(to_text(in_order[i]) << " and " << to_text(in_order[j]));
+            CHECK(precedes(in_order[i], in_order[j]) == (i < j));
+        }
+}
+
+TEST_CASE("words of an expression, however long its names are") {
+    const auto words = [](const char* name) {
+        return word_count(Expression::sum(
+            {Expression::symbol(name), Expression::negation(Expression::integer(100))}));
+    };
+    CHECK(words("x") == 4);
+    CHECK(words("momentum_of_the_first") == 4);
 }
 
 TEST_CASE("functions are found by name") {
