@@ -11,16 +11,6 @@ namespace hvi::gen {
 
 namespace {
 
-std::string_view text(Container container) {
-    switch (container) {
-    case Container::of_user: return "the user's";
-    case Container::arrays: return "arrays";
-    case Container::vectors: return "vectors of any size";
-    }
-    HVI_CHECK(false);
-    return {};
-}
-
 std::string_view text(HessianForm form) {
     switch (form) {
     case HessianForm::dense: return "dense";
@@ -40,11 +30,21 @@ std::string text(const LinearPart& part) {
 
 }  // namespace
 
+std::string_view to_text(Container container) {
+    switch (container) {
+    case Container::of_user: return "the user's";
+    case Container::arrays: return "arrays";
+    case Container::vectors: return "of any size";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
 std::string dump(const SystemProperties& system) {
     std::string result =
         fmt::format("side: {}\ndegrees of freedom: {}\nrotations: {}\nvectors: {}\nd2H/dq2: {}\n",
                     system.side == Side::hamiltonian ? 'H' : 'L', system.degrees_of_freedom,
-                    system.rotations, text(system.container), text(system.hessian));
+                    system.rotations, to_text(system.container), text(system.hessian));
     const auto add = [&](bool holds, std::string_view what) {
         if (holds) { result += fmt::format("found: {}\n", what); }
     };

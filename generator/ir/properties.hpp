@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -56,6 +57,7 @@ enum class Container {
     arrays,   ///< of a size that is known when the header is written
     vectors,  ///< of any size
 };
+[[nodiscard]] std::string_view to_text(Container container);
 
 /// Of the H of a scene what its graph proves, see Structure; of that of a class of the user what he
 /// says. What is false may be true and not seen.

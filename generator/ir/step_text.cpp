@@ -73,16 +73,6 @@ std::string_view text(Layout layout) {
     return {};
 }
 
-std::string_view text(Container container) {
-    switch (container) {
-    case Container::of_user: return "the user's";
-    case Container::arrays: return "arrays";
-    case Container::vectors: return "of any size";
-    }
-    HVI_CHECK(false);
-    return {};
-}
-
 std::string lines(std::string_view letter, const std::vector<StageValue>& values) {
     std::string result;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -252,7 +242,7 @@ std::string dump(const Step& step) {
     }
     result += std::visit([](const auto& form) { return lines(form); }, step.form);
     result += line_of_steps(step.in_a_row);
-    result += fmt::format("vectors: {}\nlanes: {}\n", text(step.container), text(step.layout));
+    result += fmt::format("vectors: {}\nlanes: {}\n", to_text(step.container), text(step.layout));
     if (step.layout == Layout::stages) {
         result += fmt::format("registers of: {}\n", step.register_width);
         result += fmt::format("shared slopes: {}\n", step.shared_slopes);

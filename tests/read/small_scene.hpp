@@ -11,8 +11,9 @@ namespace hvi::gen {
 
 /// The scene, with N = 4 where it is large.
 inline Scene small_scene(const SceneEntry& entry) {
+    constexpr std::size_t few = 64;
     const Given name = source(std::string(entry.name), "SCENE");
-    if (entry.degrees_of_freedom <= most_degrees_of_freedom) { return find_scene(name); }
+    if (entry.degrees_of_freedom <= few) { return find_scene(name); }
     return find_scene(name, {parse_parameter(source("N=4", "--param"))});
 }
 
