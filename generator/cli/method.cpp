@@ -8,8 +8,10 @@
 #include <set>
 #include <utility>
 
+#include "generator/pipeline/any_size.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
+#include "generator/read/no_loops.hpp"
 #include "generator/read/scene.hpp"
 
 namespace hvi::gen {
@@ -146,11 +148,11 @@ MethodAndLargeScene completed(IndexedScene scene, const Given& name, const Metho
         const bool is_of_scene = assign(scene, parameter);
         const bool is_of_method = has_parameter(method, parameter.name);
         if (is_of_scene && is_of_method)
-            throw InputError(fmt::format("both the method and the scene have a parameter `{}`, "
-                                         "which is not built where sums stay loops",
-                                         parameter.name),
-                             parameter.place,
-                             "give one of the two another name, or write sums out: --unroll yes");
+            throw NoLoops(fmt::format("both the method and the scene have a parameter `{}`, which "
+                                      "is not built where sums stay loops",
+                                      parameter.name),
+                          parameter.place,
+                          "give one of the two another name, or write sums out: --unroll yes");
         if (is_of_scene) {
             scene.origin += parameter_option(parameter);
         } else if (is_of_method) {
@@ -176,12 +178,19 @@ MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& sys
 std::variant<MethodAndScene, MethodAndLargeScene>
 read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system) {
     if (!system.scene) return read_scene(options, system);
-    auto [found, unrolling] =
-        find_scene_of_any_size(system.scene, parameters_in(options.parameters), system.sums);
-    if (auto* large = std::get_if<IndexedScene>(&found)) {
-        MethodAndLargeScene both = completed(std::move(*large), system.scene, options);
-        both.unrolling = std::move(unrolling);
-        return both;
+    const std::vector<Parameter> parameters = parameters_in(options.parameters);
+    auto [found, unrolling] = find_scene_of_any_size(system.scene, parameters, system.sums);
+    try {
+        if (auto* large = std::get_if<IndexedScene>(&found)) {
+            MethodAndLargeScene both = completed(std::move(*large), system.scene, options);
+            both.unrolling = std::move(unrolling);
+            return both;
+        }
+    } catch (const NoLoops& obstacle) {
+        if (system.sums.choice == Unroll::no) throw;
+        unrolling = {true, obstacle.what()};
+        found = written_out(find_indexed_scene(system.scene, parameters), system.scene,
+                            obstacle.what());
     }
     MethodAndScene both = completed(std::get<Scene>(std::move(found)), options);
     both.unrolling = std::move(unrolling);

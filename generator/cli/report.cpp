@@ -12,6 +12,7 @@
 #include "generator/cli/words.hpp"
 #include "generator/edges/edges.hpp"
 #include "generator/edges/program.hpp"
+#include "generator/pipeline/any_size.hpp"
 #include "generator/read/indexed_scene.hpp"
 #include "generator/render/statements.hpp"
 #include "generator/report/render.hpp"
@@ -29,6 +30,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* usual_on_scenes =
     "stormer-verlet, stormer-verlet-blanes-moan:6, lobatto:3, gauss:2, gauss:4, gauss:8";
+/// Degrees of freedom of scenes at edges: derivatives of steps have four times the square of them.
+constexpr std::size_t most_at_edges = 64;
 constexpr const char* usual_at_edges = "stormer-verlet, trig3, lobatto:3, gauss:2, gauss:4";
 
 /// A scene with the words of [run] that a report needs.
@@ -40,17 +43,20 @@ struct Subject {
     Watched watched = {};
 };
 
-/// What is not built for a scene whose sums stay loops.
-void check_large(const ReportOptions& options) {
+/// What is not built for scenes of so many degrees of freedom.
+void check_large(const ReportOptions& options, std::size_t degrees) {
     const auto refuse = [](const std::optional<Place>& place, const char* what, const char* help) {
         if (place)
-            throw InputError(fmt::format("{} not built for scenes whose sums stay loops", what),
-                             *place, help);
+            throw InputError(
+                fmt::format("{} not built for scenes of so many degrees of freedom", what), *place,
+                help);
     };
-    refuse(options.peers, "integrators of other libraries are",
-           "without --peers it compares methods of ours");
-    refuse(options.edges, "stiff and extreme cases, and derivatives of steps, are",
-           "without SCENE they are those of scenes that come with the program");
+    if (degrees > most_degrees_of_freedom)
+        refuse(options.peers, "integrators of other libraries are",
+               "without --peers it compares methods of ours");
+    if (degrees > most_at_edges)
+        refuse(options.edges, "stiff and extreme cases, and derivatives of steps, are",
+               "without SCENE they are those of scenes that come with the program");
 }
 
 std::string name_of(const Subject& subject) {
@@ -65,9 +71,11 @@ NamedExpression first_step(const Scene& scene, const ReportOptions& options) {
 }
 
 Subject subject(const Given& name, const ReportOptions& options) {
+    check_large(options, degrees_of_freedom(find_indexed_scene(name)));
     Subject result{find_scene_of_any_size(name, {}, options.sums).scene};
     const auto* large = std::get_if<IndexedScene>(&result.scene);
-    if (large != nullptr) check_large(options);
+    // NOTE: what has no loops and was not written out has been wished so.
+    if (large != nullptr) check_large(options, most_degrees_of_freedom + 1);
     Scene scene = large != nullptr ? without_motion(*large) : std::get<Scene>(result.scene);
     scene.place = whole(name);
     if (options.peers) refuse_rotations(function_of(scene), "a comparison with other libraries");
@@ -188,15 +196,14 @@ std::vector<Scene> scenes_by_name(const std::vector<std::string>& names) {
 /// All that come with the program. NOTE: but for the large ones, whose steps have derivatives of
 /// too many parts.
 std::vector<std::string> all_scenes() {
-    constexpr std::size_t most_at_edges = 64;
     std::vector<std::string> names;
     for (const SceneEntry& entry : scenes())
         if (entry.degrees_of_freedom <= most_at_edges) names.emplace_back(entry.name);
     return names;
 }
 
-/// On the scenes of the report whose sums are written out; where it has no scene, on some that come
-/// with the program.
+/// On the scenes of the report that are small and written out; where it has no scene, on some that
+/// come with the program.
 void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& methods,
                const std::vector<Subject>& subjects, const std::set<ReportItem>& items) {
     // Each kind of stepper occurs, and a collision.
@@ -204,7 +211,8 @@ void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& m
                                            "harmonic-oscillator"};
     std::vector<Scene> given;
     for (const Subject& subject : subjects)
-        if (const auto* scene = std::get_if<Scene>(&subject.scene)) given.push_back(*scene);
+        if (const auto* scene = std::get_if<Scene>(&subject.scene))
+            if (function_of(*scene).degrees_of_freedom() <= most_at_edges) given.push_back(*scene);
     if (given.empty() && !subjects.empty()) return;
     const auto add = [&](ReportItem item, const std::string& name, auto chapter) {
         if (!items.contains(item)) return;

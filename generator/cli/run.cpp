@@ -261,6 +261,7 @@ Steps wished_steps(const Scene& scene, const RunOptions& options) {
 StepperWishes wishes_of(const RunOptions& options) {
     StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
     wishes.lanes = options.wishes.lanes;
+    wishes.unroll = options.wishes.unroll;
     return wishes;
 }
 

@@ -38,7 +38,9 @@ std::string explanation(const SceneStepper& stepper, const UnrollDecision& unrol
             text += "  " + cost + "\n";
     }
     text += "plan:\n";
-    if (!unrolling.why.empty())
+    if (!stepper.no_loops.empty())
+        text += fmt::format("  sums are written out: {}\n", stepper.no_loops);
+    else if (!unrolling.why.empty())
         text += fmt::format("  sums {}: {}\n",
                             unrolling.writes_out ? "are written out" : "stay loops", unrolling.why);
     for (const Decision& decision : stepper.step.decisions)

@@ -16,6 +16,7 @@
 #include "generator/lower/sites.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
+#include "generator/read/no_loops.hpp"
 #include "generator/read/own_functions.hpp"
 #include "generator/read/put_in.hpp"
 #include "generator/read/sizes.hpp"
@@ -104,8 +105,8 @@ private:
 
 void LoopLowering::refuse_side() const {
     if (written_.side == Side::hamiltonian) { return; }
-    throw InputError("a Lagrangian has no loops", whole(written_.function.source),
-                     "write its Hamiltonian, or write sums out: --unroll yes");
+    throw NoLoops("a Lagrangian has no loops", whole(written_.function.source),
+                  "write its Hamiltonian, or write sums out: --unroll yes");
 }
 
 void LoopLowering::declare(const std::string& name, const Place& place) {
@@ -134,8 +135,8 @@ void LoopLowering::declare_families(const NameTexts& texts, FamilyKind kind) {
             for (const IndexBounds& written : name.bounds) {
                 const auto first = affine_form(written.first), last = affine_form(written.last);
                 if (!first || !last) {
-                    throw InputError("bounds of indices are made of whole numbers and sizes",
-                                     Place{text.source, written.range});
+                    throw NoLoops("bounds of indices are made of whole numbers and sizes",
+                                  Place{text.source, written.range});
                 }
                 family.ranges.push_back({*first, *last});
             }
@@ -161,9 +162,9 @@ void LoopLowering::check_pairs() const {
         }
     }
     if (!are_pairs) {
-        throw InputError("where sums stay loops, coordinates and momenta are pairs of families "
-                         "with the same indices",
-                         written_.conjugates.place, "as x[1..N], y[1..N] and px[1..N], py[1..N]");
+        throw NoLoops("where sums stay loops, coordinates and momenta are pairs of families "
+                      "with the same indices",
+                      written_.conjugates.place, "as x[1..N], y[1..N] and px[1..N], py[1..N]");
     }
 }
 
@@ -176,8 +177,8 @@ SystemTable LoopLowering::table(const std::string& name, const ValueList& list) 
         refuse_own_functions(number, each.source, "the value of a parameter");
         walk(number, [&](const Expression& part) {
             if (part.kind == Expression::Kind::symbol && !is_constant(part.name)) {
-                throw InputError("where sums stay loops, lists of parameters are made of numbers",
-                                 Place{each.source, part.range});
+                throw NoLoops("where sums stay loops, lists of parameters are made of numbers",
+                              Place{each.source, part.range});
             }
             return true;
         });
@@ -269,10 +270,10 @@ ElementIndex LoopLowering::index(const Expression& written, const std::vector<Lo
             return {std::move(*form), std::move(modulus), std::move(*offset)};
         }
     }
-    throw InputError("where sums stay loops, an index is made of whole numbers, sizes and indices "
-                     "of sums by +, - and products with numbers, or of one mod of these and what "
-                     "is added to it",
-                     Place{source, written.range});
+    throw NoLoops("where sums stay loops, an index is made of whole numbers, sizes and indices "
+                  "of sums by +, - and products with numbers, or of one mod of these and what "
+                  "is added to it",
+                  Place{source, written.range});
 }
 
 /// The name of an element in the graph, and among the symbols.
@@ -341,10 +342,7 @@ void LoopLowering::check_known(const Expression& part, const std::vector<Loop>& 
                                       [&](const Loop& loop) { return loop.index == name; });
     if (is_constant(name) || is_index || symbols_.count(name) != 0) { return; }
     const Place place{source, part.range};
-    if (name == "t") {
-        throw InputError("an H that depends on the time has no loops", place,
-                         "write sums out: --unroll yes");
-    }
+    if (name == "t") { throw NoLoops("an H that depends on the time has no loops", place); }
     if (families_.count(name) != 0) {
         throw InputError(fmt::format("`{}` has an index", name), place);
     }

@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "generator/read/names.hpp"
+#include "generator/read/no_loops.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
 using Expressions = std::vector<Expression>;
-
-constexpr const char* write_out = "write sums out, where there are not many terms: --unroll yes";
 
 template <class Test>
 bool any_part(const Expression& expression, const Test& test) {
@@ -137,9 +136,9 @@ private:
 
     [[nodiscard]] AffineForm bound(const Expression& written) const {
         if (auto form = affine_form(written)) { return std::move(*form); }
-        throw InputError("where sums stay loops, their bounds are made of whole numbers, sizes and "
-                         "other indices by +, - and products with numbers",
-                         Place{source_, written.range}, write_out);
+        throw NoLoops("where sums stay loops, their bounds are made of whole numbers, sizes and "
+                      "other indices by +, - and products with numbers",
+                      Place{source_, written.range});
     }
 
     /// NOTE: what is multiplied out is one factor, the others being without variables, so that
@@ -163,8 +162,8 @@ private:
         if (inner != nullptr && is_linear) { return split(*inner, more, loops); }
         const Expression written = written_out(product);
         if (has_sum(written)) {
-            throw InputError("a product of two sums is not built where sums stay loops",
-                             Place{source_, product.range}, write_out);
+            throw NoLoops("a product of two sums is not built where sums stay loops",
+                          Place{source_, product.range});
         }
         add(written, factors, loops);
     }
@@ -194,9 +193,9 @@ Expression without_sums(const IndexedExpression& expression) {
     Expression result = written_out(expression.written);
     walk(result, [&](const Expression& part) {
         if (part.kind != Expression::Kind::sum_over) { return true; }
-        throw InputError("a sum inside a function is built only for at most 16 terms, with numbers "
-                         "for its bounds, where sums stay loops",
-                         Place{expression.source, part.range}, write_out);
+        throw NoLoops("a sum inside a function is built only for at most 16 terms, with numbers "
+                      "for its bounds, where sums stay loops",
+                      Place{expression.source, part.range});
     });
     return result;
 }

@@ -2,6 +2,7 @@
 #include "generator/pipeline/refusals.hpp"
 
 #include "generator/plan/lanes.hpp"
+#include "generator/read/no_loops.hpp"
 
 namespace hvi::gen {
 
@@ -57,20 +58,20 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
 void check_vectors(const Step& step, const Method& method, const StepperWishes& wishes,
                    const Place& place) {
     if (step.from_parameter) {
-        throw InputError("methods with a free parameter are not built where sums stay loops",
-                         method.place, "give it a value, or write sums out: --unroll yes");
+        throw NoLoops("methods with a free parameter are not built where sums stay loops",
+                      method.place, "give it a value, or write sums out: --unroll yes");
     }
     if (std::holds_alternative<GalerkinStep>(step.form)) {
-        throw InputError(
-            "more nodes than functions are built where sums stay loops for a quadratic "
-            "kinetic energy alone, and no steps are composed",
-            method.place, "take as many nodes as functions, or write sums out: --unroll yes");
+        throw NoLoops("more nodes than functions are built where sums stay loops for a quadratic "
+                      "kinetic energy alone, and no steps are composed",
+                      method.place,
+                      "take as many nodes as functions, or write sums out: --unroll yes");
     }
     if (std::holds_alternative<PairStep>(step.form) && wishes.solver == Solver::newton) {
-        throw InputError("--solver newton is built where sums stay loops for a quadratic kinetic "
-                         "energy alone, and no steps are composed",
-                         place,
-                         "without it fixed points are iterated; or write sums out: --unroll yes");
+        throw NoLoops("--solver newton is built where sums stay loops for a quadratic kinetic "
+                      "energy alone, and no steps are composed",
+                      place,
+                      "without it fixed points are iterated; or write sums out: --unroll yes");
     }
 }
 

@@ -10,6 +10,7 @@
 #include "generator/options/option_table.hpp"
 #include "generator/pipeline/refusals.hpp"
 #include "generator/plan/plan.hpp"
+#include "generator/read/no_loops.hpp"
 #include "generator/scene/start.hpp"
 
 namespace hvi::gen {
@@ -148,8 +149,10 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
                       members);
 }
 
-SceneStepper scene_stepper(const Method& wished, const IndexedScene& scene,
-                           const StepperWishes& wishes) {
+namespace {
+
+SceneStepper loop_stepper(const Method& wished, const IndexedScene& scene,
+                          const StepperWishes& wishes) {
     const Place place = whole(scene.function.source);
     check_wishes_of_any_size(wishes, place);
     check_own_names(scene.own);
@@ -161,6 +164,22 @@ SceneStepper scene_stepper(const Method& wished, const IndexedScene& scene,
     members.energy = members.invariants = true;
     return stepper_of(wished, derived(wished, wishes), loop_system(scene),
                       {scene.origin, place, scene.own.headers}, wishes, members);
+}
+
+}  // namespace
+
+SceneStepper scene_stepper(const Method& wished, const IndexedScene& scene,
+                           const StepperWishes& wishes) {
+    try {
+        return loop_stepper(wished, scene, wishes);
+    } catch (const NoLoops& obstacle) {
+        const bool is_open = wishes.unroll == Unroll::automatic &&
+                             degrees_of_freedom(scene) <= most_degrees_of_freedom;
+        if (!is_open) { throw; }
+        SceneStepper result = scene_stepper(wished, unrolled(scene), wishes);
+        result.no_loops = obstacle.what();
+        return result;
+    }
 }
 
 }  // namespace hvi::gen

@@ -49,6 +49,7 @@ struct SceneStepper {
     std::string class_name;
     std::string header;
     std::vector<OwnHeader> own_headers;  ///< that it needs
+    std::string no_loops = {};           ///< why sums are written out that could have stayed loops
 };
 
 /// The same. Throws InputError and MathError also for a scene that cannot start, an invariant that
@@ -56,7 +57,9 @@ struct SceneStepper {
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
                                          const StepperWishes& wishes);
 
-/// The same with loops for the sums of the scene: the sizes are parameters of the class. Throws
+/// The same with loops for the sums of the scene: the sizes are parameters of the class. Where
+/// loops do not have the step of this method, and nothing else was wished for, the sums of a scene
+/// that is not too large are written out. Throws
 /// InputError and MathError as loop_system() does, too, and for what is wished for and not built
 /// for systems of any size.
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const IndexedScene& scene,

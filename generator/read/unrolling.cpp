@@ -131,15 +131,20 @@ UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish
                          "without --unroll no its sums are written out");
     case Unroll::automatic: break;
     }
+    const std::size_t degrees = degrees_of_freedom(scene);
     const std::size_t operations =
         operations_written_out(function, sizes(scene), most_operations + 1);
-    if (operations <= most_operations) {
+    if (operations <= most_operations && degrees <= most_degrees_of_freedom) {
         return {true, fmt::format("they make {} operations, and {} are the most", operations,
                                   most_operations)};
     }
     if (!obstacle.empty()) { return {true, obstacle}; }
     if (!wish.needed_for.empty()) {
         return {true, fmt::format("{} is not built for loops", wish.needed_for)};
+    }
+    if (operations <= most_operations) {
+        return {false,
+                fmt::format("there are more than {} degrees of freedom", most_degrees_of_freedom)};
     }
     return {false, fmt::format("written out they make more than {} operations", most_operations)};
 }
@@ -155,15 +160,6 @@ Scene written_out(const IndexedScene& written, const Given& name_or_file, const 
     Scene scene = unrolled(written);
     scene.place = whole(name_or_file);
     return scene;
-}
-
-SceneOfAnySize find_scene_of_any_size(const Given& name_or_file,
-                                      const std::vector<Parameter>& values,
-                                      const UnrollWish& wish) {
-    IndexedScene written = find_indexed_scene(name_or_file, values);
-    UnrollDecision decision = unroll_decision(written, wish);
-    if (!decision.writes_out) { return {std::move(written), std::move(decision)}; }
-    return {written_out(written, name_or_file, decision.why), std::move(decision)};
 }
 
 }  // namespace hvi::gen

@@ -4,8 +4,6 @@
 
 #include <cstddef>
 #include <string>
-#include <variant>
-#include <vector>
 
 #include "generator/read/indexed_scene.hpp"
 
@@ -31,27 +29,16 @@ struct UnrollDecision {
 };
 
 /// Sums are written out where no variable has an index, where H or L then has at most 2000
-/// operations, where it is one that loops do not have, or where a wish needs that. Throws
+/// operations and most_degrees_of_freedom, where it is one that loops do not have, or where a wish
+/// needs that. Throws
 /// InputError as unrolled() does for sizes and bounds, and where loops are wished for and H or L
 /// has none.
 [[nodiscard]] UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish);
-
-/// A scene that is written out, or whose sums stay loops, and why.
-struct SceneOfAnySize {
-    std::variant<Scene, IndexedScene> scene;
-    UnrollDecision unrolling;
-};
 
 /// The scene that the command line names, written out. Throws InputError as unrolled() does, and
 /// with `why` as help for more than most_degrees_of_freedom.
 [[nodiscard]] Scene written_out(const IndexedScene& written, const Given& name_or_file,
                                 const std::string& why);
-
-/// The scene that the command line names, as find_indexed_scene() finds it. Throws InputError as
-/// unroll_decision() and unrolled() do.
-[[nodiscard]] SceneOfAnySize find_scene_of_any_size(const Given& name_or_file,
-                                                    const std::vector<Parameter>& values = {},
-                                                    const UnrollWish& wish = {});
 
 /// How many additions, multiplications, divisions, powers and calls of functions the expression has
 /// with its sums written out; `most` where there are more. Throws InputError where a bound is no

@@ -40,10 +40,16 @@ TEST_CASE("operations are counted as if sums were written out") {
 
 TEST_CASE("sums are written out up to so many operations, and not by degrees of freedom") {
     // Four operations a term: a power, a quotient, a power, an addition, and one for the sum.
-    const UnrollDecision few = unroll_decision(chain("333"), {});
+    const UnrollDecision few = unroll_decision(chain("256"), {});
     CHECK(few.writes_out);
     CHECK(few.why.find("operations") != std::string::npos);
-    CHECK_FALSE(unroll_decision(chain("500"), {}).writes_out);
+    // Their second derivatives are a matrix.
+    const UnrollDecision many = unroll_decision(chain("257"), {});
+    CHECK_FALSE(many.writes_out);
+    CHECK(many.why == "there are more than 256 degrees of freedom");
+    const UnrollDecision long_ones = unroll_decision(chain("250", " + sum(j=1..N, x[j]*x[1])"), {});
+    CHECK_FALSE(long_ones.writes_out);
+    CHECK(long_ones.why == "written out they make more than 2000 operations");
     CHECK_FALSE(unroll_decision(chain("65"), {Unroll::no}).writes_out);
     CHECK(unroll_decision(chain("500"), {Unroll::yes}).writes_out);
 }

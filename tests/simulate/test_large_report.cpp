@@ -41,7 +41,7 @@ Json report_on(const std::string& scene, const std::vector<std::string>& words) 
     use_cache();
     const Directory directory;
     write(directory / "springs.toml", scene);
-    std::vector<std::string> all{"report", "springs.toml", "-o", "out"};
+    std::vector<std::string> all{"report", "springs.toml", "--unroll", "no", "-o", "out"};
     all.insert(all.end(), words.begin(), words.end());
     const Outcome result = hvi_gen(all, directory.path());
     INFO(result.err);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/pipeline/any_size.hpp"
+
+#include <utility>
+
+#include "generator/lower/loop_system.hpp"
+#include "generator/read/no_loops.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Writes out what loops do not have, where there is a choice.
+void look_for_obstacles(UnrollDecision& decision, const IndexedScene& scene,
+                        const UnrollWish& wish) {
+    const bool is_open = !decision.writes_out && wish.choice == Unroll::automatic &&
+                         degrees_of_freedom(scene) <= most_degrees_of_freedom;
+    if (!is_open) { return; }
+    try {
+        static_cast<void>(loop_system(scene));
+    } catch (const NoLoops& obstacle) { decision = {true, obstacle.what()}; }
+}
+
+}  // namespace
+
+SceneOfAnySize find_scene_of_any_size(const Given& name_or_file,
+                                      const std::vector<Parameter>& values,
+                                      const UnrollWish& wish) {
+    IndexedScene written = find_indexed_scene(name_or_file, values);
+    UnrollDecision decision = unroll_decision(written, wish);
+    look_for_obstacles(decision, written, wish);
+    if (!decision.writes_out) { return {std::move(written), std::move(decision)}; }
+    return {written_out(written, name_or_file, decision.why), std::move(decision)};
+}
+
+}  // namespace hvi::gen
