@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "generator/exact/methods/galerkin_rule.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/hamiltonian/gradient.hpp"
 #include "generator/hamiltonian/legendre.hpp"
 

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "generator/equations/quadratic.hpp"
-#include "generator/exact/methods/galerkin_rule.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/lower/system.hpp"
 #include "generator/series/elementary_hamiltonians.hpp"
 #include "generator/series/tree_weights.hpp"

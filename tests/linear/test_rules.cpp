@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/methods/oscillator.hpp"
 #include "tests/linear/linear.hpp"
 #include "tests/read/refusal.hpp"

@@ -8,6 +8,7 @@
 #include "generator/exact/algebra/matrix.hpp"
 #include "generator/exact/algebra/number_polynomial.hpp"
 #include "generator/exact/expressions/basis.hpp"
+#include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/methods/ingredients.hpp"
 #include "generator/support/error.hpp"
 

@@ -6,10 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "generator/exact/methods/galerkin.hpp"
-#include "generator/exact/methods/galerkin_rule.hpp"
+#include "generator/exact/algebra/number_vector.hpp"
 
 namespace hvi::gen {
+
+struct AnyDerivation;
+struct Method;
 
 /// A(tau), the antiderivative of a term in the basis, but for a factor, with A(0) = 0.
 struct Antiderivative {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/methods/tableau.hpp"
 #include "generator/exact/numbers/ground.hpp"
 #include "generator/read/method.hpp"
@@ -25,6 +26,13 @@ struct Derivation {
     Ground ground;
 };
 [[nodiscard]] Derivation derive_on(const Ground& ground, const Method& method);
+
+/// A tableau or the general form on the field of `ground`, as derive_any() and derive_on() say.
+struct AnyDerivation {
+    DerivedMethod method;
+    Ground ground;
+};
+[[nodiscard]] AnyDerivation derive_any_on(const Ground& ground, const Method& method);
 
 /// The two routes of steps 3 and 4: through M^-1, as `derive` goes, and by integrating the
 /// functions phi = M^-1 psi themselves.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "generator/exact/algebra/matrix.hpp"
+#include "generator/exact/methods/ingredients.hpp"
 #include "generator/exact/methods/interpolation.hpp"
 #include "generator/exact/methods/number_stages.hpp"
 #include "generator/exact/methods/rational_rule.hpp"

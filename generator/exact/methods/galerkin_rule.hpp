@@ -7,11 +7,12 @@
 #include <variant>
 #include <vector>
 
-#include "generator/exact/methods/ingredients.hpp"
 #include "generator/exact/methods/tableau.hpp"
 
 namespace hvi::gen {
 
+struct Ingredients;
+struct Method;
 struct PartitionedMethod;
 struct RationalRule;
 
@@ -78,12 +79,5 @@ using DerivedMethod = std::variant<Tableau, GalerkinRule>;
 /// A tableau for as many nodes as functions, else the general form. Throws as derive() and
 /// galerkin_rule() do.
 [[nodiscard]] DerivedMethod derive_any(const Method& method);
-
-/// The same on the field of `ground`, see derive_on().
-struct AnyDerivation {
-    DerivedMethod method;
-    Ground ground;
-};
-[[nodiscard]] AnyDerivation derive_any_on(const Ground& ground, const Method& method);
 
 }  // namespace hvi::gen
