@@ -46,8 +46,9 @@ double written_terms(const ExactFunction& function) {
 double digits_in(const Number& number) {
     const Element* const element = number.value().element();
     if (element == nullptr || !element->is_rational()) return 1;
-    const GiNaC::numeric value = element->rational();
-    return 0.30103 * (value.numer().int_length() + value.denom().int_length());
+    const Rational value = element->rational();
+    const std::size_t bits = value.numerator().bits() + value.denominator().bits();
+    return 0.30103 * static_cast<double>(bits);
 }
 
 /// Whether nothing but numbers, pi and e occurs in it, and functions that have exact values.

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "generator/exact/numbers/integers.hpp"
 #include "generator/exact/numbers/radicals.hpp"
 #include "generator/exact/numbers/written_fraction.hpp"
 
@@ -13,10 +12,15 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::numeric;
-
 Expression power_of(const Expression& base, int exponent) {
     return exponent == 1 ? base : Expression::power(base, Expression::integer(exponent));
+}
+
+/// Whether it is a positive integer.
+bool is_natural(const Element& element) {
+    if (!element.is_rational()) return false;
+    const Rational value = element.rational();
+    return value.is_integer() && value.sign() > 0;
 }
 
 /// The transcendental part of a term; exponentials are collected into one, exp(1) is e.
@@ -34,23 +38,23 @@ std::vector<Expression> transcendental_factors(const std::vector<int>& powers, c
     }
     if (exponent.is_zero()) return factors;
     const Expression e = Expression::symbol("e");
-    if (exponent.is_rational() && exponent.rational().is_pos_integer()) {
-        factors.push_back(power_of(e, exponent.rational().to_int()));
+    if (is_natural(exponent)) {
+        factors.push_back(power_of(e, static_cast<int>(exponent.rational().to_long())));
     } else {
         factors.push_back(Expression::call("exp", {closed_form(exponent)}));
     }
     return factors;
 }
 
-Expression integer_form(const numeric& value) { return Expression::rational(digits(value), "1"); }
+Expression integer_form(const Integer& value) { return Expression::rational(value.text(), "1"); }
 
 /// cos(half_turns * pi)
-Expression cosine_form(const numeric& half_turns) {
+Expression cosine_form(const Rational& half_turns) {
     std::vector<Expression> angle{Expression::symbol("pi")};
-    if (!half_turns.numer().is_equal(1)) {
-        angle.insert(angle.begin(), integer_form(half_turns.numer()));
+    if (half_turns.numerator() != 1) {
+        angle.insert(angle.begin(), integer_form(half_turns.numerator()));
     }
-    angle.push_back(Expression::reciprocal(integer_form(half_turns.denom())));
+    angle.push_back(Expression::reciprocal(integer_form(half_turns.denominator())));
     return Expression::call("cos", {Expression::product(std::move(angle))});
 }
 
@@ -61,7 +65,7 @@ void append_cosines_and_sines(std::vector<Expression>& factors, const Monomial& 
         const Algebraic& generator = field->algebraic(i);
         if (generator.kind == Algebraic::Kind::sine) factors.push_back(generator.form);
         if (generator.kind == Algebraic::Kind::cosine) {
-            factors.push_back(cosine_form(numeric(monomial[i], generator.denominator)));
+            factors.push_back(cosine_form(Rational(monomial[i]) / generator.denominator));
         }
     }
 }
@@ -99,7 +103,7 @@ std::vector<Expression> in_order(const std::vector<PlacedFactor>& some,
 
 /// The algebraic part of a term: a rational number, and factors.
 struct AlgebraicPart {
-    numeric number;
+    Rational number;
     std::vector<PlacedFactor> factors;
 };
 
@@ -116,13 +120,13 @@ public:
     explicit Writer(const Field* field) : field_(field) {}
 
     /// One term with its sign; `divided_by` are powers of transcendental generators below the line.
-    [[nodiscard]] Expression term(const WrittenTerm& term, const numeric& denominator,
+    [[nodiscard]] Expression term(const WrittenTerm& term, const Rational& denominator,
                                   const std::vector<int>& divided_by);
-    [[nodiscard]] Expression sum(const std::vector<WrittenTerm>& terms, const numeric& denominator,
+    [[nodiscard]] Expression sum(const std::vector<WrittenTerm>& terms, const Rational& denominator,
                                  const std::vector<int>& divided_by);
     /// The same with the terms in their order.
     [[nodiscard]] Expression ordered_sum(const std::vector<WrittenTerm>& terms,
-                                         const numeric& denominator,
+                                         const Rational& denominator,
                                          const std::vector<int>& divided_by);
     /// The sum written out, or with what its terms have in common in front; the shorter.
     [[nodiscard]] Expression factored(const std::vector<WrittenTerm>& terms);
@@ -150,10 +154,10 @@ private:
     std::map<std::vector<int>, std::vector<PlacedFactor>> transcendental_;
 };
 
-Expression Writer::term(const WrittenTerm& term, const numeric& denominator,
+Expression Writer::term(const WrittenTerm& term, const Rational& denominator,
                         const std::vector<int>& divided_by) {
     const AlgebraicPart& roots = algebraic(term.monomial);
-    const numeric coefficient = term.coefficient * roots.number / denominator;
+    const Rational coefficient = term.coefficient * roots.number / denominator;
     std::vector<int> powers = term.powers;
     std::vector<int> below(powers.size());
     for (std::size_t i = 0; i < powers.size(); ++i) {
@@ -162,21 +166,21 @@ Expression Writer::term(const WrittenTerm& term, const numeric& denominator,
         below[i] = std::max(-power, 0);
     }
     std::vector<Expression> factors = in_order(transcendental(powers), roots.factors);
-    const numeric numerator = GiNaC::abs(coefficient.numer());
-    if (!numerator.is_equal(1) || factors.empty()) {
+    const Integer numerator = abs(coefficient).numerator();
+    if (numerator != 1 || factors.empty()) {
         factors.insert(factors.begin(), integer_form(numerator));
     }
     std::vector<Expression> divisors;
     for (const PlacedFactor& each : transcendental(below)) { divisors.push_back(each.factor); }
-    if (!coefficient.denom().is_equal(1)) {
-        divisors.insert(divisors.begin(), integer_form(coefficient.denom()));
+    if (!coefficient.is_integer()) {
+        divisors.insert(divisors.begin(), integer_form(coefficient.denominator()));
     }
     if (!divisors.empty()) factors.push_back(Expression::reciprocal(Expression::product(divisors)));
     Expression product = Expression::product(std::move(factors));
-    return coefficient.is_negative() ? Expression::negation(std::move(product)) : product;
+    return coefficient.sign() < 0 ? Expression::negation(std::move(product)) : product;
 }
 
-Expression Writer::ordered_sum(const std::vector<WrittenTerm>& terms, const numeric& denominator,
+Expression Writer::ordered_sum(const std::vector<WrittenTerm>& terms, const Rational& denominator,
                                const std::vector<int>& divided_by) {
     std::vector<Expression> summands;
     for (const WrittenTerm& summand : terms) {
@@ -186,7 +190,7 @@ Expression Writer::ordered_sum(const std::vector<WrittenTerm>& terms, const nume
 }
 
 /// A sum does not begin with a minus sign where it need not: 1-cos(w), not -cos(w)+1.
-Expression Writer::sum(const std::vector<WrittenTerm>& terms, const numeric& denominator,
+Expression Writer::sum(const std::vector<WrittenTerm>& terms, const Rational& denominator,
                        const std::vector<int>& divided_by) {
     std::vector<WrittenTerm> ordered = terms;
     const auto is_positive = [](const WrittenTerm& term) { return !is_negative(term); };
@@ -204,14 +208,14 @@ Expression Writer::factored(const std::vector<WrittenTerm>& terms) {
     if (terms.size() < 2) return expanded;
     WrittenTerm common{0, terms.front().powers, {}};
     for (const WrittenTerm& summand : terms) {
-        common.coefficient = GiNaC::gcd(common.coefficient, summand.coefficient);
+        common.coefficient = gcd(common.coefficient, summand.coefficient);
         for (std::size_t i = 0; i < common.powers.size(); ++i) {
             common.powers[i] = std::min(common.powers[i], summand.powers[i]);
         }
     }
     const bool has_powers = std::any_of(common.powers.begin(), common.powers.end(),
                                         [](int power) { return power != 0; });
-    if (!has_powers && common.coefficient.is_equal(1)) return expanded;
+    if (!has_powers && common.coefficient == 1) return expanded;
     std::vector<WrittenTerm> rest = terms;
     for (WrittenTerm& summand : rest) {
         summand.coefficient /= common.coefficient;
@@ -283,7 +287,7 @@ Expression expanded_form(const Element& argument, const std::string& parameter) 
 }
 
 int leading_sign(const Element& argument) {
-    return written_fraction(argument).numerator.front().coefficient.is_negative() ? -1 : 1;
+    return written_fraction(argument).numerator.front().coefficient.sign() < 0 ? -1 : 1;
 }
 
 Expression closed_form(const Element& argument) {

@@ -12,8 +12,6 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::numeric;
-
 /// Powers of a generator beyond this one make expressions that nobody wants to read, and slow ones:
 /// the value is left to an enclosure.
 constexpr long most_times = 128;
@@ -48,9 +46,7 @@ Field::CosSin product(const Field::CosSin& left, const Field::CosSin& right) {
 }
 
 /// The even n for which cos(pi/n) reaches the cosine and sine of an angle, see Field::cyclotomic.
-numeric even_denominator(const numeric& half_turns) {
-    return half_turns.denom().is_odd() ? 2 * half_turns.denom() : half_turns.denom();
-}
+Integer even_denominator(const Rational& half_turns) { return lcm(half_turns.denominator(), 2); }
 
 /// cos and sin of n times an angle.
 Field::CosSin times(Field::CosSin angle, long n) {
@@ -117,8 +113,8 @@ std::vector<std::string> Field::parameters() const {
 
 std::optional<std::vector<Field::Part>> Field::split(const Element& argument) {
     std::map<std::string, Part> parts;  // by the unit's text, in an order that does not vary
-    const auto add = [&](const Element& summand, const numeric& size) {
-        const numeric factor = leading_sign(summand) < 0 ? -size : size;
+    const auto add = [&](const Element& summand, const Rational& size) {
+        const Rational factor = leading_sign(summand) < 0 ? -size : size;
         const Element unit = summand * Element(1 / factor);
         const std::string key = to_text(closed_form(unit));
         const auto [position, is_new] = parts.try_emplace(key, Part{factor, unit, key});
@@ -128,8 +124,7 @@ std::optional<std::vector<Field::Part>> Field::split(const Element& argument) {
     if (denominator.size() > 1) return std::nullopt;
     for (const auto& [monomial, coefficient] : argument.numerator()) {
         for (const IntegerMultivariate::Term& term : coefficient.terms()) {
-            const numeric size =
-                GiNaC::abs(term.coefficient.value()) / denominator.front().coefficient.value();
+            const Rational size = abs(Rational(term.coefficient)) / denominator.front().coefficient;
             add(Element::quotient({{monomial, IntegerMultivariate::of(term)}},
                                   argument.denominator(), this),
                 size);
@@ -142,12 +137,12 @@ std::optional<std::vector<Field::Part>> Field::split(const Element& argument) {
 
 /// NOTE: a denominator may be large, as that of sqrt(525 + 70 sqrt(30))/140 is, where no multiple
 /// of the unit is a high power of the generator.
-std::optional<Field::Multiple> Field::multiple(const std::string& key, const numeric& factor,
-                                               const numeric& largest) {
+std::optional<Field::Multiple> Field::multiple(const std::string& key, const Rational& factor,
+                                               const Rational& largest) {
     const auto known = denominators_.find(key);
     const bool is_new = known == denominators_.end();
-    const Multiples before = is_new ? Multiples{factor.denom(), 0} : known->second;
-    const Multiples now{GiNaC::lcm(before.denominator, factor.denom()),
+    const Multiples before = is_new ? Multiples{factor.denominator(), 0} : known->second;
+    const Multiples now{lcm(before.denominator, factor.denominator()),
                         std::max(before.largest, largest)};
     if (now.largest * now.denominator > most_times) return std::nullopt;
     denominators_[key] = now;
@@ -167,14 +162,15 @@ std::optional<long> Field::prime_of_logarithm(const Element& unit) const {
 }
 
 /// p^exponent, where square roots express it.
-std::optional<Element> Field::prime_power(long prime, const numeric& exponent) {
-    const numeric doubled = exponent * 2;
-    if (!doubled.is_integer() || GiNaC::abs(doubled) > most_times) return std::nullopt;
-    const auto root = doubled.is_even() ? std::optional(Element(prime)) : sqrt(Element(prime));
+std::optional<Element> Field::prime_power(long prime, const Rational& exponent) {
+    const Rational doubled = exponent * 2;
+    if (!doubled.is_integer() || abs(doubled) > most_times) return std::nullopt;
+    const bool is_whole = exponent.is_integer();
+    const auto root = is_whole ? std::optional(Element(prime)) : sqrt(Element(prime));
     if (!root) return std::nullopt;
-    const numeric times = doubled.is_even() ? exponent : doubled;
-    const Element raised = power(*root, static_cast<unsigned>(GiNaC::abs(times).to_int()));
-    return times.is_negative() ? inverse(raised) : raised;
+    const long times = (is_whole ? exponent : doubled).to_long();
+    const Element raised = power(*root, static_cast<unsigned>(std::abs(times)));
+    return times < 0 ? inverse(raised) : raised;
 }
 
 std::optional<Element> Field::exp(const Element& given) {
@@ -188,9 +184,9 @@ std::optional<Element> Field::exp(const Element& given) {
             result = result * *raised;
             continue;
         }
-        const auto exponent = multiple("exp " + part.key, part.factor, GiNaC::abs(part.factor));
+        const auto exponent = multiple("exp " + part.key, part.factor, abs(part.factor));
         if (!exponent) return std::nullopt;
-        const Element unit = part.unit * Element(1 / exponent->denominator);
+        const Element unit = part.unit * Element(Rational(1) / exponent->denominator);
         Transcendental generator;
         generator.form = Expression::call("exp", {closed_form(unit)});
         generator.exponent = unit;
@@ -206,15 +202,16 @@ std::optional<Element> Field::exp(const Element& given) {
 
 std::optional<Element> Field::log(const Element& argument) {
     if (!argument.is_rational()) return std::nullopt;
-    const numeric value = argument.rational();
-    if (!value.is_positive()) throw MathError("the logarithm of a number that is not positive");
+    const Rational value = argument.rational();
+    if (value.sign() <= 0) throw MathError("the logarithm of a number that is not positive");
     // A sum over primes, whose logarithms are independent over Q.
     Element result(0, this);
-    for (const auto& [part, weight] : {std::pair(value.numer(), 1), std::pair(value.denom(), -1)}) {
-        numeric rest = part;
-        for (long prime = 2; !rest.is_equal(1); ++prime) {
+    for (const auto& [part, weight] :
+         {std::pair(value.numerator(), 1), std::pair(value.denominator(), -1)}) {
+        Integer rest = part;
+        for (long prime = 2; rest != 1; ++prime) {
             if (prime > 1000) return std::nullopt;
-            for (; GiNaC::irem(rest, prime).is_zero(); rest = GiNaC::iquo(rest, prime)) {
+            for (; rest.is_multiple_of(prime); rest /= prime) {
                 Transcendental generator;
                 generator.form = Expression::call("log", {Expression::integer(prime)});
                 generator.value = applied(arb_log, Element(prime));
@@ -241,13 +238,13 @@ std::optional<Field::CosSin> Field::cos_sin(const Element& given) {
 }
 
 std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
-    const auto angle = multiple("cos " + part.key, part.factor, GiNaC::abs(part.factor));
+    const auto angle = multiple("cos " + part.key, part.factor, abs(part.factor));
     if (!angle) return std::nullopt;
     const auto known = angles_.find(part.key);
     if (known != angles_.end()) return times(known->second, angle->times);
     if (algebraics_.size() >= most_generators) return std::nullopt;
 
-    const Element unit = part.unit * Element(1 / angle->denominator);
+    const Element unit = part.unit * Element(Rational(1) / angle->denominator);
     const Expression form = closed_form(unit);
     Transcendental cosine;
     cosine.form = Expression::call("cos", {form});
@@ -269,25 +266,25 @@ std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
     return times(generators, angle->times);
 }
 
-std::optional<Field::CosSin> Field::cos_sin_of_pi(const numeric& half_turns) {
-    const numeric denominator = half_turns.denom();
+std::optional<Field::CosSin> Field::cos_sin_of_pi(const Rational& half_turns) {
+    const Integer denominator = half_turns.denominator();
     if (denominator > 10000) return std::nullopt;
     // NOTE: cos(pi/18) and sqrt(3) are not independent; where there is a generator cos(pi/N), every
     // angle that it reaches is written with it.
     const auto common = denominators_.find("cos pi");
     if (common != denominators_.end() &&
-        GiNaC::irem(common->second.denominator, even_denominator(half_turns)).is_zero()) {
+        common->second.denominator.is_multiple_of(even_denominator(half_turns))) {
         if (const auto known = cyclotomic(half_turns)) return known;
     }
     const long n = denominator.to_long();
-    const numeric times_pi_n = GiNaC::mod(half_turns.numer(), 2 * denominator);
+    const Integer times_pi_n = mod(half_turns.numerator(), 2 * denominator);
     if (const auto base = constructible(n)) return times(*base, times_pi_n.to_long());
     return cyclotomic(half_turns);
 }
 
 /// cos(pi/n) and sin(pi/n) for n = 2^k, 3*2^k, 5*2^k, 15*2^k: by halving from a few known angles.
 std::optional<Field::CosSin> Field::constructible(long n) {
-    const auto rational = [this](long p, long q) { return Element(numeric(p, q), this); };
+    const auto rational = [this](long p, long q) { return Element(Rational(p) / q, this); };
     if (n > most_constructible) return std::nullopt;
     std::optional<Element> cosine;
     if (n == 1) return CosSin{rational(-1, 1), rational(0, 1)};
@@ -315,9 +312,9 @@ std::optional<Field::CosSin> Field::constructible(long n) {
 
 /// Any other rational multiple of pi, as a polynomial in cos(pi/N), N even: sin(pi p/n) is
 /// cos(pi (n - 2p)/(2n)). All such angles of one table share N.
-std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
+std::optional<Field::CosSin> Field::cyclotomic(const Rational& half_turns) {
     const bool is_first = denominators_.find("cos pi") == denominators_.end();
-    const auto common = multiple("cos pi", 1 / even_denominator(half_turns), 1);
+    const auto common = multiple("cos pi", Rational(1) / even_denominator(half_turns), 1);
     if (!common) return std::nullopt;
     if (is_first && !algebraics_.empty()) throw TooCoarse{denominators_};
     const long n = common->denominator.to_long();
@@ -342,11 +339,9 @@ std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
             fmpq_clear(angle);
             return ball;
         };
-        std::vector<numeric> coefficients;
+        std::vector<Integer> coefficients(degree + 1);
         for (unsigned k = 0; k <= degree; ++k) {
-            char* text = fmpz_get_str(nullptr, 10, fmpz_poly_get_coeff_ptr(minimal, k));
-            coefficients.emplace_back(text);
-            flint_free(text);
+            fmpz_poly_get_coeff_fmpz(coefficients[k].get(), minimal, k);
         }
         fmpz_poly_clear(minimal);
         if (degree > most_cosine_degree) return std::nullopt;
@@ -359,17 +354,16 @@ std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
                 monomial.resize(index + 1);
                 monomial[index] = k;
             }
-            const bool is_of_double = coefficients[degree].is_equal(1);
-            const numeric scale =
-                is_of_double ? GiNaC::pow(numeric(2), numeric(static_cast<long>(degree - k)))
-                             : coefficients[degree];
-            reduced = reduced - Element::product(monomial, this) * Element(coefficients[k] / scale);
+            const bool is_of_double = coefficients[degree] == 1;
+            const Integer scale = is_of_double ? 1L << (degree - k) : coefficients[degree];
+            reduced = reduced -
+                      Element::product(monomial, this) * Element(Rational(coefficients[k]) / scale);
         }
         algebraics_[index].reduced = reduced;
         angles_.emplace("pi", CosSin{generator, Element(0, this)});
     }
     const Element& generator = angles_.at("pi").cos;
-    const auto cosine_of = [&](const numeric& angle) {  // T_k of the generator, by its recurrence
+    const auto cosine_of = [&](const Rational& angle) {  // T_k of the generator, by its recurrence
         const long k = std::abs((angle * n).to_long());
         Element before(1, this);
         Element result = generator;
@@ -379,9 +373,9 @@ std::optional<Field::CosSin> Field::cyclotomic(const numeric& half_turns) {
         }
         return result;
     };
-    const numeric turn =
-        GiNaC::mod(half_turns.numer(), 2 * half_turns.denom()) / half_turns.denom();
-    return CosSin{cosine_of(turn), cosine_of(numeric(1, 2) - turn)};
+    const Integer denominator = half_turns.denominator();
+    const Rational turn = Rational(mod(half_turns.numerator(), 2 * denominator)) / denominator;
+    return CosSin{cosine_of(turn), cosine_of(Rational(1) / 2 - turn)};
 }
 
 }  // namespace hvi::gen

@@ -157,40 +157,19 @@ std::optional<IntegerMultivariate> reduce(Terms& terms, Field* field) {
     return denominator;
 }
 
-/// A rational of FLINT that is freed when it goes.
-class Rational {
-public:
-    /// Precondition: is_rational().
-    explicit Rational(const Element& element) {
-        fmpq_init(value_);
-        element.copy_to(value_);
-    }
-    Rational(const Rational&) = delete;
-    Rational& operator=(const Rational&) = delete;
-    ~Rational() { fmpq_clear(value_); }
-    [[nodiscard]] fmpq* get() { return value_; }
-
-private:
-    fmpq_t value_;
-};
-
 using RationalOperation = void (*)(fmpq_t, const fmpq_t, const fmpq_t);
 
 /// Precondition: both rational, for which FLINT's rationals are much faster.
 Element of_rationals(const Element& left, const Element& right, RationalOperation operation) {
-    Rational a(left);
-    Rational b(right);
-    operation(a.get(), a.get(), b.get());
-    return Element::copy_of(a.get(), common_field(left, right));
+    Rational result = left.rational();
+    operation(result.get(), result.get(), right.rational().get());
+    return Element(result, common_field(left, right));
 }
 
 }  // namespace
 
-Element::Element(const GiNaC::numeric& rational, Field* field) : field_(field) {
-    if (rational.is_zero()) { return; }
-    numerator_.emplace(Monomial(), IntegerMultivariate(rational.numer()));
-    denominator_ = IntegerMultivariate(rational.denom());
-}
+Element::Element(const Rational& rational, Field* field)
+    : Element(copy_of(rational.get(), field)) {}
 
 Element Element::copy_of(const fmpq* rational, Field* field) {
     Element result;
@@ -239,10 +218,10 @@ bool Element::is_integer(long value) const {
                                IntegerMultivariate::context()) != 0;
 }
 
-GiNaC::numeric Element::rational() const {
-    HVI_CHECK(is_rational());
-    if (is_zero()) { return 0; }
-    return numerator_.begin()->second.constant() / denominator_.constant();
+Rational Element::rational() const {
+    Rational result;
+    copy_to(result.get());
+    return result;
 }
 
 void Element::copy_to(fmpq* rational) const {

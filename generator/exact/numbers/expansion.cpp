@@ -14,8 +14,8 @@ std::array<double, 5> expansion(const Number& constant) {
         part = rest.nearest_double();
         int exponent = 0;
         const auto mantissa = static_cast<long>(std::ldexp(std::frexp(part, &exponent), 53));
-        const GiNaC::numeric scale = GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(exponent - 53));
-        rest = rest - number(Element(GiNaC::numeric(mantissa) * scale), nullptr);
+        const Rational scale = power(Rational(2), exponent - 53);
+        rest = rest - number(Element(mantissa * scale), nullptr);
     }
     return parts;
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <flint/fmpq.h>
-
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,6 +12,7 @@
 #include "generator/exact/numbers/ball.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/multivariate.hpp"
+#include "generator/exact/numbers/rational_value.hpp"
 #include "generator/expr/expression.hpp"
 
 namespace hvi::gen {
@@ -33,7 +32,7 @@ public:
     using Terms = std::map<Monomial, IntegerMultivariate>;  ///< none is zero
 
     Element() = default;  ///< zero
-    explicit Element(const GiNaC::numeric& rational, Field* field = nullptr);
+    explicit Element(const Rational& rational, Field* field = nullptr);
     /// NOTE: no constructor, to which 0 would be a pointer.
     [[nodiscard]] static Element copy_of(const fmpq* rational, Field* field = nullptr);
     /// The transcendental generator x_index.
@@ -48,7 +47,7 @@ public:
     [[nodiscard]] bool is_zero() const { return numerator_.empty(); }
     [[nodiscard]] bool is_rational() const;
     [[nodiscard]] bool is_integer(long value) const;  ///< whether it is this one
-    [[nodiscard]] GiNaC::numeric rational() const;    ///< precondition: is_rational()
+    [[nodiscard]] Rational rational() const;          ///< precondition: is_rational()
     void copy_to(fmpq* rational) const;               ///< precondition: is_rational()
 
     [[nodiscard]] Field* field() const { return field_; }
@@ -110,8 +109,8 @@ struct Algebraic {
 /// Of the multiples of a unit that were met, the least common denominator and the size of the
 /// largest.
 struct Multiples {
-    GiNaC::numeric denominator = 1;
-    GiNaC::numeric largest = 0;
+    Integer denominator = 1;
+    Rational largest;
 };
 
 /// The arguments met so far, by function and unit: exp(1/2) and exp(1/3) are powers of one
@@ -167,7 +166,7 @@ public:
 private:
     /// rational * unit, the unit of leading sign 1 and integer content 1.
     struct Part {
-        GiNaC::numeric factor;
+        Rational factor;
         Element unit;
         std::string key;  ///< the unit's text
     };
@@ -175,17 +174,17 @@ private:
     /// denominators hide whether they are.
     [[nodiscard]] std::optional<std::vector<Part>> split(const Element& argument);
     [[nodiscard]] std::optional<long> prime_of_logarithm(const Element& unit) const;
-    [[nodiscard]] std::optional<Element> prime_power(long prime, const GiNaC::numeric& exponent);
+    [[nodiscard]] std::optional<Element> prime_power(long prime, const Rational& exponent);
     struct Multiple {
         long times;
-        GiNaC::numeric denominator;  ///< factor = times / denominator
+        Integer denominator;  ///< factor = times / denominator
     };
     /// Empty where `largest`, or what was met before, would be too high a power.
-    [[nodiscard]] std::optional<Multiple>
-    multiple(const std::string& key, const GiNaC::numeric& factor, const GiNaC::numeric& largest);
-    [[nodiscard]] std::optional<CosSin> cos_sin_of_pi(const GiNaC::numeric& half_turns);
+    [[nodiscard]] std::optional<Multiple> multiple(const std::string& key, const Rational& factor,
+                                                   const Rational& largest);
+    [[nodiscard]] std::optional<CosSin> cos_sin_of_pi(const Rational& half_turns);
     [[nodiscard]] std::optional<CosSin> constructible(long denominator);
-    [[nodiscard]] std::optional<CosSin> cyclotomic(const GiNaC::numeric& half_turns);
+    [[nodiscard]] std::optional<CosSin> cyclotomic(const Rational& half_turns);
     [[nodiscard]] std::optional<CosSin> cos_sin_of_part(const Part& part);
 
     /// Empty when there are as many generators as there are variables, less one for pi.
@@ -209,7 +208,7 @@ private:
 /// sqrt(argument) = factor * sqrt(radicand), the radicand with coprime integer coefficients times a
 /// square-free integer. Precondition: not zero.
 struct Simplified {
-    GiNaC::numeric factor;
+    Rational factor;
     Element radicand;
 };
 [[nodiscard]] Simplified simplified_root(const Element& argument);

@@ -36,9 +36,7 @@ auto within_budget(Work work) -> decltype(work()) {
 Number Ground::exact(Element element) const { return number(std::move(element), field_); }
 
 Number Ground::rational(const std::string& numerator, const std::string& denominator) const {
-    const GiNaC::numeric below(denominator.c_str());
-    HVI_CHECK(!below.is_zero());
-    return exact(Element(GiNaC::numeric(numerator.c_str()) / below));
+    return exact(Element(Rational::read(numerator) / Rational::read(denominator)));
 }
 
 Number Ground::pi() const { return exact(field_->pi()); }

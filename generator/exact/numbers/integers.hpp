@@ -1,35 +1,20 @@
-// Exact integers: GiNaC's as text, and FLINT's with value semantics.
+// Exact integers: FLINT's, with value semantics.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <flint/fmpz.h>
-#include <ginac/ginac.h>
 
-#include <sstream>
+#include <compare>
 #include <string>
 
-#include "generator/support/error.hpp"
-
 namespace hvi::gen {
-
-/// An exact rational as `7` or `-2/3`.
-[[nodiscard]] inline std::string digits(const GiNaC::numeric& rational) {
-    std::ostringstream text;
-    text << rational;
-    return text.str();
-}
 
 /// FLINT's integer.
 class Integer {
 public:
-    Integer() { fmpz_init(value_); }
-    explicit Integer(const GiNaC::numeric& integer) : Integer() {
-        if (integer.int_length() < 63) {
-            fmpz_set_si(value_, integer.to_long());
-            return;
-        }
-        const bool read = fmpz_set_str(value_, digits(integer).c_str(), 10) == 0;
-        HVI_CHECK(read);
+    Integer() { fmpz_init(value_); }   ///< zero
+    Integer(long value) : Integer() {  // NOLINT(google-explicit-constructor): it is an integer
+        fmpz_set_si(value_, value);
     }
     Integer(const Integer& other) { fmpz_init_set(value_, other.value_); }
     Integer(Integer&& other) noexcept : Integer() { fmpz_swap(value_, other.value_); }
@@ -41,15 +26,43 @@ public:
 
     [[nodiscard]] fmpz* get() { return value_; }
     [[nodiscard]] const fmpz* get() const { return value_; }
-    [[nodiscard]] std::string text() const {
-        char* const digits = fmpz_get_str(nullptr, 10, value_);
-        std::string result(digits);
-        flint_free(digits);
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] long to_long() const;  ///< precondition: it is one
+    [[nodiscard]] std::size_t bits() const { return fmpz_bits(value_); }  ///< of its absolute value
+    /// Whether it is a multiple of `divisor`. Precondition: the divisor is not 0.
+    [[nodiscard]] bool is_multiple_of(const Integer& divisor) const {
+        return fmpz_divisible(value_, divisor.value_) != 0;
+    }
+
+    /// Precondition: the divisor divides it.
+    Integer& operator/=(const Integer& divisor) {
+        fmpz_divexact(value_, value_, divisor.value_);
+        return *this;
+    }
+    Integer& operator*=(const Integer& factor) {
+        fmpz_mul(value_, value_, factor.value_);
+        return *this;
+    }
+    friend Integer operator*(Integer left, const Integer& right) { return left *= right; }
+
+    friend bool operator==(const Integer& left, const Integer& right) {
+        return fmpz_equal(left.value_, right.value_) != 0;
+    }
+    friend std::strong_ordering operator<=>(const Integer& left, const Integer& right) {
+        return fmpz_cmp(left.value_, right.value_) <=> 0;
+    }
+
+    /// The least common multiple; not negative.
+    [[nodiscard]] friend Integer lcm(const Integer& a, const Integer& b) {
+        Integer result;
+        fmpz_lcm(result.value_, a.value_, b.value_);
         return result;
     }
-    [[nodiscard]] GiNaC::numeric value() const {
-        if (fmpz_fits_si(value_) != 0) { return fmpz_get_si(value_); }
-        return GiNaC::numeric(text().c_str());
+    /// The remainder from 0 to modulus - 1. Precondition: modulus > 0.
+    [[nodiscard]] friend Integer mod(const Integer& integer, const Integer& modulus) {
+        Integer result;
+        fmpz_mod(result.value_, integer.value_, modulus.value_);
+        return result;
     }
 
 private:

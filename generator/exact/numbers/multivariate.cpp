@@ -13,7 +13,6 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::numeric;
 using Exponents = std::array<ulong, IntegerMultivariate::most_variables>;
 
 const fmpz_mpoly_ctx_struct* context() { return IntegerMultivariate::context(); }
@@ -30,10 +29,6 @@ const fmpz_mpoly_ctx_struct* IntegerMultivariate::context() {
     };
     static const Context only;
     return only.value;
-}
-
-IntegerMultivariate::IntegerMultivariate(const numeric& integer) : IntegerMultivariate() {
-    fmpz_mpoly_set_fmpz(get(), Integer(integer).get(), context());
 }
 
 IntegerMultivariate IntegerMultivariate::variable(std::size_t index) {
@@ -96,10 +91,10 @@ bool IntegerMultivariate::is_one() const { return fmpz_mpoly_is_one(get(), conte
 
 bool IntegerMultivariate::is_constant() const { return fmpz_mpoly_is_fmpz(get(), context()) != 0; }
 
-numeric IntegerMultivariate::constant() const {
+Integer IntegerMultivariate::constant() const {
     Integer result;
     fmpz_mpoly_get_fmpz(result.get(), get(), context());
-    return result.value();
+    return result;
 }
 
 bool IntegerMultivariate::contains(std::size_t index) const {
@@ -108,10 +103,10 @@ bool IntegerMultivariate::contains(std::size_t index) const {
 
 int IntegerMultivariate::leading_sign() const { return is_zero() ? 0 : fmpz_sgn(get()->coeffs); }
 
-numeric IntegerMultivariate::content() const {
+Integer IntegerMultivariate::content() const {
     Integer result;
     _fmpz_vec_content(result.get(), get()->coeffs, get()->length);
-    return result.value();
+    return result;
 }
 
 unsigned IntegerMultivariate::degree(std::size_t index) const {

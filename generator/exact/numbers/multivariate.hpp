@@ -3,7 +3,6 @@
 #pragma once
 
 #include <flint/fmpz_mpoly.h>
-#include <ginac/ginac.h>
 
 #include <optional>
 #include <vector>
@@ -22,7 +21,6 @@ public:
     explicit IntegerMultivariate(long integer) : IntegerMultivariate() {
         fmpz_mpoly_set_si(polynomial_, integer, context());
     }
-    explicit IntegerMultivariate(const GiNaC::numeric& integer);
     IntegerMultivariate(const IntegerMultivariate& other) : IntegerMultivariate() {
         fmpz_mpoly_set(polynomial_, other.polynomial_, context());
     }
@@ -58,10 +56,10 @@ public:
     [[nodiscard]] bool is_zero() const;
     [[nodiscard]] bool is_one() const;
     [[nodiscard]] bool is_constant() const;                ///< no variable occurs
-    [[nodiscard]] GiNaC::numeric constant() const;         ///< precondition: is_constant()
+    [[nodiscard]] Integer constant() const;                ///< precondition: is_constant()
     [[nodiscard]] bool contains(std::size_t index) const;  ///< whether x_index occurs
     [[nodiscard]] int leading_sign() const;
-    [[nodiscard]] GiNaC::numeric content() const;  ///< of the coefficients; not negative
+    [[nodiscard]] Integer content() const;  ///< of the coefficients; not negative
 
     [[nodiscard]] unsigned degree(std::size_t index) const;  ///< in x_index; of zero it is 0
 

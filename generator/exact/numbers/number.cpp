@@ -55,7 +55,7 @@ bool is_exactly(const Number& number, long integer) {
     return element != nullptr && element->is_integer(integer);
 }
 
-Number::Number(long value) : Number(number(Element(GiNaC::numeric(value)), nullptr)) {}
+Number::Number(long value) : Number(number(Element(value), nullptr)) {}
 
 Number number(Element element, std::shared_ptr<Field> field) {
     return Number(std::make_shared<const Number::Value>(std::move(element), std::move(field)));

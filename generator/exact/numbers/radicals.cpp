@@ -3,14 +3,12 @@
 
 #include <utility>
 
-#include "generator/exact/numbers/integers.hpp"
-
 namespace hvi::gen {
 
 namespace {
 
 std::size_t length(const Radicals& radicals) {
-    std::size_t sum = digits(radicals.factor).size();
+    std::size_t sum = radicals.factor.text().size();
     for (const Expression& radical : radicals.factors) sum += to_text(radical).size() + 1;
     return sum;
 }
@@ -19,7 +17,7 @@ std::size_t length(const Radicals& radicals) {
 void append_root(Radicals& radicals, const Element& radicand) {
     const Simplified root = simplified_root(radicand);
     radicals.factor *= root.factor;
-    if (root.radicand.is_rational() && root.radicand.rational().is_equal(1)) return;
+    if (root.radicand.is_integer(1)) return;
     radicals.factors.push_back(Expression::call("sqrt", {closed_form(root.radicand)}));
 }
 

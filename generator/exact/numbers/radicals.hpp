@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 /// A rational factor and radicals, equal to a product of root generators.
 struct Radicals {
-    GiNaC::numeric factor = 1;
+    Rational factor = 1;
     std::vector<Expression> factors;
 };
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/exact/numbers/rational.hpp"
 
-#include <flint/fmpq.h>
-
 #include <numeric>
 
-#include "generator/exact/numbers/integers.hpp"
 #include "generator/exact/numbers/number_value.hpp"
 
 namespace hvi::gen {
@@ -14,21 +11,11 @@ namespace {
 
 /// The n-th root of `7` or `2/3` when both parts are n-th powers.
 std::optional<Number> perfect_root(const std::string& fraction, long n, const Ground& ground) {
-    fmpq_t value;
-    fmpq_init(value);
-    fmpq_set_str(value, fraction.c_str(), 10);
-    const bool exact = fmpz_root(fmpq_numref(value), fmpq_numref(value), n) != 0 &&
-                       fmpz_root(fmpq_denref(value), fmpq_denref(value), n) != 0;
-    std::optional<Number> result;
-    if (exact) {
-        char* const above = fmpz_get_str(nullptr, 10, fmpq_numref(value));
-        char* const below = fmpz_get_str(nullptr, 10, fmpq_denref(value));
-        result = ground.rational(above, below);
-        flint_free(above);
-        flint_free(below);
-    }
-    fmpq_clear(value);
-    return result;
+    const Rational value = Rational::read(fraction);
+    Integer above, below;
+    const bool exact = fmpz_root(above.get(), fmpq_numref(value.get()), n) != 0 &&
+                       fmpz_root(below.get(), fmpq_denref(value.get()), n) != 0;
+    return exact ? std::optional(ground.rational(above.text(), below.text())) : std::nullopt;
 }
 
 /// The n-th root of a number > 0.
@@ -92,7 +79,7 @@ bool is_exact(const Number& number) { return number.value().element() != nullptr
 std::optional<std::string> rational_text(const Number& number) {
     const Element* const element = number.value().element();
     if (element == nullptr || !element->is_rational()) return std::nullopt;
-    return digits(element->rational());
+    return element->rational().text();
 }
 
 std::optional<Ratio> small_ratio(const Number& number) {

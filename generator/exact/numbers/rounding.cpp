@@ -35,11 +35,10 @@ std::optional<Integer> only_nearest_integer(const Ball& ball) {
     return result;
 }
 
-/// value * base^power. NOTE: a rational stays exact, for it may lie half-way between two answers;
-/// of what else there is the enclosure is enough, and a product of long sums is saved.
-Number scaled(const Number& value, long base, long power) {
-    const Number factor =
-        number(Element(GiNaC::pow(GiNaC::numeric(base), GiNaC::numeric(power))), nullptr);
+/// value * base^exponent. NOTE: a rational stays exact, for it may lie half-way between two
+/// answers; of what else there is the enclosure is enough, and a product of long sums is saved.
+Number scaled(const Number& value, long base, long exponent) {
+    const Number factor = number(Element(power(Rational(base), exponent)), nullptr);
     const Element* const element = value.value().element();
     if (element != nullptr && element->is_rational()) { return value * factor; }
     return number(Real([value](Precision bits) { return enclosure(value, bits); })) * factor;

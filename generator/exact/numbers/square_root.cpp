@@ -9,39 +9,30 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::numeric;
-
-/// The rational root of a rational square.
-std::optional<numeric> rational_root(const numeric& square) {
-    if (square.is_negative()) return std::nullopt;
-    const numeric numerator = GiNaC::isqrt(square.numer());
-    const numeric denominator = GiNaC::isqrt(square.denom());
-    const numeric root = numerator / denominator;
-    return root * root == square ? std::optional(root) : std::nullopt;
-}
-
 /// An integer as square * rest, as far as trial division by small primes finds squares in it.
-std::pair<numeric, numeric> split_square(numeric integer) {
-    numeric root = 1;
+std::pair<Integer, Integer> split_square(Integer integer) {
+    Integer root = 1;
     for (long prime = 2; prime < 1000; ++prime) {
-        const numeric square = prime * prime;
+        const Integer square = prime * prime;
         if (integer < square) break;
-        while (GiNaC::irem(integer, square).is_zero()) {
-            integer = GiNaC::iquo(integer, square);
+        while (integer.is_multiple_of(square)) {
+            integer /= square;
             root *= prime;
         }
     }
-    if (const auto rest = rational_root(integer)) return {root * *rest, 1};
-    return {root, integer};
+    if (fmpz_is_square(integer.get()) == 0) return {root, integer};
+    Integer rest;
+    fmpz_sqrt(rest.get(), integer.get());
+    return {root * rest, 1};
 }
 
 /// The positive rational r for which argument / r has coprime integer coefficients throughout.
-numeric content(const Element& argument) {
-    numeric numerator = 0;
+Rational content(const Element& argument) {
+    Rational numerator;
     for (const auto& [monomial, coefficient] : argument.numerator()) {
-        numerator = GiNaC::gcd(numerator, coefficient.content());
+        numerator = gcd(numerator, Rational(coefficient.content()));
     }
-    return numerator / argument.denominator().content();
+    return numerator / Rational(argument.denominator().content());
 }
 
 Element generator(Field& field, std::size_t index) {
@@ -92,7 +83,7 @@ std::optional<Element> root_in_field(const Element& argument, std::size_t level)
     const Element& b = parts.at(1);
     const auto norm_root = root_in_field(a * a - top.reduced * b * b, level - 1);
     if (!norm_root) return std::nullopt;
-    const Element half(numeric(1, 2));
+    const Element half(Rational(1) / 2);
     for (const Element& square : {(a + *norm_root) * half, (a - *norm_root) * half}) {
         const auto u = root_in_field(square, level - 1);
         if (!u || u->is_zero()) continue;
@@ -103,9 +94,9 @@ std::optional<Element> root_in_field(const Element& argument, std::size_t level)
 
 Simplified simplified_root(const Element& argument) {
     // argument = (u/v) d with d primitive; u v = s^2 t: the root is s/v sqrt(t d).
-    const numeric scale = content(argument);
-    const auto [s, t] = split_square(scale.numer() * scale.denom());
-    return {s / scale.denom(), argument * Element(t / scale)};
+    const Rational scale = content(argument);
+    const auto [s, t] = split_square(scale.numerator() * scale.denominator());
+    return {Rational(s) / scale.denominator(), argument * Element(t / scale)};
 }
 
 std::optional<Element> Field::sqrt(const Element& given) {
@@ -127,7 +118,7 @@ std::optional<Element> Field::sqrt(const Element& given) {
         const Element norm =
             parts[0] * parts[0] - algebraics_[level - 1].reduced * parts[1] * parts[1];
         if (const auto r = root_in_field(norm, level - 1)) {
-            const Element half(numeric(1, 2));
+            const Element half(Rational(1) / 2);
             const auto outer = sqrt((parts[0] + *r) * half);
             const auto inner = sqrt((parts[0] - *r) * half);
             if (!outer || !inner) return std::nullopt;

@@ -13,8 +13,6 @@ namespace hvi::gen {
 
 namespace {
 
-using GiNaC::numeric;
-
 /// Sorts terms: by degree, then by their powers of the generators, pi and parameters first, in the
 /// order of the generators' texts. NOTE: not in that in which a derivation met them, and
 /// exponentials do not count in the degree, since exp(1/2) may be the third power of exp(1/6): so
@@ -77,7 +75,7 @@ void append_polynomial(std::vector<WrittenTerm>& terms, const IntegerMultivariat
     for (IntegerMultivariate::Term term : polynomial.terms()) {
         term.powers.resize(count);
         terms.push_back(
-            {term.coefficient.value(), {term.powers.begin(), term.powers.end()}, monomial});
+            {std::move(term.coefficient), {term.powers.begin(), term.powers.end()}, monomial});
     }
 }
 
@@ -86,17 +84,17 @@ void append_polynomial(std::vector<WrittenTerm>& terms, const IntegerMultivariat
 /// for cos(k pi/n).
 std::vector<WrittenTerm> with_multiple_angles(const std::vector<WrittenTerm>& terms,
                                               std::size_t index) {
-    std::map<std::pair<std::vector<int>, Monomial>, numeric> sums;
+    std::map<std::pair<std::vector<int>, Monomial>, Rational> sums;
     for (const WrittenTerm& term : terms) {
         const unsigned k = index < term.monomial.size() ? term.monomial[index] : 0;
         for (unsigned j = 0; 2 * j <= k; ++j) {
             Monomial monomial = term.monomial;
             if (k != 0) monomial[index] = k - 2 * j;
             while (!monomial.empty() && monomial.back() == 0) monomial.pop_back();
-            const numeric both = 2 * j == k ? 1 : 2;
-            const numeric share =
-                GiNaC::binomial(numeric(k), numeric(j)) * both / GiNaC::pow(numeric(2), numeric(k));
-            sums[{term.powers, monomial}] += term.coefficient * share;
+            Integer share;
+            fmpz_bin_uiui(share.get(), k, j);
+            if (2 * j != k) share *= 2;
+            sums[{term.powers, monomial}] += term.coefficient * share / power(Rational(2), k);
         }
     }
     std::vector<WrittenTerm> result;
@@ -108,19 +106,13 @@ std::vector<WrittenTerm> with_multiple_angles(const std::vector<WrittenTerm>& te
 
 /// Makes the coefficients coprime integers, and the first one below positive.
 void make_primitive(WrittenFraction& fraction) {
-    numeric divisor = 0;
-    numeric multiple = 1;
+    Rational divisor;
     for (const auto* side : {&fraction.numerator, &fraction.denominator}) {
-        for (const WrittenTerm& term : *side)
-            multiple = GiNaC::lcm(multiple, term.coefficient.denom());
+        for (const WrittenTerm& term : *side) divisor = gcd(divisor, term.coefficient);
     }
-    for (const auto* side : {&fraction.numerator, &fraction.denominator}) {
-        for (const WrittenTerm& term : *side)
-            divisor = GiNaC::gcd(divisor, term.coefficient * multiple);
-    }
-    if (fraction.denominator.front().coefficient.is_negative()) divisor = -divisor;
+    if (is_negative(fraction.denominator.front())) divisor = -divisor;
     for (auto* side : {&fraction.numerator, &fraction.denominator}) {
-        for (WrittenTerm& term : *side) term.coefficient *= multiple / divisor;
+        for (WrittenTerm& term : *side) term.coefficient /= divisor;
     }
 }
 
@@ -149,6 +141,6 @@ void negate(std::vector<WrittenTerm>& terms) {
     for (WrittenTerm& term : terms) term.coefficient = -term.coefficient;
 }
 
-bool is_negative(const WrittenTerm& term) { return term.coefficient.is_negative(); }
+bool is_negative(const WrittenTerm& term) { return term.coefficient.sign() < 0; }
 
 }  // namespace hvi::gen

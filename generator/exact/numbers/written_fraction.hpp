@@ -11,7 +11,7 @@ namespace hvi::gen {
 /// coefficient * product of powers of the transcendental generators * algebraic monomial. NOTE:
 /// here an exponent k of a cosine generator cos(pi/n) stands for cos(k pi/n).
 struct WrittenTerm {
-    GiNaC::numeric coefficient;
+    Rational coefficient;
     std::vector<int> powers;
     Monomial monomial;
 };

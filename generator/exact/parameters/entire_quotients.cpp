@@ -140,7 +140,7 @@ EntireFunction EntireQuotients::homogeneous(const Element::Terms& polynomials) c
     for (const auto& [algebraics, polynomial] : polynomials) {
         for (const IntegerMultivariate::Term& term : polynomial.terms()) {
             EntireFunction::Term& added = result.terms.emplace_back();
-            added.coefficient = generators_.exact(Element(term.coefficient.value()));
+            added.coefficient = generators_.exact(Element(term.coefficient));
             added.powers = powers_of(term.powers, algebraics);
             for (std::size_t p = 0; p < phase_count(); ++p) {
                 added.powers[EntireGenerators::y(p)] =
