@@ -187,10 +187,12 @@ read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system
             return both;
         }
     } catch (const NoLoops& obstacle) {
-        if (system.sums.choice == Unroll::no) throw;
+        const IndexedScene written = find_indexed_scene(system.scene, parameters);
+        const bool is_open = system.sums.choice == Unroll::automatic &&
+                             degrees_of_freedom(written) <= most_degrees_of_freedom;
+        if (!is_open) throw;
         unrolling = {true, obstacle.what()};
-        found = written_out(find_indexed_scene(system.scene, parameters), system.scene,
-                            obstacle.what());
+        found = written_out(written, system.scene, obstacle.what());
     }
     MethodAndScene both = completed(std::get<Scene>(std::move(found)), options);
     both.unrolling = std::move(unrolling);
