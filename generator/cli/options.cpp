@@ -11,6 +11,7 @@
 #include "generator/cli/rules.hpp"
 #include "generator/cli/words.hpp"
 #include "generator/read/nearest.hpp"
+#include "generator/symmetry/symmetries.hpp"
 
 namespace hvi::gen {
 
@@ -77,6 +78,12 @@ struct WishReader {
     void operator()(Given StepperWishes::*member) const { wishes.*member = words.value(option); }
 };
 
+/// NOTE: of families of coordinates symmetries are found at once, however many elements they have.
+std::optional<SystemOptions> with_loops_for_symmetries(std::optional<SystemOptions> system) {
+    if (system) system->sums.most_degrees = most_degrees_of_symmetries;
+    return system;
+}
+
 StepperWishes wishes_of(const Words& words) {
     StepperWishes wishes;
     for (const OptionEntry* option : options_of(words.command()))
@@ -99,7 +106,7 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
     options.method = options.tableau ? method_beside_scene(words) : method_options(words, line);
     options.max_order = words.whole_number("--max-order").value_or(options.max_order);
     options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
-    options.system = system_options(words);
+    options.system = with_loops_for_symmetries(system_options(words));
     options.symmetries = !words.has("--no-symmetries");
     options.plot = words.file("--plot");
     options.output = output_option(words);
@@ -234,7 +241,7 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
 
 SymmetriesOptions symmetries_options(const Words& words, const CommandLine& line) {
     SymmetriesOptions options;
-    options.system = needed_system(words, line);
+    options.system = *with_loops_for_symmetries(needed_system(words, line));
     options.parameters = words.texts("--param");
     options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
     options.output = output_option(words);

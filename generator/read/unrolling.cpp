@@ -134,7 +134,7 @@ UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish
     const std::size_t degrees = degrees_of_freedom(scene);
     const std::size_t operations =
         operations_written_out(function, sizes(scene), most_operations + 1);
-    if (operations <= most_operations && degrees <= most_degrees_of_freedom) {
+    if (operations <= most_operations && degrees <= wish.most_degrees) {
         return {true, fmt::format("they make {} operations, and {} are the most", operations,
                                   most_operations)};
     }
@@ -143,8 +143,7 @@ UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish
         return {true, fmt::format("{} is not built for loops", wish.needed_for)};
     }
     if (operations <= most_operations) {
-        return {false,
-                fmt::format("there are more than {} degrees of freedom", most_degrees_of_freedom)};
+        return {false, fmt::format("there are more than {} degrees of freedom", wish.most_degrees)};
     }
     return {false, fmt::format("written out they make more than {} operations", most_operations)};
 }

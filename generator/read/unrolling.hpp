@@ -20,6 +20,8 @@ enum class Unroll {
 struct UnrollWish {
     Unroll choice = Unroll::automatic;
     std::string needed_for = {};  ///< an option that loops do not have, `--dense`; or empty
+    /// Degrees of freedom that are written out where loops would do.
+    std::size_t most_degrees = most_degrees_of_freedom;
 };
 
 /// A decision, and why.
@@ -29,10 +31,9 @@ struct UnrollDecision {
 };
 
 /// Sums are written out where no variable has an index, where H or L then has at most 2000
-/// operations and most_degrees_of_freedom, where it is one that loops do not have, or where a wish
-/// needs that. Throws
-/// InputError as unrolled() does for sizes and bounds, and where loops are wished for and H or L
-/// has none.
+/// operations and as many degrees of freedom as are wished for, where it is one that loops do not
+/// have, or where a wish needs that. Throws InputError as unrolled() does for sizes and bounds, and
+/// where loops are wished for and H or L has none.
 [[nodiscard]] UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish);
 
 /// The scene that the command line names, written out. Throws InputError as unrolled() does, and

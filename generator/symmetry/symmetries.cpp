@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symmetry/symmetries.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -192,6 +194,12 @@ std::string not_zero(const ConservedQuantity& quantity) {
 }
 
 SceneSymmetries find_symmetries(const Scene& scene) {
+    const MechanicalFunction& function = function_of(scene);
+    if (function.degrees_of_freedom() > most_degrees_of_symmetries)
+        throw MathError(fmt::format("symmetries of more than {} degrees of freedom are looked for "
+                                    "where sums stay loops",
+                                    most_degrees_of_symmetries),
+                        whole(function.source), "equations without loops are too many to solve");
     SceneSymmetries result;
     result.name = scene.name.empty() ? function_of(scene).origin : scene.name;
     result.coordinates = function_of(scene).coordinates;

@@ -51,9 +51,12 @@ struct SceneSymmetries {
     [[nodiscard]] bool is_regular() const { return rank == degrees_of_freedom; }
 };
 
+/// Degrees of freedom of a scene without loops whose symmetries are looked for.
+constexpr std::size_t most_degrees_of_symmetries = 64;
+
 /// By exact algebra, for the values that the scene's parameters have. Throws as affine_symmetries()
-/// does, and InputError where the scene calls functions of the user's own, of which nothing is
-/// known.
+/// does, and for more degrees of freedom than are looked at; and InputError where the scene calls
+/// functions of the user's own, of which nothing is known.
 [[nodiscard]] SceneSymmetries find_symmetries(const Scene& scene);
 
 }  // namespace hvi::gen
