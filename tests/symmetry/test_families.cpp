@@ -136,19 +136,21 @@ TEST_CASE("What is no number, or too large for a search, has its place") {
 TEST_CASE("A function of the user's own has no exact symmetries, however many elements there are") {
     const Scratch scratch;
     std::ofstream(scratch.path / "V.hpp") << "// V\n";
-    for (const char* N : {"3", "80"}) {
+    const auto scene = [&](const char* size) {
         const std::string own = "[functions]\nV = {header = \"V.hpp\", arguments = 1}\n";
-        const std::string toml = scene_of({"x"}, "sum(i=1..N, px[i]^2/2 + V(x[i]))",
-                                          std::string("N = ") + N + "\n", own);
         const std::string file = scratch.path / "scene.toml";
-        std::ofstream(file) << toml;
-        const IndexedScene scene = indexed_scene_from_file(file);
-        for (const Refusal& own_function :
-             {refusal([&] { return find_symmetries(scene); }),
-              refusal([&] { return find_symmetries(unrolled(scene)); })}) {
-            CHECK(own_function.what == "`V` cannot stand in what is computed exactly");
-            CHECK(own_function.marked == "sum(i=1..N, px[i]^2/2 + [V(x[i])])");
-            CHECK(own_function.status == 2);
-        }
+        std::ofstream(file) << scene_of({"x"}, "sum(i=1..N, px[i]^2/2 + V(x[i]))",
+                                        std::string("N = ") + size + "\n", own);
+        return indexed_scene_from_file(file);
+    };
+    for (const Refusal& own_function :
+         {refusal([&] { return find_symmetries(scene("3")); }),
+          refusal([&] { return find_symmetries(scene("80")); }),
+          refusal([&] { return find_symmetries(unrolled(scene("3"))); })}) {
+        CHECK(own_function.what == "`V` cannot stand in what is computed exactly");
+        CHECK(own_function.marked == "sum(i=1..N, px[i]^2/2 + [V(x[i])])");
+        CHECK(own_function.status == 2);
     }
+    // Written out there are too many equations.
+    CHECK(refusal([&] { return find_symmetries(unrolled(scene("80"))); }).status == 1);
 }
