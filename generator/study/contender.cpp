@@ -50,8 +50,10 @@ Contender contender(Builds& builds, const StudiedMethod& method, const Scene& sc
 }
 
 Contender contender(Builds& builds, const StudiedMethod& method, const IndexedScene& scene) {
-    const SceneStepper stepper = scene_stepper(
-        method.method, scene, simulation_wishes(Solver::automatic, method.composition));
+    // NOTE: programs of vectors are measured against a reference of vectors.
+    StepperWishes wishes = simulation_wishes(Solver::automatic, method.composition);
+    wishes.unroll = Unroll::no;
+    const SceneStepper stepper = scene_stepper(method.method, scene, wishes);
     return {stepper.method.title(), method.order, builds.order(simulation_program(stepper))};
 }
 

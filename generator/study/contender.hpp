@@ -35,7 +35,8 @@ struct Contender {
 [[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
                                   Solver solver);
 
-/// The same on a scene of any size.
+/// Makes a contender of a method on a scene whose sums stay loops; NoLoops where these do not have
+/// its step.
 [[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method,
                                   const IndexedScene& scene);
 

@@ -55,7 +55,8 @@ IndexedScene exact_at(IndexedScene scene, double until) {
 SceneStepper stepper_by(const char* method, const IndexedScene& scene) {
     const auto name = std::make_shared<const Source>(Source{"--methods", method});
     const ComposedMethod composed = composed_method(name);
-    return scene_stepper(composed.method, scene, {.composition = composed.composition});
+    return scene_stepper(composed.method, scene,
+                         {.unroll = Unroll::no, .composition = composed.composition});
 }
 
 /// A stepper of high order.
