@@ -206,6 +206,11 @@ Expression renamed(const Expression& expression, const std::map<std::string, std
     return result;
 }
 
+bool has_sum(const Expression& expression) {
+    return expression.kind == Kind::sum_over ||
+           std::any_of(expression.arguments.begin(), expression.arguments.end(), has_sum);
+}
+
 Expression replaced(const Expression& expression, const std::map<std::string, Expression>& by) {
     if (expression.kind == Kind::symbol) {
         const auto found = by.find(expression.name);
@@ -217,6 +222,11 @@ Expression replaced(const Expression& expression, const std::map<std::string, Ex
     std::vector<Expression> arguments;
     for (const Expression& argument : expression.arguments)
         arguments.push_back(replaced(argument, by));
+    if (expression.kind == Kind::sum_over && by.count(expression.name) != 0) {
+        std::map<std::string, Expression> others = by;
+        others.erase(expression.name);
+        arguments[2] = replaced(expression.arguments[2], others);
+    }
     return with_arguments(expression, std::move(arguments));
 }
 

@@ -83,7 +83,11 @@ struct Expression {
 [[nodiscard]] Expression renamed(const Expression& expression,
                                  const std::map<std::string, std::string>& names);
 
-/// The expression with others in the places of its symbols; those that are no key stay.
+/// Whether a sum over an index stands in it.
+[[nodiscard]] bool has_sum(const Expression& expression);
+
+/// The expression with others in the places of its symbols; those that are no key stay, and so do
+/// indices within their sums.
 [[nodiscard]] Expression replaced(const Expression& expression,
                                   const std::map<std::string, Expression>& by);
 

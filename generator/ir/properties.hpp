@@ -51,7 +51,7 @@ struct EvaluationCosts {
     friend bool operator==(const EvaluationCosts&, const EvaluationCosts&) = default;
 };
 
-/// What holds the vectors of a state.
+/// The kind of vectors that a state holds.
 enum class Container {
     of_user,  ///< the class of a user says so
     arrays,   ///< of a size that is known when the header is written

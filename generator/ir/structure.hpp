@@ -1,4 +1,4 @@
-// What the derivatives of H or L tell, and its second derivatives.
+// Structure of H or L, as its derivatives show it, and its second derivatives.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -66,9 +66,9 @@ struct LinearStiffness {
 /// motion comes from them alone.
 using ConstantTerms = std::variant<std::monostate, std::vector<LinearStiffness>, Hessian>;
 
-/// What the derivatives of H tell; of an L nothing is looked for. What is true here is proved: a
-/// graph computes by exact algebra, and what it does not see to be constant may be proved so in a
-/// field; see constant_value(). What is false may be true and hidden: exp(q) exp(-q) q + p. Values
+/// Properties of H that its derivatives show; of an L nothing is looked for. True ones are proved:
+/// a graph computes by exact algebra, and what it does not see to be constant may be proved so in a
+/// field; see constant_value(). False ones may be true and hidden: exp(q) exp(-q) q + p. Values
 /// and what is marked so are of an H without loops alone.
 struct Structure {
     bool is_separable = false;          ///< H = T(p) + U(q), or T(p) + U(q, t)

@@ -42,14 +42,6 @@ const SystemSum& only(const std::vector<SystemSum>& sums) {
     return sums.front();
 }
 
-std::size_t count_of(const SystemFamily& family, const std::map<std::string, long>& sizes) {
-    long count = 1;
-    for (const LoopRange& range : family.ranges) {
-        count *= range.last.at(sizes) - range.first.at(sizes) + 1;
-    }
-    return static_cast<std::size_t>(count);
-}
-
 }  // namespace
 
 bool has_linear_part(const Structure& quadratic) {
@@ -85,7 +77,7 @@ std::size_t System::degrees_of_freedom() const {
     for (const SystemSize& size : sizes) { values[size.name] = size.value; }
     std::size_t count = 0;
     for (const SystemFamily& each : coordinates) {
-        count += each.space.tangent * count_of(each, values);
+        count += each.space.tangent * element_count(each, values);
     }
     return count;
 }
@@ -158,6 +150,14 @@ std::vector<std::size_t> cyclic_coordinates(const System& system) {
         if (slopes[i].is_zero()) { result.push_back(i); }
     }
     return result;
+}
+
+std::size_t element_count(const SystemFamily& family, const std::map<std::string, long>& sizes) {
+    long count = 1;
+    for (const LoopRange& range : family.ranges) {
+        count *= range.last.at(sizes) - range.first.at(sizes) + 1;
+    }
+    return static_cast<std::size_t>(count);
 }
 
 bool is_separable(const System& system) {

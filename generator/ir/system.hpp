@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -137,6 +138,10 @@ struct System {
 [[nodiscard]] std::vector<std::size_t> cyclic_coordinates(const System& system);
 
 // ---- of any ----
+
+/// How many elements a family has for these sizes. Precondition: no range is empty.
+[[nodiscard]] std::size_t element_count(const SystemFamily& family,
+                                        const std::map<std::string, long>& sizes);
 
 /// H = T(p) + U(q): no sum has slopes by both. Precondition: these are there, with loops.
 [[nodiscard]] bool is_separable(const System& system);

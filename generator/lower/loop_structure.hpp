@@ -1,4 +1,4 @@
-// What a system with loops is, as far as its graph proves it, and its second derivatives.
+// Structure of a system with loops, as far as its graph proves it, and its second derivatives.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "generator/exact/expressions/evaluate.hpp"
+#include "generator/lower/accesses.hpp"
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/element_ranges.hpp"
-#include "generator/lower/kernel.hpp"
 #include "generator/lower/loop_structure.hpp"
 #include "generator/lower/loop_terms.hpp"
 #include "generator/lower/lower.hpp"
@@ -61,7 +61,7 @@ public:
     [[nodiscard]] System operator()();
 
 private:
-    void refuse_side() const;
+    void refuse_what_has_no_loops() const;
     void declare_sizes();
     void declare_families(const NameTexts& texts, FamilyKind kind);
     void check_pairs() const;
@@ -83,7 +83,6 @@ private:
                                      const std::shared_ptr<const Source>& source) const;
     void check_known(const Expression& part, const std::vector<Loop>& loops,
                      const std::shared_ptr<const Source>& source) const;
-    [[nodiscard]] std::vector<std::size_t> accesses_in(const std::vector<Scaled>& values) const;
     void add_slopes(SystemSum& sum);
     [[nodiscard]] const SystemFamily& family(const Named& named) const;
 
@@ -103,10 +102,14 @@ private:
 
 // ---- names ----
 
-void LoopLowering::refuse_side() const {
-    if (written_.side == Side::hamiltonian) { return; }
-    throw NoLoops("a Lagrangian has no loops", whole(written_.function.source),
-                  "write its Hamiltonian, or write sums out: --unroll yes");
+void LoopLowering::refuse_what_has_no_loops() const {
+    if (written_.side == Side::lagrangian) {
+        throw NoLoops("a Lagrangian has no loops", whole(written_.function.source),
+                      "write its Hamiltonian, or write sums out: --unroll yes");
+    }
+    if (!written_.rotations.texts.empty()) {
+        throw NoLoops("rotations have no loops", written_.rotations.place);
+    }
 }
 
 void LoopLowering::declare(const std::string& name, const Place& place) {
@@ -406,18 +409,8 @@ std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression) {
     return result;
 }
 
-std::vector<std::size_t> LoopLowering::accesses_in(const std::vector<Scaled>& values) const {
-    const Kernel whole = kernel(system_.graph, values);
-    std::vector<std::size_t> result;
-    for (std::size_t k = 0; k < system_.accesses.size(); ++k) {
-        const Node node = system_.accesses[k].node;
-        if (node < whole.uses.size() && whole.uses[node] != 0) { result.push_back(k); }
-    }
-    return result;
-}
-
 void LoopLowering::add_slopes(SystemSum& sum) {
-    sum.accesses = accesses_in({sum.value});
+    sum.accesses = accesses_in(system_, {sum.value});
     std::vector<Node> inputs;
     for (const std::size_t k : sum.accesses) { inputs.push_back(system_.accesses[k].node); }
     const std::vector<Scaled> slopes = gradient(system_.graph, sum.value, inputs);
@@ -433,11 +426,8 @@ void LoopLowering::add_slopes(SystemSum& sum) {
 
 void LoopLowering::check_count(const SystemFamily& family, std::size_t given,
                                const Place& place) const {
-    long wanted = 1;
-    for (const LoopRange& range : family.ranges) {
-        wanted *= range.last.at(sizes_) - range.first.at(sizes_) + 1;
-    }
-    if (static_cast<long>(given) == wanted) { return; }
+    const std::size_t wanted = element_count(family, sizes_);
+    if (given == wanted) { return; }
     throw InputError(fmt::format("`{}` has {} {}, and here are {} values", family.name, wanted,
                                  wanted == 1 ? "index" : "indices", given),
                      place);
@@ -466,7 +456,7 @@ SystemStart LoopLowering::start(const SystemFamily& family, const IndexedValue& 
             refuse_own_functions(put.written, each.source, "an initial value");
             result.values.push_back(value_at_start({{}, without_sums(put)}, each));
         }
-        result.accesses = accesses_in(result.values);
+        result.accesses = accesses_in(system_, result.values);
         return {std::move(result)};
     }
     const auto* rule = std::get_if<ValueRule>(&value.value);
@@ -489,7 +479,7 @@ SystemStart LoopLowering::start(const SystemFamily& family, const IndexedValue& 
     SystemStart::Rule result;
     for (const Loop& loop : term.loops) { result.indices.push_back(loop.index); }
     result.value = value_at_start(term, whole);
-    result.accesses = accesses_in({result.value});
+    result.accesses = accesses_in(system_, {result.value});
     return {std::move(result)};
 }
 
@@ -502,7 +492,7 @@ SystemStart LoopLowering::start(const SystemFamily& family) {
 }
 
 System LoopLowering::operator()() {
-    refuse_side();
+    refuse_what_has_no_loops();
     system_.name = written_.name;
     system_.description = written_.description;
     system_.directory = written_.directory;

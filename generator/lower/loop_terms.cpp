@@ -26,28 +26,9 @@ bool any_part(const Expression& expression, const Test& test) {
     return found;
 }
 
-bool has_sum(const Expression& expression) {
-    return any_part(expression,
-                    [](const Expression& part) { return part.kind == Expression::Kind::sum_over; });
-}
-
 /// As a symbol, or as the index of a sum.
 bool mentions(const Expression& expression, const std::string& name) {
     return any_part(expression, [&](const Expression& part) { return part.name == name; });
-}
-
-/// The expression with another one for a symbol.
-Expression with_symbol(const Expression& expression, const std::string& name,
-                       const Expression& value) {
-    if (expression.kind == Expression::Kind::symbol && expression.name == name) { return value; }
-    const bool is_hidden = expression.kind == Expression::Kind::sum_over && expression.name == name;
-    Expressions arguments = expression.arguments;
-    for (std::size_t k = 0; k < arguments.size(); ++k) {
-        // NOTE: the bounds of a sum, its first arguments, are outside of it.
-        if (is_hidden && k == 2) { continue; }
-        arguments[k] = with_symbol(arguments[k], name, value);
-    }
-    return with_arguments(expression, std::move(arguments));
 }
 
 /// Short sums with numbers for bounds, written out.
@@ -62,7 +43,7 @@ Expression written_out(const Expression& expression) {
     if (!is_short) { return result; }
     Expressions terms;
     for (long index = first->constant; index <= last->constant; ++index) {
-        terms.push_back(with_symbol(result.arguments[2], result.name, Expression::integer(index)));
+        terms.push_back(replaced(result.arguments[2], {{result.name, Expression::integer(index)}}));
     }
     Expression sum = Expression::sum(std::move(terms));
     sum.range = expression.range;
@@ -183,7 +164,7 @@ LoopTerm within_loop(LoopTerm term, const std::string& index, LoopRange range,
     };
     std::string name = index;
     for (int k = 2; !is_free(name); ++k) { name = fmt::format("{}_{}", index, k); }
-    if (name != index) { term.term = with_symbol(term.term, index, Expression::symbol(name)); }
+    if (name != index) { term.term = replaced(term.term, {{index, Expression::symbol(name)}}); }
     term.loops.push_back({std::move(name), std::move(range)});
     return term;
 }

@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "generator/lower/accesses.hpp"
 #include "generator/lower/derivative.hpp"
-#include "generator/lower/kernel.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/lower/structure.hpp"
 #include "generator/lower/turns.hpp"
@@ -62,7 +62,7 @@ void add_variables(NamedSystem& result, const Lagrangian& lagrangian) {
     result.add(FamilyKind::conjugate, lagrangian.velocities, {});
 }
 
-/// What derivatives by a rotation are by, as accesses.
+/// Turns of the rotations, as accesses: derivatives are by these.
 void add_turns(System& system) {
     for (std::size_t f = flat_coordinates(system); f < system.coordinates.size(); ++f) {
         for (std::size_t axis = 0; axis < system.coordinates[f].space.tangent; ++axis) {
@@ -91,14 +91,7 @@ std::vector<AccessSlope> slopes(const System& system, FamilyKind kind,
 
 /// A value as a sum without loops.
 SystemSum term(const System& system, const Scaled& value) {
-    const Kernel whole = kernel(system.graph, {value});
-    SystemSum sum{{}, value, {}, {}, {}};
-    for (std::size_t k = 0; k < system.accesses.size(); ++k) {
-        const Access& access = system.accesses[k];
-        const bool is_used = access.kind != FamilyKind::turn && whole.uses[access.node] != 0;
-        if (is_used) { sum.accesses.push_back(k); }
-    }
-    return sum;
+    return {{}, value, accesses_in(system, {value}), {}, {}};
 }
 
 /// The sum with its derivatives.
@@ -137,9 +130,8 @@ NamedSystem named_system(const Function& function, const std::vector<std::string
         result.symbols[fixed.name] = lower(system.graph, fixed.value, {}, fixed.place.source);
     }
     const Scaled value = lower(system.graph, function.expression, result.symbols, function.source);
-    const SystemSum whole = term(system, value);
     add_turns(system);
-    system.sums = {differentiated(system, whole)};
+    system.sums = {differentiated(system, term(system, value))};
     system = with_structure(std::move(system));
     system.energy = {term(system, energy(system))};
     return result;

@@ -80,6 +80,13 @@ TEST_CASE("expressions stand in the places of symbols, all at once, and stay fla
     CHECK(to_text(other) == "y+y+sin(x)");
     CHECK(other.arguments.size() == 3);
     CHECK(replaced(sum, {{"sin", x}}) == sum);
+    // The index of a sum is another symbol within it, and the same in its bounds.
+    const Expression two = Expression::integer(2);
+    const Expression over = Expression::sum_over("x", Expression::integer(1), x, x);
+    CHECK(replaced(over, {{"x", two}}) ==
+          Expression::sum_over("x", Expression::integer(1), two, x));
+    CHECK(has_sum(Expression::negation(over)));
+    CHECK_FALSE(has_sum(sum));
 }
 
 TEST_CASE("one of two expressions comes first, unless they are equal") {

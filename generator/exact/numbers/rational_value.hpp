@@ -29,7 +29,7 @@ public:
     }
     ~Rational() { fmpq_clear(value_); }
 
-    /// Of a text as `7` or `-2/3`.
+    /// Reads a text as `7` or `-2/3`.
     [[nodiscard]] static Rational read(const std::string& text);
 
     [[nodiscard]] fmpq* get() { return value_; }
