@@ -188,9 +188,7 @@ read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system
         }
     } catch (const NoLoops& obstacle) {
         const IndexedScene written = find_indexed_scene(system.scene, parameters);
-        const bool is_open = system.sums.choice == Unroll::automatic &&
-                             degrees_of_freedom(written) <= most_degrees_of_freedom;
-        if (!is_open) throw;
+        if (!may_write_out(written, system.sums.choice)) throw;
         unrolling = {true, obstacle.what()};
         found = written_out(written, system.scene, obstacle.what());
     }

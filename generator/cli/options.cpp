@@ -10,6 +10,7 @@
 #include "generator/cli/grammar.hpp"
 #include "generator/cli/rules.hpp"
 #include "generator/cli/words.hpp"
+#include "generator/pipeline/refusals.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/symmetry/symmetries.hpp"
 
@@ -78,11 +79,9 @@ struct WishReader {
     void operator()(Given StepperWishes::*member) const { wishes.*member = words.value(option); }
 };
 
-/// NOTE: of families of coordinates symmetries are found at once, however many elements they have.
-std::optional<SystemOptions> with_loops_for_symmetries(std::optional<SystemOptions> system) {
-    if (system) system->sums.most_degrees = most_degrees_of_symmetries;
-    return system;
-}
+/// Leaves loops where there are many coordinates: symmetries of families of these are found at
+/// once, however many elements they have.
+void prefer_loops(SystemOptions& system) { system.sums.most_degrees = most_degrees_of_symmetries; }
 
 StepperWishes wishes_of(const Words& words) {
     StepperWishes wishes;
@@ -106,26 +105,12 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
     options.method = options.tableau ? method_beside_scene(words) : method_options(words, line);
     options.max_order = words.whole_number("--max-order").value_or(options.max_order);
     options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
-    options.system = with_loops_for_symmetries(system_options(words));
+    options.system = system_options(words);
+    if (options.system) prefer_loops(*options.system);
     options.symmetries = !words.has("--no-symmetries");
     options.plot = words.file("--plot");
     options.output = output_option(words);
     return options;
-}
-
-/// The first of what is wished for that loops do not have.
-std::string needed_for(const StepperWishes& wishes) {
-    const std::pair<bool, const char*> all[] = {
-        {wishes.dense, "--dense"},
-        {wishes.action, "--action"},
-        {wishes.float128, "--float128"},
-        {wishes.lanes.choice == Lanes::ensemble, "--lanes ensemble"},
-        {wishes.lanes.choice == Lanes::stages, "--lanes stages"},
-        {wishes.solver == Solver::newton_taylor, "--solver newton-taylor"},
-    };
-    for (const auto& [is_wished, option] : all)
-        if (is_wished) return option;
-    return "";
 }
 
 StepperOptions stepper_options(const Words& words, const CommandLine& line) {
@@ -137,7 +122,8 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     options.method = options.system && options.system->scene ? method_beside_scene(words)
                                                              : method_options(words, line);
     options.wishes = wishes_of(words);
-    if (options.system) options.system->sums = {options.wishes.unroll, needed_for(options.wishes)};
+    if (options.system)
+        options.system->sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
     options.explain = words.has("--explain");
     if (const auto stage = words.choice<Stage>("--dump")) {
         options.dump = Wish<Stage>{*stage, whole(words.value("--dump"))};
@@ -177,7 +163,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.system.scene = words.value("SCENE");
     if (!options.system.scene) refuse_without_scene(line);
     options.wishes = wishes_of(words);
-    options.system.sums = {options.wishes.unroll, needed_for(options.wishes)};
+    options.system.sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
     options.accuracy = words.fraction("--accuracy");
     if (const auto seconds = words.whole_number("--budget")) options.budget = *seconds;
     options.step = words.value("--step");
@@ -241,7 +227,8 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
 
 SymmetriesOptions symmetries_options(const Words& words, const CommandLine& line) {
     SymmetriesOptions options;
-    options.system = *with_loops_for_symmetries(needed_system(words, line));
+    options.system = needed_system(words, line);
+    prefer_loops(options.system);
     options.parameters = words.texts("--param");
     options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
     options.output = output_option(words);

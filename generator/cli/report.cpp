@@ -43,20 +43,34 @@ struct Subject {
     Watched watched = {};
 };
 
-/// What is not built for scenes of so many degrees of freedom.
-void check_large(const ReportOptions& options, std::size_t degrees) {
-    const auto refuse = [](const std::optional<Place>& place, const char* what, const char* help) {
-        if (place)
-            throw InputError(
-                fmt::format("{} not built for scenes of so many degrees of freedom", what), *place,
-                help);
-    };
-    if (degrees > most_degrees_of_freedom)
-        refuse(options.peers, "integrators of other libraries are",
-               "without --peers it compares methods of ours");
-    if (degrees > most_at_edges)
-        refuse(options.edges, "stiff and extreme cases, and derivatives of steps, are",
-               "without SCENE they are those of scenes that come with the program");
+/// Throws InputError where an option is given that a scene does not go with.
+void refuse(const std::optional<Place>& option, const char* what, const char* help) {
+    if (option)
+        throw InputError(fmt::format("{} not built for scenes of so many degrees of freedom", what),
+                         *option, help);
+}
+
+void refuse_peers(const ReportOptions& options) {
+    refuse(options.peers, "integrators of other libraries are",
+           "without --peers it compares methods of ours");
+}
+
+void refuse_edges(const ReportOptions& options) {
+    refuse(options.edges, "stiff and extreme cases, and derivatives of steps, are",
+           "without SCENE they are those of scenes that come with the program");
+}
+
+/// A scene of the report, written out or with loops.
+std::variant<Scene, IndexedScene> find_scene(const Given& name, const ReportOptions& options) {
+    const std::size_t degrees = degrees_of_freedom(find_indexed_scene(name));
+    if (degrees > most_degrees_of_freedom) refuse_peers(options);
+    if (degrees > most_at_edges) refuse_edges(options);
+    auto found = find_scene_of_any_size(name, {}, options.sums).scene;
+    if (std::holds_alternative<IndexedScene>(found)) {
+        refuse_peers(options);
+        refuse_edges(options);
+    }
+    return found;
 }
 
 std::string name_of(const Subject& subject) {
@@ -71,11 +85,8 @@ NamedExpression first_step(const Scene& scene, const ReportOptions& options) {
 }
 
 Subject subject(const Given& name, const ReportOptions& options) {
-    check_large(options, degrees_of_freedom(find_indexed_scene(name)));
-    Subject result{find_scene_of_any_size(name, {}, options.sums).scene};
+    Subject result{find_scene(name, options)};
     const auto* large = std::get_if<IndexedScene>(&result.scene);
-    // NOTE: what has no loops and was not written out has been wished so.
-    if (large != nullptr) check_large(options, most_degrees_of_freedom + 1);
     Scene scene = large != nullptr ? without_motion(*large) : std::get<Scene>(result.scene);
     scene.place = whole(name);
     if (options.peers) refuse_rotations(function_of(scene), "a comparison with other libraries");

@@ -29,7 +29,7 @@ void write_method(const StepperOptions& options) {
                  options.dump ? dump(method, stepper, *options.dump) : stepper.header);
 }
 
-std::string explanation(const SceneStepper& stepper, const UnrollDecision& unrolling = {}) {
+std::string explanation(const SceneStepper& stepper, const UnrollDecision& unrolling) {
     std::string text = fmt::format("found in {}:\n", stepper.system.function_letter());
     for (const std::string& fact : facts(stepper.system)) text += "  " + fact + "\n";
     if (stepper.evaluations) {
@@ -91,7 +91,7 @@ void write_advised(const StepperOptions& options) {
     wishes.solver = advice.solver;
     wishes.composition = advice.composition;
     const SceneStepper stepper = scene_stepper(method, scene, wishes);
-    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
+    if (options.explain) std::fputs(explanation(stepper, sums).c_str(), stderr);
     std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
     write_result(options.output, with_note(stepper.header, advice.note));
 }

@@ -13,9 +13,7 @@ namespace {
 /// Writes out what loops do not have, where there is a choice.
 void look_for_obstacles(UnrollDecision& decision, const IndexedScene& scene,
                         const UnrollWish& wish) {
-    const bool is_open = !decision.writes_out && wish.choice == Unroll::automatic &&
-                         degrees_of_freedom(scene) <= most_degrees_of_freedom;
-    if (!is_open) { return; }
+    if (decision.writes_out || !may_write_out(scene, wish.choice)) { return; }
     try {
         static_cast<void>(loop_system(scene));
     } catch (const NoLoops& obstacle) { decision = {true, obstacle.what()}; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/refusals.hpp"
 
+#include <utility>
+
 #include "generator/plan/lanes.hpp"
 #include "generator/read/no_loops.hpp"
 
@@ -77,18 +79,25 @@ void check_vectors(const Step& step, const Method& method, const StepperWishes& 
 
 }  // namespace
 
-void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place) {
-    const auto refuse = [&](bool is_wished, const char* flag) {
-        if (!is_wished) { return; }
-        throw InputError(std::string(flag) + " is not built where sums stay loops", place,
-                         "write sums out: --unroll yes");
+std::string wish_without_loops(const StepperWishes& wishes) {
+    const std::pair<bool, const char*> all[] = {
+        {wishes.dense, "--dense"},
+        {wishes.action, "--action"},
+        {wishes.float128, "--float128"},
+        {wishes.lanes.choice == Lanes::ensemble, "--lanes ensemble"},
+        {wishes.lanes.choice == Lanes::stages, "--lanes stages"},
+        {wishes.solver == Solver::newton_taylor, "--solver newton-taylor"},
     };
-    refuse(wishes.dense, "--dense");
-    refuse(wishes.action, "--action");
-    refuse(wishes.float128, "--float128");
-    refuse(wishes.lanes.choice == Lanes::ensemble, "--lanes ensemble");
-    refuse(wishes.lanes.choice == Lanes::stages, "--lanes stages");
-    refuse(wishes.solver == Solver::newton_taylor, "--solver newton-taylor");
+    for (const auto& [is_wished, option] : all)
+        if (is_wished) return option;
+    return "";
+}
+
+void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place) {
+    const std::string option = wish_without_loops(wishes);
+    if (!option.empty())
+        throw InputError(option + " is not built where sums stay loops", place,
+                         "write sums out: --unroll yes");
 }
 
 void check_step(const Step& step, const Method& method, const StepperWishes& wishes,

@@ -1,6 +1,8 @@
-// What is wished for and not built, with a word why and what would help.
+// Refusals of wishes that are not built, with a word why and what would help.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+
+#include <string>
 
 #include "generator/ir/step.hpp"
 #include "generator/options/wishes.hpp"
@@ -8,7 +10,10 @@
 
 namespace hvi::gen {
 
-/// Throws InputError at `place`, that of H, for what systems of any size do not have.
+/// The first wish that loops do not have, as its option, `--dense`; or nothing.
+[[nodiscard]] std::string wish_without_loops(const StepperWishes& wishes);
+
+/// Throws InputError at `place`, that of H, for such a wish.
 void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place);
 
 /// Throws InputError for a step that was planned and is not what was wished for, or that its

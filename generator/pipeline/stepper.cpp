@@ -173,9 +173,7 @@ SceneStepper scene_stepper(const Method& wished, const IndexedScene& scene,
     try {
         return loop_stepper(wished, scene, wishes);
     } catch (const NoLoops& obstacle) {
-        const bool is_open = wishes.unroll == Unroll::automatic &&
-                             degrees_of_freedom(scene) <= most_degrees_of_freedom;
-        if (!is_open) { throw; }
+        if (!may_write_out(scene, wishes.unroll)) { throw; }
         SceneStepper result = scene_stepper(wished, unrolled(scene), wishes);
         result.no_loops = obstacle.what();
         return result;

@@ -57,9 +57,8 @@ struct SceneStepper {
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
                                          const StepperWishes& wishes);
 
-/// The same with loops for the sums of the scene: the sizes are parameters of the class. Where
-/// loops do not have the step of this method, and nothing else was wished for, the sums of a scene
-/// that is not too large are written out. Throws
+/// A stepper with loops for the sums of the scene: the sizes are parameters of the class. Where
+/// loops do not have the step of this method, sums are written out that may_write_out(). Throws
 /// InputError and MathError as loop_system() does, too, and for what is wished for and not built
 /// for systems of any size.
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const IndexedScene& scene,

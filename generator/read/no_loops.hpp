@@ -1,4 +1,4 @@
-// Scenes and steps that loops do not have.
+// The error for scenes and steps that loops do not have.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace hvi::gen {
 
-/// What is refused where sums stay loops, and may be had where they are written out.
+/// A refusal of something that sums have where they are written out, and loops do not.
 class NoLoops : public InputError {
 public:
     explicit NoLoops(std::string what, std::optional<Place> place = {},

@@ -15,24 +15,6 @@ namespace {
 
 using Kind = Expression::Kind;
 
-bool has_sum(const Expression& expression) {
-    bool found = false;
-    walk(expression, [&](const Expression& part) {
-        found = found || part.kind == Kind::sum_over;
-        return !found;
-    });
-    return found;
-}
-
-bool mentions_time(const Expression& expression) {
-    bool found = false;
-    walk(expression, [&](const Expression& part) {
-        found = found || (part.kind == Kind::symbol && part.name == "t");
-        return !found;
-    });
-    return found;
-}
-
 class Count {
 public:
     Count(const std::shared_ptr<const Source>& source, WholeNumbers known, std::size_t most)
@@ -91,14 +73,6 @@ private:
     std::size_t most_;
 };
 
-/// Why H, or L, cannot be one with loops; empty where it can.
-std::string obstacle_to_loops(const IndexedScene& scene, const Expression& function) {
-    if (scene.side == Side::lagrangian) { return "a Lagrangian has no loops"; }
-    if (!scene.rotations.texts.empty()) { return "rotations have no loops"; }
-    if (mentions_time(function)) { return "an H that depends on the time has no loops"; }
-    return "";
-}
-
 bool has_indices(const NameTexts& names) {
     return std::any_of(names.texts.begin(), names.texts.end(), [](const NameTexts::Text& text) {
         return std::any_of(text.names.begin(), text.names.end(),
@@ -119,18 +93,14 @@ UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish
     if (!has_indices(scene.coordinates) && !has_indices(scene.rotations)) {
         return {true, "no variable has an index"};
     }
+    switch (wish.choice) {
+    case Unroll::yes: return {true, "--unroll yes"};
+    case Unroll::no: return {false, "--unroll no"};
+    case Unroll::automatic: break;
+    }
     Definitions definitions;
     for (const Definition& definition : scene.definitions) { definitions.add(definition); }
     const IndexedExpression function = definitions.put_in(scene.function);
-    const std::string obstacle = obstacle_to_loops(scene, function.written);
-    switch (wish.choice) {
-    case Unroll::yes: return {true, "--unroll yes"};
-    case Unroll::no:
-        if (obstacle.empty()) { return {false, "--unroll no"}; }
-        throw InputError(obstacle, whole(scene.function.source),
-                         "without --unroll no its sums are written out");
-    case Unroll::automatic: break;
-    }
     const std::size_t degrees = degrees_of_freedom(scene);
     const std::size_t operations =
         operations_written_out(function, sizes(scene), most_operations + 1);
@@ -138,7 +108,6 @@ UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish
         return {true, fmt::format("they make {} operations, and {} are the most", operations,
                                   most_operations)};
     }
-    if (!obstacle.empty()) { return {true, obstacle}; }
     if (!wish.needed_for.empty()) {
         return {true, fmt::format("{} is not built for loops", wish.needed_for)};
     }
@@ -146,6 +115,10 @@ UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish
         return {false, fmt::format("there are more than {} degrees of freedom", wish.most_degrees)};
     }
     return {false, fmt::format("written out they make more than {} operations", most_operations)};
+}
+
+bool may_write_out(const IndexedScene& scene, Unroll wish) {
+    return wish == Unroll::automatic && degrees_of_freedom(scene) <= most_degrees_of_freedom;
 }
 
 Scene written_out(const IndexedScene& written, const Given& name_or_file, const std::string& why) {

@@ -9,14 +9,14 @@
 
 namespace hvi::gen {
 
-/// What a user says of sums.
+/// A wish of the user for sums.
 enum class Unroll {
     automatic,
     yes,  ///< they are written out
     no,   ///< they stay loops
 };
 
-/// What decides beside the scene.
+/// Wishes that decide beside the scene.
 struct UnrollWish {
     Unroll choice = Unroll::automatic;
     std::string needed_for = {};  ///< an option that loops do not have, `--dense`; or empty
@@ -31,10 +31,13 @@ struct UnrollDecision {
 };
 
 /// Sums are written out where no variable has an index, where H or L then has at most 2000
-/// operations and as many degrees of freedom as are wished for, where it is one that loops do not
-/// have, or where a wish needs that. Throws InputError as unrolled() does for sizes and bounds, and
-/// where loops are wished for and H or L has none.
+/// operations and as many degrees of freedom as are wished for, or where a wish needs that. Throws
+/// InputError as unrolled() does for sizes and bounds.
 [[nodiscard]] UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish);
+
+/// Whether sums may be written out that loops turn out not to have: the user has left it open, and
+/// there are not more than most_degrees_of_freedom.
+[[nodiscard]] bool may_write_out(const IndexedScene& scene, Unroll wish);
 
 /// The scene that the command line names, written out. Throws InputError as unrolled() does, and
 /// with `why` as help for more than most_degrees_of_freedom.

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "generator/read/unrolling.hpp"
-#include "tests/read/refusal.hpp"
 
 using namespace hvi::gen;
 
@@ -54,14 +53,14 @@ TEST_CASE("sums are written out up to so many operations, and not by degrees of 
     CHECK(unroll_decision(chain("500"), {Unroll::yes}).writes_out);
 }
 
-TEST_CASE("what loops do not have is written out") {
-    const UnrollDecision in_time = unroll_decision(chain("500", " + x[1]*sin(t)"), {});
-    CHECK(in_time.writes_out);
-    CHECK(in_time.why == "an H that depends on the time has no loops");
+TEST_CASE("a wish that loops do not have writes sums out") {
     const UnrollDecision needed = unroll_decision(chain("500"), {Unroll::automatic, "--dense"});
     CHECK(needed.writes_out);
     CHECK(needed.why.find("--dense") != std::string::npos);
-    CHECK(refusal([] {
-              static_cast<void>(unroll_decision(chain("500", " + x[1]*sin(t)"), {Unroll::no}));
-          }).says("depends on the time"));
+}
+
+TEST_CASE("what loops turn out not to have may be written out where that is left open") {
+    CHECK(may_write_out(chain("256"), Unroll::automatic));
+    CHECK_FALSE(may_write_out(chain("257"), Unroll::automatic));
+    CHECK_FALSE(may_write_out(chain("3"), Unroll::no));
 }
