@@ -11,8 +11,23 @@ namespace hvi::gen {
 
 namespace {
 
-bool depends_on_state(const System& system, const Scaled& value) {
-    return (system.graph.at(value.node).roles & of_state) != 0;
+bool has_role(const System& system, const Scaled& value, Roles roles) {
+    return (system.graph.at(value.node).roles & roles) != 0;
+}
+
+/// Whether it changes along a motion.
+bool changes(const System& system, const Scaled& value) {
+    return has_role(system, value, of_state | static_cast<Roles>(Role::time));
+}
+
+/// Whether T has no time.
+bool is_kinetic_autonomous(const System& system) {
+    return std::all_of(system.sums.begin(), system.sums.end(), [&](const SystemSum& sum) {
+        return std::none_of(
+            sum.by_conjugates.begin(), sum.by_conjugates.end(), [&](const AccessSlope& slope) {
+                return has_role(system, slope.value, static_cast<Roles>(Role::time));
+            });
+    });
 }
 
 /// The derivatives of a slope by the elements of other slopes of its sum.
@@ -37,7 +52,7 @@ Kinetic kinetic(System& system, const SystemSum& sum) {
         std::vector<Scaled> terms{{-slopes[a].value.factor, slopes[a].value.node}};
         for (std::size_t b = 0; b < row.size(); ++b) {
             if (row[b].is_zero()) { continue; }
-            if (depends_on_state(system, row[b])) { return Kinetic::other; }
+            if (changes(system, row[b])) { return Kinetic::other; }
             if (a != b) { result = Kinetic::quadratic; }
             terms.push_back(
                 system.graph.product(row[b], {{1, 1}, system.accesses[slopes[b].access].node}));
@@ -61,7 +76,7 @@ bool is_quadratic(System& system, const SystemSum& sum) {
     const std::vector<AccessSlope> slopes = sum.by_q;
     for (const AccessSlope& slope : slopes) {
         for (const Scaled& entry : second(system, slope.value, slopes)) {
-            if (depends_on_state(system, entry)) { return false; }
+            if (changes(system, entry)) { return false; }
         }
     }
     return true;
@@ -151,7 +166,7 @@ SystemSum product_of(System& system, const SystemSum& sum) {
 
 Structure structure(System& system) {
     Structure result;
-    result.is_separable = is_separable(system);
+    result.is_separable = is_separable(system) && is_kinetic_autonomous(system);
     if (!result.is_separable) { return result; }
     const Kinetic found = kinetic(system);
     result.kinetic_is_quadratic = found != Kinetic::other;
@@ -160,7 +175,7 @@ Structure structure(System& system) {
     result.is_quadratic =
         std::all_of(system.sums.begin(), system.sums.end(),
                     [&](const SystemSum& sum) { return is_quadratic(system, sum); });
-    result.has_linear_map = result.is_quadratic;
+    result.has_linear_map = result.is_quadratic && !system.time;
     result.hessian = hessian_form(system, found, result.is_quadratic);
     return result;
 }

@@ -71,9 +71,12 @@ private:
     [[nodiscard]] SystemTable table(const std::string& name, const ValueList& list) const;
     void define();
 
-    [[nodiscard]] std::vector<SystemSum> sums(const IndexedExpression& expression);
+    /// Adds the time to what symbols stand for, where the expression has it.
+    [[nodiscard]] Symbols symbols_in_time(const IndexedExpression& expression);
+    [[nodiscard]] std::vector<SystemSum> sums(const IndexedExpression& expression,
+                                              const Symbols& known);
     [[nodiscard]] Scaled value(const Expression& term, const std::vector<Loop>& loops,
-                               const std::shared_ptr<const Source>& source);
+                               const std::shared_ptr<const Source>& source, Symbols known);
     [[nodiscard]] Expression with_accesses(const Expression& term, const std::vector<Loop>& loops,
                                            const std::shared_ptr<const Source>& source,
                                            Symbols& symbols);
@@ -82,7 +85,7 @@ private:
     [[nodiscard]] ElementIndex index(const Expression& written, const std::vector<Loop>& loops,
                                      const std::shared_ptr<const Source>& source) const;
     void check_known(const Expression& part, const std::vector<Loop>& loops,
-                     const std::shared_ptr<const Source>& source) const;
+                     const std::shared_ptr<const Source>& source, const Symbols& symbols) const;
     void add_slopes(SystemSum& sum);
     [[nodiscard]] const SystemFamily& family(const Named& named) const;
 
@@ -330,7 +333,7 @@ Expression LoopLowering::with_accesses(const Expression& term, const std::vector
         symbol.range = term.range;
         return symbol;
     }
-    if (term.kind == Expression::Kind::symbol) { check_known(term, loops, source); }
+    if (term.kind == Expression::Kind::symbol) { check_known(term, loops, source, symbols); }
     Expression result = term;
     for (Expression& argument : result.arguments) {
         argument = with_accesses(argument, loops, source, symbols);
@@ -339,13 +342,13 @@ Expression LoopLowering::with_accesses(const Expression& term, const std::vector
 }
 
 void LoopLowering::check_known(const Expression& part, const std::vector<Loop>& loops,
-                               const std::shared_ptr<const Source>& source) const {
+                               const std::shared_ptr<const Source>& source,
+                               const Symbols& symbols) const {
     const std::string& name = part.name;
     const bool is_index = std::any_of(loops.begin(), loops.end(),
                                       [&](const Loop& loop) { return loop.index == name; });
-    if (is_constant(name) || is_index || symbols_.count(name) != 0) { return; }
+    if (is_constant(name) || is_index || symbols.count(name) != 0) { return; }
     const Place place{source, part.range};
-    if (name == "t") { throw NoLoops("an H that depends on the time has no loops", place); }
     if (families_.count(name) != 0) {
         throw InputError(fmt::format("`{}` has an index", name), place);
     }
@@ -355,8 +358,7 @@ void LoopLowering::check_known(const Expression& part, const std::vector<Loop>& 
 }
 
 Scaled LoopLowering::value(const Expression& term, const std::vector<Loop>& loops,
-                           const std::shared_ptr<const Source>& source) {
-    Symbols symbols = symbols_;
+                           const std::shared_ptr<const Source>& source, Symbols symbols) {
     const Expression written = with_accesses(term, loops, source, symbols);
     check_functions(written, source, "an expression of a scene");
     for (const Loop& loop : loops) {
@@ -365,7 +367,17 @@ Scaled LoopLowering::value(const Expression& term, const std::vector<Loop>& loop
     return lower(system_.graph, written, symbols, source);
 }
 
-std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression) {
+Symbols LoopLowering::symbols_in_time(const IndexedExpression& expression) {
+    Symbols known = symbols_;
+    if (!depends_on_time(definitions_.put_in(expression).written)) { return known; }
+    const Scaled time = system_.graph.input("t", Role::time);
+    system_.time = time.node;
+    known["t"] = time;
+    return known;
+}
+
+std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression,
+                                          const Symbols& known) {
     const IndexedExpression whole = definitions_.put_in(expression);
     check_numbers(whole.written, whole.source);
     const auto roles = [&](const std::string& name) -> Roles {
@@ -387,7 +399,7 @@ std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression) {
     };
     std::vector<Group> groups;
     for (const LoopTerm& term : loop_terms(whole, {taken_, roles})) {
-        const Scaled summand = value(term.term, term.loops, whole.source);
+        const Scaled summand = value(term.term, term.loops, whole.source, known);
         if (summand.is_zero()) { continue; }
         // NOTE: where the kinds of what a summand depends on differ, it is another sum.
         const Roles found = system_.graph.at(summand.node).roles & of_state;
@@ -435,7 +447,7 @@ void LoopLowering::check_count(const SystemFamily& family, std::size_t given,
 
 /// `whole`: the expression that the term is made of.
 Scaled LoopLowering::value_at_start(const LoopTerm& term, const IndexedExpression& whole) {
-    const Scaled result = value(term.term, term.loops, whole.source);
+    const Scaled result = value(term.term, term.loops, whole.source, symbols_);
     if ((system_.graph.at(result.node).roles & of_state) != 0) {
         throw InputError("an initial value cannot depend on a variable",
                          Place{whole.source, whole.written.range});
@@ -504,7 +516,7 @@ System LoopLowering::operator()() {
     check_pairs();
     declare_parameters();
     define();
-    system_.sums = sums(written_.function);
+    system_.sums = sums(written_.function, symbols_in_time(written_.function));
     system_.energy = system_.sums;
     for (const auto* families : {&system_.coordinates, &system_.conjugates}) {
         for (const SystemFamily& each : *families) { system_.initial.push_back(start(each)); }
@@ -519,7 +531,7 @@ System LoopLowering::operator()() {
         check_parameter_name(invariant.name, invariant.place_of_name, "an invariant");
         declare(invariant.name, invariant.place_of_name);
         system_.invariants.push_back(
-            {invariant.name, invariant.expression.written, sums(invariant.expression)});
+            {invariant.name, invariant.expression.written, sums(invariant.expression, symbols_)});
     }
     return std::move(system_);
 }

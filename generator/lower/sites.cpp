@@ -55,7 +55,8 @@ public:
 
     /// Whether it is a lattice; then the result is complete.
     [[nodiscard]] bool find() {
-        if (!have_equal_indices() || !is_separable(system_)) { return false; }
+        // NOTE: sweeps over sites have no clock.
+        if (!have_equal_indices() || !is_separable(system_) || system_.time) { return false; }
         sites_.ranges = system_.coordinates.front().ranges;
         const std::size_t d = sites_.ranges.size();
         if (d < 1 || d > 3) { return false; }

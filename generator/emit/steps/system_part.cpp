@@ -266,7 +266,7 @@ SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitO
         types.line("using Solver = {};", solver_type(step)).blank();
     }
     part.types = types.str();
-    part.state = "hvi::State<Vector>";
+    part.state = state_type(step);
     part.construct = constructors_for_loops(system, counts, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;

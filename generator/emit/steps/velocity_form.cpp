@@ -91,7 +91,10 @@ void write_force(Writer& writer, std::size_t i, std::string_view s, std::string_
 std::string forces_text(const Step& step, const std::vector<std::size_t>& Lp) {
     Writer writer(2);
     if (step.layout == Layout::components) {
-        for (const std::size_t i : Lp) { writer.line("system.kick_stage(s, {});", i); }
+        for (const std::size_t i : Lp) {
+            const std::string time = time_of_stage(step, std::to_string(i), "s");
+            writer.line("system.kick_stage(s, {}{}{});", i, time.empty() ? "" : ", ", time);
+        }
         return writer.str();
     }
     writer.line("auto&& slope = hvi::detail::scratch(s.slope);");
@@ -288,6 +291,23 @@ std::string members_of_velocities(const Step& step, const VelocityStep& form) {
     return writer.str();
 }
 
+/// NOTE: one place serves all stages where it is that of the start.
+std::string hessian_products(const Step& step) {
+    const auto call = [](const std::string& time) {
+        return fmt::format("system.d2Hdq2(Q, v{}{}, out);", time.empty() ? "" : ", ", time);
+    };
+    return Writer(2)
+        .comment("d2H/dq2 at Q, times v, at the start of the step, and of stage i.", "/// ")
+        .line("void hessian_at_start_times(const Vector& Q, const Vector& v, Vector& out) const {{ "
+              "{} }}",
+              call(time_of_start(step, "s")))
+        .open("void hessian_times([[maybe_unused]] std::size_t i, const Vector& Q, const Vector& "
+              "v, Vector& out) const {{")
+        .line("{}", call(time_of_stage(step, "i", "s")))
+        .close()
+        .str();
+}
+
 std::string force_at_start(const Step& step) {
     const SlopePoint start{"s.at.q", "", time_of_start(step, "s")};
     return Writer(2)
@@ -310,10 +330,7 @@ std::string newton_of_positions(const Step& step, const VelocityStep& form,
     writer.insert(drifts).close().blank();
     if (form.hessian != HessianForm::products) { return writer.insert(linearised(step)).str(); }
     writer.insert(force_at_start(step));
-    writer.comment("d2H/dq2 at Q, times v.", "/// ");
-    writer.line("void hessian_times(const Vector& Q, const Vector& v, Vector& out) const {{ "
-                "system.d2Hdq2(Q, v, out); }}");
-    return writer.str();
+    return writer.insert(hessian_products(step)).str();
 }
 
 std::string linearised(const Step& step) {

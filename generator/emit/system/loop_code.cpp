@@ -31,20 +31,26 @@ std::vector<const SystemFamily*> all_families(const System& system) {
 
 // ---- the functions of the class ----
 
-/// One sum's derivatives: the name of what adds them, and which.
-struct Derivative {
-    std::string name;
-    const SystemSum* sum;
-    const std::vector<AccessSlope>* slopes;
-};
-
-std::vector<Derivative> derivatives(const System& system, bool by_q) {
-    std::vector<Derivative> result;
+/// dH/dq, or dH/dp, sum by sum.
+std::vector<SumDerivatives> derivatives(const System& system, bool by_q) {
+    std::vector<SumDerivatives> result;
     for (std::size_t s = 0; s < system.sums.size(); ++s) {
         const SystemSum& sum = system.sums[s];
         const std::vector<AccessSlope>& slopes = by_q ? sum.by_q : sum.by_conjugates;
         if (slopes.empty()) { continue; }
-        result.push_back({fmt::format("add_by_{}_{}", by_q ? "q" : "p", s + 1), &sum, &slopes});
+        result.push_back({fmt::format("add_by_{}_{}", by_q ? "q" : "p", s + 1), &sum, &slopes, "p",
+                          system.time && (by_q || !system.structure.is_separable)});
+    }
+    return result;
+}
+
+/// d2H/dq2 times a vector, sum by sum.
+std::vector<SumDerivatives> products_of_sums(const System& system,
+                                             const HessianProducts& hessian) {
+    std::vector<SumDerivatives> result;
+    for (const SystemSum& sum : hessian.sums) {
+        result.push_back({fmt::format("add_product_{}", result.size() + 1), &sum, &sum.by_q, "way",
+                          system.time.has_value()});
     }
     return result;
 }
@@ -112,23 +118,25 @@ private:
     }
 
     void write_scattered(Writer& writer, bool by_q) {
-        const std::vector<Derivative> all = derivatives(system_, by_q);
-        for (const Derivative& each : all) {
-            loops_.write_derivatives(writer, each.name, *each.sum, *each.slopes, "p");
+        const std::vector<SumDerivatives> all = derivatives(system_, by_q);
+        for (const SumDerivatives& each : all) {
+            loops_.write_derivatives(writer, each);
             writer.blank();
         }
         const bool is_separable = system_.structure.is_separable;
         const std::string letter = by_q ? "q" : "p";
-        writer.open("void dHd{}({}, Vector& out) const {{", letter,
+        const std::string_view time = is_separable && !by_q ? "" : time_argument();
+        writer.open("void dHd{}({}{}, Vector& out) const {{", letter,
                     is_separable
                         ? fmt::format("[[maybe_unused]] const Vector& {}", letter)
-                        : "[[maybe_unused]] const Vector& q, [[maybe_unused]] const Vector& p");
+                        : "[[maybe_unused]] const Vector& q, [[maybe_unused]] const Vector& p",
+                    time);
         if (by_q) { count_evaluation(writer); }
         writer.line("std::fill(out.begin(), out.end(), Scalar(0));");
-        for (const Derivative& each : all) {
+        for (const SumDerivatives& each : all) {
             const std::string q = is_separable && !by_q ? "nullptr" : "q.data()";
             const std::string p = is_separable && by_q ? "nullptr" : "p.data()";
-            loops_.call_derivatives(writer, each.name, *each.sum, q, p);
+            loops_.call_derivatives(writer, each, q, p);
         }
         writer.close();
     }
@@ -148,15 +156,21 @@ private:
         }
     }
 
+    /// Another argument, where H depends on the time.
+    [[nodiscard]] std::string_view time_argument() const {
+        return system_.time ? ", [[maybe_unused]] Scalar t" : "";
+    }
+
     void write_kick_of_stage(Writer& writer) const {
         writer.blank().comment("Lp_j = -h b_j dH/dq(Q_j) and W_j = h d2H/dp2 Lp_j.", "/// ");
         writer.line("template <class Stages>");
-        writer.open("void kick_stage(Stages& s, std::size_t j) const {{");
+        writer.open("void kick_stage(Stages& s, std::size_t j{}) const {{", time_argument());
         if (system_.sites) {
             count_evaluation(writer);
             writer.line("hvi::detail::kick_stage(*this, s, j);");
         } else {
-            writer.line("dHdq(s.Q[j], s.Lp[j]);").line("hvi::detail::scale(s.Lp[j], -s.hb[j]);");
+            writer.line("dHdq(s.Q[j]{}, s.Lp[j]);", system_.time ? ", t" : "");
+            writer.line("hvi::detail::scale(s.Lp[j], -s.hb[j]);");
             writer.line("s.drift(*this, j);");
         }
         writer.close();
@@ -165,36 +179,36 @@ private:
     void write_entries(Writer& writer, const HessianEntries& hessian) {
         writer.blank().comment("Adds the entries i, j of d2H/dq2 by out.add(i, j, value).", "/// ");
         writer.line("template <class Matrix>");
-        writer.open("void d2Hdq2([[maybe_unused]] const Vector& q_of, [[maybe_unused]] Matrix& "
-                    "out) const {{");
+        writer.open("void d2Hdq2([[maybe_unused]] const Vector& q_of{}, [[maybe_unused]] Matrix& "
+                    "out) const {{",
+                    time_argument());
         writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
         for (const SumEntries& entries : hessian.sums) { loops_.write_entries(writer, entries); }
         writer.close();
     }
 
     void write_products(Writer& writer, const HessianProducts& hessian) {
-        std::size_t count = 0;
-        for (const SystemSum& sum : hessian.sums) {
+        const std::vector<SumDerivatives> all = products_of_sums(system_, hessian);
+        for (const SumDerivatives& each : all) {
             writer.blank();
-            loops_.write_derivatives(writer, fmt::format("add_product_{}", ++count), sum, sum.by_q,
-                                     "way");
+            loops_.write_derivatives(writer, each);
         }
         writer.blank().line("/// out = d2H/dq2 way.");
         writer.open("void d2Hdq2([[maybe_unused]] const Vector& q, [[maybe_unused]] const Vector& "
-                    "way, Vector& out) const {{");
+                    "way{}, Vector& out) const {{",
+                    time_argument());
         writer.line("std::fill(out.begin(), out.end(), Scalar(0));");
-        count = 0;
-        for (const SystemSum& sum : hessian.sums) {
-            loops_.call_derivatives(writer, fmt::format("add_product_{}", ++count), sum, "q.data()",
-                                    "way.data()");
+        for (const SumDerivatives& each : all) {
+            loops_.call_derivatives(writer, each, "q.data()", "way.data()");
         }
         writer.close();
     }
 
-    void write_value(Writer& writer, const std::string& name, const std::vector<SystemSum>& sums) {
+    void write_value(Writer& writer, const std::string& name, const std::vector<SystemSum>& sums,
+                     std::string_view time = "") {
         writer.blank().open("[[nodiscard]] Scalar {}([[maybe_unused]] const Vector& q_of, "
-                            "[[maybe_unused]] const Vector& p_of) const {{",
-                            name);
+                            "[[maybe_unused]] const Vector& p_of{}) const {{",
+                            name, time);
         writer.line(
             "if (!fits(q_of, p_of)) {{ return std::numeric_limits<Scalar>::quiet_NaN(); }}");
         writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
@@ -205,7 +219,7 @@ private:
     }
 
     void write_values(Writer& writer) {
-        write_value(writer, "energy", system_.sums);
+        write_value(writer, "energy", system_.energy, time_argument());
         for (const SystemValue& invariant : system_.invariants) {
             write_value(writer, member_name(invariant.name), invariant.sums);
         }
@@ -400,11 +414,12 @@ std::string loop_members_text(const System& system, bool counts) {
         .line("return x;")
         .close();
     writer.line("[[nodiscard]] static State initial() {{ return initial(Parameters{{}}); }}");
-    const auto value = [&](const std::string& name, const Expression& expression) {
+    const auto value = [&](const std::string& name, const Expression& expression,
+                           std::string_view time = "") {
         writer.blank().comment(to_text(expression), "/// ");
         writer.line("/// Not a number where x does not have the size of the system.");
         writer.open("[[nodiscard]] Scalar {}(const State& x) const {{", name)
-            .line("return system_.{}(x.q, x.p);", name)
+            .line("return system_.{}(x.q, x.p{});", name, time)
             .close();
     };
     if (counts) {
@@ -412,7 +427,7 @@ std::string loop_members_text(const System& system, bool counts) {
         writer.line(
             "[[nodiscard]] std::int64_t evaluations() const {{ return system_.evaluations; }}");
     }
-    value("energy", system.expression);
+    value("energy", system.expression, system.time ? ", x.t" : "");
     for (const SystemValue& invariant : system.invariants) {
         value(member_name(invariant.name), invariant.expression);
     }

@@ -52,7 +52,8 @@ bool LoopWriter::goes_in_lanes(const SystemSum& sum) const {
     });
 }
 
-void LoopWriter::name_indices(NodeNames& locals, const std::vector<Loop>& loops) const {
+void LoopWriter::name_numbers(NodeNames& locals, const std::vector<Loop>& loops) const {
+    if (system_.time) { locals[*system_.time] = "t"; }
     for (Node node = 0; node < system_.graph.size(); ++node) {
         const Computation& computation = system_.graph.at(node);
         if (computation.operation != Operation::input) { continue; }
@@ -66,7 +67,7 @@ void LoopWriter::name_indices(NodeNames& locals, const std::vector<Loop>& loops)
 NodeNames LoopWriter::load(Writer& writer, const std::vector<std::size_t>& accesses,
                            const Kernel& kernel, const std::vector<Loop>& loops) {
     NodeNames locals;
-    name_indices(locals, loops);
+    name_numbers(locals, loops);
     std::size_t count = 0;
     for (const std::size_t a : accesses) {
         const Access& access = system_.accesses[a];
@@ -113,7 +114,7 @@ void LoopWriter::write_along(Writer& writer, const SystemSum& sum, const Kernel&
         }
     };
     load(false, "Scalar", "", "[", "]");
-    name_indices(locals, sum.loops);
+    name_numbers(locals, sum.loops);
     const std::string j = names_.index(inner);
     for (auto& [node, name] : locals) {
         if (system_.graph.at(node).name == inner) { name = fmt::format("stretch.indices({})", j); }
@@ -167,17 +168,18 @@ void LoopWriter::write_lanes(Writer& writer, const SystemSum& sum,
     }
 }
 
-void LoopWriter::write_derivatives(Writer& writer, const std::string& name, const SystemSum& sum,
-                                   const std::vector<AccessSlope>& slopes, std::string_view other) {
+void LoopWriter::write_derivatives(Writer& writer, const SumDerivatives& function) {
+    const SystemSum& sum = *function.sum;
+    const std::vector<AccessSlope>& slopes = *function.slopes;
     const bool in_lanes = goes_in_lanes(sum);
     const bool is_only_loop = sum.loops.size() == 1;
-    writer.open("void {0}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* {1}, "
-                "Scalar* out{2}) const {{",
-                name, other,
-                sum.loops.empty() ? ""
-                                  : fmt::format(", Place from, Place to"
-                                                "{}",
-                                                is_only_loop ? "" : ", Place stride"));
+    const std::string_view range = sum.loops.empty() ? ""
+                                   : is_only_loop    ? ", Place from, Place to"
+                                                     : ", Place from, Place to, Place stride";
+    writer.open("void {}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* {}, "
+                "{}Scalar* out{}) const {{",
+                function.name, function.other,
+                function.has_time ? "[[maybe_unused]] Scalar t, " : "", range);
     if (sum.loops.empty()) {
         write_body(writer, sum, slopes);
     } else if (in_lanes && is_only_loop) {
@@ -198,23 +200,26 @@ void LoopWriter::write_derivatives(Writer& writer, const std::string& name, cons
     writer.close();
 }
 
-void LoopWriter::call_derivatives(Writer& writer, const std::string& name, const SystemSum& sum,
+void LoopWriter::call_derivatives(Writer& writer, const SumDerivatives& function,
                                   std::string_view q, std::string_view other) {
+    const auto& [name, of, slopes, letter, has_time] = function;
+    const SystemSum& sum = *of;
+    const std::string arguments = fmt::format("{}, {}{}", q, other, has_time ? ", t" : "");
     if (sum.loops.empty()) {
-        writer.line("{}({}, {}, out.data());", name, q, other);
+        writer.line("{}({}, out.data());", name, arguments);
         return;
     }
     const LoopRange& range = sum.loops.front().range;
     const std::string first = names_.whole(range.first);
     const std::string end = names_.whole(range.last + AffineForm{1});
     if (sum.loops.size() == 1) {
-        writer.line("{}({}, {}, out.data(), {}, {});", name, q, other, first, end);
+        writer.line("{}({}, out.data(), {}, {});", name, arguments, first, end);
         return;
     }
     writer.line("hvi::detail::chunked(team_, {}, {}, out.data(), out.size(), memory_,", first, end);
     writer.open("    [&](Place from, Place to, Place "
                 "stride, Scalar* to_out) {{");
-    writer.line("{}({}, {}, to_out, from, to, stride);", name, q, other).close("});");
+    writer.line("{}({}, to_out, from, to, stride);", name, arguments).close("});");
 }
 
 void LoopWriter::write_entries(Writer& writer, const SumEntries& entries) {

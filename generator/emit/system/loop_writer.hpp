@@ -12,20 +12,27 @@
 
 namespace hvi::gen {
 
+/// A function that adds derivatives of a sum to `out`, for values of its first index from `first` to
+/// `last`. It looks at the array q, and at another one.
+struct SumDerivatives {
+    std::string name;
+    const SystemSum* sum;
+    const std::vector<AccessSlope>* slopes;
+    std::string_view other;  ///< `p`, or what second derivatives are multiplied by
+    bool has_time = false;   ///< among its arguments
+};
+
 /// Writes what is computed for each value of the indices of sums. Innermost loops go in lanes where
 /// all elements stand in a row or stay.
 class LoopWriter {
 public:
     LoopWriter(const System& system, LoopNames& names) : system_(system), names_(names) {}
 
-    /// A function that adds derivatives of a sum to `out`, for values of its first index from
-    /// `first` to `last`. It looks at the array q, and at another one.
-    void write_derivatives(Writer& writer, const std::string& name, const SystemSum& sum,
-                           const std::vector<AccessSlope>& slopes, std::string_view other);
+    void write_derivatives(Writer& writer, const SumDerivatives& function);
 
     /// The call of it for the whole sum, with these arrays.
-    void call_derivatives(Writer& writer, const std::string& name, const SystemSum& sum,
-                          std::string_view q, std::string_view other);
+    void call_derivatives(Writer& writer, const SumDerivatives& function, std::string_view q,
+                          std::string_view other);
 
     /// Adds the entries of a matrix to `out`.
     void write_entries(Writer& writer, const SumEntries& entries);
@@ -69,7 +76,8 @@ private:
     void open_loop(Writer& writer, const Loop& loop) const;
     [[nodiscard]] bool goes_in_lanes(const SystemSum& sum) const;
     [[nodiscard]] bool depends(std::size_t access, const std::string& index) const;
-    void name_indices(NodeNames& locals, const std::vector<Loop>& loops) const;
+    /// Names the indices of loops, and the time.
+    void name_numbers(NodeNames& locals, const std::vector<Loop>& loops) const;
 
     const System& system_;
     LoopNames& names_;

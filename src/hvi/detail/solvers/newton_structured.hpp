@@ -265,13 +265,18 @@ public:
     void correct(Coupled& coupled) {
         this->correct_by(
             coupled,
-            [&](const Vector& v, Vector& out) { coupled.hessian_times(places_.front(), v, out); },
+            [&](const Vector& v, Vector& out) {
+                coupled.hessian_at_start_times(places_.front(), v, out);
+            },
             [&](std::vector<Scalar>& x) {
                 products_.solve(
                     coupled, x,
                     [&](std::size_t j, const Vector& v, Vector& out) {
-                        coupled.hessian_times(places_.size() == 1 ? places_.front() : places_[j], v,
-                                              out);
+                        if (places_.size() == 1) {
+                            coupled.hessian_at_start_times(places_.front(), v, out);
+                        } else {
+                            coupled.hessian_times(j, places_[j], v, out);
+                        }
                     },
                     [](const std::vector<Scalar>&) {});
             });
