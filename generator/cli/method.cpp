@@ -140,28 +140,19 @@ MethodAndScene completed(Scene scene, const MethodOptions& options) {
     return {std::move(method), std::move(scene)};
 }
 
-/// NOTE: of a scene that is written out a parameter with the name of one of the method is fixed.
-/// Here it stays a member that a program may change, which the method would not see.
+/// The same of a scene whose sums stay loops.
 MethodAndLargeScene completed(IndexedScene scene, const Given& name, const MethodOptions& options) {
     Method method = method_for(options, scene.run.method, whole(name));
     for (Parameter& parameter : parameters_in(options.parameters)) {
         const bool is_of_scene = assign(scene, parameter);
         const bool is_of_method = has_parameter(method, parameter.name);
-        if (is_of_scene && is_of_method)
-            throw NoLoops(fmt::format("both the method and the scene have a parameter `{}`, which "
-                                      "is not built where sums stay loops",
-                                      parameter.name),
-                          parameter.place,
-                          "give one of the two another name, or write sums out: --unroll yes");
-        if (is_of_scene) {
-            scene.origin += parameter_option(parameter);
-        } else if (is_of_method) {
-            set_parameter(method, std::move(parameter));
-        } else {
+        if (!is_of_scene && !is_of_method)
             throw InputError(fmt::format("neither the method nor the scene has a parameter `{}`",
                                          parameter.name),
                              parameter.place);
-        }
+        if (!is_of_method) scene.origin += parameter_option(parameter);
+        if (is_of_scene && is_of_method) scene.fixed.insert(parameter.name);
+        if (is_of_method) set_parameter(method, std::move(parameter));
     }
     return {std::move(method), std::move(scene)};
 }

@@ -218,7 +218,6 @@ void LoopLowering::declare_parameters() {
     }
     resolve(numbers);
     for (Parameter& number : numbers) {
-        const Scaled node = system_.graph.input(number.name, Role::parameter);
         refuse_own_functions(number.value, number.source, "the value of a parameter");
         walk(number.value, [&](const Expression& part) {
             if (part.kind == Expression::Kind::symbol && !is_constant(part.name)) {
@@ -227,6 +226,11 @@ void LoopLowering::declare_parameters() {
             }
             return true;
         });
+        if (written_.fixed.count(number.name) != 0) {
+            symbols_[number.name] = lower(system_.graph, number.value, {}, number.source);
+            continue;
+        }
+        const Scaled node = system_.graph.input(number.name, Role::parameter);
         symbols_[number.name] = node;
         system_.parameters.push_back({number.name, std::move(number.value), node.node});
     }

@@ -56,12 +56,22 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
                          "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
 }
 
+/// Whether its equations are solved by Eigen's factors of sparse matrices.
+bool has_sparse_factors(const Step& step) {
+    const auto* velocities = std::get_if<VelocityStep>(&step.form);
+    return velocities != nullptr && velocities->iteration.takes_newton() &&
+           velocities->hessian == HessianForm::sparse;
+}
+
 /// Steps that vectors of any size do not have.
 void check_vectors(const Step& step, const Method& method, const StepperWishes& wishes,
                    const Place& place) {
-    if (step.from_parameter) {
-        throw NoLoops("methods with a free parameter are not built where sums stay loops",
-                      method.place, "give it a value, or write sums out: --unroll yes");
+    if (wishes.float128 && has_sparse_factors(step)) {
+        throw NoLoops("--float128 does not go with factors of sparse matrices, which Eigen "
+                      "computes in the numbers of C++",
+                      place,
+                      "--solver fixed-point needs none, where h is small against all periods; or "
+                      "write sums out: --unroll yes");
     }
     if (std::holds_alternative<GalerkinStep>(step.form)) {
         throw NoLoops("more nodes than functions are built where sums stay loops for a quadratic "
@@ -81,9 +91,6 @@ void check_vectors(const Step& step, const Method& method, const StepperWishes& 
 
 std::string wish_without_loops(const StepperWishes& wishes) {
     const std::pair<bool, const char*> all[] = {
-        {wishes.dense, "--dense"},
-        {wishes.action, "--action"},
-        {wishes.float128, "--float128"},
         {wishes.lanes.choice == Lanes::ensemble, "--lanes ensemble"},
         {wishes.lanes.choice == Lanes::stages, "--lanes stages"},
         {wishes.solver == Solver::newton_taylor, "--solver newton-taylor"},

@@ -99,6 +99,7 @@ struct IndexedScene {
     std::string origin;                    ///< as the command line has it
     std::filesystem::path directory;       ///< that paths of files are relative to
     std::vector<IndexedValue> parameters;  ///< no ValueRule and no RotationValue among them
+    std::set<std::string> fixed;           ///< parameters that a program cannot change
     OwnFunctions own;
     std::vector<Definition> definitions;
     std::vector<NamedIndexed> invariants;

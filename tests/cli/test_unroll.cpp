@@ -74,15 +74,45 @@ TEST_CASE(
         CHECK(refused.err.find("--unroll yes") != std::string::npos);
         check_form(refused.err);
     };
-    check(pairs(" + x[1]*sin(t)"), {}, "an H that depends on the time has no loops");
     check(pairs(" + sum(i=1..N, x[i])*sum(i=1..N, p[i])"), {}, "a product of two sums");
-    check(pairs(""), {"--dense"}, "--dense is not built for loops");
+    check(pairs(""), {"--method", "stormer-verlet", "--lanes", "ensemble"},
+          "--lanes ensemble is not built for loops");
+    check(pairs(" + sum(i=1..N, p[i]^4)"), {"--basis", "1, tau", "--nodes", "gauss:3"},
+          "more nodes than functions");
+}
+
+TEST_CASE("loops have the time, curves, actions, wide numbers and parameters of methods") {
+    const auto check = [](const std::string& scene, const std::vector<std::string>& words) {
+        const Outcome outcome = stepper_of_pairs(scene, words);
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        CHECK(has_loops(outcome));
+    };
+    check(pairs(" + x[1]*sin(t)"), {});
+    check(pairs(""), {"--dense"});
+    check(pairs(""), {"--action"});
+    check(pairs(""), {"--float128"});
     std::vector<std::string> words = basis_with_w;
-    check(pairs(""), words, "methods with a free parameter");
+    check(pairs(""), words);
     words.insert(words.end(), {"--param", "w=2"});
-    check(pairs(""), words, "both the method and the scene have a parameter `w`");
-    words = {"--basis", "1, tau", "--nodes", "gauss:3"};
-    check(pairs(" + sum(i=1..N, p[i]^4)"), words, "more nodes than functions");
+    check(pairs(""), words);
+}
+
+TEST_CASE("factors of sparse matrices are not computed in __float128") {
+    const Directory directory;
+    write(directory / "plane.toml",
+          "coordinates = \"x[1..N,1..N]\"\nmomenta = \"p[1..N,1..N]\"\nhamiltonian = "
+          "\"sum(i=1..N, j=1..N, p[i,j]^2/2 + (x[mod(i,N)+1,j]-x[i,j])^2/2)\"\n[parameters]\nN = "
+          "5\n[initial]\n\"x[i,j]\" = \"i/10\"\n\"p[i,j]\" = 0\n");
+    std::vector<std::string> words{"stepper",    "plane.toml", "--method", "gauss:2",
+                                   "--float128", "--unroll",   "no"};
+    const Outcome refused = hvi_gen(words, directory.path());
+    INFO(refused.err);
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find("--float128 does not go with factors") != std::string::npos);
+    check_form(refused.err);
+    words.insert(words.end(), {"--solver", "fixed-point"});
+    CHECK(hvi_gen(words, directory.path()).status == 0);
 }
 
 TEST_CASE("a report keeps loops, and refuses a method that these do not have") {

@@ -164,17 +164,21 @@ std::string curve_table(const Step& step, const Curve& curve, std::string_view l
     return writer.str();
 }
 
-std::string curve_text(const Curve& curve, std::size_t slopes, std::string_view chord,
+std::string curve_text(const Step& step, const Curve& curve, std::size_t slopes,
+                       std::string_view chord,
                        const std::function<std::string(std::size_t)>& slope) {
     Writer writer(1);
     writer.comment(comment(curve), "/// ")
         .open("[[nodiscard]] Vector position(Scalar tau) const {{");
-    writer.line("if (!s_.has_ended()) {{ return hvi::detail::nowhere<Vector>(); }}");
+    const bool is_any_size = step.container == Container::vectors;
+    writer.line("if (!s_.has_ended()) {{ return hvi::detail::nowhere{}; }}",
+                is_any_size ? "(Vector(system_.size()))" : "<Vector>()");
     if (!is_straight(curve)) {
         writer.line("const auto bend = hvi::detail::departures(curve, {});",
                     curve.A.empty() ? "tau" : "tau, curve_terms(tau), curve_terms(1)");
     }
-    writer.line("Vector q{{}};").open("for (Index k = 0; k < s_.at.q.size(); ++k) {{");
+    writer.line("Vector q{};", is_any_size ? " = s_.at.q" : "{}");
+    writer.open("for (Index k = 0; k < s_.at.q.size(); ++k) {{");
     writer.line("const Scalar to_end = (1 - tau) * ({});", chord);
     std::string sum = "-to_end";
     for (std::size_t i = 0; i < slopes && !is_straight(curve); ++i) {

@@ -63,14 +63,15 @@ std::string curve_tables(const Step& step, const GalerkinStep& form, const Scene
     return writer.str();
 }
 
-void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWishes& wishes) {
+void add_position(ImplicitParts& parts, const Step& step, const GalerkinStep& form,
+                  const SceneWishes& wishes) {
     if (!wishes.curve) { return; }
     const auto W = [](std::size_t j) { return fmt::format("s_.W[{}][k]", j); };
     std::string chord;
     for (std::size_t j = 0; j < form.form.functions(); ++j) {
         chord += fmt::format("{}B[{}] * {}", j == 0 ? "" : " + ", j, W(j));
     }
-    parts.curve = curve_text(*wishes.curve, form.form.functions(), chord, W);
+    parts.curve = curve_text(step, *wishes.curve, form.form.functions(), chord, W);
 }
 
 bool has_adjoint(const Step& step) {

@@ -20,7 +20,8 @@ namespace hvi::gen {
                                        const SceneWishes& wishes);
 
 /// Adds position(tau) where it is wished for; its table is one of `curve_tables`.
-void add_position(ImplicitParts& parts, const GalerkinStep& form, const SceneWishes& wishes);
+void add_position(ImplicitParts& parts, const Step& step, const GalerkinStep& form,
+                  const SceneWishes& wishes);
 
 // ---- every second step one of the adjoint ----
 

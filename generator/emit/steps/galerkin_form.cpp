@@ -181,7 +181,7 @@ ImplicitParts parts(const Step& step, const GalerkinStep& form, const SceneWishe
     parts.predict = prediction(step, form);
     parts.coupled = coupled_curve(step, form);
     parts.members = members_of_curves(step, form);
-    add_position(parts, form, wishes);
+    add_position(parts, step, form, wishes);
     if (wishes.action) { add_action(parts, step, form); }
     return parts;
 }

@@ -95,7 +95,8 @@ constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix&
 
 /// The member position(tau). `chord` is the increment of the step, `slopes` how many the table is
 /// for, and `slope(i)` component k of slope i of those that the table is for.
-[[nodiscard]] std::string curve_text(const Curve& curve, std::size_t slopes, std::string_view chord,
+[[nodiscard]] std::string curve_text(const Step& step, const Curve& curve, std::size_t slopes,
+                                     std::string_view chord,
                                      const std::function<std::string(std::size_t)>& slope);
 
 /// Adds the members generating_function() and action(), and the private one that they are made of,

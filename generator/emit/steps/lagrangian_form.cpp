@@ -170,7 +170,7 @@ ImplicitParts lagrangian_parts(const Step& step, const GalerkinStep& form,
     parts.predict = prediction_of_lagrangian(step, form);
     parts.coupled = coupled_lagrangian(step, form);
     parts.members = members_of_lagrangian(step, form);
-    add_position(parts, form, wishes);
+    add_position(parts, step, form, wishes);
     if (wishes.action) { add_action(parts, step, form); }
     return parts;
 }

@@ -258,7 +258,7 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
     parts.members = members_of_lanes(step, "VelocityLanes");
     if (wishes.curve) {
         parts.curve =
-            curve_text(*wishes.curve, step.positions.size(),
+            curve_text(step, *wishes.curve, step.positions.size(),
                        "s_.increment_q(cn_lanes, static_cast<std::size_t>(k))", [](std::size_t i) {
                            return fmt::format("s_.W[static_cast<std::size_t>(k)][{}]", i);
                        });
@@ -424,7 +424,7 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
     parts.members = members_of_lanes(step, "StageLanes");
     if (wishes.curve) {
         parts.curve = curve_text(
-            *wishes.curve, step.momenta.size(), "s_.increment_q(static_cast<std::size_t>(k))",
+            step, *wishes.curve, step.momenta.size(), "s_.increment_q(static_cast<std::size_t>(k))",
             [](std::size_t i) { return fmt::format("s_.Lq[static_cast<std::size_t>(k)][{}]", i); });
     }
     return parts;

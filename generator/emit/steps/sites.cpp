@@ -48,6 +48,9 @@ std::string emit_sites(const OneStepMethod& method, const Step& step, const Emit
     const System& system = *options.system;
     const SystemPart part = system_part(method, step, options);
     const std::vector<Move> all = moves(step);
+    // NOTE: the stepper itself knows how many evaluations it takes.
+    SceneWishes members = options.wishes;
+    members.evaluations = false;
     const std::string include = include_of_files(system) + own_includes(system.own_headers) +
                                 "#include <hvi/detail/coefficients/rounded.hpp>\n"
                                 "#include <hvi/detail/lanes/lane_functions.hpp>\n"
@@ -62,8 +65,9 @@ std::string emit_sites(const OneStepMethod& method, const Step& step, const Emit
                  {"format", std::to_string(hvi::runtime_format)},
                  {"name", part.class_name},
                  {"purpose", part.purpose},
+                 {"condition", part.condition},
                  {"types", part.types},
-                 {"members", loop_members_text(system, false)},
+                 {"members", scene_members_text(system, members, step)},
                  {"weights", weights_text(step)},
                  {"moves", moves_text(step)},
                  {"forces", forces_of(all, "run.steps")},

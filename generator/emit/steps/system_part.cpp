@@ -133,32 +133,43 @@ std::string types_for_scene(const Step& step, const EmitOptions& options) {
     return writer.blank().str();
 }
 
+/// Whether the free parameter of the method is one of the scene.
+bool shares_parameter(const Step& step, const System& system) {
+    const std::string& name = step.from_parameter->numbers.parameter;
+    return std::any_of(system.parameters.begin(), system.parameters.end(),
+                       [&](const SystemParameter& parameter) { return parameter.name == name; });
+}
+
 /// NOTE: two constructors, since a default argument would need Parameters to be complete.
 std::string constructors_for_scene(const Step& step, const EmitOptions& options,
                                    std::string_view class_name) {
     Writer writer(1);
-    const std::string_view constant = constant_if_explicit(step);
-    const std::vector<SystemParameter>& parameters = options.system->parameters;
+    const bool is_any_size = step.container == Container::vectors;
+    const std::string_view constant = is_any_size ? "" : constant_if_explicit(step);
+    const std::string_view threads = is_any_size ? ", unsigned threads = 1" : "";
+    const std::string_view system = is_any_size ? "parameters, threads" : "parameters";
+    const auto about_threads = [&] {
+        if (is_any_size) { writer.line("/// `threads`: 0 for as many as there are processors."); }
+    };
     if (!step.from_parameter) {
         writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
-        writer.line("{}explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
-                    constant, class_name);
-        return writer.blank()
-            .insert(scene_members_text(*options.system, options.wishes, step))
-            .str();
+        about_threads();
+        writer.line("{}explicit {}(const Parameters& parameters{}) : system_({}) {{}}", constant,
+                    class_name, threads, system);
+    } else {
+        const bool is_of_scene = shares_parameter(step, *options.system);
+        const std::string parameter =
+            is_of_scene ? "parameters." + member_name(step.from_parameter->numbers.parameter)
+                        : "parameter";
+        writer.comment(fmt::format("`{}`: for w = omega h of a basis that is fitted to the "
+                                   "frequency omega and steps of size h. See status().",
+                                   parameter),
+                       "/// ");
+        about_threads();
+        writer.line("{}(const Parameters& parameters{}{})", class_name,
+                    is_of_scene ? "" : ", Scalar parameter", threads);
+        writer.line("    : system_({}), coefficients_({}) {{}}", system, parameter);
     }
-    const std::string& name = step.from_parameter->numbers.parameter;
-    const bool is_of_scene =
-        std::any_of(parameters.begin(), parameters.end(),
-                    [&](const SystemParameter& parameter) { return parameter.name == name; });
-    writer.comment(fmt::format("`{}`: for w = omega h of a basis that is fitted to the frequency "
-                               "omega and steps of size h. See status().",
-                               is_of_scene ? "parameters." + member_name(name) : "parameter"),
-                   "/// ");
-    writer.line("{}(const Parameters& parameters{})", class_name,
-                is_of_scene ? "" : ", Scalar parameter");
-    writer.line("    : system_(parameters), coefficients_({}) {{}}",
-                is_of_scene ? "parameters." + member_name(name) : "parameter");
     return writer.blank().insert(scene_members_text(*options.system, options.wishes, step)).str();
 }
 
@@ -228,46 +239,47 @@ std::string include_of_loops(const System& system, const Step& step) {
     return text;
 }
 
-std::string constructors_for_loops(const System& system, bool counts,
-                                   const std::string& class_name) {
+/// The scene, its method and its numbers.
+std::string purpose_for_loops(const Provenance& provenance, const EmitOptions& options) {
+    const System& system = *options.system;
+    Writer writer(0);
+    writer.comment(
+        fmt::format("The scene {} of any size with {}, computed in Number: {}. States hold "
+                    "std::vector.",
+                    system.name, provenance.name.empty() ? "a method of its own" : provenance.name,
+                    numbers(options.wishes)),
+        "/// ");
+    if (!system.description.empty()) { writer.comment(system.description, "/// "); }
+    return writer.str();
+}
+
+/// The public types up to the scene's System, and the solver.
+std::string types_for_loops(const Step& step, const EmitOptions& options) {
+    const System& system = *options.system;
+    // NOTE: sweeps over sites know how many they take.
+    const bool counts = options.wishes.evaluations && step.layout != Layout::sites;
     Writer writer(1);
-    writer.line("{0}() : {0}(Parameters{{}}) {{}}", class_name);
-    writer.line("/// `threads`: 0 for as many as there are processors.");
-    writer.line("explicit {}(const Parameters& parameters, unsigned threads = 1) : "
-                "system_(parameters, threads) {{}}",
-                class_name);
-    return writer.blank().insert(loop_members_text(system, counts)).str();
+    writer.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
+    writer.line("using Place = std::ptrdiff_t;").blank();
+    writer.insert(parameters_text(system)).blank();
+    writer.insert(loop_system_text(system, step, counts)).blank();
+    if (step.iteration() != nullptr) {
+        writer.line("using Solver = {};", solver_type(step)).blank();
+    }
+    return writer.str();
 }
 
 SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitOptions& options) {
     const System& system = *options.system;
-    // NOTE: sweeps over sites know how many they take.
-    const bool counts = options.wishes.evaluations && step.layout != Layout::sites;
     SystemPart part;
     part.include = own_includes(system.own_headers) + include_of_loops(system, step);
-    Writer purpose(0);
-    purpose.comment(
-        fmt::format("The scene {} of any size with {}, computed in Number: float, double or long "
-                    "double. States hold std::vector.",
-                    system.name, provenance.name.empty() ? "a method of its own" : provenance.name),
-        "/// ");
-    if (!system.description.empty()) { purpose.comment(system.description, "/// "); }
-    part.purpose = purpose.str();
+    part.purpose = purpose_for_loops(provenance, options);
     part.head = "template <class Number>";
     part.class_name = "Basic" + options.class_name;
-    part.condition = "static_assert(hvi::detail::is_standard<Number>,\n"
-                     "              \"hvi: a scene is computed in float, double or long double\");";
-    Writer types(1);
-    types.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
-    types.line("using Place = std::ptrdiff_t;").blank();
-    types.insert(loop_parameters_text(system)).blank();
-    types.insert(loop_system_text(system, step, counts)).blank();
-    if (step.iteration() != nullptr) {
-        types.line("using Solver = {};", solver_type(step)).blank();
-    }
-    part.types = types.str();
+    part.condition = condition_on_numbers(options.wishes);
+    part.types = types_for_loops(step, options);
     part.state = state_type(step);
-    part.construct = constructors_for_loops(system, counts, part.class_name);
+    part.construct = constructors_for_scene(step, options, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;
 }

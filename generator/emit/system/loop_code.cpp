@@ -45,8 +45,7 @@ std::vector<SumDerivatives> derivatives(const System& system, bool by_q) {
 }
 
 /// d2H/dq2 times a vector, sum by sum.
-std::vector<SumDerivatives> products_of_sums(const System& system,
-                                             const HessianProducts& hessian) {
+std::vector<SumDerivatives> products_of_sums(const System& system, const HessianProducts& hessian) {
     std::vector<SumDerivatives> result;
     for (const SystemSum& sum : hessian.sums) {
         result.push_back({fmt::format("add_product_{}", result.size() + 1), &sum, &sum.by_q, "way",
@@ -378,60 +377,8 @@ bool scatters(const System& system, const Step& step) {
     return !system.sites || (takes_second(step) && products != nullptr && !products->sums.empty());
 }
 
-std::string loop_parameters_text(const System& system) {
-    Writer writer(1);
-    writer.line("/// As the scene has them.").open("struct Parameters {{");
-    for (const SystemSize& size : system.sizes) {
-        writer.line("Place {} = {};", member_of(size.name), size.value);
-    }
-    for (const SystemParameter& parameter : system.parameters) {
-        writer.line("Scalar {} = {};  // {} = {}", member_of(parameter.name),
-                    initializer(parameter.value), parameter.name, to_text(parameter.value));
-    }
-    for (const SystemTable& table : system.tables) {
-        const auto* values = std::get_if<std::vector<Expression>>(&table.values);
-        if (values == nullptr) { continue; }
-        writer.open("std::vector<Scalar> {} = hvi::detail::listed<Scalar>({{",
-                    member_of(table.family.name));
-        for (const Expression& value : *values) { writer.line("{},", initializer(value)); }
-        writer.close("});");
-    }
-    write_numbers_in_files(writer, system);
-    return writer.close("};").str();
-}
-
 std::string loop_system_text(const System& system, const Step& step, bool counts) {
     return SystemClass(system, step, counts).text();
-}
-
-std::string loop_members_text(const System& system, bool counts) {
-    Writer writer(1);
-    write_reading(writer, system);
-    writer.line("/// Where the scene begins; empty where a list does not fit its sizes.");
-    writer.open("[[nodiscard]] static State initial(const Parameters& parameters) {{")
-        .line("State x;")
-        .line("System(parameters).begin({}x.q, x.p);", begins_in_file(system) ? "parameters, " : "")
-        .line("return x;")
-        .close();
-    writer.line("[[nodiscard]] static State initial() {{ return initial(Parameters{{}}); }}");
-    const auto value = [&](const std::string& name, const Expression& expression,
-                           std::string_view time = "") {
-        writer.blank().comment(to_text(expression), "/// ");
-        writer.line("/// Not a number where x does not have the size of the system.");
-        writer.open("[[nodiscard]] Scalar {}(const State& x) const {{", name)
-            .line("return system_.{}(x.q, x.p{});", name, time)
-            .close();
-    };
-    if (counts) {
-        writer.blank().line("/// How often dH/dq was evaluated.");
-        writer.line(
-            "[[nodiscard]] std::int64_t evaluations() const {{ return system_.evaluations; }}");
-    }
-    value("energy", system.expression, system.time ? ", x.t" : "");
-    for (const SystemValue& invariant : system.invariants) {
-        value(member_name(invariant.name), invariant.expression);
-    }
-    return writer.str();
 }
 
 }  // namespace hvi::gen

@@ -12,14 +12,8 @@ namespace hvi::gen {
 /// Whether something is scattered: added where it belongs, one summand after the other.
 [[nodiscard]] bool scatters(const System& system, const Step& step);
 
-/// `struct Parameters`, with sizes, numbers and tables of the scene as defaults.
-[[nodiscard]] std::string loop_parameters_text(const System& system);
-
 /// `struct System`: what a stepper needs of H, with loops where the scene has sums; `counts`:
 /// evaluations of dH/dq are counted.
 [[nodiscard]] std::string loop_system_text(const System& system, const Step& step, bool counts);
-
-/// `static State initial(...)`, the energy and the invariants, as members of a stepper.
-[[nodiscard]] std::string loop_members_text(const System& system, bool counts);
 
 }  // namespace hvi::gen

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 
+#include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/rotation_code.hpp"
 #include "generator/emit/text/constants.hpp"
 #include "generator/emit/text/names.hpp"
@@ -36,6 +37,31 @@ std::vector<ParameterMember> members_of(const std::vector<SystemParameter>& para
     return members;
 }
 
+void write_parameter(Writer& writer, const ParameterMember& member) {
+    const auto line = [&](const SystemParameter& parameter, std::string_view begin,
+                          std::string_view end) {
+        writer.line("{}{}{}  // {} = {}", begin, initializer(parameter.value), end, parameter.name,
+                    to_text(parameter.value));
+    };
+    if (!member.is_array) {
+        line(*member.parameters.front(), fmt::format("Scalar {} = ", member.name), ";");
+        return;
+    }
+    writer.open("std::array<Scalar, {}> {}{{{{", member.parameters.size(), member.name);
+    for (const SystemParameter* parameter : member.parameters) { line(*parameter, "", ","); }
+    writer.close("}};");
+}
+
+/// NOTE: numbers of a file are a member of their own.
+void write_table(Writer& writer, const SystemTable& table) {
+    const auto* values = std::get_if<std::vector<Expression>>(&table.values);
+    if (values == nullptr) { return; }
+    writer.open("std::vector<Scalar> {} = hvi::detail::listed<Scalar>({{",
+                member_name(table.family.name));
+    for (const Expression& value : *values) { writer.line("{},", initializer(value)); }
+    writer.close("});");
+}
+
 /// What begins at the initial data: a State, where that is not several.
 std::string_view state_of_one(const Step& step) {
     return step.layout == Layout::trajectories ? "Trajectory" : "State";
@@ -65,40 +91,37 @@ void write_member(Writer& writer, std::string_view doc, std::string_view state,
         .blank();
 }
 
-void write_initial(Writer& writer, const System& system, std::string_view state) {
-    writer.line("/// Where the scene begins.");
-    if (rotations_of(system) > 0) {
-        writer.open("[[nodiscard]] static {} initial(const Parameters& parameters) {{", state)
-            .line("hvi::detail::ChartState<Space> at;")
-            .line("System::begin(parameters, at.q, at.p);")
-            .line("{} x;", state)
-            .line("set(x, at);")
-            .line("return x;")
-            .close();
-        writer.line("[[nodiscard]] static {} initial() {{ return initial(Parameters{{}}); }}",
-                    state);
-    } else if (system.side == Side::lagrangian) {
-        writer.open("[[nodiscard]] static {} initial(const Parameters& parameters) {{", state)
-            .line("{} x;", state)
-            .line("Vector v{{}};")
-            .line("System::begin(parameters, x.q, v);")
-            .line("System(parameters).dLdv(x.q, v{}, x.p);", system.time ? ", x.t" : "")
-            .line("return x;")
-            .close();
-        writer.line("[[nodiscard]] static {} initial() {{ return initial(Parameters{{}}); }}",
-                    state);
-    } else {
-        writer
-            .open("[[nodiscard]] static constexpr {} initial(const Parameters& parameters) {{",
-                  state)
-            .line("{} x;", state)
-            .line("System::begin(parameters, x.q, x.p);")
-            .line("return x;")
-            .close();
-        writer.line(
-            "[[nodiscard]] static constexpr {} initial() {{ return initial(Parameters{{}}); }}",
-            state);
+/// The lines between the declaration of a state x and its return.
+std::vector<std::string> lines_of_start(const System& system, std::string_view state) {
+    const std::string x = fmt::format("{} x;", state);
+    if (!system.is_written_out()) {
+        return {x, fmt::format("System(parameters).begin({}x.q, x.p);",
+                               begins_in_file(system) ? "parameters, " : "")};
     }
+    if (rotations_of(system) > 0) {
+        return {"hvi::detail::ChartState<Space> at;", "System::begin(parameters, at.q, at.p);", x,
+                "set(x, at);"};
+    }
+    if (system.side == Side::lagrangian) {
+        return {x, "Vector v{};", "System::begin(parameters, x.q, v);",
+                fmt::format("System(parameters).dLdv(x.q, v{}, x.p);", system.time ? ", x.t" : "")};
+    }
+    return {x, "System::begin(parameters, x.q, x.p);"};
+}
+
+void write_initial(Writer& writer, const System& system, std::string_view state) {
+    const bool is_any_size = !system.is_written_out();
+    const bool is_constant =
+        !is_any_size && rotations_of(system) == 0 && system.side == Side::hamiltonian;
+    const std::string_view constant = is_constant ? "constexpr " : "";
+    writer.line("/// Where the scene begins{}.",
+                is_any_size ? "; empty where a list does not fit its sizes" : "");
+    writer.open("[[nodiscard]] static {}{} initial(const Parameters& parameters) {{", constant,
+                state);
+    for (const std::string& line : lines_of_start(system, state)) { writer.line("{}", line); }
+    writer.line("return x;").close();
+    writer.line("[[nodiscard]] static {}{} initial() {{ return initial(Parameters{{}}); }}",
+                constant, state);
     writer.blank();
 }
 
@@ -168,22 +191,16 @@ NodeNames parameter_names(const System& system) {
 std::string parameters_text(const System& system) {
     Writer writer(1);
     writer.line("/// As the scene has them.").open("struct Parameters {{");
-    for (const ParameterMember& member : members_of(system.parameters)) {
-        const auto line = [&](const SystemParameter& parameter, std::string_view begin,
-                              std::string_view end) {
-            writer.line("{}{}{}  // {} = {}", begin, initializer(parameter.value), end,
-                        parameter.name, to_text(parameter.value));
-        };
-        if (member.is_array) {
-            writer.open("std::array<Scalar, {}> {}{{{{", member.parameters.size(), member.name);
-            for (const SystemParameter* parameter : member.parameters) {
-                line(*parameter, "", ",");
-            }
-            writer.close("}};");
-        } else {
-            line(*member.parameters.front(), fmt::format("Scalar {} = ", member.name), ";");
+    if (!system.is_written_out()) {
+        for (const SystemSize& size : system.sizes) {
+            writer.line("Place {} = {};", member_name(size.name), size.value);
         }
     }
+    for (const ParameterMember& member : members_of(system.parameters)) {
+        write_parameter(writer, member);
+    }
+    for (const SystemTable& table : system.tables) { write_table(writer, table); }
+    write_numbers_in_files(writer, system);
     return writer.close("};").str();
 }
 
@@ -191,17 +208,22 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
     const std::string_view state = state_of_one(step);
     const bool has_velocities = system.side == Side::lagrangian;
     const StateArguments arguments = arguments_of(system);
+    const std::string_view unless_it_fits =
+        system.is_written_out() ? "" : "; not a number where x does not have the system's size";
+    const auto doc = [&](const std::string& text) { return text + std::string(unless_it_fits); };
     Writer writer(1);
+    write_reading(writer, system);
     if (!system.initial.empty()) { write_initial(writer, system, state); }
     if (has_velocities) { write_velocity(writer, system, state); }
     if (wishes.energy) {
-        write_member(writer, has_velocities ? "v dL/dv - L" : "H = " + to_text(system.expression),
+        write_member(writer,
+                     doc(has_velocities ? "v dL/dv - L" : "H = " + to_text(system.expression)),
                      state, "energy", arguments, system.time ? ", x.t" : "");
     }
     if (wishes.invariants) {
         for (const SystemValue& invariant : system.invariants) {
-            write_member(writer, to_text(invariant.expression), state, member_name(invariant.name),
-                         arguments);
+            write_member(writer, doc(to_text(invariant.expression)), state,
+                         member_name(invariant.name), arguments);
         }
     }
     if (wishes.evaluations) {

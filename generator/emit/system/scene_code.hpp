@@ -45,7 +45,7 @@ void check_members(const Scene& scene, const SceneWishes& wishes);
 /// The parameters where `parameters` is an object of the struct.
 [[nodiscard]] NodeNames parameter_names(const System& system);
 
-/// `struct Parameters`, with the values of the scene as defaults.
+/// `struct Parameters`, with numbers, tables and sizes of the scene as defaults.
 [[nodiscard]] std::string parameters_text(const System& system);
 
 /// The constant of a System that tells whether its K is diagonal.

@@ -142,6 +142,16 @@ private:
         return entries_[i * (3 * w_ + 1) + (j + w_ - i)];
     }
 
+    /// Of a complex number the sum of the sizes of its parts, as pivots are compared.
+    template <class Real>
+    [[nodiscard]] static Real size(const Real& x) {
+        return abs(x);
+    }
+    template <class Real>
+    [[nodiscard]] static Real size(const std::complex<Real>& x) {
+        return abs(x.real()) + abs(x.imag());
+    }
+
     /// One behind the last of k and those before it.
     [[nodiscard]] std::size_t end(std::size_t k) const { return std::min(k + 1, n_); }
 
@@ -149,15 +159,15 @@ private:
     [[nodiscard]] bool eliminate(std::size_t k) {
         std::size_t row = k;
         for (std::size_t i = k + 1; i < end(k + w_); ++i) {
-            if (std::abs(at(i, k)) > std::abs(at(row, k))) { row = i; }
+            if (size(at(i, k)) > size(at(row, k))) { row = i; }
         }
         pivots_[k] = row;
         // NOTE: what was eliminated from the two rows before stays where it is, see solve().
         for (std::size_t j = k; row != k && j < end(k + 2 * w_); ++j) {
             std::swap(at(k, j), at(row, j));
         }
-        const auto size = std::abs(at(k, k));
-        if (!(size > 0) || !detail::is_finite(size)) { return false; }
+        const auto pivot = size(at(k, k));
+        if (!(pivot > 0) || !detail::is_finite(pivot)) { return false; }
         at(k, k) = Number(1) / at(k, k);
         for (std::size_t i = k + 1; i < end(k + w_); ++i) {
             at(i, k) = product(at(i, k), at(k, k));

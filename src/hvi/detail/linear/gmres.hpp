@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/numbers/math.hpp>
 
 namespace hvi::detail {
 
@@ -60,7 +60,7 @@ private:
         for (std::size_t i = 0; i < x.size(); ++i) { sum += x[i] * y[i]; }
         return sum;
     }
-    [[nodiscard]] static Scalar norm(const std::vector<Scalar>& x) { return std::sqrt(dot(x, x)); }
+    [[nodiscard]] static Scalar norm(const std::vector<Scalar>& x) { return math::sqrt(dot(x, x)); }
 
     /// Sets step_ to what lessens the residual most among the first products with it.
     template <class Apply, class Precondition>
@@ -105,7 +105,7 @@ private:
             h_[i][k] = cosine_[i] * above + sine_[i] * below;
             h_[i + 1][k] = cosine_[i] * below - sine_[i] * above;
         }
-        const Scalar radius = std::sqrt(h_[k][k] * h_[k][k] + length * length);
+        const Scalar radius = math::sqrt(h_[k][k] * h_[k][k] + length * length);
         cosine_[k] = radius > 0 ? h_[k][k] / radius : Scalar(1);
         sine_[k] = radius > 0 ? length / radius : Scalar(0);
         h_[k][k] = radius;

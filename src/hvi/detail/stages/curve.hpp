@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/stages/system.hpp>
 
 namespace hvi::detail {
 
@@ -46,12 +47,12 @@ template <class Scalar, std::size_t slopes, std::size_t functions>
     return sums;
 }
 
-/// A vector of NaN.
+/// As many NaN as v has numbers.
 template <class Vector>
-[[nodiscard]] Vector nowhere() {
+[[nodiscard]] Vector nowhere(Vector v = {}) {
     // NOTE: that of float, as of __float128 the standard library may know none.
-    Vector v{};
-    v.fill(static_cast<ScalarOf<Vector>>(std::numeric_limits<float>::quiet_NaN()));
+    const auto nan = static_cast<ScalarOf<Vector>>(std::numeric_limits<float>::quiet_NaN());
+    for (IndexOf<Vector> k = 0; k < v.size(); ++k) { v[k] = nan; }
     return v;
 }
 
