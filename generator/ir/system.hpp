@@ -75,6 +75,7 @@ struct System {
     std::filesystem::path directory;  ///< of the scene
     Side side = Side::hamiltonian;
     Expression expression;                 ///< of the function, as it was written
+    bool is_transformed = false;           ///< that is an L, and H its Legendre transform
     std::vector<std::string> own_headers;  ///< of functions of the user's own
 
     std::vector<SystemSize> sizes;

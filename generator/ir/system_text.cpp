@@ -296,6 +296,9 @@ std::string variables(const System& system) {
 
 std::string dump(const System& system) {
     std::string result = line("scene", system.name) + variables(system);
+    if (system.is_transformed) {
+        result += line("H = p v - L, where L", to_text(system.expression));
+    }
     for (const SystemParameter& parameter : system.parameters) {
         result += line("parameter " + parameter.name, to_text(parameter.value));
     }

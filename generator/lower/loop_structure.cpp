@@ -119,7 +119,7 @@ HessianForm hessian_form(const System& system, Kinetic kinetic, bool is_quadrati
 
 // ---- second derivatives ----
 
-SumEntries entries_of(System& system, const SystemSum& sum) {
+SumEntries second_entries(System& system, const SystemSum& sum) {
     SumEntries result{sum.loops, sum.accesses, {}};
     const std::vector<AccessSlope> slopes = sum.by_q;
     for (const AccessSlope& row : slopes) {
@@ -164,7 +164,7 @@ SystemSum product_of(System& system, const SystemSum& sum) {
     return result;
 }
 
-Structure structure(System& system) {
+Structure structure_of_sums(System& system) {
     Structure result;
     result.is_separable = is_separable(system) && is_kinetic_autonomous(system);
     if (!result.is_separable) { return result; }
@@ -192,7 +192,7 @@ SecondOrder second_order(System& system) {
             SystemSum product = product_of(system, sum);
             if (!product.by_q.empty()) { products.sums.push_back(std::move(product)); }
         } else {
-            SumEntries of_sum = entries_of(system, sum);
+            SumEntries of_sum = second_entries(system, sum);
             if (!of_sum.entries.empty()) { entries.sums.push_back(std::move(of_sum)); }
         }
     }
@@ -202,7 +202,7 @@ SecondOrder second_order(System& system) {
 }  // namespace
 
 System with_loop_structure(System system) {
-    system.structure = structure(system);
+    system.structure = structure_of_sums(system);
     if (system.structure.kinetic_is_quadratic) { system.second = second_order(system); }
     return system;
 }

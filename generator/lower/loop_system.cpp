@@ -10,6 +10,7 @@
 #include "generator/lower/accesses.hpp"
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/element_ranges.hpp"
+#include "generator/lower/loop_legendre.hpp"
 #include "generator/lower/loop_structure.hpp"
 #include "generator/lower/loop_terms.hpp"
 #include "generator/lower/lower.hpp"
@@ -30,19 +31,6 @@ struct Named {
     FamilyKind kind;
     std::size_t number;
 };
-
-std::string text_of(const ElementIndex& index) {
-    if (!index.modulus) { return to_text(index.form); }
-    const std::string rest =
-        fmt::format("mod({}, {})", to_text(index.form), to_text(*index.modulus));
-    return index.offset == AffineForm{} ? rest : rest + " + " + to_text(index.offset);
-}
-
-std::string text_of(const std::string& name, const std::vector<ElementIndex>& indices) {
-    std::vector<std::string> texts;
-    for (const ElementIndex& index : indices) { texts.push_back(text_of(index)); }
-    return fmt::format("{}[{}]", name, fmt::join(texts, ","));
-}
 
 NumbersInFile numbers_in(const ValueFile& file) { return {file.path, file.column.value_or("")}; }
 
@@ -106,10 +94,6 @@ private:
 // ---- names ----
 
 void LoopLowering::refuse_what_has_no_loops() const {
-    if (written_.side == Side::lagrangian) {
-        throw NoLoops("a Lagrangian has no loops", whole(written_.function.source),
-                      "write its Hamiltonian, or write sums out: --unroll yes");
-    }
     if (!written_.rotations.texts.empty()) {
         throw NoLoops("rotations have no loops", written_.rotations.place);
     }
@@ -168,8 +152,11 @@ void LoopLowering::check_pairs() const {
         }
     }
     if (!are_pairs) {
-        throw NoLoops("where sums stay loops, coordinates and momenta are pairs of families "
-                      "with the same indices",
+        const std::string_view others =
+            written_.side == Side::hamiltonian ? "momenta" : "velocities";
+        throw NoLoops(fmt::format("where sums stay loops, coordinates and {} are pairs of families "
+                                  "with the same indices",
+                                  others),
                       written_.conjugates.place, "as x[1..N], y[1..N] and px[1..N], py[1..N]");
     }
 }
@@ -310,18 +297,11 @@ std::string LoopLowering::access(const Expression& element, const std::vector<Lo
         indices.push_back(index(written, loops, source));
     }
     check_ranges(of, indices, loops, sizes_, place);
-    const std::string name = indices.empty() ? element.name : text_of(element.name, indices);
-    const FamilyKind kind = found->second.kind;
-    const Role role = kind == FamilyKind::coordinate  ? Role::coordinate
-                      : kind == FamilyKind::conjugate ? Role::conjugate
-                                                      : Role::index;
-    const Scaled node = system_.graph.input(name, role);
-    const bool is_new = std::none_of(system_.accesses.begin(), system_.accesses.end(),
-                                     [&](const Access& other) { return other.node == node.node; });
-    if (is_new) {
-        system_.accesses.push_back({kind, found->second.number, std::move(indices), node.node});
-    }
-    symbols[name] = node;
+    const std::size_t number =
+        access_to(system_, found->second.kind, found->second.number, std::move(indices));
+    const Node node = system_.accesses[number].node;
+    const std::string name = system_.graph.at(node).name;
+    symbols[name] = {{1, 1}, node};
     return name;
 }
 
@@ -509,6 +489,7 @@ SystemStart LoopLowering::start(const SystemFamily& family) {
 
 System LoopLowering::operator()() {
     refuse_what_has_no_loops();
+    system_.side = written_.side;
     system_.name = written_.name;
     system_.description = written_.description;
     system_.directory = written_.directory;
@@ -543,7 +524,11 @@ System LoopLowering::operator()() {
 }  // namespace
 
 System loop_system(const IndexedScene& scene) {
-    System system = with_loop_structure(with_sites(LoopLowering(scene)()));
+    System system = LoopLowering(scene)();
+    if (scene.side == Side::lagrangian) {
+        system = legendre_transform(std::move(system), whole(scene.function.source));
+    }
+    system = with_loop_structure(with_sites(std::move(system)));
     verify(system);
     return system;
 }

@@ -108,7 +108,11 @@ std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
 /// Sums with loops, and what is found in these.
 std::vector<std::string> facts_of_loops(const System& system) {
     std::vector<std::string> result{kind_of(system)};
+    if (system.is_transformed) {
+        result.insert(result.begin(), "H = p v - L, the kinetic energy being that of masses");
+    }
     if (system.structure.is_quadratic) { result.emplace_back("H = T(p) + U(q)"); }
+    if (system.time) { result.emplace_back("H depends on the time"); }
     for (const SystemSum& sum : system.sums) {
         std::string loops;
         for (const Loop& loop : sum.loops) {
@@ -117,7 +121,9 @@ std::vector<std::string> facts_of_loops(const System& system) {
         }
         result.push_back(fmt::format("{}{}, of {}", counted(sum.accesses.size(), "element"),
                                      loops.empty() ? " in a summand" : " in a sum over " + loops,
-                                     sum.by_q.empty()            ? "momenta"
+                                     sum.by_q.empty() && sum.by_conjugates.empty()
+                                         ? "neither coordinates nor momenta"
+                                     : sum.by_q.empty()          ? "momenta"
                                      : sum.by_conjugates.empty() ? "coordinates"
                                                                  : "both"));
     }

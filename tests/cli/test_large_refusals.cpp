@@ -135,3 +135,35 @@ TEST_CASE("what steppers of large scenes are not built for is refused, with its 
         CHECK(message.find("--unroll yes") != std::string::npos);
     }
 }
+
+TEST_CASE("a Lagrangian whose sums stay loops has a mass for each velocity, and no more") {
+    const Directory directory;
+    const auto refused = [&](const std::string& kinetic) {
+        write(directory / "rails.toml",
+              "coordinates = \"x[1..N]\"\nvelocities = \"v[1..N]\"\nlagrangian = \"" + kinetic +
+                  " - sum(i=1..N, x[i]^4)\"\n[parameters]\nN = 300\n[initial]\n\"x[i]\" = "
+                  "\"i/10\"\n\"v[i]\" = 0\n");
+        const Outcome outcome =
+            hvi_gen({"stepper", "rails.toml", "--method", "gauss:2"}, directory.path());
+        INFO(kinetic << "\n" << outcome.err);
+        if (outcome.status == 0) return std::string();
+        CHECK(outcome.status == 2);
+        check_form(outcome.err);
+        const std::size_t why = outcome.err.find("alone: ") + 7;
+        return outcome.err.substr(why, outcome.err.find('\n', why) - why);
+    };
+    CHECK(refused("sum(i=1..N, i*v[i]^2/2)").empty());
+    CHECK(refused("sum(i=1..N, v[i]^2/2 + 3)").empty());
+    const std::string of_all = "its sums run over all velocities of a name";
+    CHECK(refused("sum(i=1..N-1, v[i]^2/2) + v[N]^2/2") == of_all);
+    CHECK(refused("sum(i=1..N-1, (v[i] + v[i+1])^2/2)") ==
+          "a kinetic energy is quadratic in each velocity, and couples none of them");
+    CHECK(refused("sum(i=1..N, v[i]^4)") ==
+          "a kinetic energy is quadratic in each velocity, and couples none of them");
+    CHECK(refused("sum(i=1..N, x[i]*v[i]^2)") ==
+          "here velocities stand beside coordinates or the time");
+    CHECK(refused("sum(i=1..N, (2 + sin(t))*v[i]^2)") ==
+          "here velocities stand beside coordinates or the time");
+    CHECK(refused("sum(i=1..N, j=1..N, v[i]^2)") == "its sums run over velocities once each");
+    CHECK(refused("0*sum(i=1..N, v[i]^2)") == "here a velocity has no mass");
+}

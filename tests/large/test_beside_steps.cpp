@@ -21,6 +21,8 @@
 #include <large/driven_verlet_out.hpp>
 #include <large/in_time.hpp>
 #include <large/in_time_out.hpp>
+#include <large/rails.hpp>
+#include <large/rails_out.hpp>
 #include <large/springs_128.hpp>
 
 namespace {
@@ -154,4 +156,23 @@ TEST_CASE("factors of a band in __float128") {
     // NOTE: H is quadratic, and kept by midpoint and Gauss's methods.
     const hvi::math::Widest change = hvi::detail::abs(wide.energy(x) - before);
     CHECK(bool(change < 1000 * hvi::detail::epsilon<hvi::math::Widest> * before));
+}
+
+TEST_CASE("a Lagrangian whose sums stay loops is solved by its Hamiltonian") {
+    const auto same_values = [](const auto& loops, const auto& x, const auto& out, const auto& y) {
+        CHECK(apart(loops.velocity(x), out.velocity(y)) < 1e-13);
+        CHECK(std::abs(loops.energy(x) - out.energy(y)) < 1e-12);
+        CHECK(std::abs(loops.motion(x) - out.motion(y)) < 1e-12);
+    };
+    CHECK(distance_on_the_way<Rails, RailsOut>(0.02, 50, same_values) < 1e-13);
+    const auto x = Rails::initial();
+    REQUIRE(x.p.size() == 12);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double k = static_cast<double>(i + 1);
+        CHECK(x.p[i] == (k + 0.5) * static_cast<double>(i % 3 + 1));
+        CHECK(x.p[6 + i] == Approx(2 * k * k / 5).epsilon(1e-15));
+    }
+    Rails::State other = x;
+    other.p.pop_back();
+    CHECK(Rails().velocity(other).empty());
 }

@@ -73,7 +73,10 @@ public:
         write_values(functions);
         write_begin(functions);
         Writer writer(1);
-        writer.comment("H = " + to_text(system_.expression), "/// ");
+        const std::string written = to_text(system_.expression);
+        writer.comment(system_.is_transformed ? "H = p v - L, where L = " + written
+                                              : "H = " + written,
+                       "/// ");
         writer.open("struct System {{");
         writer.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
         if (system_.sites) { write_site_types(writer, *system_.sites); }

@@ -125,8 +125,19 @@ void write_initial(Writer& writer, const System& system, std::string_view state)
     writer.blank();
 }
 
-/// Of L = v^T M v/2 + a v - U, from M v = p - a.
+/// Of L = v^T M v/2 + a v - U, from M v = p - a, or of the H that was made of L.
 void write_velocity(Writer& writer, const System& system, std::string_view state) {
+    if (system.is_transformed) {
+        writer.line("/// v of p = dL/dv(q, v); empty where x does not have the system's size.");
+        writer.open("[[nodiscard]] Vector velocity(const {}& x) const {{", state)
+            .line("if (!system_.fits(x.q, x.p)) {{ return {{}}; }}")
+            .line("Vector v(x.p.size());")
+            .line("system_.dHdp(x.p, v);")
+            .line("return v;")
+            .close()
+            .blank();
+        return;
+    }
     writer.line("/// v of p = dL/dv(q, v); no numbers where d2L/dv2 is singular.");
     writer.open("[[nodiscard]] Vector velocity(const {}& x) const {{", state)
         .line("return hvi::detail::velocity_of(system_, x.q, x.p{});", system.time ? ", x.t" : "")
@@ -214,10 +225,10 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
     Writer writer(1);
     write_reading(writer, system);
     if (!system.initial.empty()) { write_initial(writer, system, state); }
-    if (has_velocities) { write_velocity(writer, system, state); }
+    if (has_velocities || system.is_transformed) { write_velocity(writer, system, state); }
     if (wishes.energy) {
-        write_member(writer,
-                     doc(has_velocities ? "v dL/dv - L" : "H = " + to_text(system.expression)),
+        const bool has_L = has_velocities || system.is_transformed;
+        write_member(writer, doc(has_L ? "v dL/dv - L" : "H = " + to_text(system.expression)),
                      state, "energy", arguments, system.time ? ", x.t" : "");
     }
     if (wishes.invariants) {
