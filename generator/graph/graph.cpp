@@ -92,10 +92,14 @@ Scaled Graph::constant(const Expression& expression) {
 }
 
 Scaled Graph::input(const std::string& name, Role role) {
+    return input(name, static_cast<Roles>(role));
+}
+
+Scaled Graph::input(const std::string& name, Roles roles) {
     Computation computation;
     computation.operation = Operation::input;
     computation.name = name;
-    computation.roles = static_cast<Roles>(role);
+    computation.roles = roles;
     return {{1, 1}, insert(std::move(computation))};
 }
 

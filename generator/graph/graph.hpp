@@ -96,6 +96,7 @@ public:
     /// Precondition: no symbols but pi and e.
     [[nodiscard]] Scaled constant(const Expression& expression);
     [[nodiscard]] Scaled input(const std::string& name, Role role);
+    [[nodiscard]] Scaled input(const std::string& name, Roles roles);
 
     [[nodiscard]] Scaled sum(std::vector<Scaled> terms);
     [[nodiscard]] Scaled product(const Scaled& a, const Scaled& b);

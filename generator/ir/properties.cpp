@@ -17,6 +17,7 @@ std::string_view text(HessianForm form) {
     case HessianForm::band: return "band";
     case HessianForm::sparse: return "sparse";
     case HessianForm::products: return "products";
+    case HessianForm::none: return "none";
     }
     HVI_CHECK(false);
     return {};

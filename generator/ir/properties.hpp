@@ -18,6 +18,7 @@ enum class HessianForm {
     band,      ///< of a chain: entries are near the diagonal, in an order found at run time
     sparse,    ///< each degree of freedom is coupled with few others
     products,  ///< G is not kept: its products with vectors are computed
+    none,      ///< there is no Newton's method: H is made of totals, which couple all
 };
 
 /// Components k each by itself: (d2H/dp2)_kk (d2H/dq2)_kk has a constant term.

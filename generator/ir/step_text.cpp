@@ -132,6 +132,7 @@ std::string line(HessianForm form) {
     case HessianForm::band: return "d2H/dq2: a band\n";
     case HessianForm::sparse: return "d2H/dq2: sparse\n";
     case HessianForm::products: return "d2H/dq2: products\n";
+    case HessianForm::none: return "";
     }
     HVI_CHECK(false);
     return {};

@@ -96,4 +96,10 @@ struct SystemSum {
     friend bool operator==(const SystemSum&, const SystemSum&) = default;
 };
 
+/// A number that sums add up to and that others are made of, as two are in a product of two sums.
+struct SystemTotal {
+    Node node = 0;  ///< an input of the graph, with the roles of what it is made of
+    std::vector<SystemSum> sums;
+};
+
 }  // namespace hvi::gen

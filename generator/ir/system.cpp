@@ -161,8 +161,13 @@ std::size_t element_count(const SystemFamily& family, const std::map<std::string
 }
 
 bool is_separable(const System& system) {
-    return std::all_of(system.sums.begin(), system.sums.end(), [](const SystemSum& sum) {
-        return sum.by_q.empty() || sum.by_conjugates.empty();
+    const auto none_has = [&](const std::vector<AccessSlope>& slopes, Role role) {
+        return std::none_of(slopes.begin(), slopes.end(), [&](const AccessSlope& slope) {
+            return has(system.graph.at(slope.value.node).roles, role);
+        });
+    };
+    return std::all_of(system.sums.begin(), system.sums.end(), [&](const SystemSum& sum) {
+        return none_has(sum.by_q, Role::conjugate) && none_has(sum.by_conjugates, Role::coordinate);
     });
 }
 

@@ -87,7 +87,10 @@ struct System {
     Graph graph;
     std::optional<Node> time;  ///< the input t, where the function depends on it
     std::vector<Access> accesses;
-    std::vector<SystemSum> sums;    ///< H or L; with loops each of q alone, of p alone, or of both
+    std::vector<SystemTotal> totals;  ///< each made of those before it
+    /// H or L; with loops each of q alone, of p alone, or of both. Those of value 0 have derivatives
+    /// through totals.
+    std::vector<SystemSum> sums;
     std::vector<SystemSum> energy;  ///< H, or v dL/dv - L
     std::vector<SystemStart> initial;     ///< of coordinates, then of conjugates; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
@@ -144,7 +147,7 @@ struct System {
 [[nodiscard]] std::size_t element_count(const SystemFamily& family,
                                         const std::map<std::string, long>& sizes);
 
-/// H = T(p) + U(q): no sum has slopes by both. Precondition: these are there, with loops.
+/// H = T(p) + U(q): no slope by the one has the other. Precondition: these are there, with loops.
 [[nodiscard]] bool is_separable(const System& system);
 
 /// Stable text, for people and tests: what each node computes, `#7: product #3 #4`, and which nodes

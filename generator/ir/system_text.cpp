@@ -229,7 +229,11 @@ std::string text(const System& system, const SystemStart& start) {
 }
 
 std::string with_loops(const System& system) {
-    std::string result = lines(system, std::string(1, system.function_letter()), system.sums);
+    std::string result;
+    for (const SystemTotal& total : system.totals) {
+        result += lines(system, "total " + text(total.node), total.sums);
+    }
+    result += lines(system, std::string(1, system.function_letter()), system.sums);
     if (system.side == Side::lagrangian) { result += lines(system, "energy", system.energy); }
     if (const auto* entries = std::get_if<HessianEntries>(&system.second)) {
         result += lines(system, *entries);

@@ -32,6 +32,7 @@ public:
         : system_(std::move(lagrangian)), place_(place), masses_(system_.conjugates.size()) {}
 
     [[nodiscard]] System operator()() && {
+        if (!system_.totals.empty()) { refuse("here sums stand in products or functions"); }
         std::vector<SystemSum> potential;
         const std::vector<SystemSum> sums = std::exchange(system_.sums, {});
         for (const SystemSum& sum : sums) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/totals.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -165,7 +166,9 @@ SystemSum product_of(System& system, const SystemSum& sum) {
 }
 
 Structure structure_of_sums(System& system) {
+    const bool has_totals = is_made_of_totals(system);
     Structure result;
+    result.hessian = has_totals ? HessianForm::none : HessianForm::products;
     result.is_separable = is_separable(system) && is_kinetic_autonomous(system);
     if (!result.is_separable) { return result; }
     const Kinetic found = kinetic(system);
@@ -173,10 +176,10 @@ Structure structure_of_sums(System& system) {
     result.has_diagonal_mass = found == Kinetic::diagonal;
     if (!result.kinetic_is_quadratic) { return result; }
     result.is_quadratic =
-        std::all_of(system.sums.begin(), system.sums.end(),
-                    [&](const SystemSum& sum) { return is_quadratic(system, sum); });
+        !has_totals && std::all_of(system.sums.begin(), system.sums.end(),
+                                   [&](const SystemSum& sum) { return is_quadratic(system, sum); });
     result.has_linear_map = result.is_quadratic && !system.time;
-    result.hessian = hessian_form(system, found, result.is_quadratic);
+    if (!has_totals) { result.hessian = hessian_form(system, found, result.is_quadratic); }
     return result;
 }
 
@@ -203,7 +206,9 @@ SecondOrder second_order(System& system) {
 
 System with_loop_structure(System system) {
     system.structure = structure_of_sums(system);
-    if (system.structure.kinetic_is_quadratic) { system.second = second_order(system); }
+    const bool has_second =
+        system.structure.kinetic_is_quadratic && system.structure.hessian != HessianForm::none;
+    if (has_second) { system.second = second_order(system); }
     return system;
 }
 

@@ -15,6 +15,7 @@
 #include "generator/lower/loop_terms.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/lower/sites.hpp"
+#include "generator/lower/totals.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/no_loops.hpp"
@@ -61,8 +62,9 @@ private:
 
     /// Adds the time to what symbols stand for, where the expression has it.
     [[nodiscard]] Symbols symbols_in_time(const IndexedExpression& expression);
-    [[nodiscard]] std::vector<SystemSum> sums(const IndexedExpression& expression,
-                                              const Symbols& known);
+    [[nodiscard]] std::vector<SystemSum> sums(const IndexedExpression& expression, Symbols known);
+    [[nodiscard]] Scaled total(const std::string& name, const IndexedExpression& sum,
+                               const Symbols& known);
     [[nodiscard]] Scaled value(const Expression& term, const std::vector<Loop>& loops,
                                const std::shared_ptr<const Source>& source, Symbols known);
     [[nodiscard]] Expression with_accesses(const Expression& term, const std::vector<Loop>& loops,
@@ -360,8 +362,7 @@ Symbols LoopLowering::symbols_in_time(const IndexedExpression& expression) {
     return known;
 }
 
-std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression,
-                                          const Symbols& known) {
+std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression, Symbols known) {
     const IndexedExpression whole = definitions_.put_in(expression);
     check_numbers(whole.written, whole.source);
     const auto roles = [&](const std::string& name) -> Roles {
@@ -382,7 +383,11 @@ std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression,
         std::vector<Scaled> values;
     };
     std::vector<Group> groups;
-    for (const LoopTerm& term : loop_terms(whole, {taken_, roles})) {
+    const LoopTerms split = loop_terms(whole, {taken_, roles});
+    for (const auto& [name, sum] : split.totals) {
+        known[name] = total(name, {sum, whole.source}, known);
+    }
+    for (const LoopTerm& term : split.terms) {
         const Scaled summand = value(term.term, term.loops, whole.source, known);
         if (summand.is_zero()) { continue; }
         // NOTE: where the kinds of what a summand depends on differ, it is another sum.
@@ -403,6 +408,18 @@ std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression,
         add_slopes(result.back());
     }
     return result;
+}
+
+/// The input for a sum that others are made of.
+Scaled LoopLowering::total(const std::string& name, const IndexedExpression& sum,
+                           const Symbols& known) {
+    for (const SystemTotal& before : system_.totals) {
+        if (system_.graph.at(before.node).name == name) { return {{1, 1}, before.node}; }
+    }
+    std::vector<SystemSum> of = sums(sum, known);
+    const Scaled input = system_.graph.input(name, roles_of_total(system_.graph, of));
+    system_.totals.push_back({input.node, std::move(of)});
+    return input;
 }
 
 void LoopLowering::add_slopes(SystemSum& sum) {
@@ -528,6 +545,7 @@ System loop_system(const IndexedScene& scene) {
     if (scene.side == Side::lagrangian) {
         system = legendre_transform(std::move(system), whole(scene.function.source));
     }
+    system = with_slopes_through_totals(std::move(system));
     system = with_loop_structure(with_sites(std::move(system)));
     verify(system);
     return system;

@@ -74,7 +74,7 @@ public:
         }
     }
 
-    std::vector<LoopTerm> terms;
+    LoopTerms result;
 
 private:
     /// Variables of one kind at most, and no sum.
@@ -97,8 +97,35 @@ private:
     void add(const Expression& expression, const Expressions& factors,
              const std::vector<Loop>& loops) {
         Expressions all = factors;
-        all.push_back(without_sums({expression, source_}));
-        terms.push_back({loops, Expression::product(std::move(all))});
+        all.push_back(with_totals(written_out(expression), loops));
+        result.terms.push_back({loops, Expression::product(std::move(all))});
+    }
+
+    /// Sums as symbols. NOTE: what is inside a sum is left to it.
+    [[nodiscard]] Expression with_totals(const Expression& expression,
+                                         const std::vector<Loop>& loops) {
+        if (expression.kind == Expression::Kind::sum_over) {
+            check_total(expression, loops);
+            std::string name = to_text(expression);
+            result.totals.emplace(name, expression);
+            Expression symbol = Expression::symbol(std::move(name));
+            symbol.range = expression.range;
+            return symbol;
+        }
+        Expression copy = expression;
+        for (Expression& argument : copy.arguments) { argument = with_totals(argument, loops); }
+        return copy;
+    }
+
+    void check_total(const Expression& sum, const std::vector<Loop>& loops) const {
+        for (const Loop& loop : loops) {
+            if (!mentions(sum, loop.index)) { continue; }
+            throw NoLoops(fmt::format("where sums stay loops, a sum of more than 16 terms that has "
+                                      "the index `{}` of a sum around it is not built inside a "
+                                      "function or a product with sums",
+                                      loop.index),
+                          Place{source_, sum.range});
+        }
     }
 
     void split_sum(const Expression& sum, const Expressions& factors,
@@ -141,12 +168,7 @@ private:
             }
         }
         if (inner != nullptr && is_linear) { return split(*inner, more, loops); }
-        const Expression written = written_out(product);
-        if (has_sum(written)) {
-            throw NoLoops("a product of two sums is not built where sums stay loops",
-                          Place{source_, product.range});
-        }
-        add(written, factors, loops);
+        add(product, factors, loops);
     }
 
     const std::shared_ptr<const Source>& source_;
@@ -181,10 +203,10 @@ Expression without_sums(const IndexedExpression& expression) {
     return result;
 }
 
-std::vector<LoopTerm> loop_terms(const IndexedExpression& expression, const TermNames& names) {
+LoopTerms loop_terms(const IndexedExpression& expression, const TermNames& names) {
     Splitting splitting(expression.source, names);
     splitting.split(expression.written, {}, {});
-    return std::move(splitting.terms);
+    return std::move(splitting.result);
 }
 
 }  // namespace hvi::gen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,11 +35,17 @@ struct TermNames {
     std::function<Roles(const std::string& name)> roles;
 };
 
+/// Summands, and the sums that stand in them as symbols.
+struct LoopTerms {
+    std::vector<LoopTerm> terms;
+    std::map<std::string, Expression> totals;  ///< by their symbols
+};
+
 /// The expression as a sum of summands: c*(a + sum(i=1..N, b[i])) is c*a and c*b[i] for all i. What
-/// has momenta stands apart from what has coordinates, where a sum of them is written. A sum of at
-/// most 16 terms inside a function is written out. Throws InputError for a longer one there, for a
-/// product of two sums, and for bounds that are not made of sizes and indices.
-[[nodiscard]] std::vector<LoopTerm> loop_terms(const IndexedExpression& expression,
-                                               const TermNames& names);
+/// has momenta stands apart from what has coordinates, where a sum of them is written. In a product
+/// with another sum and inside a function, a sum of at most 16 terms is written out, and a longer
+/// one becomes a symbol. Throws NoLoops for one there that has the index of a sum around it, and
+/// for bounds that are not made of sizes and indices.
+[[nodiscard]] LoopTerms loop_terms(const IndexedExpression& expression, const TermNames& names);
 
 }  // namespace hvi::gen

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "generator/graph/replaced.hpp"
+#include "generator/lower/totals.hpp"
 
 namespace hvi::gen {
 
@@ -55,8 +56,9 @@ public:
 
     /// Whether it is a lattice; then the result is complete.
     [[nodiscard]] bool find() {
-        // NOTE: sweeps over sites have no clock.
-        if (!have_equal_indices() || !is_separable(system_) || system_.time) { return false; }
+        // NOTE: sweeps over sites have no clock, and see near places alone.
+        const bool is_local = !system_.time && !is_made_of_totals(system_);
+        if (!have_equal_indices() || !is_separable(system_) || !is_local) { return false; }
         sites_.ranges = system_.coordinates.front().ranges;
         const std::size_t d = sites_.ranges.size();
         if (d < 1 || d > 3) { return false; }

@@ -73,6 +73,13 @@ void check_vectors(const Step& step, const Method& method, const StepperWishes& 
                       "--solver fixed-point needs none, where h is small against all periods; or "
                       "write sums out: --unroll yes");
     }
+    const auto* velocities = std::get_if<VelocityStep>(&step.form);
+    if (velocities != nullptr && velocities->hessian == HessianForm::none) {
+        throw NoLoops("--solver newton is not built where sums stay loops and stand in products or "
+                      "functions, which couple all with all",
+                      place,
+                      "without it fixed points are iterated; or write sums out: --unroll yes");
+    }
     if (std::holds_alternative<GalerkinStep>(step.form)) {
         throw NoLoops("more nodes than functions are built where sums stay loops for a quadratic "
                       "kinetic energy alone, and no steps are composed",

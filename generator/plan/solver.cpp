@@ -67,7 +67,8 @@ void set_hessian(Step& step, HessianForm hessian) {
 /// long as h is.
 Solver solver_of(const Step& step, Solver wished, const SystemProperties& system) {
     const bool are_pairs = std::holds_alternative<PairStep>(step.form);
-    if (are_pairs && system.container == Container::vectors && wished == Solver::automatic) {
+    const bool has_newton = system.hessian != HessianForm::none;
+    if ((are_pairs || !has_newton) && system.container == Container::vectors && wished == Solver::automatic) {
         return Solver::fixed_point;
     }
     const bool is_linear = system.has_linear_map && has_factors(system.hessian) &&

@@ -9,6 +9,7 @@
 #include "generator/graph/written.hpp"
 #include "generator/hamiltonian/family_symmetries.hpp"
 #include "generator/lower/loop_system.hpp"
+#include "generator/lower/totals.hpp"
 #include "generator/read/own_functions.hpp"
 
 namespace hvi::gen {
@@ -98,7 +99,10 @@ bool has_element(const Expression& expression) {
 class FamilyScene {
 public:
     explicit FamilyScene(const IndexedScene& scene)
-        : scene_(scene), system_(loop_system(scene)), groups_(groups_of(system_.sums)) {
+        : scene_(scene),
+          system_(loop_system(scene)),
+          groups_(groups_of(system_.sums)),
+          totals_(totals_in(system_, system_.sums)) {
         for (const SystemFamily& family : system_.coordinates) {
             const auto same = std::find_if(
                 system_.coordinates.begin(), system_.coordinates.end(),
@@ -115,6 +119,8 @@ public:
         for (std::size_t f = 0; f < shapes_.size(); ++f)
             result.coordinates.push_back(to_text(element(system_.coordinates[f], f)));
         result.affine.doubt = "families are moved as wholes, all elements alike";
+        if (!totals_.empty())
+            result.affine.doubt += ", and sums in products or functions are kept each";
         if (!is_written()) {
             result.affine.doubt = "a summand is too long";
             set_invariants(result, {});
@@ -124,6 +130,12 @@ public:
                              "what is computed exactly");
         std::vector<FamilySummand> summands;
         for (const Group& group : groups_) summands.push_back(summand(group));
+        // NOTE: what keeps each total and each summand keeps H; that of a total is no mass.
+        for (const SystemTotal& total : totals_)
+            for (const Group& group : groups_of(total.sums)) {
+                summands.push_back(summand(group));
+                summands.back().is_over_family = false;
+            }
         const FamilySymmetries found =
             with_elements(family_symmetries(summands, shapes_, scene_.function.source));
         for (const FamilyField& field : found.fields) add(result, field);
@@ -142,6 +154,7 @@ private:
     [[nodiscard]] std::vector<Group> groups_of(const std::vector<SystemSum>& sums) const {
         std::vector<Group> groups;
         for (const SystemSum& sum : sums) {
+            if (sum.value.is_zero()) continue;
             std::optional<IndexNames> names;
             Group* target = nullptr;
             for (Group& group : groups) {
@@ -169,7 +182,19 @@ private:
         return groups;
     }
 
-    [[nodiscard]] bool is_written() const { return !groups_.empty(); }
+    [[nodiscard]] bool is_written() const {
+        return !groups_.empty() &&
+               std::none_of(totals_.begin(), totals_.end(), [&](const SystemTotal& total) {
+                   return groups_of(total.sums).empty();
+               });
+    }
+
+    /// How the indices of all sums of H with these loops are called in them.
+    [[nodiscard]] IndexNames names_in(const std::vector<Loop>& loops) const {
+        IndexNames names = names_in(system_.sums, loops);
+        for (const SystemTotal& total : totals_) names.merge(names_in(total.sums, loops));
+        return names;
+    }
 
     /// The loops over all elements of a family.
     [[nodiscard]] std::vector<Loop> nest_of(const SystemFamily& family) const {
@@ -212,7 +237,7 @@ private:
         bool is_over_family = true;
         for (const std::size_t number : group.accesses) {
             const Access& access = system_.accesses[number];
-            const IndexNames names = names_in(system_.sums, group.loops);
+            const IndexNames names = names_in(group.loops);
             const std::string place = hvi::gen::place_of(access, names);
             const SystemFamily& family = system_.family(access);
             const std::string symbol = to_text(element_at(access, names));
@@ -377,7 +402,8 @@ private:
 
     [[nodiscard]] std::optional<SummedUp> summed_up(const SystemValue& invariant) const {
         const std::vector<Group> groups = groups_of(invariant.sums);
-        if (groups.size() != 1) return {};
+        const bool has_totals = !totals_in(system_, invariant.sums).empty();
+        if (groups.size() != 1 || has_totals) return {};
         for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
             const bool is_over =
                 shapes_[shape] == shape && renaming(groups[0].loops, nests_[shape]);
@@ -475,6 +501,7 @@ private:
     const IndexedScene& scene_;
     System system_;
     std::vector<Group> groups_;
+    std::vector<SystemTotal> totals_;       ///< that H is made of
     std::vector<std::size_t> shapes_;       ///< of each family, the first one with its ranges
     std::vector<std::vector<Loop>> nests_;  ///< over all elements of each family
 };

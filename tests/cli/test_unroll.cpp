@@ -74,14 +74,16 @@ TEST_CASE(
         CHECK(refused.err.find("--unroll yes") != std::string::npos);
         check_form(refused.err);
     };
-    check(pairs(" + sum(i=1..N, x[i])*sum(i=1..N, p[i])"), {}, "a product of two sums");
+    check(pairs(" + sum(i=1..N, exp(sum(j=1..N, (x[i]-x[j])^2)))"), {},
+          "where sums stay loops, a sum of more than 16 terms that has the index `i`");
+    check(pairs(" + sum(i=1..N, x[i])^2"), {"--solver", "newton"}, "--solver newton is not built");
     check(pairs(""), {"--method", "stormer-verlet", "--lanes", "ensemble"},
           "--lanes ensemble is not built for loops");
     check(pairs(" + sum(i=1..N, p[i]^4)"), {"--basis", "1, tau", "--nodes", "gauss:3"},
           "more nodes than functions");
 }
 
-TEST_CASE("loops have the time, curves, actions, wide numbers and parameters of methods") {
+TEST_CASE("loops have the time, products, curves, actions, wide numbers, parameters of methods") {
     const auto check = [](const std::string& scene, const std::vector<std::string>& words) {
         const Outcome outcome = stepper_of_pairs(scene, words);
         INFO(outcome.err);
@@ -89,6 +91,7 @@ TEST_CASE("loops have the time, curves, actions, wide numbers and parameters of 
         CHECK(has_loops(outcome));
     };
     check(pairs(" + x[1]*sin(t)"), {});
+    check(pairs(" + sum(i=1..N, x[i])*sum(i=1..N, p[i])"), {});
     check(pairs(""), {"--dense"});
     check(pairs(""), {"--action"});
     check(pairs(""), {"--float128"});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <hvi/detail/numbers/math.hpp>
@@ -19,8 +20,13 @@
 #include <large/driven_out.hpp>
 #include <large/driven_verlet.hpp>
 #include <large/driven_verlet_out.hpp>
+#include <large/in_functions.hpp>
+#include <large/in_functions_out.hpp>
 #include <large/in_time.hpp>
 #include <large/in_time_out.hpp>
+#include <large/mean_field.hpp>
+#include <large/mean_field_gauss.hpp>
+#include <large/mean_field_out.hpp>
 #include <large/rails.hpp>
 #include <large/rails_out.hpp>
 #include <large/springs_128.hpp>
@@ -175,4 +181,40 @@ TEST_CASE("a Lagrangian whose sums stay loops is solved by its Hamiltonian") {
     Rails::State other = x;
     other.p.pop_back();
     CHECK(Rails().velocity(other).empty());
+}
+
+TEST_CASE("forces of a mean field, and its energy, by hand") {
+    for (const std::size_t n : {1U, 2U, 70U, 1001U}) {
+        CAPTURE(n);
+        MeanField::Parameters parameters;
+        parameters.N = static_cast<std::ptrdiff_t>(n);
+        const MeanField::System system(parameters);
+        std::vector<double> q, p, slope(n);
+        long double cosines = 0, sines = 0, energy = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            q.push_back(1.3 * std::sin(1.7 * static_cast<double>(i)));
+            p.push_back(std::cos(0.3 * static_cast<double>(i)));
+            cosines += std::cos(static_cast<long double>(q[i]));
+            sines += std::sin(static_cast<long double>(q[i]));
+            energy += static_cast<long double>(p[i]) * static_cast<long double>(p[i]) / 2;
+        }
+        system.dHdq(q, slope);
+        const auto size = static_cast<long double>(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto at = static_cast<long double>(q[i]);
+            const long double expected = (std::sin(at) * cosines - std::cos(at) * sines) / size;
+            CHECK(std::abs(static_cast<long double>(slope[i]) - expected) < 1e-15L);
+        }
+        energy -= (cosines * cosines + sines * sines) / (2 * size);
+        CHECK(std::abs(static_cast<long double>(system.energy(q, p)) - energy) < 1e-15L * size);
+    }
+}
+
+TEST_CASE("sums in products and functions are added up before what is made of them") {
+    CHECK(distance_on_the_way<MeanFieldGauss, MeanFieldOut>(0.05, 20) < 1e-13);
+    const auto same_values = [](const auto& loops, const auto& x, const auto& out, const auto& y) {
+        CHECK(std::abs(loops.energy(x) - out.energy(y)) < 1e-11);
+        CHECK(std::abs(loops.both(x) - out.both(y)) < 1e-11);
+    };
+    CHECK(distance_on_the_way<InFunctions, InFunctionsOut>(0.02, 30, same_values) < 1e-11);
 }

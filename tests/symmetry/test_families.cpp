@@ -154,3 +154,30 @@ TEST_CASE("A function of the user's own has no exact symmetries, however many el
     // Written out there are too many equations.
     CHECK(refusal([&] { return find_symmetries(unrolled(scene("80"))); }).status == 1);
 }
+
+TEST_CASE("What keeps each sum in a product or a function, and each summand, keeps H") {
+    const std::string plane =
+        "sum(i=1..N, px[i]^2+py[i]^2)/2 + sqrt(1 + sum(i=1..N, x[i]^2+y[i]^2))";
+    const SceneSymmetries turned = of_families(scene_of(
+        {"x", "y"}, plane, "N = 100\n",
+        "[invariants]\nL = \"sum(i=1..N, x[i]*py[i]-y[i]*px[i])\"\nW = \"sum(i=1..N, x[i])^2\"\n"));
+    CHECK(momentum_maps(turned) == Texts{"sum(i=1..N,x[i]*py[i]-y[i]*px[i])"});
+    CHECK(turned.is_regular());
+    CHECK(turned.affine.doubt.find("sums in products or functions") != std::string::npos);
+    REQUIRE(turned.invariants.size() == 2);
+    CHECK(turned.invariants[0].finding.conserved == Vanishing::proved);
+    // A function of a sum is no combination of momentum maps, though its symbol is a constant.
+    CHECK(turned.invariants[1].finding.conserved != Vanishing::proved);
+    // Neither a turn nor a shift keeps the one sum and the other.
+    CHECK(momentum_maps(
+              of_families(scene_of({"x", "y"}, plane + " + sum(i=1..N, x[i])^2", "N = 100\n")))
+              .empty());
+    // The momenta of a total have no mass.
+    CHECK_FALSE(of_families(scene_of({"x"}, "sqrt(1 + sum(i=1..N, px[i]^2)) + sum(i=1..N, x[i]^2)",
+                                     "N = 100\n"))
+                    .is_regular());
+    CHECK_FALSE(
+        of_families(
+            scene_of({"x"}, "sum(i=1..N, px[i]^2)/2 + sqrt(1 + sum(i=1..N, px[i]^2))", "N = 100\n"))
+            .is_regular());
+}

@@ -32,7 +32,8 @@ NewtonPolicy newton_policy(const Step& step) {
     }
     if (has_momenta) { return {"newton_pairs", "hvi::NewtonOfPairs"}; }
     switch (std::get<VelocityStep>(step.form).hessian) {
-    case HessianForm::dense: break;
+    case HessianForm::dense:
+    case HessianForm::none: break;
     case HessianForm::band: return {"newton_chains", "hvi::NewtonOfChains"};
     case HessianForm::sparse: return {"newton_sparse", "hvi::NewtonOfSparse"};
     case HessianForm::products: return {"newton_products", "hvi::NewtonOfProducts"};

@@ -80,6 +80,7 @@ std::set<std::string> conditions_of_sums(const System& system, const LoopNames& 
         for (const SystemSum& sum : sums) { conditions.add(sum.accesses, sum.loops); }
     };
     add_all(system.sums);
+    for (const SystemTotal& total : system.totals) { add_all(total.sums); }
     for (const SystemValue& invariant : system.invariants) { add_all(invariant.sums); }
     return std::move(conditions).all();
 }

@@ -32,14 +32,15 @@ std::vector<const SystemFamily*> all_families(const System& system) {
 // ---- the functions of the class ----
 
 /// dH/dq, or dH/dp, sum by sum.
-std::vector<SumDerivatives> derivatives(const System& system, bool by_q) {
+std::vector<SumDerivatives> derivatives(const System& system, const LoopWriter& loops, bool by_q) {
     std::vector<SumDerivatives> result;
     for (std::size_t s = 0; s < system.sums.size(); ++s) {
         const SystemSum& sum = system.sums[s];
         const std::vector<AccessSlope>& slopes = by_q ? sum.by_q : sum.by_conjugates;
         if (slopes.empty()) { continue; }
         result.push_back({fmt::format("add_by_{}_{}", by_q ? "q" : "p", s + 1), &sum, &slopes, "p",
-                          system.time && (by_q || !system.structure.is_separable)});
+                          system.time && (by_q || !system.structure.is_separable),
+                          loops.needs_totals(values(slopes))});
     }
     return result;
 }
@@ -68,6 +69,7 @@ public:
     [[nodiscard]] std::string text() {
         // NOTE: the constructor comes last, as it computes what the others need.
         Writer functions(2);
+        loops_.write_totals(functions);
         write_gradients(functions);
         write_for_positions(functions);
         write_values(functions);
@@ -120,7 +122,7 @@ private:
     }
 
     void write_scattered(Writer& writer, bool by_q) {
-        const std::vector<SumDerivatives> all = derivatives(system_, by_q);
+        const std::vector<SumDerivatives> all = derivatives(system_, loops_, by_q);
         for (const SumDerivatives& each : all) {
             loops_.write_derivatives(writer, each);
             writer.blank();
@@ -135,11 +137,14 @@ private:
                     time);
         if (by_q) { count_evaluation(writer); }
         writer.line("std::fill(out.begin(), out.end(), Scalar(0));");
+        const std::string q = is_separable && !by_q ? "nullptr" : "q.data()";
+        const std::string p = is_separable && by_q ? "nullptr" : "p.data()";
+        std::vector<Scaled> slopes;
         for (const SumDerivatives& each : all) {
-            const std::string q = is_separable && !by_q ? "nullptr" : "q.data()";
-            const std::string p = is_separable && by_q ? "nullptr" : "p.data()";
-            loops_.call_derivatives(writer, each, q, p);
+            for (const Scaled& slope : values(*each.slopes)) { slopes.push_back(slope); }
         }
+        loops_.sum_totals(writer, slopes, q, p);
+        for (const SumDerivatives& each : all) { loops_.call_derivatives(writer, each, q, p); }
         writer.close();
     }
 
@@ -215,6 +220,9 @@ private:
             "if (!fits(q_of, p_of)) {{ return std::numeric_limits<Scalar>::quiet_NaN(); }}");
         writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
         writer.line("[[maybe_unused]] const Scalar* const p = p_of.data();");
+        std::vector<Scaled> values;
+        for (const SystemSum& sum : sums) { values.push_back(sum.value); }
+        loops_.sum_totals(writer, values, "q", "p");
         writer.line("hvi::detail::CompensatedTotal<Scalar> total;");
         for (const SystemSum& sum : sums) { loops_.write_total(writer, sum); }
         writer.line("return total.sum();").close();

@@ -13,12 +13,6 @@ namespace hvi::gen {
 
 namespace {
 
-std::vector<Scaled> values(const std::vector<AccessSlope>& slopes) {
-    std::vector<Scaled> result;
-    for (const AccessSlope& slope : slopes) { result.push_back(slope.value); }
-    return result;
-}
-
 /// NOTE: a square root or a quotient of eight numbers is no faster than two of four.
 std::size_t lanes_for(const Kernel& kernel) {
     const auto& [additions, multiplications, divisions, roots, calls] = kernel.counts;
@@ -26,6 +20,12 @@ std::size_t lanes_for(const Kernel& kernel) {
 }
 
 }  // namespace
+
+std::vector<Scaled> values(const std::vector<AccessSlope>& slopes) {
+    std::vector<Scaled> result;
+    for (const AccessSlope& slope : slopes) { result.push_back(slope.value); }
+    return result;
+}
 
 bool LoopWriter::depends(std::size_t access, const std::string& index) const {
     const std::vector<ElementIndex>& indices = system_.accesses[access].indices;
@@ -54,6 +54,9 @@ bool LoopWriter::goes_in_lanes(const SystemSum& sum) const {
 
 void LoopWriter::name_numbers(NodeNames& locals, const std::vector<Loop>& loops) const {
     if (system_.time) { locals[*system_.time] = "t"; }
+    for (std::size_t k = 0; k < system_.totals.size(); ++k) {
+        locals[system_.totals[k].node] = fmt::format("totals[{}]", k);
+    }
     for (Node node = 0; node < system_.graph.size(); ++node) {
         const Computation& computation = system_.graph.at(node);
         if (computation.operation != Operation::input) { continue; }
@@ -177,9 +180,10 @@ void LoopWriter::write_derivatives(Writer& writer, const SumDerivatives& functio
                                    : is_only_loop    ? ", Place from, Place to"
                                                      : ", Place from, Place to, Place stride";
     writer.open("void {}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* {}, "
-                "{}Scalar* out{}) const {{",
+                "{}{}Scalar* out{}) const {{",
                 function.name, function.other,
-                function.has_time ? "[[maybe_unused]] Scalar t, " : "", range);
+                function.has_time ? "[[maybe_unused]] Scalar t, " : "",
+                function.has_totals ? "const Scalar* totals, " : "", range);
     if (sum.loops.empty()) {
         write_body(writer, sum, slopes);
     } else if (in_lanes && is_only_loop) {
@@ -202,9 +206,11 @@ void LoopWriter::write_derivatives(Writer& writer, const SumDerivatives& functio
 
 void LoopWriter::call_derivatives(Writer& writer, const SumDerivatives& function,
                                   std::string_view q, std::string_view other) {
-    const auto& [name, of, slopes, letter, has_time] = function;
-    const SystemSum& sum = *of;
-    const std::string arguments = fmt::format("{}, {}{}", q, other, has_time ? ", t" : "");
+    const std::string& name = function.name;
+    const SystemSum& sum = *function.sum;
+    const std::string arguments =
+        fmt::format("{}, {}{}{}", q, other, function.has_time ? ", t" : "",
+                    function.has_totals ? ", totals" : "");
     if (sum.loops.empty()) {
         writer.line("{}({}, out.data());", name, arguments);
         return;
@@ -220,6 +226,52 @@ void LoopWriter::call_derivatives(Writer& writer, const SumDerivatives& function
     writer.open("    [&](Place from, Place to, Place "
                 "stride, Scalar* to_out) {{");
     writer.line("{}({}, to_out, from, to, stride);", name, arguments).close("});");
+}
+
+std::vector<bool> LoopWriter::needed_totals(std::vector<Scaled> values) const {
+    std::vector<bool> needed(system_.totals.size(), false);
+    for (std::size_t k = needed.size(); k-- > 0;) {
+        const SystemTotal& total = system_.totals[k];
+        needed[k] = kernel(system_.graph, values).uses[total.node] != 0;
+        if (!needed[k]) { continue; }
+        for (const SystemSum& sum : total.sums) { values.push_back(sum.value); }
+    }
+    return needed;
+}
+
+bool LoopWriter::has_time(std::size_t total) const {
+    return has(system_.graph.at(system_.totals[total].node).roles, Role::time);
+}
+
+bool LoopWriter::needs_totals(const std::vector<Scaled>& values) const {
+    const std::vector<bool> needed = needed_totals(values);
+    return std::find(needed.begin(), needed.end(), true) != needed.end();
+}
+
+void LoopWriter::sum_totals(Writer& writer, const std::vector<Scaled>& values, std::string_view q,
+                            std::string_view p) const {
+    const std::vector<bool> needed = needed_totals(values);
+    if (std::find(needed.begin(), needed.end(), true) == needed.end()) { return; }
+    writer.line("Scalar totals[{}] = {{}};", needed.size());
+    for (std::size_t k = 0; k < needed.size(); ++k) {
+        if (!needed[k]) { continue; }
+        writer.line("totals[{}] = total_{}({}, {}{}, totals);", k, k + 1, q, p,
+                    has_time(k) ? ", t" : "");
+    }
+}
+
+void LoopWriter::write_totals(Writer& writer) {
+    for (std::size_t k = 0; k < system_.totals.size(); ++k) {
+        const SystemTotal& total = system_.totals[k];
+        writer.comment(system_.graph.at(total.node).name, "/// ");
+        writer.open("[[nodiscard]] Scalar total_{}([[maybe_unused]] const Scalar* q, "
+                    "[[maybe_unused]] const Scalar* p{}, [[maybe_unused]] const Scalar* totals) "
+                    "const {{",
+                    k + 1, has_time(k) ? ", [[maybe_unused]] Scalar t" : "");
+        writer.line("hvi::detail::CompensatedTotal<Scalar> total;");
+        for (const SystemSum& sum : total.sums) { write_total(writer, sum); }
+        writer.line("return total.sum();").close().blank();
+    }
 }
 
 void LoopWriter::write_entries(Writer& writer, const SumEntries& entries) {

@@ -12,15 +12,18 @@
 
 namespace hvi::gen {
 
-/// A function that adds derivatives of a sum to `out`, for values of its first index from `first` to
-/// `last`. It looks at the array q, and at another one.
+/// A function that adds derivatives of a sum to `out`, for values of its first index from `first`
+/// to `last`. It looks at the array q, and at another one.
 struct SumDerivatives {
     std::string name;
     const SystemSum* sum;
     const std::vector<AccessSlope>* slopes;
-    std::string_view other;  ///< `p`, or what second derivatives are multiplied by
-    bool has_time = false;   ///< among its arguments
+    std::string_view other;   ///< `p`, or what second derivatives are multiplied by
+    bool has_time = false;    ///< among its arguments
+    bool has_totals = false;  ///< the same
 };
+
+[[nodiscard]] std::vector<Scaled> values(const std::vector<AccessSlope>& slopes);
 
 /// Writes what is computed for each value of the indices of sums. Innermost loops go in lanes where
 /// all elements stand in a row or stay.
@@ -33,6 +36,17 @@ public:
     /// The call of it for the whole sum, with these arrays.
     void call_derivatives(Writer& writer, const SumDerivatives& function, std::string_view q,
                           std::string_view other);
+
+    /// Functions of the totals of the system: `total_1(q, p, totals)` is made of those before it.
+    void write_totals(Writer& writer);
+
+    /// An array of the totals that values are made of, computed with these arrays; nothing where
+    /// there are none.
+    void sum_totals(Writer& writer, const std::vector<Scaled>& values, std::string_view q,
+                    std::string_view p) const;
+
+    /// Whether values are made of totals.
+    [[nodiscard]] bool needs_totals(const std::vector<Scaled>& values) const;
 
     /// Adds the entries of a matrix to `out`.
     void write_entries(Writer& writer, const SumEntries& entries);
@@ -76,7 +90,9 @@ private:
     void open_loop(Writer& writer, const Loop& loop) const;
     [[nodiscard]] bool goes_in_lanes(const SystemSum& sum) const;
     [[nodiscard]] bool depends(std::size_t access, const std::string& index) const;
-    /// Names the indices of loops, and the time.
+    [[nodiscard]] bool has_time(std::size_t total) const;
+    [[nodiscard]] std::vector<bool> needed_totals(std::vector<Scaled> values) const;
+    /// Names the indices of loops, the time and totals.
     void name_numbers(NodeNames& locals, const std::vector<Loop>& loops) const;
 
     const System& system_;
