@@ -17,12 +17,18 @@ namespace hvi::gen {
 namespace {
 
 /// NOTE: a scene is read with a method, whose symbols its own must not be; this one has none.
-Scene scene_of(const AccuracyQuestion& question) {
+std::variant<Scene, IndexedScene> scene_of(const AccuracyQuestion& question) {
     MethodOptions any;
     any.name = given("--method", "gauss:2");
     any.parameters = question.parameters;
-    return read_scene(any, question.system).scene;
+    return std::visit(
+        [](auto&& both) -> std::variant<Scene, IndexedScene> { return std::move(both.scene); },
+        read_scene_of_any_size(any, question.system));
 }
+
+/// Its times.
+Scene in_time(const Scene& scene) { return scene; }
+Scene in_time(const IndexedScene& scene) { return without_motion(scene); }
 
 std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }
 
@@ -89,16 +95,19 @@ std::string factor(const Expression& expression) {
 
 AdvisedOptions advised(const AccuracyQuestion& question) {
     constexpr std::int64_t steps_of_unsaid_size = 100;
-    const Scene scene = scene_of(question);
+    const std::variant<Scene, IndexedScene> asked = scene_of(question);
+    const Scene scene =
+        std::visit([](const auto& of_any_size) { return in_time(of_any_size); }, asked);
     const NamedExpression until = wish(scene, question.until, scene.run.until, "until");
     const std::int64_t count =
         scene.run.step ? steps_until(scene, *scene.run.step, until).count : steps_of_unsaid_size;
     const double end = nearest_value(scene, until), accuracy = question.accuracy;
 
     Builds builds(find_compiler());
-    const Advice found = advice(
-        builds, scene,
-        {accuracy, end, std::max<std::int64_t>(1, count), question.has_curve, question.seconds});
+    const AdviceWishes wishes{accuracy, end, std::max<std::int64_t>(1, count), question.has_curve,
+                              question.seconds};
+    const Advice found = std::visit(
+        [&](const auto& of_any_size) { return advice(builds, of_any_size, wishes); }, asked);
     const Candidate& chosen = found.candidates[found.chosen];
     const std::string step = fmt::format("{}/{}", factor(until.expression), found.point.steps);
     const std::string note = fmt::format(

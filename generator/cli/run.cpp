@@ -277,11 +277,11 @@ Watched watch(AnyScene& scene, const RunOptions& options) {
 }
 
 /// With the momentum maps that are found.
-WishedRun watched_run(const Method& method, const Scene& scene, const StepperWishes& wishes,
+template <class AnyScene>
+WishedRun watched_run(const Method& method, AnyScene scene, const StepperWishes& wishes,
                       const Steps& steps, const RunOptions& options) {
-    Scene watched_scene = scene;
-    const Watched watched = watch(watched_scene, options);
-    const SceneStepper stepper = scene_stepper(method, watched_scene, wishes);
+    const Watched watched = watch(scene, options);
+    const SceneStepper stepper = scene_stepper(method, scene, wishes);
     return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
             watched.left_out,
             options.accuracy
@@ -290,18 +290,8 @@ WishedRun watched_run(const Method& method, const Scene& scene, const StepperWis
                   "a step"};
 }
 
-WishedRun wished_run(const RunOptions& options, const MethodAndScene& wished) {
-    const Steps steps = wished_steps(wished.scene, options);
-    return watched_run(wished.method, wished.scene, wishes_of(options), steps, options);
-}
-
-WishedRun wished_run(const RunOptions& options, const MethodAndLargeScene& wished) {
-    const Steps steps = wished_steps(without_motion(wished.scene), options);
-    IndexedScene scene = wished.scene;
-    const Watched watched = watch(scene, options);
-    const SceneStepper stepper = scene_stepper(wished.method, scene, wishes_of(options));
-    return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
-            watched.left_out, "a smaller --step"};
+Steps wished_steps(const IndexedScene& scene, const RunOptions& options) {
+    return wished_steps(without_motion(scene), options);
 }
 
 WishedRun advised_run(const RunOptions& options) {
@@ -312,17 +302,25 @@ WishedRun advised_run(const RunOptions& options) {
     }();
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
-    const auto [method, scene, sums] = read_scene(method_options, options.system);
-    WishedRun run = watched_run(method, scene, simulation_wishes(advice.solver, advice.composition),
-                                advice.steps, options);
+    StepperWishes wishes = simulation_wishes(advice.solver, advice.composition);
+    wishes.unroll = options.wishes.unroll;
+    WishedRun run = std::visit(
+        [&](const auto& both) {
+            return watched_run(both.method, both.scene, wishes, advice.steps, options);
+        },
+        read_scene_of_any_size(method_options, options.system));
     run.shortfall = advice.shortfall;
     return run;
 }
 
 WishedRun any_run(const RunOptions& options) {
     if (options.accuracy) return advised_run(options);
-    return std::visit([&](const auto& wished) { return wished_run(options, wished); },
-                      read_scene_of_any_size(options.method, options.system));
+    return std::visit(
+        [&](const auto& both) {
+            const Steps steps = wished_steps(both.scene, options);
+            return watched_run(both.method, both.scene, wishes_of(options), steps, options);
+        },
+        read_scene_of_any_size(options.method, options.system));
 }
 
 /// NOTE: the picture shows the columns that were asked for, where some were.

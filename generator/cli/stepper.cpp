@@ -86,14 +86,16 @@ void write_advised(const StepperOptions& options) {
                         "ask for less, for an earlier end by --until, or for more by --budget");
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
-    const auto [method, scene, sums] = read_scene(method_options, *options.system);
     StepperWishes wishes = options.wishes;
     wishes.solver = advice.solver;
     wishes.composition = advice.composition;
-    const SceneStepper stepper = scene_stepper(method, scene, wishes);
-    if (options.explain) std::fputs(explanation(stepper, sums).c_str(), stderr);
-    std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
-    write_result(options.output, with_note(stepper.header, advice.note));
+    const auto write = [&](const auto& both) {
+        const SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
+        if (options.explain) std::fputs(explanation(stepper, both.unrolling).c_str(), stderr);
+        std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
+        write_result(options.output, with_note(stepper.header, advice.note));
+    };
+    std::visit(write, read_scene_of_any_size(method_options, *options.system));
 }
 
 }  // namespace

@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "generator/lower/loop_system.hpp"
 #include "generator/lower/system.hpp"
+#include "generator/study/large_reference.hpp"
 #include "generator/study/path_to_accuracy.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/error.hpp"
@@ -81,13 +84,13 @@ private:
 /// The runs of the candidates.
 class Race {
 public:
+    /// `measures`: the runs of the contenders.
     Race(Course course, double accuracy, const std::vector<Contender>& contenders,
-         const Deadline& deadline)
+         const std::vector<MeasureSteps>& measures, const Deadline& deadline)
         : course_(std::move(course)), accuracy_(accuracy) {
-        for (const Contender& contender : contenders) {
+        for (const Contender& contender : contenders)
             curves_.push_back({contender.title, contender.order, false, {}, {}});
-            measures_.emplace_back(measured(contender, course_.until), deadline);
-        }
+        for (const MeasureSteps& measure : measures) measures_.emplace_back(measure, deadline);
     }
 
     /// From the step of the scene on, until the error is that of an order.
@@ -178,7 +181,7 @@ private:
 
 /// The fastest that gets to the accuracy, else the one with the smallest error. Throws MathError
 /// where more time would not have led there.
-void choose(Advice& advice, const Scene& scene, double accuracy, bool is_cut_short) {
+void choose(Advice& advice, const std::string& scene, double accuracy, bool is_cut_short) {
     if (const auto chosen = fastest(advice.curves, accuracy)) {
         advice.chosen = *chosen;
         advice.point = *cheapest(advice.curves[*chosen], accuracy);
@@ -192,7 +195,7 @@ void choose(Advice& advice, const Scene& scene, double accuracy, bool is_cut_sho
                 advice.chosen = i;
             }
     const std::string what =
-        fmt::format("no method takes {} to its end with an error of {}", scene.name, accuracy);
+        fmt::format("no method takes {} to its end with an error of {}", scene, accuracy);
     if (best == nullptr) throw MathError(what, {}, "none comes to the end at all");
     if (!is_cut_short)
         throw MathError(what, {},
@@ -242,6 +245,12 @@ FoundReference reference_in_double(const Contender& contender, const AdviceWishe
     return found;
 }
 
+[[noreturn]] void refuse_reference(const std::string& scene, double error) {
+    throw MathError(
+        fmt::format("the motion of {} is known with an error of {:.1e} only", scene, error), {},
+        "ask for less, for an earlier end by --until, or for more by --budget");
+}
+
 /// Throws MathError where it is not known to a hundredth of the accuracy, and there is no run.
 FoundReference good_reference(const Build& quadruple, const Contender& contender,
                               const Scene& scene, const AdviceWishes& wishes) {
@@ -256,62 +265,116 @@ FoundReference good_reference(const Build& quadruple, const Contender& contender
         throw MathError(
             fmt::format("there is no reference solution of {} in {:.3g} s", scene.name, seconds),
             {}, "ask for less, for an earlier end by --until, or for more by --budget");
-    if (!(error <= wanted) && !found.run)
-        throw MathError(fmt::format("the motion of {} is known with an error of {:.1e} only",
-                                    scene.name, error),
-                        {}, "ask for less, for an earlier end by --until, or for more by --budget");
+    if (!(error <= wanted) && !found.run) refuse_reference(scene.name, error);
     return found;
 }
+
+/// An advice on the way: what is compiled, and what is said meanwhile.
+class Adviser {
+public:
+    Adviser(std::string scene, const Structure& structure, const AdviceWishes& wishes)
+        : scene_(std::move(scene)) {
+        advice_.candidates = candidates(structure, wishes);
+        parts_ = static_cast<double>(2 * advice_.candidates.size() + 2);
+        show("deriving and writing steppers");
+    }
+
+    /// Compiles the contender of each candidate, which `make(candidate)` orders.
+    void compile(const std::function<Contender(const Candidate&)>& make) {
+        for (const Candidate& candidate : advice_.candidates)
+            contenders_.push_back(make(candidate));
+        for (const Contender& contender : contenders_) {
+            advice_.costs.push_back(contender.costs);
+            show("compiling " + contender.title);
+            static_cast<void>(built(contender.build));
+        }
+        show("reference");
+    }
+
+    [[nodiscard]] const std::vector<Contender>& contenders() const { return contenders_; }
+
+    /// Where nothing else is known so well as this run of the last contender.
+    [[nodiscard]] Advice with(const FoundReference& found) && {
+        advice_.reference = found.reference;
+        for (const Contender& contender : contenders_)
+            advice_.curves.push_back({contender.title, contender.order, false, {}, {}});
+        advice_.curves.back().points.push_back(*found.run);
+        advice_.chosen = contenders_.size() - 1;
+        advice_.point = *found.run;
+        advice_.is_reached = false;
+        return std::move(advice_);
+    }
+
+    /// The best of a race.
+    [[nodiscard]] Advice with_race(const Course& course, double accuracy,
+                                   const std::vector<MeasureSteps>& measures,
+                                   const Deadline& deadline) && {
+        advice_.reference = course.reference;
+        Race race(course, accuracy, contenders_, measures, deadline);
+        for (std::size_t i = 0; i < contenders_.size(); ++i) race.begin(i);
+        for (const std::size_t i : race.by_prediction()) {
+            show("running " + race.curves()[i].name);
+            race.finish(i);
+        }
+        race.time_the_best();
+        advice_.curves = race.curves();
+        choose(advice_, scene_, accuracy, race.is_cut_short());
+        return std::move(advice_);
+    }
+
+private:
+    void show(const std::string& what) { bar_.show(done_++ / parts_, scene_ + ": " + what); }
+
+    std::string scene_;
+    Advice advice_;
+    std::vector<Contender> contenders_;
+    double parts_ = 1, done_ = 0;
+    Bar bar_;
+};
 
 }  // namespace
 
 Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     const System system = system_of(scene);
-    Advice result;
-    result.candidates = candidates(system.structure, wishes);
-    const auto parts = static_cast<double>(2 * result.candidates.size() + 2);
-    double done = 0;
-    Bar bar;
-    const auto show = [&](const std::string& what) {
-        bar.show(done++ / parts, scene.name + ": " + what);
-    };
-    show("deriving and writing steppers");
+    Adviser adviser(scene.name, system.structure, wishes);
     const Build quadruple =
         wishes.accuracy < coarsest_of_quadruple ? reference_build(builds, scene) : Build();
-    std::vector<Contender> contenders;
-    for (const Candidate& candidate : result.candidates)
-        contenders.push_back(contender(builds, candidate.method, scene, candidate.solver));
-    for (const Contender& contender : contenders) {
-        result.costs.push_back(contender.costs);
-        show("compiling " + contender.title);
-        static_cast<void>(built(contender.build));
-    }
-    show("reference");
+    adviser.compile([&](const Candidate& candidate) {
+        return contender(builds, candidate.method, scene, candidate.solver);
+    });
     const Deadline deadline(wishes.seconds);
-    const FoundReference found = good_reference(quadruple, contenders.back(), scene, wishes);
-    result.reference = found.reference;
-    if (!(found.reference.error <= part_of_accuracy * wishes.accuracy)) {
-        // Nothing else is known so well as that run.
-        for (const Contender& contender : contenders)
-            result.curves.push_back({contender.title, contender.order, false, {}, {}});
-        result.curves.back().points.push_back(*found.run);
-        result.chosen = contenders.size() - 1;
-        result.point = *found.run;
-        result.is_reached = false;
-        return result;
-    }
+    const FoundReference found =
+        good_reference(quadruple, adviser.contenders().back(), scene, wishes);
+    if (!(found.reference.error <= part_of_accuracy * wishes.accuracy))
+        return std::move(adviser).with(found);
     const Course course{
-        result.reference, wishes.until, wishes.first_count, {}, !system.time.has_value()};
-    Race race(course, wishes.accuracy, contenders, deadline);
-    for (std::size_t i = 0; i < contenders.size(); ++i) race.begin(i);
-    for (const std::size_t i : race.by_prediction()) {
-        show("running " + race.curves()[i].name);
-        race.finish(i);
-    }
-    race.time_the_best();
-    result.curves = race.curves();
-    choose(result, scene, wishes.accuracy, race.is_cut_short());
-    return result;
+        found.reference, wishes.until, wishes.first_count, {}, !system.time.has_value()};
+    std::vector<MeasureSteps> measures;
+    for (const Contender& contender : adviser.contenders())
+        measures.push_back(measured(contender, course.until));
+    return std::move(adviser).with_race(course, wishes.accuracy, measures, deadline);
+}
+
+Advice advice(Builds& builds, const IndexedScene& scene, const AdviceWishes& wishes) {
+    const System system = loop_system(scene);
+    Adviser adviser(scene.name, system.structure, wishes);
+    const LargeReference large(builds, scene, wishes.until);
+    adviser.compile([&](const Candidate& candidate) {
+        return contender(builds, candidate.method, scene, candidate.solver);
+    });
+    large.wait();
+    const Deadline deadline(wishes.seconds);
+    const Course course{large.compute(wishes.first_count, wishes.seconds / 2),
+                        wishes.until,
+                        wishes.first_count,
+                        {},
+                        !system.time.has_value()};
+    if (!(course.reference.error <= part_of_accuracy * wishes.accuracy))
+        refuse_reference(scene.name, course.reference.error);
+    std::vector<MeasureSteps> measures;
+    for (const Contender& contender : adviser.contenders())
+        measures.push_back(large.measured(contender.build));
+    return std::move(adviser).with_race(course, wishes.accuracy, measures, deadline);
 }
 
 }  // namespace hvi::gen

@@ -47,4 +47,7 @@ struct Advice {
 /// tell; and what scene_stepper(), a Build and ask() do.
 [[nodiscard]] Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes);
 
+/// The same of a scene whose sums stay loops.
+[[nodiscard]] Advice advice(Builds& builds, const IndexedScene& scene, const AdviceWishes& wishes);
+
 }  // namespace hvi::gen

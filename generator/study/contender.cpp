@@ -49,9 +49,10 @@ Contender contender(Builds& builds, const StudiedMethod& method, const Scene& sc
             corrections ? std::optional(corrections->costs) : std::nullopt};
 }
 
-Contender contender(Builds& builds, const StudiedMethod& method, const IndexedScene& scene) {
+Contender contender(Builds& builds, const StudiedMethod& method, const IndexedScene& scene,
+                    Solver solver) {
     // NOTE: programs of vectors are measured against a reference of vectors.
-    StepperWishes wishes = simulation_wishes(Solver::automatic, method.composition);
+    StepperWishes wishes = simulation_wishes(solver, method.composition);
     wishes.unroll = Unroll::no;
     const SceneStepper stepper = scene_stepper(method.method, scene, wishes);
     return {stepper.method.title(), method.order, builds.order(simulation_program(stepper))};

@@ -38,7 +38,7 @@ struct Contender {
 /// Makes a contender of a method on a scene whose sums stay loops; NoLoops where these do not have
 /// its step.
 [[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method,
-                                  const IndexedScene& scene);
+                                  const IndexedScene& scene, Solver solver);
 
 /// Measures its runs, until the time of the course.
 [[nodiscard]] MeasureSteps measured(const Contender& contender, double until);

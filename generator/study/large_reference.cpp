@@ -80,8 +80,7 @@ LargeReference::LargeReference(Builds& builds, const IndexedScene& scene, double
     build_ = builds.order(reference_program(stepper));
 }
 
-Reference LargeReference::compute(std::int64_t count) const {
-    constexpr double seconds = 30;
+Reference LargeReference::compute(std::int64_t count, double seconds) const {
     if (method_.empty()) {
         write_start(built(build_), file_);
         return {"exact", 0, {}};
@@ -89,8 +88,8 @@ Reference LargeReference::compute(std::int64_t count) const {
     const auto found = write_reference(built(build_), file_, until_, count, enough, seconds);
     if (!found)
         throw MathError(fmt::format("there is no reference solution: {} does not come to the end "
-                                    "in half a minute",
-                                    method_),
+                                    "in {:.3g} s",
+                                    method_, seconds),
                         {}, "give the scene an [exact] solution, or an earlier end by `until`");
     return {fmt::format("{} in {} bits", method_, found->bits), found->error, {}};
 }

@@ -22,9 +22,9 @@ public:
     void wait() const { static_cast<void>(built(build_)); }
 
     /// The scene's exact solution at its end, or one by a method of high order in long double, with
-    /// steps halved until the end does not move, or for half a minute. `count` are the scene's own
-    /// steps. Throws MathError where no run comes to the end, and as ask() does.
-    [[nodiscard]] Reference compute(std::int64_t count) const;
+    /// steps halved until the end does not move, or for so many seconds. `count` are the scene's
+    /// own steps. Throws MathError where no run comes to the end, and as ask() does.
+    [[nodiscard]] Reference compute(std::int64_t count, double seconds = 30) const;
 
     /// Measures runs of a compiled program. Precondition: compute().
     [[nodiscard]] MeasureSteps measured(const Build& build) const;

@@ -59,7 +59,7 @@ struct LargePrograms {
                   const std::vector<StudiedMethod>& methods)
         : reference(builds, scene, until) {
         for (const StudiedMethod& method : methods)
-            contenders.push_back(contender(builds, method, scene));
+            contenders.push_back(contender(builds, method, scene, Solver::automatic));
     }
 
     void wait() const {

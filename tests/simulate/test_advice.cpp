@@ -273,3 +273,36 @@ TEST_CASE("accuracies that cannot be") {
     CHECK(none.status == 3);
     CHECK(none.out.empty());
 }
+
+TEST_CASE("a scene whose sums stay loops comes to its end with the error that was asked for") {
+    use_cache();
+    const Directory directory;
+    constexpr int n = 300;
+    write(directory / "rings.toml",
+          "coordinates = \"q[1..N]\"\nmomenta = \"p[1..N]\"\nhamiltonian = \"sum(i=1..N, "
+          "(q[i]^2 + p[i]^2)^2/4)\"\n[parameters]\nN = 300\n[initial]\n\"q[i]\" = \"1 + "
+          "i/1000\"\n\"p[i]\" = 0\n[run]\nuntil = 2\n");
+    const Outcome outcome =
+        hvi_gen({"run", "rings.toml", "--accuracy", "1e-6", "--budget", "20", "--columns",
+                 "q[1..300], p[1..300]", "--only", "table,summary", "-o", "out"},
+                directory.path());
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    CHECK(has(outcome.err, "errors of at most 1e-06 on rings at t = 2, beside gauss:6 in "));
+    const std::string table = contents(directory / "out/trajectory.csv");
+    std::istringstream row(table.substr(table.rfind('\n', table.size() - 2) + 1));
+    std::vector<double> values;
+    for (std::string word; std::getline(row, word, ',');) values.push_back(std::stod(word));
+    REQUIRE(values.size() == 2 * n + 1);
+    CHECK(values[0] == 2);
+    // Each turns by the square of its radius in the unit of time.
+    double distance = 0, size = 0;
+    for (int i = 0; i < n; ++i) {
+        const double r = 1 + (i + 1) / 1000.0, angle = 2 * r * r;
+        const auto k = static_cast<std::size_t>(i);
+        distance += std::pow(values[1 + k] - r * std::cos(angle), 2) +
+                    std::pow(values[1 + n + k] + r * std::sin(angle), 2);
+        size += r * r;
+    }
+    CHECK(std::sqrt(distance / size) <= 1.1e-6);
+}
