@@ -138,26 +138,17 @@ std::string parameters_of(const SceneStepper& stepper) {
     return fmt::format("Stepper::read_parameters({})", text_literal(directory.string()));
 }
 
-ProgramText large_program(const SceneStepper& stepper) {
-    const std::vector<std::string> conserved = conserved_names(stepper.system);
-    return program_around(stepper, "large_driver.cpp.in",
-                          {{"stepper", stepper.class_name},
-                           {"invariants", quoted(conserved)},
-                           {"count", std::to_string(conserved.size())},
-                           {"parameters", parameters_of(stepper)},
-                           {"values", values(conserved)}});
-}
-
 }  // namespace
 
 ProgramText simulation_program(const SceneStepper& stepper) {
-    return stepper.step.container == Container::vectors ? large_program(stepper)
-                                                        : driver_program(stepper, {});
+    const bool is_any_size = stepper.step.container == Container::vectors;
+    return driver_program(stepper, is_any_size ? Driver{"large_main", "large_main"} : Driver{});
 }
 
 ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
     const System& system = stepper.system;
     const std::vector<std::string> conserved = conserved_names(system);
+    const bool is_any_size = stepper.step.container == Container::vectors;
     const auto fact = [](bool is_true) { return std::string(is_true ? "true" : "false"); };
     return program_around(stepper, "driver.cpp.in",
                           {{"driver", driver.header},
@@ -165,6 +156,9 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
                            {"stepper", stepper.class_name},
                            {"invariants", quoted(conserved)},
                            {"count", std::to_string(conserved.size())},
+                           {"parameters", parameters_of(stepper)},
+                           // NOTE: as many as there are processors.
+                           {"threads", is_any_size ? ", 0" : ""},
                            {"values", values(conserved)},
                            {"separable", fact(stepper.step.is_separable())},
                            {"joint", fact(stepper.step.slopes == Slopes::joint)},

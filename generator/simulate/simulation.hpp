@@ -96,7 +96,7 @@ struct Driver {
     std::vector<std::string> libraries = {};  ///< that it is linked with
 };
 
-/// The program of another driver around the stepper. Precondition: the system is written out.
+/// The program of another driver around the stepper.
 [[nodiscard]] ProgramText driver_program(const SceneStepper& stepper, const Driver& driver);
 
 /// The program of find_reference(), in the widest numbers that there are, or, with functions of the
