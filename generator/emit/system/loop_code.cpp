@@ -306,11 +306,7 @@ private:
         body.line("size_ = static_cast<std::size_t>(in_q);");
         if (system_.sites) { body.line("count_ = in_q / {};", system_.coordinates.size()); }
         write_fits(body);
-        const NodeNames given = names_.setup_names();
-        const auto results = write_code(body, system_.graph, names_.setup(), given, "hvi::math");
-        for (std::size_t k = 0; k < results.size(); ++k) {
-            body.line("c{} = {};", k + 1, results[k]);
-        }
+        names_.write_setup(body, "hvi::math");
         writer.line("explicit System({}const Parameters& parameters{})",
                     uses_parameters() ? "" : "[[maybe_unused]] ",
                     has_chunks() ? ", unsigned threads = 1" : ", unsigned /*threads*/ = 1");
@@ -343,11 +339,7 @@ private:
     }
 
     void write_data(Writer& writer) const {
-        for (std::size_t k = 0; k < names_.constants().size(); ++k) {
-            const Expression& value = system_.graph.at(names_.constants()[k]).constant;
-            writer.line("static constexpr Scalar k{} = {};  // {}", k + 1, initializer(value),
-                        to_text(value));
-        }
+        names_.write_data(writer);
         for (const SystemSize& size : system_.sizes) {
             writer.line("Place {}_;", member_of(size.name));
         }
@@ -361,9 +353,6 @@ private:
                 line += fmt::format(", {}_step_{}_ = 0", name, d);
             }
             writer.line("{};", line);
-        }
-        for (std::size_t k = 0; k < names_.members().size(); ++k) {
-            writer.line("Scalar c{} = 0;", k + 1);
         }
         writer.line("std::size_t size_ = 0;").line("bool fits_ = true;");
         if (system_.sites) { writer.line("Place count_ = 0;  // of sites"); }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/support/error.hpp"
 
@@ -13,17 +14,28 @@ namespace hvi::gen {
 
 std::string member_of(const std::string& name) { return member_name(name); }
 
-LoopNames::LoopNames(const System& system) : system_(system) {
+namespace {
+
+/// The names of parameters and sizes, in the constructor.
+NodeNames inputs_of(const System& system) {
+    NodeNames names = parameter_names(system);
     for (Node node = 0; node < system.graph.size(); ++node) {
         const Computation& computation = system.graph.at(node);
-        if (computation.operation != Operation::input || varies(computation.roles)) { continue; }
-        const std::string& name = computation.name;
-        const bool is_size = std::any_of(system.sizes.begin(), system.sizes.end(),
-                                         [&](const SystemSize& size) { return size.name == name; });
-        inputs_[node] = is_size ? fmt::format("static_cast<Scalar>(parameters.{})", member_of(name))
-                                : fmt::format("parameters.{}", member_of(name));
+        const bool is_size =
+            computation.operation == Operation::input &&
+            std::any_of(system.sizes.begin(), system.sizes.end(),
+                        [&](const SystemSize& size) { return size.name == computation.name; });
+        if (!is_size) { continue; }
+        names[node] =
+            fmt::format("static_cast<Scalar>(parameters.{})", member_of(computation.name));
     }
+    return names;
 }
+
+}  // namespace
+
+LoopNames::LoopNames(const System& system)
+    : GivenNames(system.graph, inputs_of(system)), system_(system) {}
 
 /// NOTE: other names in the code are q, p, way, out, e, k, V, h, x and t1, t2, ..., or end in an
 /// underscore.
@@ -92,46 +104,6 @@ std::string LoopNames::array(const Access& access) const {
     case FamilyKind::turn: break;
     }
     return member_of(system_.family(access).name) + "_values_.data()";
-}
-
-void LoopNames::name_constant(Node node) {
-    if (names_.count(node) != 0) { return; }
-    constants_.push_back(node);
-    names_[node] = fmt::format("k{}", constants_.size());
-}
-
-NodeNames LoopNames::given(const Kernel& kernel, const NodeNames& locals) {
-    NodeNames result = locals;
-    for (const Node node : kernel.given) {
-        if (system_.graph.is_number({{1, 1}, node}) || locals.count(node) != 0) { continue; }
-        if (system_.graph.at(node).operation == Operation::constant) {
-            name_constant(node);
-        } else if (names_.count(node) == 0) {
-            members_.push_back(node);
-            names_[node] = fmt::format("c{}", members_.size());
-        }
-        result[node] = names_.at(node);
-    }
-    return result;
-}
-
-Kernel LoopNames::setup() const {
-    std::vector<Scaled> results;
-    for (const Node node : members_) { results.push_back({{1, 1}, node}); }
-    return kernel_of_inputs(system_.graph, results);
-}
-
-NodeNames LoopNames::setup_names() {
-    const Kernel kernel = setup();
-    NodeNames result = inputs_;
-    for (const Node node : kernel.given) {
-        if (system_.graph.at(node).operation == Operation::constant &&
-            !system_.graph.is_number({{1, 1}, node})) {
-            name_constant(node);
-            result[node] = names_.at(node);
-        }
-    }
-    return result;
 }
 
 }  // namespace hvi::gen

@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "generator/emit/system/kernel_code.hpp"
+#include "generator/emit/system/given_names.hpp"
 #include "generator/ir/system.hpp"
 
 namespace hvi::gen {
 
-/// Names of inputs, and of what is computed once: sizes are members of System, `N_`,
-/// so are constants, k1, and what is made of parameters, c1.
-class LoopNames {
+/// Names of elements and of whole numbers too; sizes are members of System, `N_`.
+class LoopNames : public GivenNames {
 public:
     explicit LoopNames(const System& system);
 
@@ -35,24 +34,8 @@ public:
     /// The array that it is in: `q`, `p`, or that of a table.
     [[nodiscard]] std::string array(const Access& access) const;
 
-    /// The names of all that a kernel is given but accesses and indices of loops, which `locals`
-    /// names.
-    [[nodiscard]] NodeNames given(const Kernel& kernel, const NodeNames& locals);
-
-    /// What computes members that are made of parameters, and the names that it is given.
-    [[nodiscard]] Kernel setup() const;
-    [[nodiscard]] NodeNames setup_names();
-
-    [[nodiscard]] const std::vector<Node>& members() const { return members_; }
-    [[nodiscard]] const std::vector<Node>& constants() const { return constants_; }
-
 private:
-    void name_constant(Node node);
-
     const System& system_;
-    std::map<Node, std::string> inputs_;  ///< sizes and parameters
-    NodeNames names_;                     ///< of constants and members
-    std::vector<Node> members_, constants_;
 };
 
 /// The member of Parameters, or of System with an underscore.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/emit/system/given_names.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/names.hpp"
 
@@ -15,67 +16,19 @@ using Results = std::vector<Scaled>;
 /// The template parameter that vectors are of.
 constexpr std::string_view vector_type(bool are_lanes) { return are_lanes ? "Values" : "Vector"; }
 
-/// The names of what evaluations find: variables, members for what is made of parameters, and
-/// constants.
-class GivenNodes {
-public:
-    explicit GivenNodes(const System& system) : system_(system), graph_(system.graph) {
-        const auto variables = [&](const std::vector<Node>& nodes, const std::string& letter) {
-            for (std::size_t k = 0; k < nodes.size(); ++k) {
-                names_[nodes[k]] = fmt::format("{}[{}]", letter, k);
-            }
-        };
-        variables(coordinate_nodes(system), "q");
-        variables(conjugate_nodes(system), std::string(1, system.conjugate_letter()));
-        if (system.time) { names_[*system.time] = "t"; }
-    }
-
-    /// Gives a name to everything that the kernel is given.
-    void name(const Kernel& kernel, const NodeNames& named = {}) {
-        name_constants(kernel);
-        for (const Node node : kernel.given) {
-            const bool has_name = names_.count(node) != 0 || named.count(node) != 0;
-            if (has_name || graph_.is_number({{1, 1}, node})) { continue; }
-            members_.push_back(node);
-            names_[node] = fmt::format("c{}_", members_.size());
+/// The names of variables in functions.
+NodeNames variable_names(const System& system) {
+    NodeNames names;
+    const auto add = [&](const std::vector<Node>& nodes, char letter) {
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            names[nodes[k]] = fmt::format("{}[{}]", letter, k);
         }
-    }
-
-    void name_constants(const Kernel& kernel) {
-        for (const Node node : kernel.given) {
-            const bool is_constant = graph_.at(node).operation == Operation::constant;
-            if (!is_constant || names_.count(node) != 0 || graph_.is_number({{1, 1}, node})) {
-                continue;
-            }
-            constants_.push_back(node);
-            names_[node] = fmt::format("k{}", constants_.size());
-        }
-    }
-
-    /// What computes the members.
-    [[nodiscard]] Kernel setup() const {
-        Results results;
-        for (const Node node : members_) { results.push_back({{1, 1}, node}); }
-        return kernel_of_inputs(graph_, results);
-    }
-
-    /// The names at hand where there are parameters in place of members and variables.
-    [[nodiscard]] NodeNames of_inputs() const {
-        NodeNames names = parameter_names(system_);
-        for (const Node node : constants_) { names[node] = names_.at(node); }
-        return names;
-    }
-
-    [[nodiscard]] const NodeNames& names() const { return names_; }
-    [[nodiscard]] const std::vector<Node>& members() const { return members_; }
-    [[nodiscard]] const std::vector<Node>& constants() const { return constants_; }
-
-private:
-    const System& system_;
-    const Graph& graph_;
-    NodeNames names_;
-    std::vector<Node> members_, constants_;
-};
+    };
+    add(coordinate_nodes(system), 'q');
+    add(conjugate_nodes(system), system.conjugate_letter());
+    if (system.time) { names[*system.time] = "t"; }
+    return names;
+}
 
 /// A function of (q, p), or of one of them; on the Lagrangian side of (q, v).
 struct SystemFunction {
@@ -343,9 +296,10 @@ void mirror(Writer& writer, std::size_t n) {
     writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
 }
 
-void write(Writer& writer, const System& system, NodeNames names, const SystemFunction& function,
+void write(Writer& writer, const System& system, GivenNames& given, const SystemFunction& function,
            std::string_view library) {
-    for (const auto& [node, name] : function.names) { names[node] = name; }
+    NodeNames locals = variable_names(system);
+    for (const auto& [node, name] : function.names) { locals[node] = name; }
     std::vector<std::string> arguments;
     const std::string_view vector = vector_type(function.takes_lanes);
     if (function.has_q) {
@@ -381,6 +335,7 @@ void write(Writer& writer, const System& system, NodeNames names, const SystemFu
         writer.line("evaluations += {};",
                     function.takes_lanes ? "hvi::detail::lane_count<Value>" : "1");
     }
+    const NodeNames names = given.given(function.kernel, locals);
     const auto results = write_code(writer, system.graph, function.kernel, names,
                                     function.takes_lanes ? "hvi::math" : library,
                                     function.takes_lanes ? "Value" : "Scalar");
@@ -392,49 +347,30 @@ void write(Writer& writer, const System& system, NodeNames names, const SystemFu
     writer.close();
 }
 
-bool uses_parameters(const System& system, const Kernel& kernel) {
-    const NodeNames names = parameter_names(system);
-    return std::any_of(kernel.given.begin(), kernel.given.end(),
-                       [&](Node node) { return names.count(node) != 0; });
-}
-
-void write_constructor(Writer& writer, const System& system, const GivenNodes& given,
-                       std::string_view library) {
-    const Kernel setup = given.setup();
+void write_constructor(Writer& writer, GivenNames& given, std::string_view library) {
     writer.open("constexpr explicit System({}) {{",
-                argument(uses_parameters(system, setup), "const Parameters& parameters"));
-    const auto results = write_code(writer, system.graph, setup, given.of_inputs(), library);
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        writer.line("c{}_ = {};", i + 1, results[i]);
-    }
+                argument(given.uses_inputs(), "const Parameters& parameters"));
+    given.write_setup(writer, library);
     writer.close();
 }
 
-void write_begin(Writer& writer, const System& system, const GivenNodes& given,
-                 const Kernel& initial, std::string_view library) {
+void write_begin(Writer& writer, const System& system, GivenNames& given, const Kernel& initial,
+                 std::string_view library) {
     const char p = system.conjugate_letter();
+    const NodeNames parameters = parameter_names(system);
+    const bool uses_parameters =
+        std::any_of(initial.given.begin(), initial.given.end(),
+                    [&](Node node) { return parameters.count(node) != 0; });
     writer.open("static constexpr void begin({}, {}& q, Vector& {}) {{",
-                argument(uses_parameters(system, initial), "const Parameters& parameters"),
+                argument(uses_parameters, "const Parameters& parameters"),
                 rotations_of(system) == 0 ? "Vector" : "Positions", p);
-    const auto results = write_code(writer, system.graph, initial, given.of_inputs(), library);
+    const auto results =
+        write_code(writer, system.graph, initial, given.given_inputs(initial), library);
     const std::size_t n = coordinate_nodes(system).size();
     for (std::size_t k = 0; k < results.size(); ++k) {
         writer.line("{}[{}] = {};", k < n ? 'q' : p, k < n ? k : k - n, results[k]);
     }
     writer.close();
-}
-
-std::string data_text(const System& system, const GivenNodes& given) {
-    Writer writer(1);
-    for (std::size_t i = 0; i < given.constants().size(); ++i) {
-        const Expression& value = system.graph.at(given.constants()[i]).constant;
-        writer.line("static constexpr Scalar k{} = {};  // {}", i + 1, initializer(value),
-                    to_text(value));
-    }
-    for (std::size_t i = 0; i < given.members().size(); ++i) {
-        writer.line("Scalar c{}_ = 0;", i + 1);
-    }
-    return writer.str();
 }
 
 /// The names of families, one after the other.
@@ -471,13 +407,19 @@ std::string mass_text(const VelocityStep& form) {
 std::string system_text(const System& system, const SceneWishes& wishes, const Step& step,
                         const Evaluations& evaluations) {
     const std::vector<SystemFunction> all = functions(system, wishes, step, evaluations);
-    const Kernel initial = initial_values(system);
-    GivenNodes given(system);
-    for (const SystemFunction& function : all) { given.name(function.kernel, function.names); }
-    // NOTE: what computes members and initial data is given parameters, which have names, and
-    // constants, which get theirs here.
-    given.name_constants(given.setup());
-    given.name_constants(initial);
+    GivenNames given(system.graph, parameter_names(system));
+    // NOTE: the constructor computes what functions need, and constants of both have names.
+    Writer body(2);
+    for (const SystemFunction& function : all) {
+        if (&function != &all.front()) { body.blank(); }
+        write(body, system, given, function, library(wishes));
+    }
+    Writer constructor(2);
+    write_constructor(constructor, given, library(wishes));
+    if (!system.initial.empty()) {
+        body.blank();
+        write_begin(body, system, given, initial_values(system), library(wishes));
+    }
 
     Writer writer(1);
     writer.comment(about(system), "/// ");
@@ -496,22 +438,13 @@ std::string system_text(const System& system, const SceneWishes& wishes, const S
     if (const auto* form = std::get_if<VelocityStep>(&step.form)) {
         writer.line("{}", mass_text(*form));
     }
-    writer.blank();
-    write_constructor(writer, system, given, library(wishes));
-    for (const SystemFunction& function : all) {
-        writer.blank();
-        write(writer, system, given.names(), function, library(wishes));
-    }
-    if (!system.initial.empty()) {
-        writer.blank();
-        write_begin(writer, system, given, initial, library(wishes));
-    }
+    writer.blank().insert(constructor.str()).blank().insert(body.str());
     if (wishes.evaluations) {
         writer.blank().line("mutable std::int64_t evaluations = 0;  // of dH/dq");
     }
-    if (const std::string data = data_text(system, given); !data.empty()) {
-        writer.blank().insert(data);
-    }
+    Writer data(2);
+    given.write_data(data);
+    if (!data.str().empty()) { writer.blank().insert(data.str()); }
     return writer.close("};").str();
 }
 
