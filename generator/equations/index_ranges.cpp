@@ -118,7 +118,9 @@ void Placing::add(std::vector<Loop> loops, Forms conditions, std::vector<Loop> i
     bounds.uppers = narrowest(bounds.uppers, -1, outer);
     if (bounds.lowers.size() > 1) { return add_both(std::move(loops), bounds, 1, inner); }
     if (bounds.uppers.size() > 1) { return add_both(std::move(loops), bounds, -1, inner); }
-    inner.insert(inner.begin(), {loop.index, {bounds.lowers.front(), bounds.uppers.front()}});
+    const AffineForm first = bounds.lowers.front(), last = bounds.uppers.front();
+    if (is_never_negative(first - last - AffineForm{1}, outer)) { return; }
+    inner.insert(inner.begin(), {loop.index, {first, last}});
     loops.pop_back();
     add(std::move(loops), std::move(bounds.others), std::move(inner));
 }
