@@ -101,8 +101,8 @@ TEST_CASE("what scheme does not have of sums is refused, or written out where it
     CHECK(even.err.find("with the index 2*i has no formula") != std::string::npos);
 
     write(directory / "own.hpp", "");
-    write(directory / "own.toml",
-          head + "sum(i=1..N, p[i]^2/2 + V(x[i]))" + tail + "[functions]\nV = {header = \"own.hpp\", arguments = 1}\n");
+    write(directory / "own.toml", head + "sum(i=1..N, p[i]^2/2 + V(x[i]))" + tail +
+                                      "[functions]\nV = {header = \"own.hpp\", arguments = 1}\n");
     words.back() = "own.toml";
     const Outcome own = hvi_gen(words, directory.path());
     CHECK(own.status == 2);
