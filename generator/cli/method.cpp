@@ -58,23 +58,6 @@ Coefficients coefficients_of(const std::filesystem::path& file, const MethodOpti
     return coefficients;
 }
 
-MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& system) {
-    Method method = read_method(options);
-    std::vector<Parameter> parameters = parameters_in(options.parameters);
-    if (!system.scene) {
-        Hamiltonian hamiltonian = read_hamiltonian(system, parameters);
-        check_together(method, hamiltonian);
-        for (Parameter& parameter : parameters)
-            set_parameter(method, hamiltonian, std::move(parameter));
-        return {std::move(method), std::move(hamiltonian)};
-    }
-    Scene scene = find_scene(system.scene, parameters);
-    refuse_rotations(function_of(scene), "`scheme`");
-    check_together(method, scene);
-    for (Parameter& parameter : parameters) set_parameter(method, scene, std::move(parameter));
-    return {std::move(method), std::move(scene.mechanics)};
-}
-
 namespace {
 
 /// A scene that is a Hamiltonian and nothing else. Its parameters have no values yet.
@@ -157,7 +140,45 @@ MethodAndLargeScene completed(IndexedScene scene, const Given& name, const Metho
     return {std::move(method), std::move(scene)};
 }
 
+/// The wish as the command line has it.
+std::string unroll_option(Unroll choice) {
+    switch (choice) {
+    case Unroll::automatic: break;
+    case Unroll::yes: return " --unroll yes";
+    case Unroll::no: return " --unroll no";
+    }
+    return "";
+}
+
 }  // namespace
+
+MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& system) {
+    Method method = read_method(options);
+    std::vector<Parameter> parameters = parameters_in(options.parameters);
+    if (!system.scene) {
+        Hamiltonian hamiltonian = read_hamiltonian(system, parameters);
+        check_together(method, hamiltonian);
+        for (Parameter& parameter : parameters)
+            set_parameter(method, hamiltonian, std::move(parameter));
+        return {std::move(method), std::move(hamiltonian)};
+    }
+    auto found = find_scene_of_any_size(system.scene, parameters, system.sums).scene;
+    if (auto* large = std::get_if<IndexedScene>(&found)) {
+        MethodAndLargeScene both = completed(std::move(*large), system.scene, options);
+        both.scene.origin += unroll_option(system.sums.choice);
+        return {std::move(both.method), LargeSystem{std::move(both.scene), std::move(parameters)}};
+    }
+    Scene scene = std::get<Scene>(std::move(found));
+    function_of(scene).origin += unroll_option(system.sums.choice);
+    refuse_rotations(function_of(scene), "`scheme`");
+    check_together(method, scene);
+    for (Parameter& parameter : parameters) set_parameter(method, scene, std::move(parameter));
+    return std::visit(
+        [&](auto& function) {
+            return MethodAndSystem{std::move(method), std::move(function)};
+        },
+        scene.mechanics);
+}
 
 MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system) {
     const std::vector<Parameter> parameters = parameters_in(options.parameters);

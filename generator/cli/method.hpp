@@ -19,10 +19,16 @@ namespace hvi::gen {
 [[nodiscard]] Coefficients coefficients_of(const std::filesystem::path& file,
                                            const MethodOptions& options);
 
+/// A scene whose sums stay loops, and the values that the command line gives; it has them already.
+struct LargeSystem {
+    IndexedScene scene;
+    std::vector<Parameter> values;
+};
+
 /// A method, and H or L, read; the parameters of both have their values.
 struct MethodAndSystem {
     Method method;
-    std::variant<Hamiltonian, Lagrangian> system;
+    std::variant<Hamiltonian, Lagrangian, LargeSystem> system;
 };
 [[nodiscard]] MethodAndSystem read_system(const MethodOptions& options,
                                           const SystemOptions& system);

@@ -147,6 +147,14 @@ SchemeOptions scheme_options(const Words& words, const CommandLine& line) {
     options.generating = words.has("--generating");
     options.lagrangian = words.has("--lagrangian");
     options.series = words.whole_number("--series");
+    // NOTE: eight equations of each kind are read sooner than one with conditions.
+    constexpr std::size_t most_degrees_in_words = 8;
+    options.system.sums = {words.choice<Unroll>("--unroll").value_or(Unroll::automatic),
+                           options.lagrangian   ? "--lagrangian"
+                           : options.generating ? "--generating"
+                           : options.series     ? "--series"
+                                                : "",
+                           most_degrees_in_words};
     options.format = words.choice<EquationsFormat>("--format").value_or(options.format);
     options.output = output_option(words);
     return options;

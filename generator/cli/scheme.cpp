@@ -3,12 +3,15 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/hamiltonian/legendre.hpp"
+#include "generator/read/no_loops.hpp"
 #include "generator/read/own_functions.hpp"
 #include "generator/render/equations.hpp"
 
 namespace hvi::gen {
 
 namespace {
+
+std::string printed(const SchemeOptions& options);
 
 template <class Equations>
 std::string rendered(const Equations& step, SchemeOptions::Format format) {
@@ -36,20 +39,38 @@ std::string equations(const Method& method, const Function& function,
         options.format);
 }
 
+template <class Function>
+std::string printed(const Method& method, const Function& function, const SchemeOptions& options) {
+    refuse_own_functions(function.expression, function.source, "the exact equations of a step");
+    return equations(method, function, options);
+}
+
+/// Of sums that stay loops; what they turn out not to have is written out, where that is left open.
+std::string printed(const Method& method, const LargeSystem& system, const SchemeOptions& options) {
+    const UnrollWish& wish = options.system.sums;
+    try {
+        if (!wish.needed_for.empty()) {
+            throw NoLoops(wish.needed_for + " is not built where sums stay loops",
+                          whole(system.scene.function.source));
+        }
+        return rendered(loop_equations(method, system.scene, system.values), options.format);
+    } catch (const NoLoops&) {
+        if (!may_write_out(system.scene, wish.choice)) throw;
+    }
+    SchemeOptions written = options;
+    written.system.sums.choice = Unroll::yes;
+    return printed(written);
+}
+
+std::string printed(const SchemeOptions& options) {
+    const auto [method, system] = read_system(options.method, options.system);
+    return std::visit(
+        [&, &read = method](const auto& function) { return printed(read, function, options); },
+        system);
+}
+
 }  // namespace
 
-void run(const SchemeOptions& options) {
-    const auto [method, system] = read_system(options.method, options.system);
-    std::visit(
-        [](const auto& function) {
-            refuse_own_functions(function.expression, function.source,
-                                 "the exact equations of a step");
-        },
-        system);
-    const auto write = [&, &read = method](const auto& function) {
-        write_result(options.output, equations(read, function, options));
-    };
-    std::visit(write, system);
-}
+void run(const SchemeOptions& options) { write_result(options.output, printed(options)); }
 
 }  // namespace hvi::gen

@@ -12,37 +12,35 @@ namespace {
 
 /// METHOD has the values of its own parameters.
 template <class Function>
-std::string origin_of(const Method& method, const Function& function) {
-    std::string text = method.origin + " " + function.origin;
+FunctionWords words_of(const Method& method, const Function& function) {
+    FunctionWords words{function.origin, parameter_names(function), function.parameters};
     const std::vector<std::string> known = parameter_names(method);
     for (const Parameter& parameter : function.parameters)
-        if (!contains(known, parameter.name))
-            text += " --param \"" + parameter.name + "=" + to_text(parameter.value) + "\"";
-    return text;
+        if (!contains(known, parameter.name)) words.origin += parameter_option(parameter);
+    return words;
 }
 
-template <class Function>
-StepTitle title(const Method& method, const Function& function) {
-    StepTitle title{method.name, origin_of(method, function), {}, function.parameters, {}};
+}  // namespace
+
+StepTitle title_of(const Method& method, const FunctionWords& function) {
+    StepTitle title{method.name, method.origin + " " + function.origin, {}, function.values, {}};
     for (const Parameter& parameter : method.parameters) assign(title.values, parameter);
     std::sort(title.values.begin(), title.values.end(),
               [](const Parameter& a, const Parameter& b) { return a.name < b.name; });
     std::set<std::string> names;
-    for (const auto& list : {parameter_names(method), parameter_names(function)})
+    for (const auto& list : {parameter_names(method), function.parameters})
         names.insert(list.begin(), list.end());
     for (const Parameter& known : title.values) names.erase(known.name);
     title.parameters.assign(names.begin(), names.end());
     return title;
 }
 
-}  // namespace
-
 StepTitle title_of(const Method& method, const Hamiltonian& hamiltonian) {
-    return title(method, hamiltonian);
+    return title_of(method, words_of(method, hamiltonian));
 }
 
 StepTitle title_of(const Method& method, const Lagrangian& lagrangian) {
-    return title(method, lagrangian);
+    return title_of(method, words_of(method, lagrangian));
 }
 
 }  // namespace hvi::gen

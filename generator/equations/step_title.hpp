@@ -18,6 +18,14 @@ struct StepTitle {
     std::vector<Expression> basis;
 };
 
+/// What a title says of H or L.
+struct FunctionWords {
+    std::string origin;                   ///< with the values that the command line gives
+    std::vector<std::string> parameters;  ///< with a value or without
+    std::vector<Parameter> values;
+};
+
+[[nodiscard]] StepTitle title_of(const Method& method, const FunctionWords& function);
 [[nodiscard]] StepTitle title_of(const Method& method, const Hamiltonian& hamiltonian);
 [[nodiscard]] StepTitle title_of(const Method& method, const Lagrangian& lagrangian);
 

@@ -121,9 +121,39 @@ std::string power_latex(const Expression& base, const Expression& exponent) {
     const bool count = exponent.kind == Expression::Kind::number && exponent.denominator == "1";
     if (function && count) return call_latex(base, raised);
     const bool word = root || base.kind == Expression::Kind::symbol ||
+                      base.kind == Expression::Kind::element ||
                       (base.kind == Expression::Kind::number && base.denominator == "1");
     const std::string text = latex(base, Bar::stacked);
     return (word ? text : in_sized_parentheses(text)) + "^{" + raised + "}";
+}
+
+/// `x_{k-1}`; mod(k-2,N) is (k-2) \\bmod N.
+std::string element_latex(const Expression& element) {
+    const std::string name = symbol_latex(element.name);
+    std::string indices;
+    for (const Expression& index : element.arguments)
+        indices += (indices.empty() ? "" : ",") + latex(index, Bar::slash);
+    const std::size_t own = name.find("_{");
+    return own == std::string::npos
+               ? name + "_{" + indices + "}"
+               : name.substr(0, own + 2) + indices + "," + name.substr(own + 2);
+}
+
+/// (k-2) \bmod N
+std::string mod_latex(const Expression& call) {
+    const std::string of = latex(call.arguments[0], Bar::slash);
+    const bool is_sum = call.arguments[0].kind == Expression::Kind::sum;
+    return in_sized_parentheses((is_sum ? in_sized_parentheses(of) : of) + " \\bmod " +
+                                latex(call.arguments[1], Bar::slash));
+}
+
+std::string sum_over_latex(const Expression& sum) {
+    const Expression& term = sum.arguments[2];
+    const std::string text = latex(term, Bar::stacked);
+    return "\\sum_{" + symbol_latex(sum.name) + "=" + latex(sum.arguments[0], Bar::slash) + "}^{" +
+           latex(sum.arguments[1], Bar::slash) + "} " +
+           (term.kind == Expression::Kind::sum || text.front() == '-' ? in_sized_parentheses(text)
+                                                                      : text);
 }
 
 std::string factor_latex(const WrittenFactor& factor) {
@@ -139,7 +169,9 @@ std::string factor_latex(const WrittenFactor& factor) {
         if (expression.name == "exp") return exponential_latex(expression.arguments[0]);
         if (expression.name == "abs") return absolute_latex(expression.arguments[0]);
         if (is_if(expression.name)) return if_latex(expression);
-        return call_latex(expression);
+        return expression.name == "mod" ? mod_latex(expression) : call_latex(expression);
+    case Expression::Kind::element: return element_latex(expression);
+    case Expression::Kind::sum_over: return in_sized_parentheses(sum_over_latex(expression));
     default: return symbol_latex(expression.name);
     }
 }
@@ -178,6 +210,9 @@ std::string between_braces(const std::vector<WrittenFactor>& factors) {
 
 /// Without the sign.
 std::string fraction_latex(const Fraction& fraction, Bar bar) {
+    if (fraction.is_simple() && !fraction.above.empty())
+        if (const auto* sum = get_if_kind(fraction.above[0], Expression::Kind::sum_over))
+            return sum_over_latex(*sum);
     if (fraction.below.empty()) return factors_latex(fraction.above);
     if (bar == Bar::stacked)
         return "\\frac" + between_braces(fraction.above) + between_braces(fraction.below);

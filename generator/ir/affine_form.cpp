@@ -104,6 +104,23 @@ std::optional<AffineForm> affine_form(const Expression& expression) {
     return form && is_small(*form) ? std::move(form) : std::nullopt;
 }
 
+Expression as_expression(const AffineForm& form) {
+    std::vector<Expression> terms;
+    for (const bool is_negative : {false, true}) {
+        for (const auto& [name, coefficient] : form.coefficients) {
+            if ((coefficient < 0) != is_negative) { continue; }
+            const long size = std::abs(coefficient);
+            Expression term = Expression::symbol(name);
+            if (size != 1) { term = Expression::product({Expression::integer(size), term}); }
+            terms.push_back(is_negative ? Expression::negation(std::move(term)) : std::move(term));
+        }
+    }
+    if (form.constant != 0 || terms.empty()) {
+        terms.push_back(Expression::integer(form.constant));
+    }
+    return Expression::sum(std::move(terms));
+}
+
 std::string to_text(const AffineForm& form) {
     std::string text;
     const auto add = [&](bool is_negative, const std::string& size) {

@@ -35,6 +35,9 @@ struct AffineForm {
 /// What is written, as such a form; empty where it is none: i*j, i/2, mod(i, 2), or above 10^8.
 [[nodiscard]] std::optional<AffineForm> affine_form(const Expression& expression);
 
+/// The form as an expression: what is added comes before what is subtracted, as in N-k+1.
+[[nodiscard]] Expression as_expression(const AffineForm& form);
+
 /// `N - 1`, `2*i + j`, as people write it.
 [[nodiscard]] std::string to_text(const AffineForm& form);
 

@@ -4,6 +4,7 @@
 
 #include "generator/render/equations.hpp"
 #include "generator/render/json_entry.hpp"
+#include "generator/render/loop_equations.hpp"
 
 namespace hvi::gen {
 
@@ -84,7 +85,38 @@ Json values_json(const StepTitle& step) {
     return values;
 }
 
+/// Terms, and where they are: everywhere, or where each of these ranges has its index.
+Json slope_json(const ElementSlope& slope) {
+    Json terms = Json::array();
+    for (const LoopTermOfSlope& term : slope) {
+        Json where = Json::array();
+        for (const Loop& range : term.where) where.push_back(to_text(range));
+        terms.push_back({{"value", to_text(term.value)}, {"where", std::move(where)}});
+    }
+    return terms;
+}
+
 }  // namespace
+
+std::string render_json(const LoopEquations& step) {
+    Json derivatives = Json::object();
+    for (const auto& [family, slope] : named_slopes(step))
+        derivatives[slope_name(family, step.gradient.indices)] = slope_json(slope);
+    Json json;
+    json["schema"] = "hvi-scheme-loops/1";
+    json["name"] = step.name;
+    json["hamiltonian"] = to_text(step.hamiltonian);
+    json["coordinates"] = texts(step.coordinates);
+    json["momenta"] = texts(step.momenta);
+    json["indices"] = step.gradient.indices;
+    json["parameters"] = step.parameters;
+    json["values"] = values_json(step);
+    json["stages"] = stages_json(step.stages);
+    json["explicit"] = step.stages.is_explicit;
+    json["exact"] = step.stages.is_exact;
+    json["derivatives"] = std::move(derivatives);
+    return json.dump(2) + "\n";
+}
 
 std::string render_json(const LagrangianEquations& step) {
     Json legendre = Json::array(), stages = Json::array(), update = Json::array();

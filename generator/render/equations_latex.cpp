@@ -5,6 +5,7 @@
 #include <map>
 
 #include "generator/render/equations.hpp"
+#include "generator/render/loop_equations.hpp"
 
 namespace hvi::gen {
 
@@ -158,6 +159,76 @@ void append_series(std::string& lines, const StepEquations& step) {
                series.difference);
 }
 
+/// `\\frac{\\partial H}{\\partial x_{k}}`, by the name of the derivative.
+std::map<std::string, std::string> slopes_latex(const LoopEquations& step) {
+    std::map<std::string, std::string> result;
+    for (const auto* families : {&step.coordinates, &step.momenta})
+        for (const SystemFamily& family : *families)
+            result[slope_name(family, step.gradient.indices)] = fmt::format(
+                "\\partial_{{{}}} H", to_latex(element_of(family, step.gradient.indices)));
+    return result;
+}
+
+/// With derivatives at values of a stage as symbols in LaTeX.
+Expression with_slopes(Expression expression, const std::map<std::string, std::string>& slopes) {
+    const auto found = slopes.find(expression.name);
+    if (found != slopes.end()) {
+        std::string stage;
+        for (const Expression& argument : expression.arguments)
+            stage += (stage.empty() ? "" : ", ") + to_latex(argument);
+        return Expression::symbol(found->second + (stage.empty() ? "" : "(" + stage + ")"));
+    }
+    for (Expression& argument : expression.arguments)
+        argument = with_slopes(std::move(argument), slopes);
+    return expression;
+}
+
+/// `1 \le k \le N`, or `k = 1`.
+std::string range_latex(const Loop& range) {
+    const auto& [first, last] = range.range;
+    const std::string index = to_latex(Expression::symbol(range.index));
+    const std::string begin = to_latex(as_expression(first));
+    if (first == last) return fmt::format("{} = {}", index, begin);
+    return fmt::format("{} \\le {} \\le {}", begin, index, to_latex(as_expression(last)));
+}
+
+/// The terms of a derivative; where one is not everywhere, it says so.
+std::string slope_latex(const ElementSlope& slope) {
+    std::string text;
+    for (const PlacedTerm& term : placed_terms(slope, true)) {
+        text += (text.empty() ? "" : " \\\\\n&\\quad {}") + term.text;
+        std::string before = " \\quad \\text{for } ";
+        for (const Loop& range : term.where) {
+            text += before + range_latex(range);
+            before = ",\\ ";
+        }
+    }
+    return text;
+}
+
+std::string loops_latex(const LoopEquations& step) {
+    const std::map<std::string, std::string> slopes = slopes_latex(step);
+    std::map<std::string, std::string> now{{"t", at("t", "n")}};
+    for (const auto* families : {&step.coordinates, &step.momenta})
+        for (const SystemFamily& family : *families) {
+            const std::string name = to_text(element_of(family, step.gradient.indices));
+            now[name] = at(name, "n");
+        }
+    std::string lines;
+    const auto append = [&](const std::string& left, const Expression& right) {
+        append_line(lines, fmt::format("{} &= {}", left,
+                                       to_latex(renamed(with_slopes(right, slopes), now))));
+    };
+    for (const Equation& stage : step.stages.stages)
+        append(to_latex(Expression::symbol(stage.left)), stage.right);
+    for (const Equation& update : step.stages.update) append(at(update.left, "n+1"), update.right);
+    for (const auto& [family, slope] : named_slopes(step))
+        append_line(lines,
+                    fmt::format("{} &= {}", slopes.at(slope_name(family, step.gradient.indices)),
+                                slope_latex(slope)));
+    return lines;
+}
+
 std::string displayed(const std::string& command, const std::string& lines) {
     return fmt::format("% hvi-gen scheme {} --format latex\n"
                        "% needs \\usepackage{{amsmath}}\n"
@@ -190,6 +261,10 @@ std::string render_latex(const LagrangianEquations& step) {
     now["t"] = at("t", "n");
     const std::string lines = galerkin_latex(step, now, "L &= " + to_latex(step.lagrangian));
     return displayed(step.origin + " --lagrangian", lines);
+}
+
+std::string render_latex(const LoopEquations& step) {
+    return displayed(step.origin, loops_latex(step));
 }
 
 }  // namespace hvi::gen

@@ -5,14 +5,12 @@
 #include <map>
 
 #include "generator/render/equations.hpp"
+#include "generator/render/equations_page.hpp"
 #include "generator/render/layout.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-constexpr std::string_view inexact =
-    "\nA decimal stands where there is no closed form, to 20 digits.\n";
 
 /// The new value of a variable: a row of the map, without what is zero.
 Expression new_value(const MapEquations& map, std::size_t row,
@@ -44,78 +42,7 @@ std::string identity(const StepEquations& step) {
     return fmt::format("{}", fmt::join(products, "+"));
 }
 
-/// How much stands before the terms that the step size multiplies, in `q+h*(...)`; 0 where it is no
-/// such sum.
-std::size_t length_before_slopes(const Expression& right) {
-    if (right.kind != Expression::Kind::sum || right.arguments.size() != 2) return 0;
-    const Expression& last = right.arguments.back();
-    const Expression& change = last.kind == Expression::Kind::negation ? last.arguments[0] : last;
-    const bool fits = change.kind == Expression::Kind::product && change.arguments.size() == 2 &&
-                      change.arguments[0] == Expression::symbol("h") &&
-                      change.arguments[1].kind == Expression::Kind::sum;
-    return fits ? to_text(right.arguments[0]).size() + std::string_view("+h*(").size() : 0;
-}
-
-/// Lines of a name and what is said of it, and equations.
-class Page {
-public:
-    void line(const std::string& head, const std::string& text) {
-        for (const std::string& line : wrapped(head, text)) text_ += line + "\n";
-    }
-    void fact(std::string_view name, const std::string& text) {
-        if (!text.empty()) line(fmt::format("{:<14}", name), text);
-    }
-    void names(std::string_view name, const std::vector<std::string>& list) {
-        fact(name, fmt::format("{}", fmt::join(list, ", ")));
-    }
-    /// A line of its own, as it is.
-    void remark(std::string_view text) { text_ += text; }
-    void equation(const std::string& left, const Expression& right);
-    void title(const StepTitle& step) { line("", step.name.empty() ? step.origin : step.name); }
-    void parameters(const StepTitle& step);
-
-    [[nodiscard]] const std::string& text() const { return text_; }
-
-private:
-    std::string text_;
-};
-
-/// A long one is broken between the terms that the step size multiplies, or has a line for each of
-/// its terms.
-void Page::equation(const std::string& left, const Expression& right) {
-    const std::string text = to_text(right);
-    std::string head = " " + left + " = ";
-    const bool fits = head.size() + text.size() <= terminal_columns;
-    const std::size_t begin = length_before_slopes(right);
-    if (fits || right.kind != Expression::Kind::sum || begin != 0) {
-        const std::size_t kept = fits ? 0 : begin;
-        line(head + text.substr(0, kept), text.substr(kept));
-        return;
-    }
-    for (const Expression& term : right.arguments) {
-        std::string piece = to_text(term);
-        const bool first = head.find('=') != std::string::npos;
-        if (!first && piece.front() != '-') piece.insert(0, 1, '+');
-        line(head, piece);
-        head.assign(head.size(), ' ');
-    }
-}
-
-void Page::parameters(const StepTitle& step) {
-    names("parameters", step.parameters);
-    std::string values;
-    for (const Parameter& known : step.values)
-        values +=
-            fmt::format("{}{} = {}", values.empty() ? "" : ", ", known.name, to_text(known.value));
-    fact("values", values);
-    std::string functions;
-    for (const Expression& psi : step.basis)
-        functions += (functions.empty() ? "" : ", ") + to_text(psi);
-    fact("basis", functions);
-    remark("\n");
-}
-
-void write_head(Page& page, const StepEquations& step) {
+void write_head(EquationsPage& page, const StepEquations& step) {
     page.title(step);
     page.remark("\n");
     page.fact("hamiltonian", to_text(step.hamiltonian));
@@ -124,14 +51,14 @@ void write_head(Page& page, const StepEquations& step) {
     page.parameters(step);
 }
 
-void write_map(Page& page, const StepEquations& step) {
+void write_map(EquationsPage& page, const StepEquations& step) {
     const std::vector<std::string> names = variables(step);
     for (std::size_t i = 0; i < names.size(); ++i)
         page.equation(names[i] + "'", new_value(*step.map, i, names));
 }
 
 /// What does not fit into a line begins a new one at the equals sign.
-void write_implicit(Page& page, const ImplicitEquation& equation) {
+void write_implicit(EquationsPage& page, const ImplicitEquation& equation) {
     const std::string left = to_text(equation.left);
     const std::size_t length = left.size() + to_text(equation.right).size();
     if (length + std::string_view("  = ").size() <= terminal_columns) {
@@ -142,29 +69,29 @@ void write_implicit(Page& page, const ImplicitEquation& equation) {
     page.equation("  ", equation.right);
 }
 
-void write_galerkin(Page& page, const GalerkinEquations& equations) {
+void write_galerkin(EquationsPage& page, const GalerkinEquations& equations) {
     for (const Equation& position : equations.positions)
         page.equation(position.left, position.right);
     for (const ImplicitEquation& condition : equations.conditions) write_implicit(page, condition);
     page.remark("\nand with them:\n\n");
     for (const Equation& update : equations.update) page.equation(update.left + "'", update.right);
-    if (!equations.is_exact) page.remark(inexact);
+    if (!equations.is_exact) page.remark(EquationsPage::inexact);
 }
 
-void write_obstacle(Page& page, const StepEquations& step) {
+void write_obstacle(EquationsPage& page, const StepEquations& step) {
     if (step.obstacle.empty()) return;
     page.line("", "H is quadratic, but the map has no formula here: " + step.obstacle);
     page.remark("\n");
 }
 
-void write_at_nodes(Page& page, const StepEquations& step) {
+void write_at_nodes(EquationsPage& page, const StepEquations& step) {
     write_obstacle(page, step);
     page.remark("stages by (4.6), to be solved together for the values of p at the nodes,\n"
                 "and for the V, coefficients of dq/dt in the basis:\n\n");
     write_galerkin(page, *step.at_nodes);
 }
 
-void write_stages(Page& page, const StepEquations& step) {
+void write_stages(EquationsPage& page, const StepEquations& step) {
     const StageEquations& equations = *step.stages;
     write_obstacle(page, step);
     if (!equations.is_explicit) page.remark("stages, to be solved together:\n\n");
@@ -172,10 +99,10 @@ void write_stages(Page& page, const StepEquations& step) {
     if (!equations.is_explicit) page.remark("\nand with them:\n\n");
     for (const Equation& update : equations.update) page.equation(update.left + "'", update.right);
     if (equations.is_explicit) page.remark("\nEach line needs those above it only.\n");
-    if (!equations.is_exact) page.remark(inexact);
+    if (!equations.is_exact) page.remark(EquationsPage::inexact);
 }
 
-void write_generating(Page& page, const StepEquations& step) {
+void write_generating(EquationsPage& page, const StepEquations& step) {
     const GeneratingEquations& found = *step.generating;
     const auto at_the_end = names_at_the_end(step);
     page.remark(fmt::format("\ngenerating function of type II, by {}:\n\n",
@@ -199,7 +126,7 @@ void write_generating(Page& page, const StepEquations& step) {
 }
 
 /// [h^k] is the coefficient of h^k.
-void write_term(Page& page, const StepEquations& step, std::size_t k,
+void write_term(EquationsPage& page, const StepEquations& step, std::size_t k,
                 const DiscreteSeries::Coefficient& coefficient) {
     const std::string power = k == 1 ? "h" : fmt::format("h^{}", k);
     page.line(fmt::format(" [{}] = ", power),
@@ -207,14 +134,14 @@ void write_term(Page& page, const StepEquations& step, std::size_t k,
                           : "... (too long to be computed)");
 }
 
-void write_terms(Page& page, const StepEquations& step,
+void write_terms(EquationsPage& page, const StepEquations& step,
                  const std::vector<DiscreteSeries::Coefficient>& coefficients) {
     page.line(" [1] = ", identity(step));
     for (std::size_t k = 1; k <= coefficients.size(); ++k)
         write_term(page, step, k, coefficients[k - 1]);
 }
 
-void write_series(Page& page, const StepEquations& step) {
+void write_series(EquationsPage& page, const StepEquations& step) {
     const DiscreteSeries& found = *step.series;
     if (step.map || step.stages) page.remark("\n");
     page.remark("coefficients of powers of h in the exact discrete Hamiltonian, (4.1):\n\n");
@@ -238,7 +165,7 @@ void write_series(Page& page, const StepEquations& step) {
     }
 }
 
-void write_lagrangian_head(Page& page, const LagrangianEquations& step) {
+void write_lagrangian_head(EquationsPage& page, const LagrangianEquations& step) {
     page.title(step);
     page.remark("\n");
     page.fact("lagrangian", to_text(step.lagrangian));
@@ -251,7 +178,7 @@ void write_lagrangian_head(Page& page, const LagrangianEquations& step) {
 }  // namespace
 
 std::string render_text(const StepEquations& step) {
-    Page page;
+    EquationsPage page;
     write_head(page, step);
     if (step.map) write_map(page, step);
     if (step.stages) write_stages(page, step);
@@ -262,7 +189,7 @@ std::string render_text(const StepEquations& step) {
 }
 
 std::string render_text(const LagrangianEquations& step) {
-    Page page;
+    EquationsPage page;
     write_lagrangian_head(page, step);
     page.remark("momenta, by p = dL/dv:\n\n");
     for (const Equation& momentum : step.legendre) page.equation(momentum.left, momentum.right);

@@ -49,18 +49,6 @@ std::optional<IndexNames> renaming(const std::vector<Loop>& from, const std::vec
     return names;
 }
 
-Expression as_expression(const AffineForm& form) {
-    std::vector<Expression> terms;
-    for (const auto& [name, coefficient] : form.coefficients)
-        terms.push_back(
-            Expression::product({Expression::integer(coefficient), Expression::symbol(name)}));
-    for (Expression& term : terms)
-        if (term.arguments.size() == 2 && term.arguments[0] == Expression::integer(1))
-            term = term.arguments[1];
-    if (form.constant != 0 || terms.empty()) terms.push_back(Expression::integer(form.constant));
-    return Expression::sum(std::move(terms));
-}
-
 Expression as_expression(const ElementIndex& index, const IndexNames& names) {
     Expression form = as_expression(renamed(index.form, names));
     if (!index.modulus) return form;

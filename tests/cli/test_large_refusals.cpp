@@ -47,7 +47,10 @@ TEST_CASE("values are given to parameters of the method and of the scene") {
 }
 
 TEST_CASE("commands that write sums out say who does not") {
-    check_refused({2, "plummer", {}}, {"scheme", "--method", "gauss:2", "plummer"});
+    check_refused({2, "plummer", {"--series is not built for loops"}},
+                  {"scheme", "--method", "gauss:2", "plummer", "--series", "2"});
+    check_refused({2, "plummer", {"--unroll yes"}},
+                  {"scheme", "--method", "gauss:2", "plummer", "--unroll", "yes"});
 }
 
 TEST_CASE("a report on a large scene refuses what is not built for it, by name") {
