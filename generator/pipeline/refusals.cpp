@@ -79,12 +79,6 @@ void check_vectors(const Step& step, const Method& method, const StepperWishes& 
                       method.place,
                       "take as many nodes as functions, or write sums out: --unroll yes");
     }
-    if (std::holds_alternative<PairStep>(step.form) && wishes.solver == Solver::newton) {
-        throw NoLoops("--solver newton is built where sums stay loops for a quadratic kinetic "
-                      "energy alone, and no steps are composed",
-                      place,
-                      "without it fixed points are iterated; or write sums out: --unroll yes");
-    }
 }
 
 }  // namespace

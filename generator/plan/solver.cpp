@@ -62,14 +62,9 @@ void set_hessian(Step& step, HessianForm hessian) {
     }
 }
 
-/// NOTE: Newton's method for pairs is one of arrays. And where the equations are linear, one
-/// correction solves them, with factors that are kept as
+/// NOTE: where the equations are linear, one correction solves them, with factors that are kept as
 /// long as h is.
 Solver solver_of(const Step& step, Solver wished, const SystemProperties& system) {
-    const bool are_pairs = std::holds_alternative<PairStep>(step.form);
-    if (are_pairs && system.container == Container::vectors && wished == Solver::automatic) {
-        return Solver::fixed_point;
-    }
     const bool is_linear = system.has_linear_map && has_factors(system.hessian) &&
                            std::holds_alternative<VelocityStep>(step.form);
     return wished == Solver::automatic && is_linear ? Solver::newton : wished;

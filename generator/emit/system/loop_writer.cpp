@@ -177,8 +177,11 @@ void LoopWriter::write_derivatives(Writer& writer, const SumDerivatives& functio
                                    : is_only_loop    ? ", Place from, Place to"
                                                      : ", Place from, Place to, Place stride";
     writer.open("void {}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* {}, "
-                "{}Scalar* out{}) const {{",
+                "{}{}Scalar* out{}) const {{",
                 function.name, function.other,
+                function.has_ways ? "[[maybe_unused]] const Scalar* way, [[maybe_unused]] const "
+                                    "Scalar* way_p, "
+                                  : "",
                 function.has_time ? "[[maybe_unused]] Scalar t, " : "", range);
     if (sum.loops.empty()) {
         write_body(writer, sum, slopes);
@@ -202,9 +205,9 @@ void LoopWriter::write_derivatives(Writer& writer, const SumDerivatives& functio
 
 void LoopWriter::call_derivatives(Writer& writer, const SumDerivatives& function,
                                   std::string_view q, std::string_view other) {
-    const auto& [name, of, slopes, letter, has_time] = function;
-    const SystemSum& sum = *of;
-    const std::string arguments = fmt::format("{}, {}{}", q, other, has_time ? ", t" : "");
+    const std::string& name = function.name;
+    const SystemSum& sum = *function.sum;
+    const std::string arguments = fmt::format("{}, {}{}", q, other, function.has_time ? ", t" : "");
     if (sum.loops.empty()) {
         writer.line("{}({}, out.data());", name, arguments);
         return;

@@ -12,14 +12,15 @@
 
 namespace hvi::gen {
 
-/// A function that adds derivatives of a sum to `out`, for values of its first index from `first` to
-/// `last`. It looks at the array q, and at another one.
+/// A function that adds derivatives of a sum to `out`, for values of its first index from `first`
+/// to `last`. It looks at the array q, and at another one.
 struct SumDerivatives {
     std::string name;
     const SystemSum* sum;
     const std::vector<AccessSlope>* slopes;
     std::string_view other;  ///< `p`, or what second derivatives are multiplied by
     bool has_time = false;   ///< among its arguments
+    bool has_ways = false;   ///< the same, after p: what d2H is multiplied by, of q and of p
 };
 
 /// Writes what is computed for each value of the indices of sums. Innermost loops go in lanes where
