@@ -60,7 +60,7 @@ public:
             set_unit(coupled, b);
             const std::size_t first_p = Coupled::unknown_q.size() * n_;
             for (std::size_t i = first_p; i < b.size(); ++i) { b[i] /= unit_; }
-            gmres_.solve(
+            is_solved_ = gmres_.solve(
                 b, power_of_two<Scalar>(-12),
                 [&](const std::vector<Scalar>& x, std::vector<Scalar>& out) {
                     multiply(coupled, x, out);
@@ -68,6 +68,7 @@ public:
                 [](const std::vector<Scalar>&) {});
             for (std::size_t i = first_p; i < b.size(); ++i) { b[i] *= unit_; }
         });
+        if (!is_solved_) { count_as_unknown(coupled); }
     }
 
 private:
@@ -90,6 +91,17 @@ private:
         }
         unit_ = q > 0 && p > 0 ? p / q : Scalar(1);
         if (!(unit_ > 0) || unit_ - unit_ != 0) { unit_ = 1; }
+    }
+
+    /// NOTE: what GMRES finds where it does not come to an end may be next to nothing, far from the
+    /// solution. So that this does not pass for rounding, it counts as a change of all there is.
+    template <class Coupled>
+    static void count_as_unknown(Coupled& coupled) {
+        auto& change = coupled.s.change;
+        for (IndexOf<Vector> k = 0; k < coupled.s.n; ++k) {
+            change.q[k] = coupled.size_q(k);
+            change.p[k] = coupled.size_p(k);
+        }
     }
 
     template <class Coupled>
@@ -159,7 +171,8 @@ private:
 
     Gmres<Scalar> gmres_;
     Vector dQ_{}, dP_{}, product_{};
-    Scalar unit_ = 1;  ///< of p
+    Scalar unit_ = 1;         ///< of p
+    bool is_solved_ = false;  ///< the last correction is J^-1 residual
 };
 
 }  // namespace detail
