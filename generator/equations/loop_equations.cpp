@@ -9,6 +9,7 @@
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/expr/functions.hpp"
+#include "generator/lower/kernel.hpp"
 #include "generator/lower/loop_system.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/no_loops.hpp"
@@ -25,8 +26,8 @@ IndexedExpression with_definitions(const IndexedScene& scene) {
     return definitions.put_in(scene.function);
 }
 
-/// What stands in a derivative and in the indices there.
-std::set<std::string> words_in(const ElementSlope& slope) {
+/// What stands in a derivative and in the indices there, and what totals are made of.
+std::set<std::string> words_in(const System& system, const ElementSlope& slope) {
     std::set<std::string> words;
     for (const LoopTermOfSlope& term : slope) {
         walk(term.value, [&](const Expression& part) {
@@ -36,14 +37,40 @@ std::set<std::string> words_in(const ElementSlope& slope) {
             return true;
         });
     }
+    // NOTE: a total is made of those before it alone.
+    for (std::size_t k = system.totals.size(); k-- > 0;) {
+        const SystemTotal& total = system.totals[k];
+        if (words.count(system.graph.at(total.node).name) == 0) { continue; }
+        if (has(system.graph.at(total.node).roles, Role::time)) { words.insert("t"); }
+        for (const SystemSum& sum : total.sums) {
+            for (const std::size_t access : sum.accesses) {
+                words.insert(system.family(system.accesses[access]).name);
+            }
+            const Kernel value = kernel(system.graph, {sum.value});
+            for (const SystemTotal& other : system.totals) {
+                if (value.uses[other.node] == 0) { continue; }
+                words.insert(system.graph.at(other.node).name);
+            }
+        }
+    }
     return words;
+}
+
+/// NOTE: derivatives that loops add up have no text of the scene.
+void check_totals(const System& system, const Place& place) {
+    for (const SystemTotal& total : system.totals) {
+        if (system.graph.at(total.node).name.rfind("derivative by ", 0) != 0) { continue; }
+        throw NoLoops("equations are not printed where a sum stands in the summands of another",
+                      place);
+    }
 }
 
 /// One element of each family, in the place of a Hamiltonian without loops: its derivatives are
 /// calls of what they depend on.
 class OfOneElement {
 public:
-    OfOneElement(const System& system, const LoopGradient& gradient) : gradient_(gradient) {
+    OfOneElement(const System& system, const LoopGradient& gradient)
+        : system_(system), gradient_(gradient) {
         name(system.coordinates, H_.coordinates);
         name(system.conjugates, H_.momenta);
         add(system.coordinates, gradient.by_coordinates, slopes_.by_coordinates);
@@ -70,7 +97,7 @@ private:
     void add(const std::vector<SystemFamily>& families, const std::vector<ElementSlope>& slopes,
              std::vector<Expression>& calls) const {
         for (std::size_t f = 0; f < families.size(); ++f) {
-            const std::set<std::string> words = words_in(slopes[f]);
+            const std::set<std::string> words = words_in(system_, slopes[f]);
             std::vector<Expression> arguments;
             for (const auto& [family, element] : varying_) {
                 if (words.count(family) != 0) { arguments.push_back(Expression::symbol(element)); }
@@ -110,6 +137,7 @@ private:
         return expression;
     }
 
+    const System& system_;
     const LoopGradient& gradient_;
     Hamiltonian H_;
     Gradient slopes_;
@@ -175,6 +203,7 @@ LoopEquations loop_equations(const Method& method, IndexedScene scene,
     const Place place{function.source, function.written.range};
     const System system = loop_system(scene);
     check_names(method, system);
+    check_totals(system, place);
     LoopEquations result;
     result.hamiltonian = system.is_transformed ? with_sums(system, place) : function.written;
     static_cast<StepTitle&>(result) =

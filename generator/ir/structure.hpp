@@ -42,7 +42,8 @@ struct HessianEntries {
 };
 
 /// Sums whose derivatives `by_q` are, together, the product of d2H/dq2 with a vector, the elements
-/// of which are accesses too: FamilyKind::direction.
+/// of which are accesses too: FamilyKind::direction. Where stages have momenta the vector has
+/// elements for these as well, and with the derivatives by conjugates it is one of all of d2H.
 struct HessianProducts {
     std::vector<SystemSum> sums;
 };

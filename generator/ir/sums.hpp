@@ -64,7 +64,8 @@ enum class FamilyKind {
     conjugate,  ///< a momentum, of a Lagrangian a velocity
     table,
     direction,  ///< what second derivatives are multiplied by, an element for each coordinate
-    turn,       ///< of a rotation: what it is differentiated by in the place of its entries
+    direction_of_conjugate,  ///< the same for each conjugate
+    turn,  ///< of a rotation: what it is differentiated by in the place of its entries
 };
 
 /// An element of a family, which is an input of the graph but for a turn.

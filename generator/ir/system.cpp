@@ -61,7 +61,8 @@ const SystemFamily& System::family(const Access& access) const {
     case FamilyKind::coordinate:
     case FamilyKind::direction:
     case FamilyKind::turn: return coordinates.at(access.family);
-    case FamilyKind::conjugate: return conjugates.at(access.family);
+    case FamilyKind::conjugate:
+    case FamilyKind::direction_of_conjugate: return conjugates.at(access.family);
     case FamilyKind::table: break;
     }
     return tables.at(access.family).family;

@@ -162,7 +162,9 @@ std::string text(const System& system, const Access& access) {
         indices += (indices.empty() ? "[" : ",") + text(index);
     }
     const std::string name = system.family(access).name + (indices.empty() ? "" : indices + "]");
-    return access.kind == FamilyKind::direction ? "direction at " + name : name;
+    const bool is_direction =
+        access.kind == FamilyKind::direction || access.kind == FamilyKind::direction_of_conjugate;
+    return is_direction ? "direction at " + name : name;
 }
 
 std::string text(const SystemFamily& family) {

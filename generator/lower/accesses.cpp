@@ -30,7 +30,8 @@ Role role_of(FamilyKind kind) {
     switch (kind) {
     case FamilyKind::coordinate: return Role::coordinate;
     case FamilyKind::conjugate: return Role::conjugate;
-    case FamilyKind::direction: return Role::direction;
+    case FamilyKind::direction:
+    case FamilyKind::direction_of_conjugate: return Role::direction;
     case FamilyKind::table:
     case FamilyKind::turn: break;
     }

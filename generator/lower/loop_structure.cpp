@@ -133,10 +133,11 @@ SumEntries second_entries(System& system, const SystemSum& sum) {
     return result;
 }
 
-/// The element of the vector at the place of a coordinate, among the accesses.
-std::size_t direction_of(System& system, std::size_t coordinate) {
-    Access access = system.accesses[coordinate];
-    access.kind = FamilyKind::direction;
+/// The element of the vector at the place of a variable, among the accesses.
+std::size_t direction_of(System& system, std::size_t variable) {
+    Access access = system.accesses[variable];
+    access.kind = access.kind == FamilyKind::conjugate ? FamilyKind::direction_of_conjugate
+                                                       : FamilyKind::direction;
     access.node =
         system.graph.input("way along " + system.graph.at(access.node).name, Role::direction).node;
     for (std::size_t k = 0; k < system.accesses.size(); ++k) {
@@ -146,22 +147,32 @@ std::size_t direction_of(System& system, std::size_t coordinate) {
     return system.accesses.size() - 1;
 }
 
-/// The derivative of U along the vector, whose derivatives by coordinates are the product.
+/// Derivatives by the elements of slopes, but those that are zero.
+std::vector<AccessSlope> slopes_of(System& system, const Scaled& value,
+                                   const std::vector<AccessSlope>& by) {
+    std::vector<AccessSlope> result;
+    const std::vector<Scaled> values = second(system, value, by);
+    for (std::size_t a = 0; a < by.size(); ++a) {
+        if (!values[a].is_zero()) { result.push_back({by[a].access, values[a]}); }
+    }
+    return result;
+}
+
+/// The derivative of a sum along the vector, whose own derivatives are the product.
 SystemSum product_of(System& system, const SystemSum& sum) {
     SystemSum result{sum.loops, {}, sum.accesses, {}, {}};
-    const std::vector<AccessSlope> slopes = sum.by_q;
     std::vector<Scaled> terms;
-    for (const AccessSlope& slope : slopes) {
-        const std::size_t direction = direction_of(system, slope.access);
-        result.accesses.push_back(direction);
-        terms.push_back(
-            system.graph.product(slope.value, {{1, 1}, system.accesses[direction].node}));
+    for (const std::vector<AccessSlope>* slopes : {&sum.by_q, &sum.by_conjugates}) {
+        for (const AccessSlope& slope : *slopes) {
+            const std::size_t direction = direction_of(system, slope.access);
+            result.accesses.push_back(direction);
+            terms.push_back(
+                system.graph.product(slope.value, {{1, 1}, system.accesses[direction].node}));
+        }
     }
     result.value = system.graph.sum(std::move(terms));
-    const std::vector<Scaled> values = second(system, result.value, slopes);
-    for (std::size_t a = 0; a < slopes.size(); ++a) {
-        if (!values[a].is_zero()) { result.by_q.push_back({slopes[a].access, values[a]}); }
-    }
+    result.by_q = slopes_of(system, result.value, sum.by_q);
+    result.by_conjugates = slopes_of(system, result.value, sum.by_conjugates);
     return result;
 }
 
@@ -209,6 +220,19 @@ System with_loop_structure(System system) {
     const bool has_second =
         system.structure.kinetic_is_quadratic && system.structure.hessian != HessianForm::none;
     if (has_second) { system.second = second_order(system); }
+    return system;
+}
+
+System with_products_of_pairs(System system) {
+    HessianProducts products;
+    // NOTE: a copy, as accesses are added.
+    const std::vector<SystemSum> sums = system.sums;
+    for (const SystemSum& sum : sums) {
+        SystemSum product = product_of(system, sum);
+        if (product.by_q.empty() && product.by_conjugates.empty()) { continue; }
+        products.sums.push_back(std::move(product));
+    }
+    system.second = std::move(products);
     return system;
 }
 

@@ -11,4 +11,7 @@ namespace hvi::gen {
 /// there too, as Newton's method takes it. Precondition: slopes, and sites of a lattice, are there.
 [[nodiscard]] System with_loop_structure(System system);
 
+/// The system with HessianProducts of all of d2H, for Newton's method where stages have momenta.
+[[nodiscard]] System with_products_of_pairs(System system);
+
 }  // namespace hvi::gen

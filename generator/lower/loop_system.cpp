@@ -373,6 +373,7 @@ std::vector<SystemSum> LoopLowering::sums(const IndexedExpression& expression, S
         case FamilyKind::conjugate: return static_cast<Roles>(Role::conjugate);
         case FamilyKind::table:
         case FamilyKind::direction:
+        case FamilyKind::direction_of_conjugate:
         case FamilyKind::turn: break;
         }
         return 0;

@@ -73,28 +73,24 @@ void check_vectors(const Step& step, const Method& method, const StepperWishes& 
                       "--solver fixed-point needs none, where h is small against all periods; or "
                       "write sums out: --unroll yes");
     }
-    const auto* velocities = std::get_if<VelocityStep>(&step.form);
-    if (velocities != nullptr && velocities->hessian == HessianForm::none) {
-        throw NoLoops("--solver newton is not built where sums stay loops and stand in products or "
-                      "functions, which couple all with all",
-                      place,
-                      "without it fixed points are iterated; or write sums out: --unroll yes");
-    }
     if (std::holds_alternative<GalerkinStep>(step.form)) {
         throw NoLoops("more nodes than functions are built where sums stay loops for a quadratic "
                       "kinetic energy alone, and no steps are composed",
                       method.place,
                       "take as many nodes as functions, or write sums out: --unroll yes");
     }
-    if (std::holds_alternative<PairStep>(step.form) && wishes.solver == Solver::newton) {
-        throw NoLoops("--solver newton is built where sums stay loops for a quadratic kinetic "
-                      "energy alone, and no steps are composed",
-                      place,
-                      "without it fixed points are iterated; or write sums out: --unroll yes");
-    }
 }
 
 }  // namespace
+
+void check_newton(const System& system, const Step& step, const Place& place) {
+    const Iteration* iteration = step.iteration();
+    const bool takes_newton = iteration != nullptr && iteration->takes_newton();
+    if (!takes_newton || system.structure.hessian != HessianForm::none) return;
+    throw NoLoops("--solver newton is not built where sums stay loops and stand in products or "
+                  "functions, which couple all with all",
+                  place, "without it fixed points are iterated; or write sums out: --unroll yes");
+}
 
 std::string wish_without_loops(const StepperWishes& wishes) {
     const std::pair<bool, const char*> all[] = {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "generator/ir/step.hpp"
+#include "generator/ir/system.hpp"
 #include "generator/options/wishes.hpp"
 #include "generator/read/method.hpp"
 
@@ -15,6 +16,10 @@ namespace hvi::gen {
 
 /// Throws InputError at `place`, that of H, for such a wish.
 void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place);
+
+/// Throws NoLoops at `place`, that of H, where Newton's method may be called for and the system has
+/// no second derivatives for it.
+void check_newton(const System& system, const Step& step, const Place& place);
 
 /// Throws InputError for a step that was planned and is not what was wished for, or that its
 /// container does not have. `place` is that of H.

@@ -6,6 +6,7 @@
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"
 #include "generator/hamiltonian/legendre.hpp"
+#include "generator/lower/loop_structure.hpp"
 #include "generator/lower/loop_system.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/pipeline/refusals.hpp"
@@ -95,6 +96,12 @@ SceneWishes members_of(const StepperWishes& wishes) {
             .action = wishes.action};
 }
 
+/// Whether Newton's method may be called for where stages have momenta.
+bool takes_newton_for_pairs(const Step& step) {
+    return std::holds_alternative<PairStep>(step.form) && step.iteration() != nullptr &&
+           step.iteration()->takes_newton();
+}
+
 /// The way from a system to a header.
 SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, System system,
                         const SceneText& scene, const StepperWishes& wishes, SceneWishes members) {
@@ -105,7 +112,11 @@ SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, System sys
     Step step = planned(method, is_written_out ? properties(system, gradients) : properties(system),
                         wishes);
     check_step(step, wished, wishes, scene.place);
+    check_newton(system, step, scene.place);
     check_curve(step, members.curve, wished);
+    if (!is_written_out && takes_newton_for_pairs(step)) {
+        system = with_products_of_pairs(std::move(system));
+    }
     std::optional<Evaluations> evaluations;
     if (is_written_out) { evaluations = hvi::gen::evaluations(system, std::move(gradients), step); }
     std::string name = name_of_class(

@@ -62,13 +62,10 @@ void set_hessian(Step& step, HessianForm hessian) {
     }
 }
 
-/// NOTE: Newton's method for pairs is one of arrays. And where the equations are linear, one
-/// correction solves them, with factors that are kept as
+/// NOTE: where the equations are linear, one correction solves them, with factors that are kept as
 /// long as h is.
 Solver solver_of(const Step& step, Solver wished, const SystemProperties& system) {
-    const bool are_pairs = std::holds_alternative<PairStep>(step.form);
-    const bool has_newton = system.hessian != HessianForm::none;
-    if ((are_pairs || !has_newton) && system.container == Container::vectors && wished == Solver::automatic) {
+    if (wished == Solver::automatic && system.hessian == HessianForm::none) {
         return Solver::fixed_point;
     }
     const bool is_linear = system.has_linear_map && has_factors(system.hessian) &&

@@ -30,6 +30,9 @@ NewtonPolicy newton_policy(const Step& step) {
         return {"newton_of_lanes",
                 has_momenta ? "hvi::NewtonOfPairLanes" : "hvi::NewtonOfPositionLanes"};
     }
+    if (has_momenta && step.container == Container::vectors) {
+        return {"newton_pair_products", "hvi::NewtonOfPairProducts"};
+    }
     if (has_momenta) { return {"newton_pairs", "hvi::NewtonOfPairs"}; }
     switch (std::get<VelocityStep>(step.form).hessian) {
     case HessianForm::dense:

@@ -11,6 +11,7 @@
 #include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/loop_names.hpp"
 #include "generator/emit/system/loop_writer.hpp"
+#include "generator/emit/system/pair_products.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/system/site_writer.hpp"
 #include "generator/emit/text/names.hpp"
@@ -57,8 +58,7 @@ std::vector<SumDerivatives> products_of_sums(const System& system, const Hessian
 
 /// Whether Newton's method may be called for.
 bool takes_second(const Step& step) {
-    const auto* velocities = std::get_if<VelocityStep>(&step.form);
-    return velocities != nullptr && velocities->iteration.takes_newton();
+    return step.iteration() != nullptr && step.iteration()->takes_newton();
 }
 
 class SystemClass {
@@ -72,6 +72,7 @@ public:
         loops_.write_totals(functions);
         write_gradients(functions);
         write_for_positions(functions);
+        write_for_pairs(functions);
         write_values(functions);
         write_begin(functions);
         Writer writer(1);
@@ -161,6 +162,11 @@ private:
         } else {
             write_entries(writer, std::get<HessianEntries>(system_.second));
         }
+    }
+
+    void write_for_pairs(Writer& writer) {
+        if (!std::holds_alternative<PairStep>(step_.form) || !takes_second(step_)) { return; }
+        write_pair_products(writer, loops_, std::get<HessianProducts>(system_.second));
     }
 
     /// Another argument, where H depends on the time.

@@ -37,8 +37,8 @@ NodeNames inputs_of(const System& system) {
 LoopNames::LoopNames(const System& system)
     : GivenNames(system.graph, inputs_of(system)), system_(system) {}
 
-/// NOTE: other names in the code are q, p, way, out, e, k, V, h, x and t1, t2, ..., or end in an
-/// underscore.
+/// NOTE: other names in the code are q, p, way, way_p, totals, out, e, k, V, h, x and t1, t2, ...,
+/// or end in an underscore.
 std::string LoopNames::index(const std::string& name) const {
     const bool is_free =
         name.size() == 1 && std::string("abcdfgijlmnorsuvwyz").find(name) != std::string::npos;
@@ -100,6 +100,7 @@ std::string LoopNames::array(const Access& access) const {
     case FamilyKind::coordinate: return "q";
     case FamilyKind::conjugate: return "p";
     case FamilyKind::direction: return "way";
+    case FamilyKind::direction_of_conjugate: return "way_p";
     case FamilyKind::table:
     case FamilyKind::turn: break;
     }

@@ -180,8 +180,11 @@ void LoopWriter::write_derivatives(Writer& writer, const SumDerivatives& functio
                                    : is_only_loop    ? ", Place from, Place to"
                                                      : ", Place from, Place to, Place stride";
     writer.open("void {}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* {}, "
-                "{}{}Scalar* out{}) const {{",
+                "{}{}{}Scalar* out{}) const {{",
                 function.name, function.other,
+                function.has_ways ? "[[maybe_unused]] const Scalar* way, [[maybe_unused]] const "
+                                    "Scalar* way_p, "
+                                  : "",
                 function.has_time ? "[[maybe_unused]] Scalar t, " : "",
                 function.has_totals ? "const Scalar* totals, " : "", range);
     if (sum.loops.empty()) {

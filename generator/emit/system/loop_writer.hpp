@@ -21,6 +21,7 @@ struct SumDerivatives {
     std::string_view other;   ///< `p`, or what second derivatives are multiplied by
     bool has_time = false;    ///< among its arguments
     bool has_totals = false;  ///< the same
+    bool has_ways = false;    ///< the same, after p: what d2H is multiplied by, of q and of p
 };
 
 [[nodiscard]] std::vector<Scaled> values(const std::vector<AccessSlope>& slopes);

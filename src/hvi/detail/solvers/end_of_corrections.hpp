@@ -112,20 +112,22 @@ private:
         }
     }
 
+    /// NOTE: positions and momenta have units of their own.
     template <class Coupled>
     [[nodiscard]] static Scalar change_of_largest(const Coupled& coupled) {
-        Scalar change = 0, size = 0;
+        Scalar change_q = 0, size_q = 0, change_p = 0, size_p = 0;
         for (IndexOf<Vector> k = 0; k < coupled.s.n; ++k) {
             if constexpr (Coupled::has_q) {
-                change = larger(change, coupled.s.change.q[k]);
-                size = larger(size, coupled.size_q(k));
+                change_q = larger(change_q, coupled.s.change.q[k]);
+                size_q = larger(size_q, coupled.size_q(k));
             }
             if constexpr (Coupled::has_p) {
-                change = larger(change, coupled.s.change.p[k]);
-                size = larger(size, coupled.size_p(k));
+                change_p = larger(change_p, coupled.s.change.p[k]);
+                size_p = larger(size_p, coupled.size_p(k));
             }
         }
-        return change > 0 ? change / size : Scalar(0);
+        return larger(change_q > 0 ? change_q / size_q : Scalar(0),
+                      change_p > 0 ? change_p / size_p : Scalar(0));
     }
 
     RoundOff<Vector> round_off_{rounding};

@@ -30,8 +30,11 @@ public:
         const auto apply = [&](const std::vector<Scalar>& x, std::vector<Scalar>& out) {
             multiply(coupled, x, out, times);
         };
-        gmres_.solve(b, power_of_two<Scalar>(-12), apply, precondition);
+        is_solved_ = gmres_.solve(b, power_of_two<Scalar>(-12), apply, precondition);
     }
+
+    /// Whether the last solution is one.
+    [[nodiscard]] bool is_solved() const { return is_solved_; }
 
 private:
     /// NOTE: the factors of h^2 G K go one by one, see PositionEquations.
@@ -57,6 +60,7 @@ private:
         }
     }
 
+    bool is_solved_ = true;
     Gmres<Scalar> gmres_;
     Vector sum_{}, way_{}, slope_{};
 };
@@ -137,6 +141,7 @@ public:
                     by_factors(x);
                 }
             });
+        if (has_own_ && !products_.is_solved()) { this->count_as_unknown(coupled); }
     }
 
 private:
@@ -280,6 +285,7 @@ public:
                     },
                     [](const std::vector<Scalar>&) {});
             });
+        if (!products_.is_solved()) { this->count_as_unknown(coupled); }
     }
 
 private:

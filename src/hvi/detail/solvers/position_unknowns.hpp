@@ -64,6 +64,15 @@ protected:
         put_slopes(coupled);
     }
 
+    /// NOTE: what GMRES finds where it does not come to an end may be next to nothing, far from the
+    /// solution. So that this does not pass for rounding, it counts as a change of all there is.
+    template <class Coupled>
+    static void count_as_unknown(Coupled& coupled) {
+        for (IndexOf<Vector> k = 0; k < coupled.s.n; ++k) {
+            coupled.s.change.q[k] = coupled.size_q(k);
+        }
+    }
+
     /// Calls f(i, j, k) for component k of each unknown Lp_j, the unknown i.
     template <class Coupled, class F>
     void for_each_unknown(F f) const {
