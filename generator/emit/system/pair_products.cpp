@@ -16,7 +16,12 @@ std::vector<SumDerivatives> products(const System& system, const HessianProducts
         if (slopes.empty()) { continue; }
         const std::string name =
             fmt::format("add_product_by_{}_{}", by_q ? "q" : "p", result.size() + 1);
-        result.push_back({name, &sum, &slopes, "p", has_time, true});
+        result.push_back({.name = name,
+                          .sum = &sum,
+                          .slopes = &slopes,
+                          .other = "p",
+                          .has_time = has_time,
+                          .has_ways = true});
     }
     return result;
 }
