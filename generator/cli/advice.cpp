@@ -26,7 +26,7 @@ std::variant<Scene, IndexedScene> scene_of(const AccuracyQuestion& question) {
         read_scene_of_any_size(any, question.system));
 }
 
-/// Its times.
+/// A scene for its names and times alone.
 Scene in_time(const Scene& scene) { return scene; }
 Scene in_time(const IndexedScene& scene) { return without_motion(scene); }
 

@@ -123,7 +123,7 @@ MethodAndScene completed(Scene scene, const MethodOptions& options) {
     return {std::move(method), std::move(scene)};
 }
 
-/// The same of a scene whose sums stay loops.
+/// Completes a scene whose sums stay loops.
 MethodAndLargeScene completed(IndexedScene scene, const Given& name, const MethodOptions& options) {
     Method method = method_for(options, scene.run.method, whole(name));
     for (Parameter& parameter : parameters_in(options.parameters)) {

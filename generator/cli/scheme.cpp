@@ -45,7 +45,8 @@ std::string printed(const Method& method, const Function& function, const Scheme
     return equations(method, function, options);
 }
 
-/// Of sums that stay loops; what they turn out not to have is written out, where that is left open.
+/// Writes equations of sums that stay loops; what these turn out not to have is written out, where
+/// that is left open.
 std::string printed(const Method& method, const LargeSystem& system, const SchemeOptions& options) {
     const UnrollWish& wish = options.system.sums;
     try {

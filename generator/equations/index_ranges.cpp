@@ -24,7 +24,7 @@ AffineForm least(AffineForm form, const std::vector<Loop>& ranges) {
 
 bool is_not_negative(const AffineForm& form) { return form.is_number() && form.constant >= 0; }
 
-/// What conditions say of one index.
+/// Conditions on one index.
 struct BoundsOfIndex {
     Forms lowers, uppers;
     Forms others;  ///< conditions without the index
@@ -76,7 +76,7 @@ public:
     [[nodiscard]] std::vector<PlacedSum> result() && { return std::move(result_); }
 
 private:
-    /// Those where the first bound is the narrower one, and those where the second is.
+    /// Parts where the first bound is the narrower one, and where the second is.
     void add_both(std::vector<Loop> loops, const BoundsOfIndex& bounds, long sign,
                   const std::vector<Loop>& inner);
     void finish(Forms conditions, std::vector<Loop> loops);

@@ -26,7 +26,7 @@ IndexedExpression with_definitions(const IndexedScene& scene) {
     return definitions.put_in(scene.function);
 }
 
-/// What stands in a derivative and in the indices there, and what totals are made of.
+/// Words of a derivative and of its indices, and of what its totals are made of.
 std::set<std::string> words_in(const System& system, const ElementSlope& slope) {
     std::set<std::string> words;
     for (const LoopTermOfSlope& term : slope) {

@@ -188,7 +188,7 @@ ElementIndex Summand::put_in(const ElementIndex& index, const IndexRanges& range
     return is_least_rest ? ElementIndex{result.form + result.offset} : result;
 }
 
-/// What is left of the loops.
+/// The loops that are left.
 IndexRanges Summand::ranges() const {
     IndexRanges result{element_, {}};
     for (const Loop& loop : sum_.loops) {
@@ -207,7 +207,7 @@ IndexRanges Summand::ranges() const {
     return result;
 }
 
-/// Those of the indices that are solved for, within their ranges.
+/// Conditions on the indices that are solved for, within their ranges.
 std::vector<AffineForm> Summand::conditions() const {
     std::vector<AffineForm> result;
     for (const AffineForm& condition : conditions_) { result.push_back(put_in(condition)); }

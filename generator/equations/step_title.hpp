@@ -18,7 +18,7 @@ struct StepTitle {
     std::vector<Expression> basis;
 };
 
-/// What a title says of H or L.
+/// Words of a title about H or L.
 struct FunctionWords {
     std::string origin;                   ///< with the values that the command line gives
     std::vector<std::string> parameters;  ///< with a value or without

@@ -275,7 +275,7 @@ private:
         return system_.graph.product(*at(masses_[f], indices), velocity);
     }
 
-    /// Of velocities that a scene gives the momenta.
+    /// Turns the velocities of a start into momenta.
     void start_with_momenta(std::size_t f) {
         SystemStart& start = system_.initial[system_.coordinates.size() + f];
         if (auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {

@@ -1,4 +1,4 @@
-// What the formats of equations with indices have in common.
+// Pieces that the formats of equations with indices have in common.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -15,7 +15,8 @@ struct NamedSlope {
     const ElementSlope& slope;
 };
 
-/// Those that are not zero: by momenta, then by coordinates, as the equations of motion have them.
+/// Derivatives that are not zero: by momenta, then by coordinates, as the equations of motion have
+/// them.
 [[nodiscard]] std::vector<NamedSlope> named_slopes(const LoopEquations& step);
 
 /// A derivative's terms that are everywhere, and behind them the others; each of these is one, a

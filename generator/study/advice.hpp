@@ -47,7 +47,7 @@ struct Advice {
 /// tell; and what scene_stepper(), a Build and ask() do.
 [[nodiscard]] Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes);
 
-/// The same of a scene whose sums stay loops.
+/// Advises for a scene whose sums stay loops, beside a reference in long double, or its exact one.
 [[nodiscard]] Advice advice(Builds& builds, const IndexedScene& scene, const AdviceWishes& wishes);
 
 }  // namespace hvi::gen

@@ -90,7 +90,7 @@ bool is_within(const std::string& range, const WholeNumbers& known) {
     return whole_value_of(bounds.substr(0, dots), known) <= k && k <= whole_value_of(last, known);
 }
 
-/// What the printed terms of a derivative add up to.
+/// The sum of the printed terms of a derivative.
 Real value_of_slope(const ReadJson& terms, const WholeNumbers& known, const Point& point) {
     Real sum = 0;
     for (const ReadJson& term : terms) {

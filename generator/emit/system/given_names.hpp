@@ -21,7 +21,7 @@ public:
     /// none yet.
     [[nodiscard]] NodeNames given(const Kernel& kernel, const NodeNames& locals);
 
-    /// The same in the constructor, where parameters stand for members.
+    /// Names for a kernel of the constructor, where parameters stand for members.
     [[nodiscard]] NodeNames given_inputs(const Kernel& kernel);
 
     /// Whether the constructor looks at one of its inputs.
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] const std::vector<Node>& members() const { return members_; }
 
 private:
-    /// What computes the members.
+    /// The computation of the members.
     [[nodiscard]] Kernel setup() const;
     void name_constants(const Kernel& kernel);
 

@@ -125,7 +125,7 @@ void write_initial(Writer& writer, const System& system, std::string_view state)
     writer.blank();
 }
 
-/// Of L = v^T M v/2 + a v - U, from M v = p - a, or of the H that was made of L.
+/// The velocities of L = v^T M v/2 + a v - U, from M v = p - a, or of the H that was made of L.
 void write_velocity(Writer& writer, const System& system, std::string_view state) {
     if (system.is_transformed) {
         writer.line("/// v of p = dL/dv(q, v); empty where x does not have the system's size.");

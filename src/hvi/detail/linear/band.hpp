@@ -142,7 +142,7 @@ private:
         return entries_[i * (3 * w_ + 1) + (j + w_ - i)];
     }
 
-    /// Of a complex number the sum of the sizes of its parts, as pivots are compared.
+    /// The size of a number for the choice of a pivot; of a complex one that of both parts.
     template <class Real>
     [[nodiscard]] static Real size(const Real& x) {
         return abs(x);

@@ -1,4 +1,4 @@
-// What Newton's method solves for where positions and momenta of the stages are coupled.
+// Unknowns of Newton's method where positions and momenta of the stages are coupled.
 // SPDX-License-Identifier: MIT
 #pragma once
 
