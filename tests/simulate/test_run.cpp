@@ -58,6 +58,32 @@ TEST_CASE("a run of the oscillator is that of its matrix") {
     }
 }
 
+TEST_CASE("a run finds what factors a sparse matrix") {
+    use_cache();
+    const Directory directory;
+    write(directory / "plane.toml",
+          "coordinates = \"q[1..N,1..N]\"\nmomenta = \"p[1..N,1..N]\"\nhamiltonian = "
+          "\"sum(i=1..N, j=1..N, p[i,j]^2/2 + (q[mod(i,N)+1,j]-q[i,j])^2/2)\"\n[parameters]\nN = "
+          "4\n[initial]\n\"q[i,j]\" = \"cos(pi*i/2)\"\n\"p[i,j]\" = 0\n");
+    const Outcome result =
+        hvi_gen({"run", "plane.toml", "--unroll", "no", "--method", "gauss:2", "--step", "0.1",
+                 "--until", "0.1", "--columns", "q[1..4,1]", "-o", "out", "--only", "table"},
+                directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    const auto lines = lines_of(contents(directory / "out/trajectory.csv"));
+    REQUIRE(lines.size() == 3);
+    // Of a wave on four places the forces are -2 q, and (6.6) of the paper has z = h sqrt(2).
+    const double z = 0.1 * std::sqrt(2.0), below = std::pow(z, 4) + 12 * z * z + 144;
+    const double d = (std::pow(z, 4) - 60 * z * z + 144) / below;
+    const auto row = numbers_of(lines[2]);
+    REQUIRE(row.size() == 5);
+    CHECK(std::abs(row[1]) < 1e-15);
+    CHECK(std::abs(row[2] + d) < 1e-15);
+    CHECK(std::abs(row[3]) < 1e-15);
+    CHECK(std::abs(row[4] - d) < 1e-15);
+}
+
 TEST_CASE("a run of Kepler's problem leaves a table, a picture and a summary") {
     use_cache();
     const Directory directory;

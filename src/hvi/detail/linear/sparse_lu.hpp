@@ -6,8 +6,15 @@
 #include <utility>
 #include <vector>
 
+// NOTE: where no directory of Eigen is named to the compiler, it is where systems have it.
+#if __has_include(<Eigen/SparseLU>)
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
+#else
+#include <eigen3/Eigen/SparseCore>
+#include <eigen3/Eigen/SparseLU>
+#endif
+
 #include <hvi/detail/linear/sparse_matrix.hpp>
 
 namespace hvi::detail {
