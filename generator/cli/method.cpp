@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/options/option_table.hpp"
 #include "generator/pipeline/any_size.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
@@ -140,16 +141,6 @@ MethodAndLargeScene completed(IndexedScene scene, const Given& name, const Metho
     return {std::move(method), std::move(scene)};
 }
 
-/// The wish as the command line has it.
-std::string unroll_option(Unroll choice) {
-    switch (choice) {
-    case Unroll::automatic: break;
-    case Unroll::yes: return " --unroll yes";
-    case Unroll::no: return " --unroll no";
-    }
-    return "";
-}
-
 }  // namespace
 
 MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& system) {
@@ -165,11 +156,11 @@ MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& s
     auto found = find_scene_of_any_size(system.scene, parameters, system.sums).scene;
     if (auto* large = std::get_if<IndexedScene>(&found)) {
         MethodAndLargeScene both = completed(std::move(*large), system.scene, options);
-        both.scene.origin += unroll_option(system.sums.choice);
+        both.scene.origin += options_for({.unroll = system.sums.choice});
         return {std::move(both.method), LargeSystem{std::move(both.scene), std::move(parameters)}};
     }
     Scene scene = std::get<Scene>(std::move(found));
-    function_of(scene).origin += unroll_option(system.sums.choice);
+    function_of(scene).origin += options_for({.unroll = system.sums.choice});
     refuse_rotations(function_of(scene), "`scheme`");
     check_together(method, scene);
     for (Parameter& parameter : parameters) set_parameter(method, scene, std::move(parameter));

@@ -32,14 +32,6 @@ AffineForm less_moduli(const AffineForm& form, const AffineForm& modulus) {
     return form - form.coefficient(name) / per * modulus;
 }
 
-Expression as_expression(const ElementIndex& index) {
-    Expression form = as_expression(index.form);
-    if (!index.modulus) { return form; }
-    Expression mod = Expression::call("mod", {std::move(form), as_expression(*index.modulus)});
-    if (index.offset == AffineForm{}) { return mod; }
-    return Expression::sum({std::move(mod), as_expression(index.offset)});
-}
-
 Expression within_sums(Expression term, const std::vector<Loop>& loops) {
     for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop) {
         term = Expression::sum_over(loop->index, as_expression(loop->range.first),

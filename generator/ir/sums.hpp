@@ -59,6 +59,9 @@ struct ElementIndex {
     friend bool operator==(const ElementIndex&, const ElementIndex&) = default;
 };
 
+/// The index as people write it.
+[[nodiscard]] Expression as_expression(const ElementIndex& index);
+
 enum class FamilyKind {
     coordinate,
     conjugate,  ///< a momentum, of a Lagrangian a velocity

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "generator/support/error.hpp"
 
@@ -151,6 +152,14 @@ std::vector<std::size_t> cyclic_coordinates(const System& system) {
         if (slopes[i].is_zero()) { result.push_back(i); }
     }
     return result;
+}
+
+Expression as_expression(const ElementIndex& index) {
+    Expression form = as_expression(index.form);
+    if (!index.modulus) { return form; }
+    Expression mod = Expression::call("mod", {std::move(form), as_expression(*index.modulus)});
+    if (index.offset == AffineForm{}) { return mod; }
+    return Expression::sum({std::move(mod), as_expression(index.offset)});
 }
 
 std::size_t element_count(const SystemFamily& family, const std::map<std::string, long>& sizes) {

@@ -86,9 +86,11 @@ private:
         }
         std::map<Node, Scaled> at_rest;
         for (const AccessSlope& slope : sum.by_conjugates) {
+            at_rest[system_.accesses[slope.access].node] = Graph::number(0);
+        }
+        for (const AccessSlope& slope : sum.by_conjugates) {
             const Access access = system_.accesses[slope.access];
-            at_rest[access.node] = Graph::number(0);
-            add_mass(access, mass_of(access, slope.value), sum.loops);
+            add_mass(access, mass_of(access, slope.value, at_rest), sum.loops);
         }
         const Scaled constant = replaced(system_.graph, sum.value, at_rest);
         if (constant.is_zero()) { return; }
@@ -96,12 +98,21 @@ private:
         system_.sums.back().accesses = accesses_in(system_, {constant});
     }
 
-    /// m of a slope m v.
-    [[nodiscard]] Scaled mass_of(const Access& access, const Scaled& slope) {
-        const Scaled mass = gradient(system_.graph, slope, {access.node}).front();
-        const Scaled linear = system_.graph.product(mass, {{1, 1}, access.node});
-        const Scaled rest = system_.graph.sum({slope, negative(linear)});
-        if (has_role(mass, of_motion) || !rest.is_zero()) {
+    /// m of a slope m v: it is 0 at rest, and its derivatives by all velocities of the sum are
+    /// constant, and 0 but by v.
+    [[nodiscard]] Scaled mass_of(const Access& access, const Scaled& slope,
+                                 const std::map<Node, Scaled>& at_rest) {
+        Scaled mass = Graph::number(0);
+        bool is_alone = replaced(system_.graph, slope, at_rest).is_zero();
+        for (const auto& [velocity, rest] : at_rest) {
+            const Scaled second = gradient(system_.graph, slope, {velocity}).front();
+            if (velocity == access.node) {
+                mass = second;
+            } else {
+                is_alone = is_alone && second.is_zero();
+            }
+        }
+        if (has_role(mass, of_motion) || !is_alone) {
             refuse("a kinetic energy is quadratic in each velocity, and couples none of them");
         }
         return mass;

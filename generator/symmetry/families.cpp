@@ -49,19 +49,16 @@ std::optional<IndexNames> renaming(const std::vector<Loop>& from, const std::vec
     return names;
 }
 
-Expression as_expression(const ElementIndex& index, const IndexNames& names) {
-    Expression form = as_expression(renamed(index.form, names));
-    if (!index.modulus) return form;
-    Expression mod =
-        Expression::call("mod", {std::move(form), as_expression(renamed(*index.modulus, names))});
-    const AffineForm offset = renamed(index.offset, names);
-    if (offset == AffineForm{}) return mod;
-    return Expression::sum({std::move(mod), as_expression(offset)});
+ElementIndex renamed(const ElementIndex& index, const IndexNames& names) {
+    ElementIndex result{renamed(index.form, names), {}, renamed(index.offset, names)};
+    if (index.modulus) result.modulus = renamed(*index.modulus, names);
+    return result;
 }
 
 std::vector<Expression> indices_of(const Access& access, const IndexNames& names) {
     std::vector<Expression> indices;
-    for (const ElementIndex& index : access.indices) indices.push_back(as_expression(index, names));
+    for (const ElementIndex& index : access.indices)
+        indices.push_back(as_expression(renamed(index, names)));
     return indices;
 }
 

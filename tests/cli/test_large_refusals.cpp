@@ -156,10 +156,13 @@ TEST_CASE("a Lagrangian whose sums stay loops has a mass for each velocity, and 
         return outcome.err.substr(why, outcome.err.find('\n', why) - why);
     };
     CHECK(refused("sum(i=1..N, i*v[i]^2/2)").empty());
+    CHECK(refused("sum(i=1..N, (i + 1)*v[i]^2/2)").empty());
     CHECK(refused("sum(i=1..N, v[i]^2/2 + 3)").empty());
     const std::string of_all = "its sums run over all velocities of a name";
     CHECK(refused("sum(i=1..N-1, v[i]^2/2) + v[N]^2/2") == of_all);
     CHECK(refused("sum(i=1..N-1, (v[i] + v[i+1])^2/2)") ==
+          "a kinetic energy is quadratic in each velocity, and couples none of them");
+    CHECK(refused("sum(i=1..N, v[i]^2/2 + v[i])") ==
           "a kinetic energy is quadratic in each velocity, and couples none of them");
     CHECK(refused("sum(i=1..N, v[i]^4)") ==
           "a kinetic energy is quadratic in each velocity, and couples none of them");

@@ -118,7 +118,7 @@ TEST_CASE("actions of steps with loops") {
 TEST_CASE("a parameter of a method with loops, free or shared with the scene") {
     CHECK(distance_on_the_way<DrivenFit, DrivenFitOut>(0.1, 50) < 1e-14);
     CHECK(distance_on_the_way<DrivenFixed, DrivenFixedOut>(0.1, 50) < 1e-14);
-    // Of 2, and of 3/2.
+    // The parameter is 2 in the one, and 3/2 in the other.
     DrivenFit free(DrivenFit::Parameters{});
     DrivenFixed fixed(DrivenFixed::Parameters{});
     auto x = DrivenFit::initial();
@@ -176,7 +176,7 @@ TEST_CASE("a Lagrangian whose sums stay loops is solved by its Hamiltonian") {
     for (std::size_t i = 0; i < 6; ++i) {
         const double k = static_cast<double>(i + 1);
         CHECK(x.p[i] == (k + 0.5) * static_cast<double>(i % 3 + 1));
-        CHECK(x.p[6 + i] == Approx(2 * k * k / 5).epsilon(1e-15));
+        CHECK(x.p[6 + i] == Approx(2 * (k + 1) * k / 5).epsilon(1e-15));
     }
     Rails::State other = x;
     other.p.pop_back();

@@ -179,3 +179,26 @@ TEST_CASE("equations are solved by products with the matrix") {
     CHECK(gmres.solve(huge, 1e-9, apply, nothing));
     CHECK(std::isfinite(huge[0]));
 }
+
+TEST_CASE("what products do not solve is said to have no solution") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto nothing = [](const std::vector<double>&) {};
+    const auto same = [](const std::vector<double>& x, std::vector<double>& out) { out = x; };
+    const auto no_numbers = [&](const std::vector<double>& x, std::vector<double>& out) {
+        out.assign(x.size(), nan);
+    };
+    // All products are (x_1, x_1, ..., x_1), of which few right sides are one.
+    const auto singular = [](const std::vector<double>& x, std::vector<double>& out) {
+        out.assign(x.size(), x[0]);
+    };
+    Gmres<double> gmres;
+    std::vector<double> x = right_side<double>(20);
+    x[7] = nan;
+    CHECK_FALSE(gmres.solve(x, 1e-9, same, nothing));
+    x = right_side<double>(20);
+    CHECK_FALSE(gmres.solve(x, 1e-9, no_numbers, nothing));
+    x = right_side<double>(20);
+    CHECK_FALSE(gmres.solve(x, 1e-9, singular, nothing));
+    x = right_side<double>(20);
+    CHECK(gmres.solve(x, 1e-9, same, nothing));
+}

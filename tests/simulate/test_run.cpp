@@ -73,7 +73,8 @@ TEST_CASE("a run finds what factors a sparse matrix") {
     REQUIRE(result.status == 0);
     const auto lines = lines_of(contents(directory / "out/trajectory.csv"));
     REQUIRE(lines.size() == 3);
-    // Of a wave on four places the forces are -2 q, and (6.6) of the paper has z = h sqrt(2).
+    // The forces on a wave of four places are -2 q: a step is (6.6) of the paper with z = h
+    // sqrt(2).
     const double z = 0.1 * std::sqrt(2.0), below = std::pow(z, 4) + 12 * z * z + 144;
     const double d = (std::pow(z, 4) - 60 * z * z + 144) / below;
     const auto row = numbers_of(lines[2]);
