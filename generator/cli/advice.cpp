@@ -17,18 +17,18 @@ namespace hvi::gen {
 namespace {
 
 /// NOTE: a scene is read with a method, whose symbols its own must not be; this one has none.
-std::variant<Scene, IndexedScene> scene_of(const AccuracyQuestion& question) {
+std::variant<WrittenOutScene, Scene> scene_of(const AccuracyQuestion& question) {
     MethodOptions any;
     any.name = given("--method", "gauss:2");
     any.parameters = question.parameters;
     return std::visit(
-        [](auto&& both) -> std::variant<Scene, IndexedScene> { return std::move(both.scene); },
+        [](auto&& both) -> std::variant<WrittenOutScene, Scene> { return std::move(both.scene); },
         read_scene_of_any_size(any, question.system));
 }
 
 /// A scene for its names and times alone.
-Scene in_time(const Scene& scene) { return scene; }
-Scene in_time(const IndexedScene& scene) { return without_motion(scene); }
+WrittenOutScene in_time(const WrittenOutScene& scene) { return scene; }
+WrittenOutScene in_time(const Scene& scene) { return without_motion(scene); }
 
 std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }
 
@@ -95,8 +95,8 @@ std::string factor(const Expression& expression) {
 
 AdvisedOptions advised(const AccuracyQuestion& question) {
     constexpr std::int64_t steps_of_unsaid_size = 100;
-    const std::variant<Scene, IndexedScene> asked = scene_of(question);
-    const Scene scene =
+    const std::variant<WrittenOutScene, Scene> asked = scene_of(question);
+    const WrittenOutScene scene =
         std::visit([](const auto& of_any_size) { return in_time(of_any_size); }, asked);
     const NamedExpression until = wish(scene, question.until, scene.run.until, "until");
     const std::int64_t count =

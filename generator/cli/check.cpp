@@ -28,7 +28,7 @@ std::string plot(const Findings& findings, const Given& file) {
     return stability_svg(name, *findings.oscillator, *findings.stability);
 }
 
-using AnyScene = std::variant<Scene, IndexedScene>;
+using AnyScene = std::variant<WrittenOutScene, Scene>;
 
 KeepingFacts facts_of(const Certificate& certificate) {
     return {certificate.symplectic, certificate.common_weights, certificate.runge_kutta, false};
@@ -39,11 +39,11 @@ KeepingFacts facts_of(const RuleCertificate& certificate) {
 }
 
 /// As find_symmetries() has it.
-std::string name_of(const Scene& scene) {
+std::string name_of(const WrittenOutScene& scene) {
     return scene.name.empty() ? function_of(scene).origin : scene.name;
 }
 
-std::string name_of(const IndexedScene& scene) { return scene.name; }
+std::string name_of(const Scene& scene) { return scene.name; }
 
 SceneStatements statements_of(const CheckOptions& options, const AnyScene& scene,
                               const KeepingFacts& facts) {

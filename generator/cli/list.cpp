@@ -9,7 +9,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/expr/functions.hpp"
 #include "generator/read/catalogue.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 

@@ -13,7 +13,7 @@
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/no_loops.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -62,8 +62,8 @@ Coefficients coefficients_of(const std::filesystem::path& file, const MethodOpti
 namespace {
 
 /// A scene that is a Hamiltonian and nothing else. Its parameters have no values yet.
-Scene scene_of(Hamiltonian hamiltonian) {
-    Scene scene;
+WrittenOutScene scene_of(Hamiltonian hamiltonian) {
+    WrittenOutScene scene;
     for (const std::string& name : parameter_names(hamiltonian)) {
         scene.parameters.push_back({name, {}, {}});
     }
@@ -99,7 +99,7 @@ bool has_parameter(const Method& method, const std::string& name) {
 }
 
 /// With the method that is given, or that of the scene.
-MethodAndScene completed(Scene scene, const MethodOptions& options) {
+MethodAndScene completed(WrittenOutScene scene, const MethodOptions& options) {
     Method method = method_for(options, scene.run.method, scene.place);
     check_together(method, scene);
     std::string defaults;
@@ -125,7 +125,7 @@ MethodAndScene completed(Scene scene, const MethodOptions& options) {
 }
 
 /// Completes a scene whose sums stay loops.
-MethodAndLargeScene completed(IndexedScene scene, const Given& name, const MethodOptions& options) {
+MethodAndLargeScene completed(Scene scene, const Given& name, const MethodOptions& options) {
     Method method = method_for(options, scene.run.method, whole(name));
     for (Parameter& parameter : parameters_in(options.parameters)) {
         const bool is_of_scene = assign(scene, parameter);
@@ -154,12 +154,12 @@ MethodAndSystem read_system(const MethodOptions& options, const SystemOptions& s
         return {std::move(method), std::move(hamiltonian)};
     }
     auto found = find_scene_of_any_size(system.scene, parameters, system.sums).scene;
-    if (auto* large = std::get_if<IndexedScene>(&found)) {
+    if (auto* large = std::get_if<Scene>(&found)) {
         MethodAndLargeScene both = completed(std::move(*large), system.scene, options);
         both.scene.origin += options_for({.unroll = system.sums.choice});
         return {std::move(both.method), LargeSystem{std::move(both.scene), std::move(parameters)}};
     }
-    Scene scene = std::get<Scene>(std::move(found));
+    WrittenOutScene scene = std::get<WrittenOutScene>(std::move(found));
     function_of(scene).origin += options_for({.unroll = system.sums.choice});
     refuse_rotations(function_of(scene), "`scheme`");
     check_together(method, scene);
@@ -184,34 +184,35 @@ read_scene_of_any_size(const MethodOptions& options, const SystemOptions& system
     const std::vector<Parameter> parameters = parameters_in(options.parameters);
     auto [found, unrolling] = find_scene_of_any_size(system.scene, parameters, system.sums);
     try {
-        if (auto* large = std::get_if<IndexedScene>(&found)) {
+        if (auto* large = std::get_if<Scene>(&found)) {
             MethodAndLargeScene both = completed(std::move(*large), system.scene, options);
             both.unrolling = std::move(unrolling);
             return both;
         }
     } catch (const NoLoops& obstacle) {
-        const IndexedScene written = find_indexed_scene(system.scene, parameters);
+        const Scene written = find_indexed_scene(system.scene, parameters);
         if (!may_write_out(written, system.sums.choice)) throw;
         unrolling = {true, obstacle.what()};
         found = written_out(written, system.scene, obstacle.what());
     }
-    MethodAndScene both = completed(std::get<Scene>(std::move(found)), options);
+    MethodAndScene both = completed(std::get<WrittenOutScene>(std::move(found)), options);
     both.unrolling = std::move(unrolling);
     return both;
 }
 
-std::variant<Scene, IndexedScene> read_scene_alone(const std::vector<Given>& assignments,
-                                                   const SystemOptions& system) {
+std::variant<WrittenOutScene, Scene> read_scene_alone(const std::vector<Given>& assignments,
+                                                      const SystemOptions& system) {
     const std::vector<Parameter> parameters = parameters_in(assignments);
-    std::variant<Scene, IndexedScene> found;
+    std::variant<WrittenOutScene, Scene> found;
     if (system.scene)
         found = find_scene_of_any_size(system.scene, parameters, system.sums).scene;
     else
         found = scene_of(read_hamiltonian(system, parameters));
     Method none;
     for (const Parameter& parameter : parameters) {
-        if (auto* scene = std::get_if<Scene>(&found)) set_parameter(none, *scene, parameter);
-        auto* large = std::get_if<IndexedScene>(&found);
+        if (auto* scene = std::get_if<WrittenOutScene>(&found))
+            set_parameter(none, *scene, parameter);
+        auto* large = std::get_if<Scene>(&found);
         if (large != nullptr && !assign(*large, parameter))
             throw InputError(fmt::format("the scene has no parameter `{}`", parameter.name),
                              parameter.place);
@@ -224,12 +225,12 @@ std::variant<MethodAndScene, MethodAndLargeScene> read_both(const MethodOptions&
     const std::vector<Parameter> parameters = parameters_in(options.parameters);
     if (system.scene) {
         auto found = find_scene_of_any_size(system.scene, parameters, system.sums).scene;
-        if (auto* large = std::get_if<IndexedScene>(&found))
+        if (auto* large = std::get_if<Scene>(&found))
             return completed(std::move(*large), system.scene, options);
     }
     Method method = read_method(options);
-    Scene scene = system.scene ? find_scene(system.scene, parameters)
-                               : scene_of(read_hamiltonian(system, parameters));
+    WrittenOutScene scene = system.scene ? find_scene(system.scene, parameters)
+                                         : scene_of(read_hamiltonian(system, parameters));
     check_together(method, scene);
     for (const Parameter& parameter : parameters) set_parameter(method, scene, parameter);
     return MethodAndScene{std::move(method), std::move(scene)};

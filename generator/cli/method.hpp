@@ -6,9 +6,9 @@
 
 #include "generator/cli/options.hpp"
 #include "generator/read/coefficients.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
 #include "generator/read/unrolling.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -21,7 +21,7 @@ namespace hvi::gen {
 
 /// A scene whose sums stay loops, and the values that the command line gives; it has them already.
 struct LargeSystem {
-    IndexedScene scene;
+    Scene scene;
     std::vector<Parameter> values;
 };
 
@@ -39,7 +39,7 @@ struct MethodAndSystem {
 /// [run].
 struct MethodAndScene {
     Method method;
-    Scene scene;
+    WrittenOutScene scene;
     UnrollDecision unrolling = {};
 };
 [[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
@@ -48,7 +48,7 @@ struct MethodAndScene {
 /// and so have those of the method.
 struct MethodAndLargeScene {
     Method method;
-    IndexedScene scene;
+    Scene scene;
     UnrollDecision unrolling = {};
 };
 
@@ -63,7 +63,7 @@ read_both(const MethodOptions& options, const SystemOptions& system);
 
 /// A scene, or the Hamiltonian of the command line as one. What `--param` gives no value, and the
 /// scene neither, has none.
-[[nodiscard]] std::variant<Scene, IndexedScene>
+[[nodiscard]] std::variant<WrittenOutScene, Scene>
 read_scene_alone(const std::vector<Given>& parameters, const SystemOptions& system);
 
 }  // namespace hvi::gen

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "generator/read/catalogue.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 

@@ -13,7 +13,7 @@
 #include "generator/edges/edges.hpp"
 #include "generator/edges/program.hpp"
 #include "generator/pipeline/any_size.hpp"
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 #include "generator/render/statements.hpp"
 #include "generator/report/render.hpp"
 #include "generator/scene/step_count.hpp"
@@ -36,7 +36,7 @@ constexpr const char* usual_at_edges = "stormer-verlet, trig3, lobatto:3, gauss:
 
 /// A scene with the words of [run] that a report needs.
 struct Subject {
-    std::variant<Scene, IndexedScene> scene;
+    std::variant<WrittenOutScene, Scene> scene;
     double until = 0;
     std::int64_t first_count = 0;
     std::vector<double> steps = {};
@@ -61,12 +61,12 @@ void refuse_edges(const ReportOptions& options) {
 }
 
 /// A scene of the report, written out or with loops.
-std::variant<Scene, IndexedScene> find_scene(const Given& name, const ReportOptions& options) {
+std::variant<WrittenOutScene, Scene> find_scene(const Given& name, const ReportOptions& options) {
     const std::size_t degrees = degrees_of_freedom(find_indexed_scene(name));
     if (degrees > most_degrees_of_freedom) refuse_peers(options);
     if (degrees > most_at_edges) refuse_edges(options);
     auto found = find_scene_of_any_size(name, {}, options.sums).scene;
-    if (std::holds_alternative<IndexedScene>(found)) {
+    if (std::holds_alternative<Scene>(found)) {
         refuse_peers(options);
         refuse_edges(options);
     }
@@ -78,7 +78,7 @@ std::string name_of(const Subject& subject) {
 }
 
 /// The step of the scene; where it has none, the first of those that are asked for.
-NamedExpression first_step(const Scene& scene, const ReportOptions& options) {
+NamedExpression first_step(const WrittenOutScene& scene, const ReportOptions& options) {
     const bool is_given = !scene.run.step && options.steps;
     return wish(scene, is_given ? list_items(options.steps).front() : nullptr, scene.run.step,
                 "step", "--steps 1/10,1/20");
@@ -86,8 +86,9 @@ NamedExpression first_step(const Scene& scene, const ReportOptions& options) {
 
 Subject subject(const Given& name, const ReportOptions& options) {
     Subject result{find_scene(name, options)};
-    const auto* large = std::get_if<IndexedScene>(&result.scene);
-    Scene scene = large != nullptr ? without_motion(*large) : std::get<Scene>(result.scene);
+    const auto* large = std::get_if<Scene>(&result.scene);
+    WrittenOutScene scene =
+        large != nullptr ? without_motion(*large) : std::get<WrittenOutScene>(result.scene);
     scene.place = whole(name);
     if (options.peers) refuse_rotations(function_of(scene), "a comparison with other libraries");
     const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
@@ -198,8 +199,8 @@ void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subj
     }
 }
 
-std::vector<Scene> scenes_by_name(const std::vector<std::string>& names) {
-    std::vector<Scene> scenes;
+std::vector<WrittenOutScene> scenes_by_name(const std::vector<std::string>& names) {
+    std::vector<WrittenOutScene> scenes;
     for (const std::string& name : names) scenes.push_back(edge_scene(name));
     return scenes;
 }
@@ -220,9 +221,9 @@ void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& m
     // Each kind of stepper occurs, and a collision.
     const std::vector<std::string> various{"pendulum", "kepler", "henon-heiles", "nonseparable",
                                            "harmonic-oscillator"};
-    std::vector<Scene> given;
+    std::vector<WrittenOutScene> given;
     for (const Subject& subject : subjects)
-        if (const auto* scene = std::get_if<Scene>(&subject.scene))
+        if (const auto* scene = std::get_if<WrittenOutScene>(&subject.scene))
             if (function_of(*scene).degrees_of_freedom() <= most_at_edges) given.push_back(*scene);
     if (given.empty() && !subjects.empty()) return;
     const auto add = [&](ReportItem item, const std::string& name, auto chapter) {

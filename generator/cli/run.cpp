@@ -253,7 +253,7 @@ std::vector<ColumnBox> columns_of(const RunSubject& subject, const Given& list) 
                 : usual_columns(names, subject.coordinates.size() + subject.momenta.size());
 }
 
-Steps wished_steps(const Scene& scene, const RunOptions& options) {
+Steps wished_steps(const WrittenOutScene& scene, const RunOptions& options) {
     return steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
                        wish(scene, options.until, scene.run.until, "until"));
 }
@@ -290,7 +290,7 @@ WishedRun watched_run(const Method& method, AnyScene scene, const StepperWishes&
                   "a step"};
 }
 
-Steps wished_steps(const IndexedScene& scene, const RunOptions& options) {
+Steps wished_steps(const Scene& scene, const RunOptions& options) {
     return wished_steps(without_motion(scene), options);
 }
 

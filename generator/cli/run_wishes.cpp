@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-NamedExpression wish(const Scene& scene, const Given& given,
+NamedExpression wish(const WrittenOutScene& scene, const Given& given,
                      const std::optional<NamedExpression>& of_scene, const std::string& name,
                      const std::string& option) {
     if (given) return expression_of_parameters(scene, name, given);

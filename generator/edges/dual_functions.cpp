@@ -69,7 +69,7 @@ std::string header_text(const OwnFunctions& own) {
 
 }  // namespace
 
-Scene with_dual_functions(Scene scene) {
+WrittenOutScene with_dual_functions(WrittenOutScene scene) {
     if (scene.own.functions.empty()) return scene;
     scene.own.headers.push_back({header_of_duals, header_text(scene.own)});
     for (OwnFunction& function : scene.own.functions) function.header = header_of_duals;

@@ -11,7 +11,9 @@
 
 namespace hvi::gen {
 
-Scene scene_of(const std::string& text) { return scene_from_toml(Source{"scene.toml", text}); }
+WrittenOutScene scene_of(const std::string& text) {
+    return scene_from_toml(Source{"scene.toml", text});
+}
 
 bool is_whole(const Heard& heard) {
     if (!heard.failure.empty()) return false;

@@ -111,7 +111,7 @@ struct Pair {
 };
 
 void add_pair(const ExtremeMethod& method, EdgeChapter& chapter) {
-    const Scene scene = scene_of(two_bodies);
+    const WrittenOutScene scene = scene_of(two_bodies);
     const EdgeProgram& program = method.two_bodies;
     const Passage passage(0.5);
     for (const double light : {0.5, 1e-12}) {
@@ -142,7 +142,7 @@ void add_pair(const ExtremeMethod& method, EdgeChapter& chapter) {
 }
 
 void add_three(const ExtremeMethod& method, EdgeChapter& chapter) {
-    const Scene scene = scene_of(three_bodies);
+    const WrittenOutScene scene = scene_of(three_bodies);
     const EdgeProgram& program = method.three_bodies;
     const std::vector<double> start =
         program.ask({"start"}).answers.numbers("start", scene.initial.size());

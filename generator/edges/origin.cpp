@@ -8,7 +8,7 @@
 
 namespace hvi::gen {
 
-Origin origin_of(const Scene& scene) {
+Origin origin_of(const WrittenOutScene& scene) {
     if (!std::holds_alternative<Hamiltonian>(scene.mechanics)) return Origin::other;
     if (!hamiltonian_of(scene).rotations.empty()) return Origin::singular;
     if (own_call_in(hamiltonian_of(scene).expression) != nullptr) return Origin::other;

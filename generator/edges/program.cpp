@@ -39,9 +39,9 @@ std::string failure_of(int status) {
 
 }  // namespace
 
-Scene edge_scene(const std::string& name) { return find_scene(given("SCENE", name)); }
+WrittenOutScene edge_scene(const std::string& name) { return find_scene(given("SCENE", name)); }
 
-double usual_step(const Scene& scene) {
+double usual_step(const WrittenOutScene& scene) {
     HVI_CHECK(scene.run.step.has_value());
     return nearest_value(scene, *scene.run.step);
 }
@@ -55,7 +55,8 @@ Advance::Advance(const Heard& heard) : failure(heard.failure) {
                  static_cast<double>(std::max(1L, steps));
 }
 
-std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method, const Scene& scene) {
+std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method,
+                                                 const WrittenOutScene& scene) {
     if (!std::holds_alternative<GalerkinRule>(method.base)) return {};
     const auto check = [&](const Error& error) {
         return EdgeCheck{method.name(), scene.name,
@@ -70,7 +71,7 @@ std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method, cons
     return {};
 }
 
-EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Scene& scene,
+EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const WrittenOutScene& scene,
                          Solver solver) {
     const SceneStepper stepper =
         scene_stepper(method.method, scene,
@@ -82,7 +83,7 @@ EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Sce
 }
 
 EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method,
-                                    const Scene& scene) {
+                                    const WrittenOutScene& scene) {
     const SceneStepper stepper =
         scene_stepper(method.method, with_dual_functions(scene),
                       {.float128 = true, .composition = method.composition});
@@ -93,7 +94,7 @@ EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method
     return program;
 }
 
-EdgeProgram EdgeProgram::naive(Builds& builds, const Scene& scene) {
+EdgeProgram EdgeProgram::naive(Builds& builds, const WrittenOutScene& scene) {
     EdgeProgram program;
     program.build_ =
         builds.order(driver_program(stepper_for_peers(scene), {"naive", "naive::main", {}}));

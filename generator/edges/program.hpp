@@ -15,10 +15,10 @@
 namespace hvi::gen {
 
 /// The scene of this name that comes with the program.
-[[nodiscard]] Scene edge_scene(const std::string& name);
+[[nodiscard]] WrittenOutScene edge_scene(const std::string& name);
 
 /// The size of a step that the scene itself asks for.
-[[nodiscard]] double usual_step(const Scene& scene);
+[[nodiscard]] double usual_step(const WrittenOutScene& scene);
 
 /// What a program has said.
 struct Heard {
@@ -45,16 +45,16 @@ struct Advance {
 class EdgeProgram {
 public:
     /// Of src/driver/edge_main.hpp. Throws what scene_stepper() does.
-    EdgeProgram(Builds& builds, const ComposedMethod& method, const Scene& scene,
+    EdgeProgram(Builds& builds, const ComposedMethod& method, const WrittenOutScene& scene,
                 Solver solver = Solver::automatic);
 
     /// Of src/driver/edge_symplectic.hpp, in dual numbers.
     [[nodiscard]] static EdgeProgram symplectic(Builds& builds, const ComposedMethod& method,
-                                                const Scene& scene);
+                                                const WrittenOutScene& scene);
 
     /// The same as from a scene, of src/driver/naive.hpp: in place of values of parameters it takes
     /// a tableau.
-    [[nodiscard]] static EdgeProgram naive(Builds& builds, const Scene& scene);
+    [[nodiscard]] static EdgeProgram naive(Builds& builds, const WrittenOutScene& scene);
 
     /// Throws what the Build does, EnvironmentError where what it says is no answer, and
     /// Interruption.
@@ -79,6 +79,6 @@ private:
 /// The general Galerkin form does not step every H: why not this one, as a case. Empty where it
 /// does, and for other methods.
 [[nodiscard]] std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method,
-                                                               const Scene& scene);
+                                                               const WrittenOutScene& scene);
 
 }  // namespace hvi::gen

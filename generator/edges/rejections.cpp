@@ -114,7 +114,7 @@ std::vector<Case> cases(Origin origin, double h, const std::vector<double>& star
 }
 
 /// NOTE: a chart is at the start of a step, so that the way back takes another one.
-bool has_charts(const Scene& scene) { return !function_of(scene).rotations.empty(); }
+bool has_charts(const WrittenOutScene& scene) { return !function_of(scene).rotations.empty(); }
 
 std::vector<EdgeCheck> checks(const MethodOnScene& subject) {
     const auto& [method, scene, program] = subject;
@@ -136,7 +136,7 @@ std::vector<EdgeCheck> checks(const MethodOnScene& subject) {
 }  // namespace
 
 EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
-                       const std::vector<Scene>& scenes) {
+                       const std::vector<WrittenOutScene>& scenes) {
     EdgeChapter chapter{
         "rejections",
         "Steps that cannot be",
@@ -149,7 +149,7 @@ EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
         {}};
     add_cases(
         chapter, methods, scenes,
-        [&](const ExactMethod& method, const Scene& scene) {
+        [&](const ExactMethod& method, const WrittenOutScene& scene) {
             return EdgeProgram(builds, method, scene);
         },
         checks);

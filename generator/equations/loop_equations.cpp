@@ -20,7 +20,7 @@ namespace hvi::gen {
 
 namespace {
 
-IndexedExpression with_definitions(const IndexedScene& scene) {
+IndexedExpression with_definitions(const Scene& scene) {
     Definitions definitions;
     for (const Definition& definition : scene.definitions) { definitions.add(definition); }
     return definitions.put_in(scene.function);
@@ -195,7 +195,7 @@ std::string slope_name(const SystemFamily& family, const std::vector<std::string
     return "dH_d" + to_text(element_of(family, indices));
 }
 
-LoopEquations loop_equations(const Method& method, IndexedScene scene,
+LoopEquations loop_equations(const Method& method, Scene scene,
                              const std::vector<Parameter>& values) {
     const IndexedExpression function = with_definitions(scene);
     refuse_own_functions(function.written, function.source, "the exact equations of a step");

@@ -8,7 +8,7 @@
 #include "generator/equations/loop_gradient.hpp"
 #include "generator/equations/stage_equations.hpp"
 #include "generator/equations/step_title.hpp"
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -29,7 +29,7 @@ struct LoopEquations : StepTitle {
 /// The equations of the stages with the exact coefficients of the method, and the derivatives of H.
 /// `values` are those of the parameters that have one. Throws what loop_system() and derive_any()
 /// throw, and NoLoops for what loop_gradient() refuses and for the general Galerkin form.
-[[nodiscard]] LoopEquations loop_equations(const Method& method, IndexedScene scene,
+[[nodiscard]] LoopEquations loop_equations(const Method& method, Scene scene,
                                            const std::vector<Parameter>& values);
 
 }  // namespace hvi::gen

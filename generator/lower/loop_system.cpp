@@ -45,7 +45,7 @@ SystemFamily family_of(const std::string& name, const std::vector<std::size_t>& 
 
 class LoopLowering {
 public:
-    explicit LoopLowering(const IndexedScene& written) : written_(written) {}
+    explicit LoopLowering(const Scene& written) : written_(written) {}
 
     [[nodiscard]] System operator()();
 
@@ -84,7 +84,7 @@ private:
     [[nodiscard]] SystemStart start(const SystemFamily& family);
     [[nodiscard]] SystemStart start(const SystemFamily& family, const IndexedValue& value);
 
-    const IndexedScene& written_;
+    const Scene& written_;
     System system_;
     std::map<std::string, long> sizes_;
     std::map<std::string, Named> families_;
@@ -541,7 +541,7 @@ System LoopLowering::operator()() {
 
 }  // namespace
 
-System loop_system(const IndexedScene& scene) {
+System loop_system(const Scene& scene) {
     System system = LoopLowering(scene)();
     if (scene.side == Side::lagrangian) {
         system = legendre_transform(std::move(system), whole(scene.function.source));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "generator/ir/system.hpp"
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -12,6 +12,6 @@ namespace hvi::gen {
 /// for an index that leaves its range for some value of those of its sums, and for what is not
 /// built for systems of any size: a Lagrangian, explicit time, sums inside functions. Throws
 /// MathError for a number that is not real.
-[[nodiscard]] System loop_system(const IndexedScene& scene);
+[[nodiscard]] System loop_system(const Scene& scene);
 
 }  // namespace hvi::gen

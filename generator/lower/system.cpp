@@ -192,7 +192,7 @@ System system_of(const Hamiltonian& hamiltonian, const std::vector<std::string>&
     return system;
 }
 
-System system_of(const Scene& scene) {
+System system_of(const WrittenOutScene& scene) {
     const std::vector<Parameter>& fixed = function_of(scene).parameters;
     std::vector<Parameter> parameters = scene.parameters;
     std::erase_if(parameters, [&](const Parameter& parameter) {

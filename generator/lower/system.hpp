@@ -8,7 +8,7 @@
 #include "generator/ir/properties.hpp"
 #include "generator/ir/system.hpp"
 #include "generator/lower/gradient_kernels.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -19,7 +19,7 @@ namespace hvi::gen {
                                const std::vector<std::string>& parameters);
 
 /// The same with all that a scene has. Of its parameters those of H that have a value are replaced.
-[[nodiscard]] System system_of(const Scene& scene);
+[[nodiscard]] System system_of(const WrittenOutScene& scene);
 
 /// What is proved of it. Costs of evaluations are those of a system that is written out.
 [[nodiscard]] SystemProperties properties(const System& system);

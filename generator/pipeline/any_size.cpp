@@ -11,8 +11,7 @@ namespace hvi::gen {
 namespace {
 
 /// Writes out what loops do not have, where there is a choice.
-void look_for_obstacles(UnrollDecision& decision, const IndexedScene& scene,
-                        const UnrollWish& wish) {
+void look_for_obstacles(UnrollDecision& decision, const Scene& scene, const UnrollWish& wish) {
     if (decision.writes_out || !may_write_out(scene, wish.choice)) { return; }
     try {
         static_cast<void>(loop_system(scene));
@@ -24,7 +23,7 @@ void look_for_obstacles(UnrollDecision& decision, const IndexedScene& scene,
 SceneOfAnySize find_scene_of_any_size(const Given& name_or_file,
                                       const std::vector<Parameter>& values,
                                       const UnrollWish& wish) {
-    IndexedScene written = find_indexed_scene(name_or_file, values);
+    Scene written = find_indexed_scene(name_or_file, values);
     UnrollDecision decision = unroll_decision(written, wish);
     look_for_obstacles(decision, written, wish);
     if (!decision.writes_out) { return {std::move(written), std::move(decision)}; }

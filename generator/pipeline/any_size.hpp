@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 /// A scene that is written out, or whose sums stay loops, and why.
 struct SceneOfAnySize {
-    std::variant<Scene, IndexedScene> scene;
+    std::variant<WrittenOutScene, Scene> scene;
     UnrollDecision unrolling;
 };
 

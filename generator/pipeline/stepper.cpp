@@ -30,7 +30,7 @@ bool is_overdetermined(const OneStepMethod& method, const System& system) {
 }
 
 /// Whether (4.14) makes steps of the L of a scene; nothing is asked of an H.
-void check_lagrangian(const Scene& scene) {
+void check_lagrangian(const WrittenOutScene& scene) {
     if (const auto* L = std::get_if<Lagrangian>(&scene.mechanics)) check_regular(*L);
 }
 
@@ -143,7 +143,8 @@ MethodStepper method_stepper(const Method& wished, const StepperWishes& wishes) 
     return {std::move(method), std::move(step), std::move(header)};
 }
 
-SceneStepper scene_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
+SceneStepper scene_stepper(const Method& wished, const WrittenOutScene& scene,
+                           const StepperWishes& wishes) {
     const SceneWishes members = members_of(wishes);
     check_members(scene, members);
     check_own_names(scene.own);
@@ -162,8 +163,7 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
 
 namespace {
 
-SceneStepper loop_stepper(const Method& wished, const IndexedScene& scene,
-                          const StepperWishes& wishes) {
+SceneStepper loop_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
     const Place place = whole(scene.function.source);
     check_wishes_of_any_size(wishes, place);
     check_own_names(scene.own);
@@ -179,8 +179,7 @@ SceneStepper loop_stepper(const Method& wished, const IndexedScene& scene,
 
 }  // namespace
 
-SceneStepper scene_stepper(const Method& wished, const IndexedScene& scene,
-                           const StepperWishes& wishes) {
+SceneStepper scene_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
     try {
         return loop_stepper(wished, scene, wishes);
     } catch (const NoLoops& obstacle) {

@@ -23,8 +23,8 @@
 #include "generator/lower/system.hpp"
 #include "generator/options/wishes.hpp"
 #include "generator/plan/evaluations.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -54,14 +54,14 @@ struct SceneStepper {
 
 /// The same. Throws InputError and MathError also for a scene that cannot start, an invariant that
 /// cannot be a member, and a solver that is not built for this H. Preconditions: those of lower().
-[[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
+[[nodiscard]] SceneStepper scene_stepper(const Method& method, const WrittenOutScene& scene,
                                          const StepperWishes& wishes);
 
 /// A stepper with loops for the sums of the scene: the sizes are parameters of the class. Where
 /// loops do not have the step of this method, sums are written out that may_write_out(). Throws
 /// InputError and MathError as loop_system() does, too, and for what is wished for and not built
 /// for systems of any size.
-[[nodiscard]] SceneStepper scene_stepper(const Method& method, const IndexedScene& scene,
+[[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
                                          const StepperWishes& wishes);
 
 }  // namespace hvi::gen

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 

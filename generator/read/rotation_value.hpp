@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 #include "generator/read/toml_file.hpp"
 
 namespace hvi::gen {

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "generator/read/embedded.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/sizes.hpp"
 #include "generator/read/unroll.hpp"
 #include "generator/read/unrolling.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -25,7 +25,7 @@ std::string_view name_of(const EmbeddedFile& file) {
     return file.name.substr(0, file.name.rfind('.'));
 }
 
-std::vector<std::string> parameter_names(const Scene& scene) {
+std::vector<std::string> parameter_names(const WrittenOutScene& scene) {
     std::vector<std::string> names;
     for (const Parameter& parameter : scene.parameters) names.push_back(parameter.name);
     return names;
@@ -40,15 +40,15 @@ std::vector<std::string> parameter_names(const Scene& scene) {
         did_you_mean(name, names, "`hvi-gen list scenes` shows those that come with the program"));
 }
 
-IndexedScene embedded_scene(const EmbeddedFile& file) {
+Scene embedded_scene(const EmbeddedFile& file) {
     return indexed_scene_from_toml({std::string(file.name), std::string(file.text)});
 }
 
-IndexedScene found(const Given& name_or_file) {
+Scene found(const Given& name_or_file) {
     const std::string& name = name_or_file->text;
     for (const EmbeddedFile& file : embedded_scenes()) {
         if (name_of(file) != name) continue;
-        IndexedScene scene = embedded_scene(file);
+        Scene scene = embedded_scene(file);
         scene.origin = name;
         return scene;
     }
@@ -60,43 +60,45 @@ IndexedScene found(const Given& name_or_file) {
 
 }  // namespace
 
-const MechanicalFunction& function_of(const Scene& scene) {
+const MechanicalFunction& function_of(const WrittenOutScene& scene) {
     return std::visit([](const auto& of) -> const MechanicalFunction& { return of; },
                       scene.mechanics);
 }
 
-MechanicalFunction& function_of(Scene& scene) {
+MechanicalFunction& function_of(WrittenOutScene& scene) {
     return std::visit([](auto& of) -> MechanicalFunction& { return of; }, scene.mechanics);
 }
 
-std::vector<std::string> variables(const Scene& scene) {
+std::vector<std::string> variables(const WrittenOutScene& scene) {
     return std::visit([](const auto& of) { return variables(of); }, scene.mechanics);
 }
 
-std::string_view name_of_function(const Scene& scene) {
+std::string_view name_of_function(const WrittenOutScene& scene) {
     return std::holds_alternative<Hamiltonian>(scene.mechanics) ? "the Hamiltonian"
                                                                 : "the Lagrangian";
 }
 
-const Hamiltonian& hamiltonian_of(const Scene& scene) {
+const Hamiltonian& hamiltonian_of(const WrittenOutScene& scene) {
     if (const auto* H = std::get_if<Hamiltonian>(&scene.mechanics)) return *H;
     throw MathError("here a Hamiltonian is wanted, and the scene has a Lagrangian",
                     whole(function_of(scene).source), "`hvi-gen scheme` prints its Hamiltonian");
 }
 
-Scene scene_from_toml(const Source& file) { return unrolled(indexed_scene_from_toml(file)); }
+WrittenOutScene scene_from_toml(const Source& file) {
+    return unrolled(indexed_scene_from_toml(file));
+}
 
-Scene scene_from_file(const std::filesystem::path& path) {
+WrittenOutScene scene_from_file(const std::filesystem::path& path) {
     return unrolled(indexed_scene_from_file(path));
 }
 
-IndexedScene find_indexed_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
-    IndexedScene written = found(name_or_file);
+Scene find_indexed_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
+    Scene written = found(name_or_file);
     for (const Parameter& value : values) static_cast<void>(assign(written, value));
     return written;
 }
 
-Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
+WrittenOutScene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
     return written_out(find_indexed_scene(name_or_file, values), name_or_file,
                        "here sums are written out; `stepper`, `run` and `report` take scenes of "
                        "any size, without --accuracy");
@@ -105,7 +107,7 @@ Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values
 std::vector<SceneEntry> scenes() {
     std::vector<SceneEntry> entries;
     for (const EmbeddedFile& file : embedded_scenes()) {
-        const IndexedScene scene = embedded_scene(file);
+        const Scene scene = embedded_scene(file);
         entries.push_back({name_of(file), scene.description, degrees_of_freedom(scene)});
     }
     std::sort(entries.begin(), entries.end(), [](const SceneEntry& left, const SceneEntry& right) {
@@ -114,7 +116,7 @@ std::vector<SceneEntry> scenes() {
     return entries;
 }
 
-NamedExpression expression_of_parameters(const Scene& scene, std::string name,
+NamedExpression expression_of_parameters(const WrittenOutScene& scene, std::string name,
                                          std::shared_ptr<const Source> text) {
     Expression read = unrolled(parse_indexed_expression(text), function_of(scene).sizes);
     check_functions(read, text, "this");
@@ -133,11 +135,11 @@ NamedExpression expression_of_parameters(const Scene& scene, std::string name,
     return {std::move(name), std::move(read), std::move(place)};
 }
 
-void check_together(const Method& method, const Scene& scene) {
+void check_together(const Method& method, const WrittenOutScene& scene) {
     check_together(method, variables(scene), name_of_function(scene));
 }
 
-void set_parameter(Method& method, Scene& scene, Parameter parameter) {
+void set_parameter(Method& method, WrittenOutScene& scene, Parameter parameter) {
     std::vector<std::string> names = parameter_names(scene);
     const std::vector<std::string> of_method = parameter_names(method);
     const bool in_scene = contains(names, parameter.name);

@@ -1,4 +1,4 @@
-// Scenes: a Hamiltonian or a Lagrangian with its numbers, and what one wants to know of its motion.
+// Scenes as they are written: indices are indices, and sums run over them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,104 +7,136 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "generator/read/hamiltonian.hpp"
-#include "generator/read/lagrangian.hpp"
-#include "generator/read/own_functions.hpp"
+#include "generator/expr/side.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
-/// An expression with its name and where it stands. The ranges in it are ranges in its place's
-/// source.
-struct NamedExpression {
+/// An expression with its name.
+struct NamedIndexed {
     std::string name;
-    Expression expression;
-    Place place;  ///< of its whole text
+    IndexedExpression expression;
+    Place place;               ///< of its whole text
+    Place place_of_name = {};  ///< of an invariant
 };
 
-/// What [run] asks for, where it says so.
-struct RunWishes {
-    std::shared_ptr<const Source> method;  ///< of a named method or family: `gauss:4`; or null
-    std::optional<NamedExpression> step;   ///< of parameters, pi and e
-    std::optional<NamedExpression> until;  ///< the same
+/// Values one by one, in the order of indices of which the last runs fastest: those of a matrix
+/// [[1, 2, 3], [4, 5, 6]] are six, with the extents 2 and 3.
+struct ValueList {
+    std::vector<IndexedExpression> values;
+    std::vector<std::size_t> extents;
 };
 
-/// A vector field on the coordinates along which H or L is said not to change; those that are not
-/// named do not move.
-struct VectorField {
+/// Numbers of a file that stay there, as there are many of them.
+struct ValueFile {
+    std::string path;                   ///< as the scene has it
+    std::optional<std::string> column;  ///< of a CSV file
+    std::vector<std::size_t> extents;   ///< as of a ValueList
+};
+
+/// A rotation: nine entries row by row, of `identity`, of an axis and an angle, of a quaternion or
+/// as they are written.
+struct RotationValue {
+    std::vector<IndexedExpression> entries;
+};
+
+/// How many values there are.
+[[nodiscard]] std::size_t count(const ValueFile& file);
+
+/// The value for every index: `"x[i]" = "sin(i)"`.
+struct ValueRule {
+    std::vector<std::string> indices;
+    IndexedExpression value;
+};
+
+/// What a name, or a name with an index, stands for.
+struct IndexedValue {
+    std::string name;  ///< without an index
+    std::variant<IndexedExpression, ValueList, ValueRule, ValueFile, RotationValue> value;
+    Place place;           ///< of the name
+    Place place_of_value;  ///< of all values
+};
+
+/// The values in a section.
+struct ValueTable {
+    std::vector<IndexedValue> values;  ///< in the order of the file
+    Place place;                       ///< of the section
+};
+
+/// A vector field on the coordinates, by its components.
+struct IndexedField {
     std::string name;
-    std::vector<NamedExpression> components;  ///< by the names of coordinates, in their order
-    Place place;                              ///< of the name
+    ValueTable components;
+    Place place;  ///< of the name
 };
 
-/// What a scene says, checked as far as words go: every symbol is a variable, a parameter with a
-/// value, pi, e, or, in H, L and [exact], the time t; names are free and differ. Its variables are
-/// coordinates, and momenta where it has a Hamiltonian, velocities where it has a Lagrangian.
+/// Parts of a function that have a name: `r`, or with indices `d[i]`.
+struct Definition {
+    std::string name;
+    std::vector<std::string> indices;
+    IndexedExpression value;
+    Place place;  ///< of the name
+};
+
+/// What [run] asks for.
+struct IndexedRun {
+    std::shared_ptr<const Source> method;
+    std::optional<NamedIndexed> step, until;
+};
+
+/// A scene whose text is well-formed; whether its words have a meaning is not yet looked at. Sums
+/// are sums, and what has indices is one family, of a size that parameters may give.
 struct Scene {
-    std::string name;         ///< the key `name`, else that of the file without its ending
-    std::string description;  ///< the key `description`: one line; or empty
-    std::variant<Hamiltonian, Lagrangian> mechanics;  ///< no parameter of it has a value yet
-    std::vector<Parameter> parameters;                ///< all, in the order of the file
-    OwnFunctions own;                                 ///< that H and invariants may call
-    std::vector<NamedExpression> invariants;          ///< in the order of the file
-    std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
-    std::vector<VectorField> fields;       ///< of [symmetries], in the order of the file
-    std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
-    std::vector<NamedExpression> exact;    ///< the same, as functions of t; or empty
-    RunWishes run;
-    std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
+    std::string name, description;
+    Side side = Side::hamiltonian;  ///< which of the two `function` is
+    NameTexts coordinates;
+    NameTexts conjugates;                  ///< momenta, or velocities
+    NameTexts rotations, angular_momenta;  ///< empty where there are none
+    IndexedExpression function;
+    std::string origin;                    ///< as the command line has it
+    std::filesystem::path directory;       ///< that paths of files are relative to
+    std::vector<IndexedValue> parameters;  ///< no ValueRule and no RotationValue among them
+    std::set<std::string> fixed;           ///< parameters that a program cannot change
+    OwnFunctions own;
+    std::vector<Definition> definitions;
+    std::vector<NamedIndexed> invariants;
+    std::set<std::string> approximate;  ///< names of some of them
+    std::vector<IndexedField> fields;
+    ValueTable initial;
+    std::optional<ValueTable> exact;
+    IndexedRun run;
 };
 
-/// Its H or L.
-[[nodiscard]] const MechanicalFunction& function_of(const Scene& scene);
-[[nodiscard]] MechanicalFunction& function_of(Scene& scene);
-
-/// Coordinates, then momenta or velocities.
-[[nodiscard]] std::vector<std::string> variables(const Scene& scene);
-
-/// `the Hamiltonian` or `the Lagrangian`.
-[[nodiscard]] std::string_view name_of_function(const Scene& scene);
-
-/// H. Throws MathError, with the place of L, where the scene has a Lagrangian.
-[[nodiscard]] const Hamiltonian& hamiltonian_of(const Scene& scene);
-
-/// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it, unrolled. Throws InputError
-/// with the line of the file.
-[[nodiscard]] Scene scene_from_file(const std::filesystem::path& path);
+/// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
+/// line of the file.
+[[nodiscard]] Scene indexed_scene_from_file(const std::filesystem::path& path);
 
 /// The same for the text of such a file; the source's name is that of the file.
-[[nodiscard]] Scene scene_from_toml(const Source& file);
+[[nodiscard]] Scene indexed_scene_from_toml(const Source& file);
 
-/// The scene that the command line names: one that comes with the program (`kepler`), else that of
-/// the file; with other values for those of its parameters that `values` names. Throws InputError,
-/// with what may have been meant, where there is neither, and for more than
-/// most_degrees_of_freedom.
-[[nodiscard]] Scene find_scene(const Given& name_or_file,
-                               const std::vector<Parameter>& values = {});
+/// The scene that the command line names, as find_scene() finds it, with other values for those of
+/// its parameters that `values` names.
+[[nodiscard]] Scene find_indexed_scene(const Given& name_or_file,
+                                       const std::vector<Parameter>& values = {});
 
-/// The scenes that come with the program, by name. NOTE: what is said of them is known without
-/// their sums being written out.
-struct SceneEntry {
-    std::string_view name;
-    std::string description;
-    std::size_t degrees_of_freedom = 0;  ///< with the values that its parameters have in it
-};
-[[nodiscard]] std::vector<SceneEntry> scenes();
+/// How many coordinates it has, for the sizes that it names. Throws InputError where a bound of an
+/// index is no whole number, and where an index has no value.
+[[nodiscard]] std::size_t degrees_of_freedom(const Scene& scene);
 
-/// A number that may depend on the scene's parameters, as [run] has it: the value of `--step`.
-/// Throws InputError.
-[[nodiscard]] NamedExpression expression_of_parameters(const Scene& scene, std::string name,
-                                                       std::shared_ptr<const Source> text);
+/// Gives a parameter another value: `N`, or `m[2]` of a list. Whether there is such a parameter.
+[[nodiscard]] bool assign(Scene& scene, const Parameter& parameter);
 
-/// Throws InputError as check_together() of H does.
-void check_together(const Method& method, const Scene& scene);
+/// The scene with all sums written out, names with indices as so many names, definitions put in,
+/// and parameters that are made of others computed. What stands in an index or a range is a number:
+/// no parameter of the result. Throws InputError where a word has no meaning or stands where it may
+/// not, for more than most_degrees_of_freedom, and for more than 64 parameters or invariants.
+[[nodiscard]] WrittenOutScene unrolled(const Scene& scene);
 
-/// Fixes the value of a parameter of the scene's H or L, initial values and the rest, or of the
-/// method's. Throws InputError as set_parameter() of a Hamiltonian does. NOTE: a size has had its
-/// value since find_scene().
-void set_parameter(Method& method, Scene& scene, Parameter parameter);
+/// What a scene of any size says besides its motion: names, parameters without an index, sizes, and
+/// what [run] asks for. Throws InputError as unrolled() does for these.
+[[nodiscard]] WrittenOutScene without_motion(Scene scene);
 
 }  // namespace hvi::gen

@@ -8,9 +8,9 @@
 
 #include "generator/read/column_file.hpp"
 #include "generator/read/file.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/rotation_value.hpp"
+#include "generator/read/scene.hpp"
 #include "generator/read/toml_file.hpp"
 
 namespace hvi::gen {
@@ -48,7 +48,7 @@ class SceneReader {
 public:
     explicit SceneReader(const Source& source) : source_(source), file_(source) {}
 
-    [[nodiscard]] IndexedScene read();
+    [[nodiscard]] Scene read();
 
 private:
     [[nodiscard]] const toml::node& required(std::string_view key, std::string_view example) const;
@@ -61,8 +61,8 @@ private:
     void check_absent(std::string_view key, std::string_view other, std::string_view fault,
                       std::string_view help) const;
     void check_mechanics() const;
-    void read_mechanics(IndexedScene& scene);
-    void read_variables(IndexedScene& scene) const;
+    void read_mechanics(Scene& scene);
+    void read_variables(Scene& scene) const;
     [[nodiscard]] bool is_of_rotation(std::string_view name) const;
     [[nodiscard]] IndexedValue value(const Entry& entry) const;
     [[nodiscard]] RuleName rule_name(const toml::key& key) const;
@@ -75,10 +75,10 @@ private:
     [[nodiscard]] std::vector<IndexedValue> parameters() const;
     [[nodiscard]] OwnFunctions own_functions() const;
     [[nodiscard]] OwnFunction own_function(const Entry& entry) const;
-    void check_apart(const IndexedScene& scene) const;
+    void check_apart(const Scene& scene) const;
     [[nodiscard]] std::vector<Definition> definitions() const;
-    void read_invariants(IndexedScene& scene) const;
-    void add_invariant(IndexedScene& scene, const Entry& entry) const;
+    void read_invariants(Scene& scene) const;
+    void add_invariant(Scene& scene, const Entry& entry) const;
     [[nodiscard]] const toml::node& value_of_invariant(const toml::table& table) const;
     [[nodiscard]] std::vector<IndexedField> fields() const;
     [[nodiscard]] ValueTable values(const toml::table& table) const;
@@ -171,7 +171,7 @@ void SceneReader::check_mechanics() const {
 }
 
 /// NOTE: a body that only turns has rotations alone.
-void SceneReader::read_variables(IndexedScene& scene) const {
+void SceneReader::read_variables(Scene& scene) const {
     const bool has_lagrangian = file_.table().contains("lagrangian");
     const bool has_rotations = file_.table().contains("rotations");
     if (has_lagrangian && has_rotations)
@@ -192,7 +192,7 @@ void SceneReader::read_variables(IndexedScene& scene) const {
                                       : names("momenta", "[\"px\", \"py\"]");
 }
 
-void SceneReader::read_mechanics(IndexedScene& scene) {
+void SceneReader::read_mechanics(Scene& scene) {
     check_mechanics();
     const bool has_lagrangian = file_.table().contains("lagrangian");
     scene.side = has_lagrangian ? Side::lagrangian : Side::hamiltonian;
@@ -350,7 +350,7 @@ OwnFunctions SceneReader::own_functions() const {
 }
 
 /// NOTE: indices of sums are looked at where they are read.
-void SceneReader::check_apart(const IndexedScene& scene) const {
+void SceneReader::check_apart(const Scene& scene) const {
     const auto check = [&](std::string_view name, const Place& place) {
         hvi::gen::check_apart(scene.own, name, place);
     };
@@ -381,7 +381,7 @@ std::vector<Definition> SceneReader::definitions() const {
 
 /// `"x*py - y*px"`, a vector, or `{value = "x*py - y*px", approximate = true}`. Of a vector each
 /// component is an invariant: J_1, J_2, ...
-void SceneReader::add_invariant(IndexedScene& scene, const Entry& entry) const {
+void SceneReader::add_invariant(Scene& scene, const Entry& entry) const {
     const toml::key& key = *entry.first;
     const toml::node& node = *entry.second;
     const auto* table = node.as_table();
@@ -414,7 +414,7 @@ const toml::node& SceneReader::value_of_invariant(const toml::table& table) cons
     return *value;
 }
 
-void SceneReader::read_invariants(IndexedScene& scene) const {
+void SceneReader::read_invariants(Scene& scene) const {
     const toml::table* table = section("invariants", "momentum = \"px1 + px2\"");
     if (table == nullptr) return;
     for (const Entry& entry : in_order(*table)) add_invariant(scene, entry);
@@ -470,13 +470,13 @@ void SceneReader::refuse_to_come() const {
     }
 }
 
-IndexedScene SceneReader::read() {
+Scene SceneReader::read() {
     refuse_to_come();
     file_.check_keys(file_.table(), "scene",
                      {"name", "description", "coordinates", "momenta", "velocities", "rotations",
                       "angular_momenta", "hamiltonian", "lagrangian", "parameters", "functions",
                       "definitions", "invariants", "symmetries", "initial", "exact", "run"});
-    IndexedScene scene;
+    Scene scene;
     scene.name = file_.name();
     if (scene.name.empty()) scene.name = name_of_file(source_.name);
     scene.description = description();
@@ -497,9 +497,9 @@ IndexedScene SceneReader::read() {
 
 }  // namespace
 
-IndexedScene indexed_scene_from_toml(const Source& file) { return SceneReader(file).read(); }
+Scene indexed_scene_from_toml(const Source& file) { return SceneReader(file).read(); }
 
-IndexedScene indexed_scene_from_file(const std::filesystem::path& path) {
+Scene indexed_scene_from_file(const std::filesystem::path& path) {
     return indexed_scene_from_toml(toml_source(path));
 }
 

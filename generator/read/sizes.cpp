@@ -73,7 +73,7 @@ void insert_structural(const ValueTable& table, NameSet& names) {
     }
 }
 
-NameSet structural_names(const IndexedScene& scene) {
+NameSet structural_names(const Scene& scene) {
     NameSet names;
     insert_structural(scene.coordinates, names);
     insert_structural(scene.conjugates, names);
@@ -125,7 +125,7 @@ private:
 
 }  // namespace
 
-WholeNumbers sizes(const IndexedScene& scene) {
+WholeNumbers sizes(const Scene& scene) {
     Sizes::Values values;
     for (const IndexedValue& parameter : scene.parameters) {
         const auto* value = std::get_if<IndexedExpression>(&parameter.value);

@@ -87,7 +87,7 @@ std::size_t operations_written_out(const IndexedExpression& expression, const Wh
     return Count(expression.source, known, most)(expression.written);
 }
 
-UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish) {
+UnrollDecision unroll_decision(const Scene& scene, const UnrollWish& wish) {
     // NOTE: measured; see docs/large.md.
     constexpr std::size_t most_operations = 2000;
     if (!has_indices(scene.coordinates) && !has_indices(scene.rotations)) {
@@ -117,11 +117,12 @@ UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish
     return {false, fmt::format("written out they make more than {} operations", most_operations)};
 }
 
-bool may_write_out(const IndexedScene& scene, Unroll wish) {
+bool may_write_out(const Scene& scene, Unroll wish) {
     return wish == Unroll::automatic && degrees_of_freedom(scene) <= most_degrees_of_freedom;
 }
 
-Scene written_out(const IndexedScene& written, const Given& name_or_file, const std::string& why) {
+WrittenOutScene written_out(const Scene& written, const Given& name_or_file,
+                            const std::string& why) {
     const std::size_t degrees = degrees_of_freedom(written);
     if (degrees > most_degrees_of_freedom) {
         throw InputError(fmt::format("this scene has {} degrees of freedom, and sums of at most {} "
@@ -129,7 +130,7 @@ Scene written_out(const IndexedScene& written, const Given& name_or_file, const 
                                      degrees, most_degrees_of_freedom),
                          whole(name_or_file), why);
     }
-    Scene scene = unrolled(written);
+    WrittenOutScene scene = unrolled(written);
     scene.place = whole(name_or_file);
     return scene;
 }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -33,16 +33,16 @@ struct UnrollDecision {
 /// Sums are written out where no variable has an index, where H or L then has at most 2000
 /// operations and as many degrees of freedom as are wished for, or where a wish needs that. Throws
 /// InputError as unrolled() does for sizes and bounds.
-[[nodiscard]] UnrollDecision unroll_decision(const IndexedScene& scene, const UnrollWish& wish);
+[[nodiscard]] UnrollDecision unroll_decision(const Scene& scene, const UnrollWish& wish);
 
 /// Whether sums may be written out that loops turn out not to have: the user has left it open, and
 /// there are not more than most_degrees_of_freedom.
-[[nodiscard]] bool may_write_out(const IndexedScene& scene, Unroll wish);
+[[nodiscard]] bool may_write_out(const Scene& scene, Unroll wish);
 
 /// The scene that the command line names, written out. Throws InputError as unrolled() does, and
 /// with `why` as help for more than most_degrees_of_freedom.
-[[nodiscard]] Scene written_out(const IndexedScene& written, const Given& name_or_file,
-                                const std::string& why);
+[[nodiscard]] WrittenOutScene written_out(const Scene& written, const Given& name_or_file,
+                                          const std::string& why);
 
 /// How many additions, multiplications, divisions, powers and calls of functions the expression has
 /// with its sums written out; `most` where there are more. Throws InputError where a bound is no

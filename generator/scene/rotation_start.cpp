@@ -53,7 +53,7 @@ Ball determinant(const Entries& R) {
     return sum;
 }
 
-Place place_of(const Scene& scene, const std::string& entry) {
+Place place_of(const WrittenOutScene& scene, const std::string& entry) {
     for (const NamedExpression& initial : scene.initial)
         if (initial.name == entry) return initial.place;
     return whole(function_of(scene).source);
@@ -61,7 +61,7 @@ Place place_of(const Scene& scene, const std::string& entry) {
 
 }  // namespace
 
-void check_rotations(const Scene& scene, const SymbolValues& start) {
+void check_rotations(const WrittenOutScene& scene, const SymbolValues& start) {
     constexpr double most = 1.0 / (1 << 27);
     for (const RotationNames& names : function_of(scene).rotations) {
         const std::vector<std::string> entries = entries_of(names.rotation);

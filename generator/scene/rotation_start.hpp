@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "generator/scene/value_at.hpp"
 
 namespace hvi::gen {
@@ -11,6 +11,6 @@ namespace hvi::gen {
 /// than half of the digits of a double are, or det R is provably not positive. NOTE: entries that
 /// are written with some digits make no rotation exactly; a step takes the nearest one.
 /// Precondition: `start` has the values of all variables.
-void check_rotations(const Scene& scene, const SymbolValues& start);
+void check_rotations(const WrittenOutScene& scene, const SymbolValues& start);
 
 }  // namespace hvi::gen

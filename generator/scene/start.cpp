@@ -48,7 +48,7 @@ Number exact_value(const Parameter& parameter, const Ground& ground) {
     }
 }
 
-SymbolValues parameter_values(const Scene& scene) {
+SymbolValues parameter_values(const WrittenOutScene& scene) {
     SymbolValues values;
     for (const Parameter& parameter : scene.parameters) {
         values[parameter.name] = value_of(parameter);
@@ -56,7 +56,7 @@ SymbolValues parameter_values(const Scene& scene) {
     return values;
 }
 
-void check_start(const Scene& scene) {
+void check_start(const WrittenOutScene& scene) {
     const SymbolValues values = parameter_values(scene);
     for (const Parameter& parameter : scene.parameters) {
         on_new_ground([&](const Ground& ground) { return exact_value(parameter, ground); });
@@ -85,7 +85,7 @@ void check_start(const Scene& scene) {
         check_range(start.at(initial.name), initial.name, initial.place);
 }
 
-std::vector<double> exact_state(const Scene& scene, double time) {
+std::vector<double> exact_state(const WrittenOutScene& scene, double time) {
     SymbolValues values = parameter_values(scene);
     arb_set_d(values["t"].get(), time);
     std::vector<double> state;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/exact/numbers/ground.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "generator/scene/value_at.hpp"
 
 namespace hvi::gen {
@@ -15,18 +15,18 @@ namespace hvi::gen {
 [[nodiscard]] Number exact_value(const Parameter& parameter, const Ground& ground);
 
 /// Throws MathError, with its place, where one has no value.
-[[nodiscard]] SymbolValues parameter_values(const Scene& scene);
+[[nodiscard]] SymbolValues parameter_values(const WrittenOutScene& scene);
 
 /// Throws as exact_value() does, and MathError, with its place, where the value of a parameter or
 /// an initial value is provably beyond the range of coefficients, or an initial value, or H or an
 /// invariant at the start, is provably no real number: the root of a negative number, a division by
 /// a mass of zero, two bodies at one place; and as check_rotations() does. Looks at parameters
 /// alone where the scene has no initial data.
-void check_start(const Scene& scene);
+void check_start(const WrittenOutScene& scene);
 
 /// Coordinates, then momenta or velocities, of the scene's [exact] at a time, good to the last bit
 /// or two. Throws MathError, with its place, where it has no value. Precondition: the scene has
 /// [exact].
-[[nodiscard]] std::vector<double> exact_state(const Scene& scene, double time);
+[[nodiscard]] std::vector<double> exact_state(const WrittenOutScene& scene, double time);
 
 }  // namespace hvi::gen

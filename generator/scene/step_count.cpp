@@ -22,7 +22,7 @@ std::int64_t floor(const Number& number) {
 }
 
 /// The ground with the values of the scene's parameters.
-Ground with_parameters(Ground ground, const Scene& scene) {
+Ground with_parameters(Ground ground, const WrittenOutScene& scene) {
     for (const Parameter& parameter : scene.parameters)
         ground.set_parameter(parameter.name, exact_value(parameter, ground));
     return ground;
@@ -60,13 +60,14 @@ Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExp
 
 }  // namespace
 
-Steps steps_until(const Scene& scene, const NamedExpression& step, const NamedExpression& until) {
+Steps steps_until(const WrittenOutScene& scene, const NamedExpression& step,
+                  const NamedExpression& until) {
     return on_new_ground([&](const Ground& ground) {
         return steps_on(with_parameters(ground, scene), step, until);
     });
 }
 
-double nearest_value(const Scene& scene, const NamedExpression& what) {
+double nearest_value(const WrittenOutScene& scene, const NamedExpression& what) {
     return on_new_ground([&](const Ground& ground) {
         return nearest_time(value_of(what, with_parameters(ground, scene)), what.place);
     });

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -20,10 +20,10 @@ struct Steps {
 /// MathError with its place for a step of size zero, one that leads away from the end, one of which
 /// there would be more than 10^15, and times beyond the range of doubles; and as evaluate_number()
 /// does.
-[[nodiscard]] Steps steps_until(const Scene& scene, const NamedExpression& step,
+[[nodiscard]] Steps steps_until(const WrittenOutScene& scene, const NamedExpression& step,
                                 const NamedExpression& until);
 
 /// The double nearest to a time that may depend on the scene's parameters. Throws as steps_until().
-[[nodiscard]] double nearest_value(const Scene& scene, const NamedExpression& what);
+[[nodiscard]] double nearest_value(const WrittenOutScene& scene, const NamedExpression& what);
 
 }  // namespace hvi::gen

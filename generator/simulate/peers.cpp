@@ -75,7 +75,7 @@ bool applies(const Peer& peer, const System& system) {
     return !peer.needs_separable || (system.structure.is_separable && !system.time);
 }
 
-SceneStepper stepper_for_peers(const Scene& scene) {
+SceneStepper stepper_for_peers(const WrittenOutScene& scene) {
     // NOTE: a method with equations to solve, so that Newton's method wants second derivatives.
     const auto name = std::make_shared<const Source>(Source{"--method", "gauss:2"});
     return scene_stepper(named_method(name), scene, simulation_wishes(Solver::newton));

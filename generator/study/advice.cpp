@@ -253,7 +253,7 @@ FoundReference reference_in_double(const Contender& contender, const AdviceWishe
 
 /// Throws MathError where it is not known to a hundredth of the accuracy, and there is no run.
 FoundReference good_reference(const Build& quadruple, const Contender& contender,
-                              const Scene& scene, const AdviceWishes& wishes) {
+                              const WrittenOutScene& scene, const AdviceWishes& wishes) {
     const double wanted = part_of_accuracy * wishes.accuracy;
     const double seconds = wishes.seconds / 2;  // the rest is for the race
     const bool is_fine = has_exact_states(scene) || wishes.accuracy < coarsest_of_quadruple;
@@ -334,7 +334,7 @@ private:
 
 }  // namespace
 
-Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
+Advice advice(Builds& builds, const WrittenOutScene& scene, const AdviceWishes& wishes) {
     const System system = system_of(scene);
     Adviser adviser(scene.name, system.structure, wishes);
     const Build quadruple =
@@ -355,7 +355,7 @@ Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     return std::move(adviser).with_race(course, wishes.accuracy, measures, deadline);
 }
 
-Advice advice(Builds& builds, const IndexedScene& scene, const AdviceWishes& wishes) {
+Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     const System system = loop_system(scene);
     Adviser adviser(scene.name, system.structure, wishes);
     const LargeReference large(builds, scene, wishes.until);

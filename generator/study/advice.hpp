@@ -10,7 +10,7 @@
 
 #include "generator/ir/step.hpp"
 #include "generator/program/builds.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "generator/study/contender.hpp"
 #include "generator/study/curves.hpp"
 
@@ -45,9 +45,10 @@ struct Advice {
 /// terminal. No run is begun that would end after the time that there is, as far as those before it
 /// tell. Throws MathError where none gets there with any steps, or nothing is known so well as to
 /// tell; and what scene_stepper(), a Build and ask() do.
-[[nodiscard]] Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes);
+[[nodiscard]] Advice advice(Builds& builds, const WrittenOutScene& scene,
+                            const AdviceWishes& wishes);
 
 /// Advises for a scene whose sums stay loops, beside a reference in long double, or its exact one.
-[[nodiscard]] Advice advice(Builds& builds, const IndexedScene& scene, const AdviceWishes& wishes);
+[[nodiscard]] Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes);
 
 }  // namespace hvi::gen

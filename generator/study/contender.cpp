@@ -35,11 +35,11 @@ StudiedMethod studied(ExactMethod method) {
     return {std::move(method), order};
 }
 
-bool has_exact_states(const Scene& scene) {
+bool has_exact_states(const WrittenOutScene& scene) {
     return !scene.exact.empty() && std::holds_alternative<Hamiltonian>(scene.mechanics);
 }
 
-Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
+Contender contender(Builds& builds, const StudiedMethod& method, const WrittenOutScene& scene,
                     Solver solver) {
     const SceneStepper stepper =
         scene_stepper(method.method, scene, simulation_wishes(solver, method.composition));
@@ -49,7 +49,7 @@ Contender contender(Builds& builds, const StudiedMethod& method, const Scene& sc
             corrections ? std::optional(corrections->costs) : std::nullopt};
 }
 
-Contender contender(Builds& builds, const StudiedMethod& method, const IndexedScene& scene,
+Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
                     Solver solver) {
     // NOTE: programs of vectors are measured against a reference of vectors.
     StepperWishes wishes = simulation_wishes(solver, method.composition);
@@ -64,15 +64,15 @@ MeasureSteps measured(const Contender& contender, double until) {
     };
 }
 
-Build reference_build(Builds& builds, const Scene& scene) {
+Build reference_build(Builds& builds, const WrittenOutScene& scene) {
     if (has_exact_states(scene)) return {};
     const auto name = std::make_shared<const Source>(Source{"--method", reference_method});
     return builds.order(reference_program(scene_stepper(
         named_method(name), scene, {.solver = Solver::fixed_point, .float128 = true})));
 }
 
-Reference reference(const Build& build, const Scene& scene, double until, std::int64_t count,
-                    double wanted, double seconds) {
+Reference reference(const Build& build, const WrittenOutScene& scene, double until,
+                    std::int64_t count, double wanted, double seconds) {
     // Of so high an order, larger steps than the scene's may do.
     const std::int64_t begin = std::max<std::int64_t>(1, count / 16);
     if (has_exact_states(scene)) return {"exact", 0, exact_state(scene, until)};

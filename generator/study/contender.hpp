@@ -9,8 +9,8 @@
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/step.hpp"
 #include "generator/program/builds.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "generator/study/work.hpp"
 
 namespace hvi::gen {
@@ -32,27 +32,27 @@ struct Contender {
 };
 
 /// Throws what scene_stepper() does.
-[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
-                                  Solver solver);
+[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method,
+                                  const WrittenOutScene& scene, Solver solver);
 
 /// Makes a contender of a method on a scene whose sums stay loops; NoLoops where these do not have
 /// its step.
-[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method,
-                                  const IndexedScene& scene, Solver solver);
+[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
+                                  Solver solver);
 
 /// Measures its runs, until the time of the course.
 [[nodiscard]] MeasureSteps measured(const Contender& contender, double until);
 
 /// Whether its [exact] is one of states: beside a Lagrangian it is of velocities, and states have
 /// momenta.
-[[nodiscard]] bool has_exact_states(const Scene& scene);
+[[nodiscard]] bool has_exact_states(const WrittenOutScene& scene);
 
 /// The program of a reference solution, where the scene has none that is exact.
-[[nodiscard]] Build reference_build(Builds& builds, const Scene& scene);
+[[nodiscard]] Build reference_build(Builds& builds, const WrittenOutScene& scene);
 
 /// The scene's exact solution at its end, or one by that program, with steps halved until the end
 /// moves by no more than `wanted`, or for so many seconds. `count` are the scene's own steps.
-[[nodiscard]] Reference reference(const Build& build, const Scene& scene, double until,
+[[nodiscard]] Reference reference(const Build& build, const WrittenOutScene& scene, double until,
                                   std::int64_t count, double wanted, double seconds = 30);
 
 }  // namespace hvi::gen

@@ -24,7 +24,7 @@ constexpr const char* explicit_method = "stormer-verlet-kahan-li:8";
 constexpr const char* implicit_method = "gauss:6";
 
 /// Whether each variable has a solution.
-void check_complete(const IndexedScene& scene) {
+void check_complete(const Scene& scene) {
     const std::vector<IndexedValue>& solutions = scene.exact->values;
     for (const IndexedValue& value : scene.initial.values) {
         const auto has_name = [&](const IndexedValue& each) { return each.name == value.name; };
@@ -35,7 +35,7 @@ void check_complete(const IndexedScene& scene) {
 }
 
 /// The scene that begins where its exact solution is at that time.
-IndexedScene exact_at(IndexedScene scene, double until) {
+Scene exact_at(Scene scene, double until) {
     const std::map<std::string, Expression> time{{"t", exact_number(until).closed_form().value()}};
     const auto put_in = [&](IndexedExpression& solution) {
         solution.written = replaced(solution.written, time);
@@ -52,7 +52,7 @@ IndexedScene exact_at(IndexedScene scene, double until) {
     return scene;
 }
 
-SceneStepper stepper_by(const char* method, const IndexedScene& scene) {
+SceneStepper stepper_by(const char* method, const Scene& scene) {
     const auto name = std::make_shared<const Source>(Source{"--methods", method});
     const ComposedMethod composed = composed_method(name);
     return scene_stepper(composed.method, scene,
@@ -60,7 +60,7 @@ SceneStepper stepper_by(const char* method, const IndexedScene& scene) {
 }
 
 /// A stepper of high order.
-SceneStepper fine_stepper(const IndexedScene& scene) {
+SceneStepper fine_stepper(const Scene& scene) {
     SceneStepper stepper = stepper_by(explicit_method, scene);
     if (stepper.step.is_separable()) return stepper;
     return stepper_by(implicit_method, scene);
@@ -70,7 +70,7 @@ std::filesystem::path temporary_files() { return std::filesystem::temp_directory
 
 }  // namespace
 
-LargeReference::LargeReference(Builds& builds, const IndexedScene& scene, double until)
+LargeReference::LargeReference(Builds& builds, const Scene& scene, double until)
     : until_(until),
       directory_(temporary_files(), "hvi-gen-reference"),
       file_(directory_.path() / "end") {

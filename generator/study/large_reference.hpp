@@ -7,7 +7,7 @@
 
 #include "generator/program/builds.hpp"
 #include "generator/program/private_directory.hpp"
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 #include "generator/study/curves.hpp"
 #include "generator/study/work.hpp"
 
@@ -17,7 +17,7 @@ namespace hvi::gen {
 class LargeReference {
 public:
     /// Orders the program. Throws what scene_stepper() does, for the scene's [exact] too.
-    LargeReference(Builds& builds, const IndexedScene& scene, double until);
+    LargeReference(Builds& builds, const Scene& scene, double until);
 
     void wait() const { static_cast<void>(built(build_)); }
 

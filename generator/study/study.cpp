@@ -39,7 +39,7 @@ struct Programs {
     }
 };
 
-Programs programs(Builds& builds, const Scene& scene, const StudyWishes& wishes) {
+Programs programs(Builds& builds, const WrittenOutScene& scene, const StudyWishes& wishes) {
     Programs all{reference_build(builds, scene), {}, {}, {}};
     for (const StudiedMethod& method : wishes.methods)
         all.contenders.push_back(contender(builds, method, scene, Solver::automatic));
@@ -55,7 +55,7 @@ struct LargePrograms {
     LargeReference reference;
     std::vector<Contender> contenders;
 
-    LargePrograms(Builds& builds, const IndexedScene& scene, double until,
+    LargePrograms(Builds& builds, const Scene& scene, double until,
                   const std::vector<StudiedMethod>& methods)
         : reference(builds, scene, until) {
         for (const StudiedMethod& method : methods)
@@ -137,7 +137,7 @@ constexpr std::size_t other_parts = 3 + more_rounds;  // than runs of one method
 
 }  // namespace
 
-void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
+void study(Builds& builds, const WrittenOutScene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
     report = {scene.name, scene.description, until, {}, {}};
     Study study(report, time_spent, wishes.methods.size() + wishes.libraries.size() + other_parts);
@@ -161,7 +161,7 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
     study.run_again();
 }
 
-void study(Builds& builds, const IndexedScene& scene, double until, std::int64_t first_count,
+void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
     report = {scene.name, scene.description, until, {}, {}};
     Study study(report, time_spent, wishes.methods.size() + other_parts);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "generator/program/builds.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "generator/simulate/peers.hpp"
 #include "generator/study/contender.hpp"
 #include "generator/study/curves.hpp"
@@ -27,12 +27,12 @@ struct StudyWishes {
 /// Compiles and runs all of it, and says on standard error what it is at, where that is a terminal.
 /// `until` is the time at the end. It adds to `report` as it goes, so that what there is can be
 /// kept where it throws, as scene_stepper(), a Build and ask() do.
-void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
+void study(Builds& builds, const WrittenOutScene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent);
 
 /// The same of a scene of any size, by steppers with loops. Without libraries: wishes.libraries is
 /// not looked at. Throws as scene_stepper(), a Build and ask() do.
-void study(Builds& builds, const IndexedScene& scene, double until, std::int64_t first_count,
+void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent);
 
 }  // namespace hvi::gen

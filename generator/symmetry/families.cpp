@@ -83,7 +83,7 @@ bool has_element(const Expression& expression) {
 
 class FamilyScene {
 public:
-    explicit FamilyScene(const IndexedScene& scene)
+    explicit FamilyScene(const Scene& scene)
         : scene_(scene),
           system_(loop_system(scene)),
           groups_(groups_of(system_.sums)),
@@ -483,7 +483,7 @@ private:
         return names;
     }
 
-    const IndexedScene& scene_;
+    const Scene& scene_;
     System system_;
     std::vector<Group> groups_;
     std::vector<SystemTotal> totals_;       ///< that H is made of
@@ -493,6 +493,6 @@ private:
 
 }  // namespace
 
-SceneSymmetries find_symmetries(const IndexedScene& scene) { return FamilyScene(scene).found(); }
+SceneSymmetries find_symmetries(const Scene& scene) { return FamilyScene(scene).found(); }
 
 }  // namespace hvi::gen

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 #include "generator/symmetry/symmetries.hpp"
 
 namespace hvi::gen {
@@ -10,6 +10,6 @@ namespace hvi::gen {
 /// For any sizes: what moves all elements of families alike and leaves each summand as it is, and
 /// turns of the centre of mass. There may be more of them. An invariant is seen to be conserved
 /// where it is made of these momentum maps. Throws as loop_system() and Algebra do.
-[[nodiscard]] SceneSymmetries find_symmetries(const IndexedScene& scene);
+[[nodiscard]] SceneSymmetries find_symmetries(const Scene& scene);
 
 }  // namespace hvi::gen

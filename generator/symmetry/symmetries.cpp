@@ -24,7 +24,7 @@ constexpr std::size_t most_inverted = 3;
 
 /// With the values of all parameters that the scene has.
 template <class Mechanics>
-Mechanics with_values(Mechanics mechanics, const Scene& scene) {
+Mechanics with_values(Mechanics mechanics, const WrittenOutScene& scene) {
     mechanics.parameters.clear();
     for (const Parameter& parameter : scene.parameters)
         if (parameter.place.source != nullptr) mechanics.parameters.push_back(parameter);
@@ -52,7 +52,7 @@ struct OfMomenta {
 };
 
 /// Nothing where the H of a Lagrangian is too long to be asked for, or is not known.
-std::optional<OfMomenta> of_momenta(const Scene& scene) {
+std::optional<OfMomenta> of_momenta(const WrittenOutScene& scene) {
     if (const auto* hamiltonian = std::get_if<Hamiltonian>(&scene.mechanics))
         return OfMomenta{with_values(*hamiltonian, scene), {}};
     const auto& lagrangian = std::get<Lagrangian>(scene.mechanics);
@@ -98,7 +98,7 @@ void set_momentum_maps(SceneSymmetries& result) {
 }
 
 /// p xi(q), (5.4), with dL/dv for p on the Lagrangian side.
-Expression momentum_map(const VectorField& field, const Scene& scene) {
+Expression momentum_map(const VectorField& field, const WrittenOutScene& scene) {
     const std::vector<std::string>& coordinates = function_of(scene).coordinates;
     const auto* lagrangian = std::get_if<Lagrangian>(&scene.mechanics);
     std::vector<Expression> momenta;
@@ -117,7 +117,7 @@ Expression momentum_map(const VectorField& field, const Scene& scene) {
 }
 
 /// What the scene says to be conserved.
-void set_said(SceneSymmetries& result, const Scene& scene) {
+void set_said(SceneSymmetries& result, const WrittenOutScene& scene) {
     using Kind = ConservedQuantity::Kind;
     for (const NamedExpression& invariant : scene.invariants)
         result.invariants.push_back({Kind::invariant,
@@ -176,7 +176,7 @@ void set_findings_of_bodies(SceneSymmetries& result, const Hamiltonian& hamilton
     for (std::size_t i = 0; i < found.size(); ++i) result.invariants[i].finding = found[i];
 }
 
-void look_at_bodies(SceneSymmetries& result, const Scene& scene) {
+void look_at_bodies(SceneSymmetries& result, const WrittenOutScene& scene) {
     const Hamiltonian H = with_values(hamiltonian_of(scene), scene);
     result.rotations = H.rotations.size();
     result.affine = body_symmetries(H);
@@ -193,7 +193,7 @@ std::string not_zero(const ConservedQuantity& quantity) {
            " is not zero as a function of q and p";
 }
 
-SceneSymmetries find_symmetries(const Scene& scene) {
+SceneSymmetries find_symmetries(const WrittenOutScene& scene) {
     const MechanicalFunction& function = function_of(scene);
     if (function.degrees_of_freedom() > most_degrees_of_symmetries)
         throw MathError(fmt::format("symmetries of more than {} degrees of freedom are looked for "

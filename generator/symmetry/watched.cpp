@@ -27,7 +27,7 @@ bool is_momentum(const SceneSymmetries& found, std::size_t number) {
     return moving == 1;
 }
 
-bool is_invariant(const Scene& scene, const Expression& map) {
+bool is_invariant(const WrittenOutScene& scene, const Expression& map) {
     return std::any_of(
         scene.invariants.begin(), scene.invariants.end(), [&](const NamedExpression& invariant) {
             return std::visit(
@@ -39,7 +39,7 @@ bool is_invariant(const Scene& scene, const Expression& map) {
         });
 }
 
-bool has_name(const Scene& scene, const std::string& name) {
+bool has_name(const WrittenOutScene& scene, const std::string& name) {
     const auto is_it = [&](const auto& named) { return named.name == name; };
     const std::vector<std::string> names = variables(scene);
     return std::any_of(scene.invariants.begin(), scene.invariants.end(), is_it) ||
@@ -47,7 +47,7 @@ bool has_name(const Scene& scene, const std::string& name) {
            std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void add_momentum_maps(Scene& scene, SceneSymmetries& found) {
+void add_momentum_maps(WrittenOutScene& scene, SceneSymmetries& found) {
     std::size_t added = 0;
     for (std::size_t i = 0; i < found.momentum_maps.size() && added < most_added; ++i) {
         ConservedQuantity& map = found.momentum_maps[i];
@@ -61,7 +61,7 @@ void add_momentum_maps(Scene& scene, SceneSymmetries& found) {
     }
 }
 
-void add_fields(Scene& scene, const SceneSymmetries& found) {
+void add_fields(WrittenOutScene& scene, const SceneSymmetries& found) {
     for (const ConservedQuantity& field : found.fields) {
         const auto source =
             std::make_shared<const Source>(Source{field.name, to_text(field.expression)});
@@ -113,15 +113,15 @@ void look(AnyScene& scene, Watched& result, Add add) {
 
 }  // namespace
 
+std::optional<SceneSymmetries> symmetries_within_a_second(const WrittenOutScene& scene) {
+    return within_a_second([&] { return find_symmetries(scene); });
+}
+
 std::optional<SceneSymmetries> symmetries_within_a_second(const Scene& scene) {
     return within_a_second([&] { return find_symmetries(scene); });
 }
 
-std::optional<SceneSymmetries> symmetries_within_a_second(const IndexedScene& scene) {
-    return within_a_second([&] { return find_symmetries(scene); });
-}
-
-Watched watch(Scene& scene) {
+Watched watch(WrittenOutScene& scene) {
     Watched result;
     if (function_of(scene).degrees_of_freedom() > most_searched) {
         result.left_out = "there are more than 24 degrees of freedom";
@@ -133,7 +133,7 @@ Watched watch(Scene& scene) {
         return result;
     }
     look(scene, result, [&] {
-        Scene with_more = scene;
+        WrittenOutScene with_more = scene;
         add_fields(with_more, *result.found);
         add_momentum_maps(with_more, *result.found);
         return with_more.invariants;
@@ -141,7 +141,7 @@ Watched watch(Scene& scene) {
     return result;
 }
 
-Watched watch(IndexedScene& scene) {
+Watched watch(Scene& scene) {
     Watched result;
     look(scene, result, [&] {
         auto invariants = scene.invariants;

@@ -155,7 +155,7 @@ void carry_out(const RunOptions& options) {
                                   wish(scene, options.until, scene.run.until, "until")));
     const StepperWishes wishes =
         simulation_wishes(options.wishes.solver, options.wishes.composition);
-    Scene watched_scene = scene;
+    WrittenOutScene watched_scene = scene;
     const Watched watched = watch(watched_scene);
     const SceneStepper stepper = scene_stepper(method, watched_scene, wishes);
     static_cast<void>(watched.statements(keeping_facts(stepper.method.base)));

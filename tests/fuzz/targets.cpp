@@ -9,9 +9,9 @@
 
 #include "generator/read/coefficients.hpp"
 #include "generator/read/hamiltonian.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/names.hpp"
+#include "generator/read/scene.hpp"
 #include "tests/fuzz/attempt.hpp"
 
 namespace hvi::gen::fuzz {
@@ -117,7 +117,7 @@ void coefficients(std::string_view bytes) {
     });
 }
 
-void check_scene(const Scene& result) {
+void check_scene(const WrittenOutScene& result) {
     const MechanicalFunction& function = function_of(result);
     check_ranges(function.expression, *function.source);
     check_printing(function.expression);
@@ -150,7 +150,7 @@ void check_indices(const IndexedExpression& expression) {
 
 void scene(std::string_view bytes) {
     attempt_to_read([&] {
-        const IndexedScene written = indexed_scene_from_toml({"fuzz.toml", std::string(bytes)});
+        const Scene written = indexed_scene_from_toml({"fuzz.toml", std::string(bytes)});
         check_indices(written.function);
         for (const Definition& definition : written.definitions) check_indices(definition.value);
         check_scene(unrolled(written));

@@ -9,10 +9,10 @@
 #include <catch2/catch.hpp>
 
 #include "generator/read/embedded.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/put_in.hpp"
 #include "generator/read/scene.hpp"
 #include "generator/read/unroll.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "tests/hamiltonian/dual.hpp"
 #include "tests/read/refusal.hpp"
 
@@ -81,7 +81,7 @@ private:
         return evaluate(H().expression, point).slope;
     }
 
-    Scene scene_;
+    WrittenOutScene scene_;
     Point point_;
 };
 

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "tests/hamiltonian/dual.hpp"
 #include "tests/read/refusal.hpp"
 #include "tests/read/small_scene.hpp"
@@ -12,10 +12,10 @@ using namespace hvi::gen;
 
 namespace {
 
-Scene scene(const std::string& name) { return find_scene(source(name, "SCENE")); }
+WrittenOutScene scene(const std::string& name) { return find_scene(source(name, "SCENE")); }
 
 /// The values of the parameters, and a time.
-Point given(const Scene& scene, Real time) {
+Point given(const WrittenOutScene& scene, Real time) {
     Point point{{"t", {time}}};
     for (const Parameter& parameter : scene.parameters)
         point[parameter.name] = evaluate(parameter.value, {});
@@ -23,7 +23,7 @@ Point given(const Scene& scene, Real time) {
 }
 
 /// The parameters, and the variables as they are at the beginning.
-Point start(const Scene& scene) {
+Point start(const WrittenOutScene& scene) {
     const Point parameters = given(scene, 0);
     Point point = parameters;
     for (const NamedExpression& value : scene.initial)
@@ -49,7 +49,7 @@ std::vector<Real> velocity(const Hamiltonian& H, const Point& point) {
 
 TEST_CASE("exact solutions solve Hamilton's equations") {
     for (const char* name : {"harmonic-oscillator", "qp"}) {
-        Scene system = scene(name);
+        WrittenOutScene system = scene(name);
         for (Parameter& parameter : system.parameters)
             parameter.value = Expression::rational("7", "5");
         REQUIRE(!system.exact.empty());
@@ -74,7 +74,7 @@ TEST_CASE("exact solutions solve Hamilton's equations") {
 TEST_CASE("invariants do not change") {
     std::size_t count = 0;
     for (const SceneEntry& entry : scenes()) {
-        const Scene system = small_scene(entry);
+        const WrittenOutScene system = small_scene(entry);
         if (!std::holds_alternative<Hamiltonian>(system.mechanics)) continue;
         if (!hamiltonian_of(system).rotations.empty()) continue;  // see tests/groups
         const std::vector<std::string> names = variables(hamiltonian_of(system));
@@ -101,7 +101,7 @@ TEST_CASE("invariants do not change") {
 
 TEST_CASE("scenes begin with the energy that is known of them") {
     const auto energy = [](const char* name) {
-        const Scene system = scene(name);
+        const WrittenOutScene system = scene(name);
         return evaluate(hamiltonian_of(system).expression, start(system)).value;
     };
     CHECK(std::abs(energy("henon-heiles") - 0.125L) < 1e-18L);

@@ -10,7 +10,7 @@
 #include "generator/hamiltonian/gradient.hpp"
 #include "generator/lower/system.hpp"
 #include "generator/read/parse.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "generator/scene/value_at.hpp"
 #include "tests/hamiltonian/hamiltonians.hpp"
 #include "tests/read/refusal.hpp"
@@ -224,7 +224,7 @@ TEST_CASE("both derivatives of many Hamiltonians agree, most of them by proof") 
 
 TEST_CASE("both derivatives of the scenes that come with the program agree") {
     for (const SceneEntry& entry : scenes()) {
-        const Scene scene = small_scene(entry);
+        const WrittenOutScene scene = small_scene(entry);
         const auto* H = std::get_if<Hamiltonian>(&scene.mechanics);
         if (H == nullptr || !H->rotations.empty()) { continue; }
         check_first(*H);

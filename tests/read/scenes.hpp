@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "tests/read/refusal.hpp"
 
 namespace hvi::gen {
@@ -53,7 +53,7 @@ inline std::string edited(std::string text, const std::string& part, const std::
     return text.replace(at, part.size(), other);
 }
 
-inline Scene read(const std::string& text) { return scene_from_toml({"s.toml", text}); }
+inline WrittenOutScene read(const std::string& text) { return scene_from_toml({"s.toml", text}); }
 
 inline Refusal refused(const std::string& text) {
     return refusal([&] { return read(text); });
@@ -77,6 +77,8 @@ inline Names lines(const std::vector<NamedExpression>& values) {
     return result;
 }
 
-inline Scene embedded(const std::string& name) { return find_scene(source(name, "SCENE")); }
+inline WrittenOutScene embedded(const std::string& name) {
+    return find_scene(source(name, "SCENE"));
+}
 
 }  // namespace hvi::gen

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 #include "tests/read/refusal.hpp"
 
 namespace hvi::gen {
 
 /// The scene, with N = 4 where it is large.
-inline Scene small_scene(const SceneEntry& entry) {
+inline WrittenOutScene small_scene(const SceneEntry& entry) {
     constexpr std::size_t few = 64;
     const Given name = source(std::string(entry.name), "SCENE");
     if (entry.degrees_of_freedom <= few) { return find_scene(name); }

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 #include "tests/read/scenes.hpp"
 #include "tests/read/scratch.hpp"
 
@@ -20,9 +20,11 @@ public:
         std::ofstream(scratch_.path / name, std::ios::binary) << bytes;
     }
 
-    [[nodiscard]] Scene scene(const std::string& values) const { return unrolled(indexed(values)); }
+    [[nodiscard]] WrittenOutScene scene(const std::string& values) const {
+        return unrolled(indexed(values));
+    }
 
-    [[nodiscard]] IndexedScene indexed(const std::string& values) const {
+    [[nodiscard]] Scene indexed(const std::string& values) const {
         write("s.toml", "coordinates = \"x[1..2,1..2]\"\nmomenta = \"p[1..2,1..2]\"\n"
                         "hamiltonian = \"sum(i=1..2, j=1..2, p[i,j]^2/2 + k*x[i,j])\"\n"
                         "[parameters]\nk = 1\n[initial]\n\"p[i,j]\" = 0\nx = " +
@@ -224,7 +226,7 @@ TEST_CASE("a long column is a list of parameters too") {
     numbers << "a\n";
     for (int k = 1; k <= 1000; ++k) numbers << k << "e-3\n";
     numbers.close();
-    const Scene read = scene("b");
+    const WrittenOutScene read = scene("b");
     REQUIRE(read.parameters.size() == 1000);
     CHECK(read.parameters[998].name == "a[999]");
     CHECK(to_text(read.parameters[998].value) == "999/1000");

@@ -23,9 +23,9 @@ vx = "2*m"
 vy = 0
 )toml";
 
-Scene any(const std::string& text) { return scene_from_toml({"s.toml", text}); }
+WrittenOutScene any(const std::string& text) { return scene_from_toml({"s.toml", text}); }
 
-Lagrangian& lagrangian_of(Scene& scene) { return std::get<Lagrangian>(scene.mechanics); }
+Lagrangian& lagrangian_of(WrittenOutScene& scene) { return std::get<Lagrangian>(scene.mechanics); }
 
 Refusal any_refused(const std::string& part, const std::string& other) {
     return refusal([&] { return any(edited(charge, part, other)); });
@@ -34,7 +34,7 @@ Refusal any_refused(const std::string& part, const std::string& other) {
 }  // namespace
 
 TEST_CASE("a scene with a Lagrangian has velocities, and their initial values") {
-    Scene scene = any(charge);
+    WrittenOutScene scene = any(charge);
     const Lagrangian& L = lagrangian_of(scene);
     CHECK(scene.name == "s");
     CHECK(L.coordinates == Names{"x", "y"});
@@ -48,15 +48,15 @@ TEST_CASE("a scene with a Lagrangian has velocities, and their initial values") 
     CHECK(lines(scene.initial) == Names{"x = 0", "y = -B", "vx = 2*m", "vy = 0"});
     CHECK(lines(scene.invariants) == Names{"energy = m*(vx^2+vy^2)/2"});
     CHECK(std::holds_alternative<Hamiltonian>(any(planet).mechanics));
-    Scene indexed = any("coordinates = \"x[1..2]\"\nvelocities = \"v[1..2]\"\n"
-                        "lagrangian = \"sum(i=1..2, v[i]^2/2) - t*x[1]\"\n"
-                        "[initial]\nx = [1, 2]\nv = [0, 3]\n");
+    WrittenOutScene indexed = any("coordinates = \"x[1..2]\"\nvelocities = \"v[1..2]\"\n"
+                                  "lagrangian = \"sum(i=1..2, v[i]^2/2) - t*x[1]\"\n"
+                                  "[initial]\nx = [1, 2]\nv = [0, 3]\n");
     CHECK(lines(indexed.initial) == Names{"x[1] = 1", "x[2] = 2", "v[1] = 0", "v[2] = 3"});
     CHECK(depends_on_time(lagrangian_of(indexed)));
 }
 
 TEST_CASE("the values of parameters of a Lagrangian") {
-    Scene scene = any(charge);
+    WrittenOutScene scene = any(charge);
     Method method = named_method(source("gauss:2", "--method"));
     set_parameter(method, scene, parse_parameter(source("m=3", "--param")));
     CHECK(to_text(lagrangian_of(scene).parameters.at(0).value) == "3");
@@ -101,7 +101,7 @@ TEST_CASE("words of a Lagrangian stand where they may") {
 }
 
 TEST_CASE("where a Hamiltonian is wanted, a Lagrangian is refused by mathematics") {
-    const Scene scene = any(charge);
+    const WrittenOutScene scene = any(charge);
     const Refusal refused = refusal([&] { return hamiltonian_of(scene); });
     CHECK(refused.status == 1);
     CHECK(refused.says("here a Hamiltonian is wanted, and the scene has a Lagrangian"));

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 #include "tests/read/scenes.hpp"
 #include "tests/read/scratch.hpp"
 
@@ -24,12 +24,12 @@ public:
         std::ofstream(file, std::ios::binary) << text;
     }
 
-    [[nodiscard]] Scene scene(const std::string& text) const {
+    [[nodiscard]] WrittenOutScene scene(const std::string& text) const {
         write("s.toml", text);
         return scene_from_file(scratch_.path / "s.toml");
     }
 
-    [[nodiscard]] IndexedScene indexed(const std::string& text) const {
+    [[nodiscard]] Scene indexed(const std::string& text) const {
         write("s.toml", text);
         return indexed_scene_from_file(scratch_.path / "s.toml");
     }
@@ -63,7 +63,7 @@ step = "1/10"
 until = 3
 )toml";
 
-Names paths(const Scene& scene) {
+Names paths(const WrittenOutScene& scene) {
     Names result;
     for (const OwnHeader& header : scene.own.headers) result.push_back(header.path);
     return result;
@@ -73,7 +73,7 @@ Names paths(const Scene& scene) {
 
 TEST_CASE("a function of a scene's own is called in H and in invariants") {
     const Files files;
-    const Scene scene = files.scene(well);
+    const WrittenOutScene scene = files.scene(well);
     CHECK(to_text(function_of(scene).expression) == "(px^2+py^2)/2+V(sqrt(x^2+y^2))");
     CHECK(to_text(scene.invariants.front().expression) == "V(x)");
     REQUIRE(scene.own.functions.size() == 1);
@@ -287,7 +287,7 @@ s = 1
 "q[i]" = "i"
 "p[i]" = 0
 )toml";
-    const IndexedScene scene = files.indexed(chain);
+    const Scene scene = files.indexed(chain);
     CHECK(to_text(scene.function.written).find("W(q[i],s)") != std::string::npos);
     CHECK(scene.own.includes() == Names{"potential.hpp"});
     CHECK(scene.own.headers.size() == 1);

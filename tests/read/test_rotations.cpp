@@ -27,7 +27,7 @@ Refusal refused(const std::string& from, const std::string& to) {
     return hvi::gen::refused(body, from, to);
 }
 
-std::string value(const Scene& scene, const std::string& name) {
+std::string value(const WrittenOutScene& scene, const std::string& name) {
     for (const NamedExpression& initial : scene.initial)
         if (initial.name == name) return to_text(initial.expression);
     return "none";
@@ -36,7 +36,7 @@ std::string value(const Scene& scene, const std::string& name) {
 }  // namespace
 
 TEST_CASE("the entries of a rotation and of its angular momentum are variables") {
-    const Scene scene = read(body);
+    const WrittenOutScene scene = read(body);
     const Hamiltonian& H = hamiltonian_of(scene);
     CHECK(H.coordinates.size() == 9);
     CHECK(H.coordinates.front() == "R[1,1]");
@@ -52,7 +52,7 @@ TEST_CASE("the entries of a rotation and of its angular momentum are variables")
 }
 
 TEST_CASE("several rotations, beside coordinates") {
-    const Scene scene = read(R"(coordinates = "x"
+    const WrittenOutScene scene = read(R"(coordinates = "x"
 momenta = "p"
 rotations = ["A[1..2]", "B"]
 angular_momenta = ["M[1..2], N"]
@@ -106,8 +106,8 @@ hamiltonian = "sum(k=1..2, L[k,1]^2/2 + L[k,2]^2/4 + L[k,3]^2/6)"
 TEST_CASE("an angle may depend on parameters, and on the time where it is that of a solution") {
     const std::string text = edited(body, "\"identity\"", "{axis = [0, 0, 1], angle = \"g/2\"}");
     CHECK(value(read(text), "R[2,1]").find("sin(g/2)") != std::string::npos);
-    const Scene scene = read(text + "[exact]\nR = {axis = [0, 0, 1], angle = \"g/2+t\"}\n"
-                                    "L = [0, 0, 1]\n");
+    const WrittenOutScene scene = read(text + "[exact]\nR = {axis = [0, 0, 1], angle = \"g/2+t\"}\n"
+                                              "L = [0, 0, 1]\n");
     CHECK(scene.exact.size() == 12);
 }
 
@@ -149,7 +149,8 @@ TEST_CASE("rotations and angular momenta come in pairs") {
 }
 
 TEST_CASE("invariants may be vectors") {
-    const Scene scene = read(body + "[invariants]\nJ = [\"L[1]\", \"L[2]\"]\nK = \"L[3]\"\n");
+    const WrittenOutScene scene =
+        read(body + "[invariants]\nJ = [\"L[1]\", \"L[2]\"]\nK = \"L[3]\"\n");
     REQUIRE(scene.invariants.size() == 3);
     CHECK(scene.invariants[0].name == "J_1");
     CHECK(scene.invariants[1].name == "J_2");

@@ -10,7 +10,7 @@
 using namespace hvi::gen;
 
 TEST_CASE("a scene is read") {
-    const Scene scene = read(planet);
+    const WrittenOutScene scene = read(planet);
     CHECK(scene.name == "planet");
     CHECK(scene.description.empty());
     CHECK(hamiltonian_of(scene).coordinates == Names{"x", "y"});
@@ -31,7 +31,7 @@ TEST_CASE("a scene is read") {
 }
 
 TEST_CASE("indexed names are all of them, and their values a list") {
-    const Scene scene = read(bodies);
+    const WrittenOutScene scene = read(bodies);
     CHECK(scene.name == "s");
     CHECK(variables(hamiltonian_of(scene)) ==
           Names{"x[1]", "x[2]", "x[3]", "p[1]", "p[2]", "p[3]"});
@@ -41,7 +41,7 @@ TEST_CASE("indexed names are all of them, and their values a list") {
           Names{"x[1] = 1", "x[2] = 2", "x[3] = -3", "p[1] = 0", "p[2] = 0", "p[3] = m[2]"});
     CHECK(scene.run.method == nullptr);
     CHECK(!scene.run.step);
-    const Scene other = read(edited(bodies, "\"x[1..3]\"", "[\"x[2..3]\", \"x[1]\"]"));
+    const WrittenOutScene other = read(edited(bodies, "\"x[1..3]\"", "[\"x[2..3]\", \"x[1]\"]"));
     CHECK(hamiltonian_of(other).coordinates == Names{"x[2]", "x[3]", "x[1]"});
     CHECK(lines(other.initial)[0] == "x[2] = 2");
     CHECK(lines(other.initial)[2] == "x[1] = 1");
@@ -49,7 +49,8 @@ TEST_CASE("indexed names are all of them, and their values a list") {
 
 TEST_CASE("what is in a scene stands as in the file, and means what is written") {
     const std::string text = edited(planet, "mu = 1\n", "mu = 1\nzeta = 0.1\nb = 1e-3\na = -2\n");
-    const Scene scene = read(edited(text, "[initial]", "z = \"px\"\nf = \"x\"\n[initial]"));
+    const WrittenOutScene scene =
+        read(edited(text, "[initial]", "z = \"px\"\nf = \"x\"\n[initial]"));
     CHECK(names(scene.parameters) == Names{"mu", "zeta", "b", "a", "ecc"});
     CHECK(to_text(scene.parameters[1].value) == "1/10");
     CHECK(to_text(scene.parameters[2].value) == "1/1000");
@@ -58,10 +59,11 @@ TEST_CASE("what is in a scene stands as in the file, and means what is written")
 }
 
 TEST_CASE("the time may stand in H and in the exact solution") {
-    const Scene scene = read("coordinates = \"q\"\nmomenta = \"p\"\n"
-                             "hamiltonian = \"p^2/2 + q*cos(t)\"\n"
-                             "description = \"driven\"\n"
-                             "[initial]\nq = 1\np = 0\n[exact]\nq = \"cos(t)\"\np = \"-sin(t)\"\n");
+    const WrittenOutScene scene =
+        read("coordinates = \"q\"\nmomenta = \"p\"\n"
+             "hamiltonian = \"p^2/2 + q*cos(t)\"\n"
+             "description = \"driven\"\n"
+             "[initial]\nq = 1\np = 0\n[exact]\nq = \"cos(t)\"\np = \"-sin(t)\"\n");
     CHECK(depends_on_time(hamiltonian_of(scene)));
     CHECK(lines(scene.exact) == Names{"q = cos(t)", "p = -sin(t)"});
     CHECK(scene.description == "driven");
@@ -69,11 +71,11 @@ TEST_CASE("the time may stand in H and in the exact solution") {
 }
 
 TEST_CASE("a parameter of a scene has its value wherever it occurs") {
-    const auto set = [](Method& method, Scene& scene, const std::string& text) {
+    const auto set = [](Method& method, WrittenOutScene& scene, const std::string& text) {
         set_parameter(method, scene, parse_parameter(source(text, "--param")));
     };
     Method method = method_from_text(source("1, cos(mu*w*tau)"), source("0, 1"));
-    Scene scene = read(planet);
+    WrittenOutScene scene = read(planet);
     set(method, scene, "ecc=1/2");
     CHECK(to_text(scene.parameters[1].value) == "1/2");
     CHECK(hamiltonian_of(scene).parameters.empty());
@@ -94,7 +96,7 @@ TEST_CASE("a parameter of a scene has its value wherever it occurs") {
               set(method, scene, "px=1");
               return 0;
           }).says("is a variable"));
-    Scene many = read(bodies);
+    WrittenOutScene many = read(bodies);
     set(method, many, "m[2]=7");
     CHECK(to_text(many.parameters[1].value) == "7");
     CHECK(to_text(hamiltonian_of(many).parameters[0].value) == "7");
@@ -182,7 +184,7 @@ TEST_CASE("the scenes that come with the program are read") {
         const Facts& facts = all[k];
         CHECK(entries[k].degrees_of_freedom == facts.degrees_of_freedom);
         CAPTURE(facts.name);
-        const Scene scene = embedded(facts.name);
+        const WrittenOutScene scene = embedded(facts.name);
         CHECK(entries[k].name == facts.name);
         CHECK(entries[k].description == scene.description);
         CHECK(scene.description.size() > 20);
@@ -209,8 +211,8 @@ TEST_CASE("large scenes that come with the program") {
         CAPTURE(std::string(entry.name));
         found.push_back(std::string(entry.name) + " " + std::to_string(entry.degrees_of_freedom));
         CHECK(entry.description.size() > 20);
-        const Scene small = find_scene(source(std::string(entry.name), "SCENE"),
-                                       {parse_parameter(source("N=4", "--param"))});
+        const WrittenOutScene small = find_scene(source(std::string(entry.name), "SCENE"),
+                                                 {parse_parameter(source("N=4", "--param"))});
         CHECK(small.description == entry.description);
         CHECK(small.run.method->text == "stormer-verlet");
     }

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/read/indexed_scene.hpp"
+#include "generator/read/scene.hpp"
 #include "tests/read/scenes.hpp"
 
 using namespace hvi::gen;
@@ -61,7 +61,7 @@ std::string text_of_H(const std::string& scene) {
 }  // namespace
 
 TEST_CASE("a parameter gives the size of a scene") {
-    const Scene scene = read(ring);
+    const WrittenOutScene scene = read(ring);
     CHECK(variables(scene) == Names{"q[1]", "q[2]", "q[3]", "p[1]", "p[2]", "p[3]"});
     CHECK(text_of_H(ring) == "p[1]^2/2+k*(q[2]-q[1])^2/2+p[2]^2/2+k*(q[3]-q[2])^2/2+p[3]^2/2+"
                              "k*(q[1]-q[3])^2/2");
@@ -77,14 +77,14 @@ TEST_CASE("a list of parameters is as long as it likes") {
     std::string springs = edited(lattice, "[1, 2], [3, \"1/2\"]", "");
     std::string rows;
     for (int i = 0; i < 9; ++i) { rows += "[1, 2, 3, 4, 5, 6, 7, 8, \"1/9\"], "; }
-    const Scene scene = read(edited(springs, "K = []", "K = [" + rows + "]"));
+    const WrittenOutScene scene = read(edited(springs, "K = []", "K = [" + rows + "]"));
     CHECK(scene.parameters.size() == 81);
     CHECK(scene.parameters[80].name == "K[9,9]");
     CHECK(to_text(scene.parameters[80].value) == "1/9");
 }
 
 TEST_CASE("a parameter may be made of others, which may stand below it") {
-    const Scene scene = read(ring);
+    const WrittenOutScene scene = read(ring);
     CHECK(to_text(scene.parameters[0].value) == "(3/6)^2");
     CHECK(to_text(scene.parameters[1].value) == "3/6");
     const Refusal circle = refused(ring, "w = \"N/6\"", "w = \"k\"");
@@ -132,7 +132,7 @@ TEST_CASE("a size is no variable") {
 }
 
 TEST_CASE("a size that is given takes the place of that in the file") {
-    IndexedScene scene = indexed_scene_from_toml({"s.toml", ring});
+    Scene scene = indexed_scene_from_toml({"s.toml", ring});
     const auto set = [&](const std::string& text) {
         return assign(scene, parse_parameter(source(text, "--param")));
     };
@@ -140,7 +140,7 @@ TEST_CASE("a size that is given takes the place of that in the file") {
     CHECK(set("w=7"));
     CHECK_FALSE(set("M=2"));
     CHECK_FALSE(set("N[1]=2"));
-    const Scene one = unrolled(scene);
+    const WrittenOutScene one = unrolled(scene);
     CHECK(to_text(hamiltonian_of(one).expression) == "p[1]^2/2+k*(q[1]-q[1])^2/2");
     CHECK(to_text(one.parameters[0].value) == "7^2");
     CHECK(set("N=1/2"));
@@ -148,7 +148,7 @@ TEST_CASE("a size that is given takes the place of that in the file") {
     CHECK(half.what == "a whole number is wanted here");
     CHECK(half.name == "--param");
     CHECK(half.marked == "N=[1/2]");
-    IndexedScene matrix = indexed_scene_from_toml({"s.toml", lattice});
+    Scene matrix = indexed_scene_from_toml({"s.toml", lattice});
     CHECK(assign(matrix, parse_parameter(source("K[2,1]=9"))));
     CHECK_FALSE(assign(matrix, parse_parameter(source("K[3,1]=9"))));
     CHECK(to_text(unrolled(matrix).parameters[2].value) == "9");
@@ -167,13 +167,14 @@ TEST_CASE("a size that is no whole number is refused where its value stands") {
 }
 
 TEST_CASE("names with two indices have values as a matrix, as a list, or by a rule") {
-    const Scene scene = read(lattice);
+    const WrittenOutScene scene = read(lattice);
     CHECK(hamiltonian_of(scene).coordinates == Names{"u[1,0]", "u[1,1]", "u[2,0]", "u[2,1]"});
     CHECK(names(scene.parameters) == Names{"K[1,1]", "K[1,2]", "K[2,1]", "K[2,2]"});
     CHECK(lines(scene.initial) == Names{"u[1,0] = 1", "u[1,1] = 2", "u[2,0] = 3", "u[2,1] = 4",
                                         "v[1,0] = 0", "v[1,1] = 0", "v[2,0] = 0",
                                         "v[2,1] = K[2,1]"});
-    const Scene rule = read(edited(lattice, "u = [[1, 2], [3, 4]]", "\"u[a,b]\" = \"10*a + b\""));
+    const WrittenOutScene rule =
+        read(edited(lattice, "u = [[1, 2], [3, 4]]", "\"u[a,b]\" = \"10*a + b\""));
     CHECK(lines(rule.initial)[3] == "u[2,1] = 10*2+1");
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 using namespace hvi::gen;
 
@@ -38,7 +38,7 @@ std::string text_of(const VectorField& field) {
 }  // namespace
 
 TEST_CASE("Vector fields have lists and rules for components, in the order of the coordinates") {
-    const Scene scene = scene_from_toml({"scene.toml", scene_of_three});
+    const WrittenOutScene scene = scene_from_toml({"scene.toml", scene_of_three});
     REQUIRE(scene.fields.size() == 2);
     CHECK(scene.fields[0].name == "shift");
     CHECK(text_of(scene.fields[0]) == "x[1] 1, x[2] 1/2");
@@ -47,11 +47,11 @@ TEST_CASE("Vector fields have lists and rules for components, in the order of th
 }
 
 TEST_CASE("Invariants may be approximate") {
-    const Scene scene = scene_from_toml({"scene.toml", scene_of_three});
+    const WrittenOutScene scene = scene_from_toml({"scene.toml", scene_of_three});
     CHECK(scene.approximate == std::set<std::string>{"nearly"});
     REQUIRE(scene.invariants.size() == 3);
     CHECK(to_text(scene.invariants[0].expression) == "px[1]+px[2]");
-    const IndexedScene written = indexed_scene_from_toml({"scene.toml", scene_of_three});
+    const Scene written = indexed_scene_from_toml({"scene.toml", scene_of_three});
     CHECK(written.approximate == std::set<std::string>{"nearly"});
     CHECK(written.fields.size() == 2);
 }

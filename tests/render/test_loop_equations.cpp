@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/method.hpp"
+#include "generator/read/scene.hpp"
 #include "generator/read/unroll.hpp"
 #include "generator/render/equations.hpp"
 #include "tests/hamiltonian/dual.hpp"
@@ -20,8 +20,8 @@ namespace {
 
 using ReadJson = nlohmann::ordered_json;
 
-IndexedScene scene_of_chain(const std::string& hamiltonian, const std::string& variables,
-                            const std::string& momenta, const std::string& parameters = "") {
+Scene scene_of_chain(const std::string& hamiltonian, const std::string& variables,
+                     const std::string& momenta, const std::string& parameters = "") {
     const auto listed = [](const std::string& names) {
         std::string text = "[";
         for (const char c : names) text += c == ';' ? std::string("\", \"") : std::string(1, c);
@@ -43,14 +43,14 @@ IndexedScene scene_of_chain(const std::string& hamiltonian, const std::string& v
     return indexed_scene_from_toml({"chain.toml", toml});
 }
 
-IndexedScene named_scene(const std::string& name) {
+Scene named_scene(const std::string& name) {
     return find_indexed_scene(source(name, "SCENE"), {parse_parameter(source("N=5", "--param"))});
 }
 
 /// A scene with its sums written out, at a point.
 class WrittenOut {
 public:
-    explicit WrittenOut(const IndexedScene& scene) : scene_(unrolled(scene)) {
+    explicit WrittenOut(const Scene& scene) : scene_(unrolled(scene)) {
         Real value = 0.3L;
         const auto next = [&] { return Dual{value = 1.7L - 1.13L * value}; };
         for (const std::string& name : variables(scene_)) point[name] = next();
@@ -68,7 +68,7 @@ public:
     Point point;
 
 private:
-    Scene scene_;
+    WrittenOutScene scene_;
 };
 
 /// A printed text with these values of its indices and sizes.
@@ -114,7 +114,7 @@ std::vector<long> index_of(const std::string& variable) {
 std::string stem_of(const std::string& variable) { return variable.substr(0, variable.find('[')); }
 
 /// All derivatives of the scene as it is printed, at each of its variables.
-void check_derivatives(const IndexedScene& scene, const std::string& method = "midpoint") {
+void check_derivatives(const Scene& scene, const std::string& method = "midpoint") {
     const LoopEquations step = loop_equations(named_method(source(method, "--method")), scene, {});
     const ReadJson json = ReadJson::parse(render_json(step));
     CHECK(json.at("schema") == "hvi-scheme-loops/1");
@@ -232,7 +232,7 @@ private:
 
 /// The values in stages and at the end, for any values in stages, are those of the equations of the
 /// scene that is written out.
-void check_stages(const std::string& method, const IndexedScene& scene) {
+void check_stages(const std::string& method, const Scene& scene) {
     const Method read = named_method(source(method, "--method"));
     const LoopEquations step = loop_equations(read, scene, {});
     const WrittenOut written(scene);
@@ -282,8 +282,8 @@ TEST_CASE("a chain's step fits on a page, whatever its length") {
     const auto lines = [](const std::string& text) {
         return std::count(text.begin(), text.end(), '\n');
     };
-    const IndexedScene scene = find_indexed_scene(
-        source("fpu-chain", "SCENE"), {parse_parameter(source("N=1000000", "--param"))});
+    const Scene scene = find_indexed_scene(source("fpu-chain", "SCENE"),
+                                           {parse_parameter(source("N=1000000", "--param"))});
     for (const char* method : {"midpoint", "stormer-verlet", "gauss:2", "gauss:3"}) {
         const LoopEquations step =
             loop_equations(named_method(source(method, "--method")), scene, {});
@@ -294,9 +294,8 @@ TEST_CASE("a chain's step fits on a page, whatever its length") {
 }
 
 TEST_CASE("equations with indices for people, programs and papers") {
-    const IndexedScene scene =
-        scene_of_chain("sum(i=1..N, p[i]^2/2) + sum(i=1..N-1, cos(q[i+1]-q[i])/a)", "q[1..N]",
-                       "p[1..N]", "a = 3\n");
+    const Scene scene = scene_of_chain("sum(i=1..N, p[i]^2/2) + sum(i=1..N-1, cos(q[i+1]-q[i])/a)",
+                                       "q[1..N]", "p[1..N]", "a = 3\n");
     const LoopEquations step =
         loop_equations(named_method(source("midpoint", "--method")), scene, {});
     CHECK(render_text(step) == R"(midpoint
@@ -346,8 +345,8 @@ derivatives of H, of which the stages have those at their values:
 }
 
 TEST_CASE("indices keep away from all names, and values stand in formulas") {
-    IndexedScene scene = scene_of_chain("sum(i=1..N, p[i]^2/2 + k*q[i]^4 + l*q[i]^3)", "q[1..N]",
-                                        "p[1..N]", "k = 3\nl = 2\n");
+    Scene scene = scene_of_chain("sum(i=1..N, p[i]^2/2 + k*q[i]^4 + l*q[i]^3)", "q[1..N]",
+                                 "p[1..N]", "k = 3\nl = 2\n");
     const Parameter given = parse_parameter(source("k=7", "--param"));
     REQUIRE(assign(scene, given));
     const Method cos_of_m = method_from_text(source("1, cos(m*tau)"), source("0, 1"));
@@ -359,7 +358,7 @@ TEST_CASE("indices keep away from all names, and values stand in formulas") {
 }
 
 TEST_CASE("what has no equations with indices is refused") {
-    const auto refused = [](const IndexedScene& scene, const std::string& nodes = "gauss:2") {
+    const auto refused = [](const Scene& scene, const std::string& nodes = "gauss:2") {
         const Refusal error = refusal([&] {
             return loop_equations(method_from_text(source("1, tau"), source(nodes)), scene, {});
         });

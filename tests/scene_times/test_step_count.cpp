@@ -12,7 +12,7 @@ using namespace hvi::gen;
 namespace {
 
 Steps count(const std::string& step, const std::string& until) {
-    const Scene scene = scene_from_toml({"scene.toml", R"toml(
+    const WrittenOutScene scene = scene_from_toml({"scene.toml", R"toml(
 coordinates = ["q"]
 momenta = ["p"]
 hamiltonian = "p^2/2 + w*q^2"

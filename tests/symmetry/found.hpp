@@ -12,7 +12,7 @@ namespace hvi::gen {
 /// Of coordinates and momenta between commas, or of q, p.
 inline SceneSymmetries found_of(const std::string& hamiltonian, const std::string& coordinates = "",
                                 const std::string& momenta = "") {
-    Scene scene;
+    WrittenOutScene scene;
     scene.mechanics = coordinates.empty()
                           ? hamiltonian_from_text(given("--hamiltonian", hamiltonian))
                           : hamiltonian_from_text(given("--hamiltonian", hamiltonian),

@@ -141,7 +141,7 @@ struct Count {
     std::size_t kept = 0, seen_to_depart = 0;
 };
 
-void compare(const Scene& scene, const SceneSymmetries& found, const Point& parameters,
+void compare(const WrittenOutScene& scene, const SceneSymmetries& found, const Point& parameters,
              const Phase& start, Real h, bool is_general_form_stepped, Count& count) {
     const auto& hamiltonian = std::get<Hamiltonian>(scene.mechanics);
     const Motion motion(hamiltonian, parameters);
@@ -167,7 +167,7 @@ void compare(const Scene& scene, const SceneSymmetries& found, const Point& para
 }
 
 /// Products and sums of momentum maps, and their squares, as invariants of the scene.
-void add_invariants(Scene& scene, const SceneSymmetries& found) {
+void add_invariants(WrittenOutScene& scene, const SceneSymmetries& found) {
     const auto add = [&](Expression expression) {
         const auto source = std::make_shared<const Source>(Source{"I", to_text(expression)});
         const std::string name = "I" + std::to_string(scene.invariants.size());
@@ -187,7 +187,7 @@ TEST_CASE("Statements agree with steps, on Hamiltonians with planted symmetries"
     std::size_t made = 0;
     while (made < 50)
         for (const Plan& plan : plans) {
-            Scene scene;
+            WrittenOutScene scene;
             scene.mechanics = hamiltonian_from_text(
                 given("--hamiltonian", hidden(plan.hamiltonian, random_change(random))),
                 given("--coordinates", "q1, q2, q3"), given("--momenta", "p1, p2, p3"));
@@ -206,7 +206,7 @@ TEST_CASE("Statements agree with steps, on the scenes that come with the program
     for (const char* name :
          {"kepler", "qp", "harmonic-oscillator", "henon-heiles", "nonseparable", "pendulum", "fpu",
           "double-pendulum", "point-vortices", "outer-solar-system"}) {
-        const Scene scene = find_scene(given("scene", name));
+        const WrittenOutScene scene = find_scene(given("scene", name));
         Point parameters;
         for (const Parameter& parameter : scene.parameters)
             parameters[parameter.name] = evaluate(parameter.value, {});

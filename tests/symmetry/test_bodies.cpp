@@ -13,7 +13,7 @@ using namespace hvi::gen;
 
 namespace {
 
-Scene body(const std::string& hamiltonian, const std::string& more = "") {
+WrittenOutScene body(const std::string& hamiltonian, const std::string& more = "") {
     return read("rotations = [\"R\"]\nangular_momenta = [\"L\"]\nhamiltonian = \"" + hamiltonian +
                 "\"\n" + more + "[initial]\nR = \"identity\"\nL = [1, 2, 3]\n");
 }
@@ -73,7 +73,7 @@ TEST_CASE("a top: the vertical, and the axis of a symmetric one") {
 }
 
 TEST_CASE("an orbit and a rotation are turned together") {
-    const Scene scene = read(R"toml(coordinates = ["x", "y"]
+    const WrittenOutScene scene = read(R"toml(coordinates = ["x", "y"]
 momenta = ["px", "py"]
 rotations = ["R"]
 angular_momenta = ["L"]

@@ -126,7 +126,7 @@ std::string bodies_text(const System& system) {
     return writer.close().str();
 }
 
-void check_rotation_names(const Scene& scene) {
+void check_rotation_names(const WrittenOutScene& scene) {
     const MechanicalFunction& function = function_of(scene);
     if (function.rotations.empty()) { return; }
     std::map<std::string, std::string> taken{{"q", ""}, {"p", ""}, {"t", ""}};

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "generator/ir/system.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -15,6 +15,6 @@ namespace hvi::gen {
 [[nodiscard]] std::string bodies_text(const System& system);
 
 /// Throws InputError where two members of these would have one name.
-void check_rotation_names(const Scene& scene);
+void check_rotation_names(const WrittenOutScene& scene);
 
 }  // namespace hvi::gen

@@ -253,7 +253,7 @@ void check_own_names(const OwnFunctions& own) {
     }
 }
 
-void check_members(const Scene& scene, const SceneWishes& wishes) {
+void check_members(const WrittenOutScene& scene, const SceneWishes& wishes) {
     check_rotation_names(scene);
     std::map<std::string, std::string> bases;
     for (const Parameter& parameter : scene.parameters) {

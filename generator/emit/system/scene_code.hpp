@@ -12,7 +12,7 @@
 #include "generator/ir/step.hpp"
 #include "generator/ir/system.hpp"
 #include "generator/plan/evaluations.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -40,7 +40,7 @@ void check_own_names(const OwnFunctions& own);
 
 /// Throws InputError where an invariant that is asked for is called as something else that each
 /// stepper has, or is a word of C++.
-void check_members(const Scene& scene, const SceneWishes& wishes);
+void check_members(const WrittenOutScene& scene, const SceneWishes& wishes);
 
 /// The parameters where `parameters` is an object of the struct.
 [[nodiscard]] NodeNames parameter_names(const System& system);

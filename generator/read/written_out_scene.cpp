@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "generator/read/column_file.hpp"
-#include "generator/read/indexed_scene.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/put_in.hpp"
+#include "generator/read/scene.hpp"
 #include "generator/read/sizes.hpp"
 
 namespace hvi::gen {
@@ -88,16 +88,15 @@ void check_count(const std::vector<IndexedValue>& parameters) {
 
 class SceneUnrolling {
 public:
-    explicit SceneUnrolling(const IndexedScene& written)
-        : written_(written), sizes_(sizes(written)) {}
+    explicit SceneUnrolling(const Scene& written) : written_(written), sizes_(sizes(written)) {}
 
-    [[nodiscard]] Scene operator()();
-    [[nodiscard]] Scene without_motion();
+    [[nodiscard]] WrittenOutScene operator()();
+    [[nodiscard]] WrittenOutScene without_motion();
 
 private:
     void declare_variables(const VariableNames& names);
     void define();
-    void set_mechanics(Scene& scene);
+    void set_mechanics(WrittenOutScene& scene);
 
     [[nodiscard]] NamedExpression expression(std::string name, const IndexedExpression& written,
                                              const SceneRules& rules,
@@ -131,7 +130,7 @@ private:
     [[noreturn]] void refuse_variable(const std::string& name, const Place& place) const;
     [[nodiscard]] RunWishes run();
 
-    const IndexedScene& written_;
+    const Scene& written_;
     WholeNumbers sizes_;
     Definitions definitions_;
     std::vector<std::string> variables_;
@@ -238,7 +237,7 @@ std::vector<Parameter> SceneUnrolling::parameters() {
 
 // ---- H, or L ----
 
-void SceneUnrolling::set_mechanics(Scene& scene) {
+void SceneUnrolling::set_mechanics(WrittenOutScene& scene) {
     const VariableNames names{
         unrolled(written_.coordinates, sizes_), unrolled(written_.conjugates, sizes_),
         unrolled(written_.rotations, sizes_), unrolled(written_.angular_momenta, sizes_)};
@@ -483,8 +482,8 @@ RunWishes SceneUnrolling::run() {
     return wishes;
 }
 
-Scene SceneUnrolling::operator()() {
-    Scene scene;
+WrittenOutScene SceneUnrolling::operator()() {
+    WrittenOutScene scene;
     scene.name = written_.name;
     scene.description = written_.description;
     set_mechanics(scene);
@@ -498,8 +497,8 @@ Scene SceneUnrolling::operator()() {
     return scene;
 }
 
-Scene SceneUnrolling::without_motion() {
-    Scene scene;
+WrittenOutScene SceneUnrolling::without_motion() {
+    WrittenOutScene scene;
     scene.name = written_.name;
     scene.description = written_.description;
     scene.parameters = parameters();
@@ -511,9 +510,9 @@ Scene SceneUnrolling::without_motion() {
 
 }  // namespace
 
-Scene unrolled(const IndexedScene& scene) { return SceneUnrolling(scene)(); }
+WrittenOutScene unrolled(const Scene& scene) { return SceneUnrolling(scene)(); }
 
-Scene without_motion(IndexedScene scene) {
+WrittenOutScene without_motion(Scene scene) {
     std::erase_if(scene.parameters, [](const IndexedValue& parameter) {
         return std::holds_alternative<ValueList>(parameter.value) ||
                std::holds_alternative<ValueFile>(parameter.value);
@@ -546,12 +545,12 @@ std::size_t count(const NameTexts& names, const WholeNumbers& known) {
 
 }  // namespace
 
-std::size_t degrees_of_freedom(const IndexedScene& scene) {
+std::size_t degrees_of_freedom(const Scene& scene) {
     const WholeNumbers known = sizes(scene);
     return count(scene.coordinates, known) + 3 * count(scene.rotations, known);
 }
 
-bool assign(IndexedScene& scene, const Parameter& parameter) {
+bool assign(Scene& scene, const Parameter& parameter) {
     const std::string stem(without_index(parameter.name));
     for (IndexedValue& value : scene.parameters) {
         if (value.name != stem) { continue; }
