@@ -17,18 +17,12 @@ namespace hvi::gen {
 namespace {
 
 /// NOTE: a scene is read with a method, whose symbols its own must not be; this one has none.
-std::variant<WrittenOutScene, Scene> scene_of(const AccuracyQuestion& question) {
+Scene scene_of(const AccuracyQuestion& question) {
     MethodOptions any;
     any.name = given("--method", "gauss:2");
     any.parameters = question.parameters;
-    return std::visit(
-        [](auto&& both) -> std::variant<WrittenOutScene, Scene> { return std::move(both.scene); },
-        read_scene_of_any_size(any, question.system));
+    return read_scene(any, question.system).scene;
 }
-
-/// A scene for its names and times alone.
-WrittenOutScene in_time(const WrittenOutScene& scene) { return scene; }
-WrittenOutScene in_time(const Scene& scene) { return without_motion(scene); }
 
 std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }
 
@@ -95,19 +89,21 @@ std::string factor(const Expression& expression) {
 
 AdvisedOptions advised(const AccuracyQuestion& question) {
     constexpr std::int64_t steps_of_unsaid_size = 100;
-    const std::variant<WrittenOutScene, Scene> asked = scene_of(question);
-    const WrittenOutScene scene =
-        std::visit([](const auto& of_any_size) { return in_time(of_any_size); }, asked);
-    const NamedExpression until = wish(scene, question.until, scene.run.until, "until");
+    const Scene scene = scene_of(question);
+    const SceneTimes times = times_of(scene);
+    const NamedExpression until = wish(times, question.until, times.until, "until");
     const std::int64_t count =
-        scene.run.step ? steps_until(scene, *scene.run.step, until).count : steps_of_unsaid_size;
-    const double end = nearest_value(scene, until), accuracy = question.accuracy;
+        times.step ? steps_until(times, *times.step, until).count : steps_of_unsaid_size;
+    const double end = nearest_value(times, until), accuracy = question.accuracy;
 
     Builds builds(find_compiler());
-    const AdviceWishes wishes{accuracy, end, std::max<std::int64_t>(1, count), question.has_curve,
-                              question.seconds};
-    const Advice found = std::visit(
-        [&](const auto& of_any_size) { return advice(builds, of_any_size, wishes); }, asked);
+    const AdviceWishes wishes{accuracy,
+                              end,
+                              std::max<std::int64_t>(1, count),
+                              question.has_curve,
+                              question.seconds,
+                              question.system.sums};
+    const Advice found = advice(builds, scene, wishes);
     const Candidate& chosen = found.candidates[found.chosen];
     const std::string step = fmt::format("{}/{}", factor(until.expression), found.point.steps);
     const std::string note = fmt::format(

@@ -28,8 +28,6 @@ std::string plot(const Findings& findings, const Given& file) {
     return stability_svg(name, *findings.oscillator, *findings.stability);
 }
 
-using AnyScene = std::variant<WrittenOutScene, Scene>;
-
 KeepingFacts facts_of(const Certificate& certificate) {
     return {certificate.symplectic, certificate.common_weights, certificate.runge_kutta, false};
 }
@@ -38,21 +36,13 @@ KeepingFacts facts_of(const RuleCertificate& certificate) {
     return {certificate.symplectic, {}, {false, true}, true};
 }
 
-/// As find_symmetries() has it.
-std::string name_of(const WrittenOutScene& scene) {
-    return scene.name.empty() ? function_of(scene).origin : scene.name;
-}
-
-std::string name_of(const Scene& scene) { return scene.name; }
-
-SceneStatements statements_of(const CheckOptions& options, const AnyScene& scene,
+SceneStatements statements_of(const CheckOptions& options, const Scene& scene,
                               const KeepingFacts& facts) {
     SceneStatements of_scene;
-    of_scene.name = std::visit([](const auto& each) { return name_of(each); }, scene);
+    of_scene.name = title(scene);
     of_scene.left_out = "--no-symmetries is given";
     if (options.symmetries) {
-        of_scene.found =
-            std::visit([](const auto& each) { return symmetries_within_a_second(each); }, scene);
+        of_scene.found = symmetries_within_a_second(scene, options.system->sums);
         of_scene.left_out = symmetry_work_is_spent;
     }
     if (of_scene.found) of_scene.statements = statements(*of_scene.found, facts);
@@ -60,7 +50,7 @@ SceneStatements statements_of(const CheckOptions& options, const AnyScene& scene
 }
 
 /// `whole`: what is written, in which the findings are.
-void write(const CheckOptions& options, const std::optional<AnyScene>& scene, const auto& findings,
+void write(const CheckOptions& options, const std::optional<Scene>& scene, const auto& findings,
            const auto& whole) {
     const Progress::Stage stage("writing the certificate");
     std::optional<SceneStatements> of_scene;
@@ -74,7 +64,7 @@ void write(const CheckOptions& options, const std::optional<AnyScene>& scene, co
 }  // namespace
 
 void run(const CheckOptions& options) {
-    std::optional<AnyScene> scene;
+    std::optional<Scene> scene;
     if (options.tableau) {
         if (options.system) { scene = read_scene_alone({}, *options.system); }
         const Audit found =
@@ -84,12 +74,9 @@ void run(const CheckOptions& options) {
     }
     Method method;
     if (options.system) {
-        std::visit(
-            [&](auto&& both) {
-                method = std::move(both.method);
-                scene = std::move(both.scene);
-            },
-            read_both(options.method, *options.system));
+        MethodAndScene both = read_both(options.method, *options.system);
+        method = std::move(both.method);
+        scene = std::move(both.scene);
     } else {
         method = method_of(options.method);
     }

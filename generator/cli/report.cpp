@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
@@ -12,8 +11,8 @@
 #include "generator/cli/words.hpp"
 #include "generator/edges/edges.hpp"
 #include "generator/edges/program.hpp"
-#include "generator/pipeline/any_size.hpp"
-#include "generator/read/scene.hpp"
+#include "generator/read/scene_times.hpp"
+#include "generator/read/unrolling.hpp"
 #include "generator/render/statements.hpp"
 #include "generator/report/render.hpp"
 #include "generator/scene/step_count.hpp"
@@ -36,7 +35,7 @@ constexpr const char* usual_at_edges = "stormer-verlet, trig3, lobatto:3, gauss:
 
 /// A scene with the words of [run] that a report needs.
 struct Subject {
-    std::variant<WrittenOutScene, Scene> scene;
+    Scene scene;
     double until = 0;
     std::int64_t first_count = 0;
     std::vector<double> steps = {};
@@ -60,46 +59,42 @@ void refuse_edges(const ReportOptions& options) {
            "without SCENE they are those of scenes that come with the program");
 }
 
-/// A scene of the report, written out or with loops.
-std::variant<WrittenOutScene, Scene> find_scene(const Given& name, const ReportOptions& options) {
-    const std::size_t degrees = degrees_of_freedom(find_indexed_scene(name));
+/// A scene of the report, which has what is asked of it.
+Scene scene_for(const Given& name, const ReportOptions& options) {
+    Scene scene = find_scene(name);
+    const std::size_t degrees = degrees_of_freedom(scene);
     if (degrees > most_degrees_of_freedom) refuse_peers(options);
     if (degrees > most_at_edges) refuse_edges(options);
-    auto found = find_scene_of_any_size(name, {}, options.sums).scene;
-    if (std::holds_alternative<Scene>(found)) {
+    if (!unroll_decision(scene, options.sums).writes_out) {
         refuse_peers(options);
         refuse_edges(options);
     }
-    return found;
+    if (options.peers && !scene.rotations.texts.empty())
+        refuse_rotations(function_of(unrolled(scene)), "a comparison with other libraries");
+    return scene;
 }
 
-std::string name_of(const Subject& subject) {
-    return std::visit([](const auto& scene) { return scene.name; }, subject.scene);
-}
+std::string name_of(const Subject& subject) { return subject.scene.name; }
 
 /// The step of the scene; where it has none, the first of those that are asked for.
-NamedExpression first_step(const WrittenOutScene& scene, const ReportOptions& options) {
-    const bool is_given = !scene.run.step && options.steps;
-    return wish(scene, is_given ? list_items(options.steps).front() : nullptr, scene.run.step,
-                "step", "--steps 1/10,1/20");
+NamedExpression first_step(const SceneTimes& times, const ReportOptions& options) {
+    const bool is_given = !times.step && options.steps;
+    return wish(times, is_given ? list_items(options.steps).front() : nullptr, times.step, "step",
+                "--steps 1/10,1/20");
 }
 
 Subject subject(const Given& name, const ReportOptions& options) {
-    Subject result{find_scene(name, options)};
-    const auto* large = std::get_if<Scene>(&result.scene);
-    WrittenOutScene scene =
-        large != nullptr ? without_motion(*large) : std::get<WrittenOutScene>(result.scene);
-    scene.place = whole(name);
-    if (options.peers) refuse_rotations(function_of(scene), "a comparison with other libraries");
-    const NamedExpression until = wish(scene, options.until, scene.run.until, "until");
-    const NamedExpression step = first_step(scene, options);
-    result.until = nearest_value(scene, until);
-    result.first_count = std::max<std::int64_t>(1, steps_until(scene, step, until).count);
+    Subject result{scene_for(name, options)};
+    const SceneTimes times = times_of(result.scene);
+    const NamedExpression until = wish(times, options.until, times.until, "until");
+    const NamedExpression step = first_step(times, options);
+    result.until = nearest_value(times, until);
+    result.first_count = std::max<std::int64_t>(1, steps_until(times, step, until).count);
     if (!options.steps) return result;
     for (const auto& item : list_items(options.steps)) {
-        const NamedExpression h = expression_of_parameters(scene, "step", item);
-        static_cast<void>(steps_until(scene, h, until));  // it leads there
-        result.steps.push_back(nearest_value(scene, h));
+        const NamedExpression h = expression_of_parameters(times, "step", item);
+        static_cast<void>(steps_until(times, h, until));  // it leads there
+        result.steps.push_back(nearest_value(times, h));
     }
     return result;
 }
@@ -183,12 +178,8 @@ void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subj
         SceneReport& of_scene = report.scenes.emplace_back();
         note_left_out(report, subject);
         try {
-            std::visit(
-                [&](const auto& scene) {
-                    study(builds, scene, subject.until, subject.first_count, wishes, of_scene,
-                          report.time_spent);
-                },
-                subject.scene);
+            study(builds, subject.scene, subject.until, subject.first_count, wishes, of_scene,
+                  report.time_spent);
             note_reference(report, of_scene);
             set_kept(of_scene, subject.watched, wishes.methods);
         } catch (const Error& error) {
@@ -199,8 +190,8 @@ void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subj
     }
 }
 
-std::vector<WrittenOutScene> scenes_by_name(const std::vector<std::string>& names) {
-    std::vector<WrittenOutScene> scenes;
+std::vector<Scene> scenes_by_name(const std::vector<std::string>& names) {
+    std::vector<Scene> scenes;
     for (const std::string& name : names) scenes.push_back(edge_scene(name));
     return scenes;
 }
@@ -217,17 +208,18 @@ std::vector<std::string> all_scenes() {
 /// On the scenes of the report that are small and written out; where it has no scene, on some that
 /// come with the program.
 void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& methods,
-               const std::vector<Subject>& subjects, const std::set<ReportItem>& items) {
+               const std::vector<Subject>& subjects, const ReportOptions& options) {
     // Each kind of stepper occurs, and a collision.
     const std::vector<std::string> various{"pendulum", "kepler", "henon-heiles", "nonseparable",
                                            "harmonic-oscillator"};
-    std::vector<WrittenOutScene> given;
+    std::vector<Scene> given;
     for (const Subject& subject : subjects)
-        if (const auto* scene = std::get_if<WrittenOutScene>(&subject.scene))
-            if (function_of(*scene).degrees_of_freedom() <= most_at_edges) given.push_back(*scene);
+        if (degrees_of_freedom(subject.scene) <= most_at_edges &&
+            unroll_decision(subject.scene, options.sums).writes_out)
+            given.push_back(subject.scene);
     if (given.empty() && !subjects.empty()) return;
     const auto add = [&](ReportItem item, const std::string& name, auto chapter) {
-        if (!items.contains(item)) return;
+        if (!options.items.contains(item)) return;
         const TimeSpent::Part part(report.time_spent, name);
         report.edges.push_back(chapter());
     };
@@ -290,8 +282,7 @@ void run(const ReportOptions& options) {
     std::vector<Subject> subjects;
     for (const Given& scene : options.scenes) subjects.push_back(subject(scene, options));
     if (options.items.contains(ReportItem::work) && options.symmetries)
-        for (Subject& subject : subjects)
-            subject.watched = std::visit([](auto& scene) { return watch(scene); }, subject.scene);
+        for (Subject& subject : subjects) subject.watched = watch(subject.scene, options.sums);
 
     const InterruptionsHeld held;
     Builds builds(find_compiler());
@@ -301,10 +292,11 @@ void run(const ReportOptions& options) {
     const fs::path directory = options.output.value_or("report");
     try {
         StudyWishes wishes;
+        wishes.sums = options.sums;
         if (options.peers) find_peers(builds, wishes, report);
         if (options.items.contains(ReportItem::work))
             add_scenes(report, builds, subjects, exact, std::move(wishes));
-        add_edges(report, builds, exact, subjects, options.items);
+        add_edges(report, builds, exact, subjects, options);
     } catch (const Interruption&) { throw; } catch (const Error& error) {
         if (report.incomplete.empty()) report.incomplete = error.what();
         write(report, options, directory);

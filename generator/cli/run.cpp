@@ -253,9 +253,10 @@ std::vector<ColumnBox> columns_of(const RunSubject& subject, const Given& list) 
                 : usual_columns(names, subject.coordinates.size() + subject.momenta.size());
 }
 
-Steps wished_steps(const WrittenOutScene& scene, const RunOptions& options) {
-    return steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
-                       wish(scene, options.until, scene.run.until, "until"));
+Steps wished_steps(const Scene& scene, const RunOptions& options) {
+    const SceneTimes times = times_of(scene);
+    return steps_until(times, wish(times, options.step, times.step, "step"),
+                       wish(times, options.until, times.until, "until"));
 }
 
 StepperWishes wishes_of(const RunOptions& options) {
@@ -266,10 +267,9 @@ StepperWishes wishes_of(const RunOptions& options) {
 }
 
 /// Symmetries, where they are asked for, whose momentum maps are added to the scene.
-template <class AnyScene>
-Watched watch(AnyScene& scene, const RunOptions& options) {
+Watched watch(Scene& scene, const RunOptions& options) {
     if (!options.symmetries) return {};
-    Watched watched = watch(scene);
+    Watched watched = watch(scene, options.system.sums);
     if (!watched.left_out.empty())
         watched.left_out +=
             fmt::format("; `hvi-gen symmetries {}` looks for them", options.system.scene->text);
@@ -277,21 +277,16 @@ Watched watch(AnyScene& scene, const RunOptions& options) {
 }
 
 /// With the momentum maps that are found.
-template <class AnyScene>
-WishedRun watched_run(const Method& method, AnyScene scene, const StepperWishes& wishes,
-                      const Steps& steps, const RunOptions& options) {
-    const Watched watched = watch(scene, options);
-    const SceneStepper stepper = scene_stepper(method, scene, wishes);
+WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Steps& steps,
+                      const RunOptions& options) {
+    const Watched watched = watch(both.scene, options);
+    const SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
     return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
             watched.left_out,
             options.accuracy
                 ? "a smaller E of --accuracy"
                 : "a smaller --step; or in its place --accuracy 1e-6, which finds a method and "
                   "a step"};
-}
-
-Steps wished_steps(const Scene& scene, const RunOptions& options) {
-    return wished_steps(without_motion(scene), options);
 }
 
 WishedRun advised_run(const RunOptions& options) {
@@ -304,23 +299,17 @@ WishedRun advised_run(const RunOptions& options) {
     method_options.name = given("--method", advice.method);
     StepperWishes wishes = simulation_wishes(advice.solver, advice.composition);
     wishes.unroll = options.wishes.unroll;
-    WishedRun run = std::visit(
-        [&](const auto& both) {
-            return watched_run(both.method, both.scene, wishes, advice.steps, options);
-        },
-        read_scene_of_any_size(method_options, options.system));
+    WishedRun run =
+        watched_run(read_scene(method_options, options.system), wishes, advice.steps, options);
     run.shortfall = advice.shortfall;
     return run;
 }
 
 WishedRun any_run(const RunOptions& options) {
     if (options.accuracy) return advised_run(options);
-    return std::visit(
-        [&](const auto& both) {
-            const Steps steps = wished_steps(both.scene, options);
-            return watched_run(both.method, both.scene, wishes_of(options), steps, options);
-        },
-        read_scene_of_any_size(options.method, options.system));
+    MethodAndScene both = read_scene(options.method, options.system);
+    const Steps steps = wished_steps(both.scene, options);
+    return watched_run(std::move(both), wishes_of(options), steps, options);
 }
 
 /// NOTE: the picture shows the columns that were asked for, where some were.

@@ -10,12 +10,12 @@
 
 namespace hvi::gen {
 
-NamedExpression wish(const WrittenOutScene& scene, const Given& given,
+NamedExpression wish(const SceneTimes& times, const Given& given,
                      const std::optional<NamedExpression>& of_scene, const std::string& name,
                      const std::string& option) {
-    if (given) return expression_of_parameters(scene, name, given);
+    if (given) return expression_of_parameters(times, name, given);
     if (of_scene) return *of_scene;
-    throw InputError(fmt::format("the scene does not say `{}`", name), scene.place,
+    throw InputError(fmt::format("the scene does not say `{}`", name), times.place,
                      fmt::format("give {}, or a section [run] with {} = \"1/10\"",
                                  option.empty() ? fmt::format("--{} 1/10", name) : option, name));
 }

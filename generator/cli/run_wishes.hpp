@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "generator/read/written_out_scene.hpp"
+#include "generator/read/scene_times.hpp"
 
 namespace hvi::gen {
 
 /// `step` or `until`: what the command line says, else the scene. Throws InputError where neither
 /// does, with what to give: `option`, or, where that is empty, an option of this name.
-[[nodiscard]] NamedExpression wish(const WrittenOutScene& scene, const Given& given,
+[[nodiscard]] NamedExpression wish(const SceneTimes& times, const Given& given,
                                    const std::optional<NamedExpression>& of_scene,
                                    const std::string& name, const std::string& option = {});
 

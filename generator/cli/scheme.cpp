@@ -3,15 +3,15 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/hamiltonian/legendre.hpp"
-#include "generator/read/no_loops.hpp"
+#include "generator/options/option_table.hpp"
+#include "generator/read/names.hpp"
 #include "generator/read/own_functions.hpp"
+#include "generator/read/unrolling.hpp"
 #include "generator/render/equations.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-std::string printed(const SchemeOptions& options);
 
 template <class Equations>
 std::string rendered(const Equations& step, SchemeOptions::Format format) {
@@ -45,29 +45,41 @@ std::string printed(const Method& method, const Function& function, const Scheme
     return equations(method, function, options);
 }
 
-/// Writes equations of sums that stay loops; what these turn out not to have is written out, where
-/// that is left open.
-std::string printed(const Method& method, const LargeSystem& system, const SchemeOptions& options) {
+/// Equations of sums that stay sums.
+std::string printed_with_sums(const MethodAndScene& both, const SchemeOptions& options) {
+    Scene scene = both.scene;
     const UnrollWish& wish = options.system.sums;
-    try {
-        if (!wish.needed_for.empty()) {
-            throw NoLoops(wish.needed_for + " is not built where sums stay loops",
-                          whole(system.scene.function.source));
-        }
-        return rendered(loop_equations(method, system.scene, system.values), options.format);
-    } catch (const NoLoops&) {
-        if (!may_write_out(system.scene, wish.choice)) throw;
+    if (!wish.needed_for.empty()) {
+        throw NoLoops(wish.needed_for + " is not built where sums stay loops",
+                      whole(scene.function.source));
     }
-    SchemeOptions written = options;
-    written.system.sums.choice = Unroll::yes;
-    return printed(written);
+    const std::vector<std::string> of_method = parameter_names(both.method);
+    for (const Parameter& value : both.values)
+        if (!contains(of_method, value.name)) scene.origin += parameter_option(value);
+    scene.origin += options_for({.unroll = wish.choice});
+    return rendered(loop_equations(both.method, scene, both.values), options.format);
+}
+
+std::string printed_written_out(const MethodAndScene& both, WrittenOutScene scene,
+                                const SchemeOptions& options) {
+    refuse_rotations(function_of(scene), "`scheme`");
+    function_of(scene).origin += options_for({.unroll = options.system.sums.choice});
+    return std::visit([&](const auto& of) { return printed(both.method, of, options); },
+                      scene.mechanics);
 }
 
 std::string printed(const SchemeOptions& options) {
-    const auto [method, system] = read_system(options.method, options.system);
-    return std::visit(
-        [&, &read = method](const auto& function) { return printed(read, function, options); },
-        system);
+    if (!options.system.scene) {
+        const auto [method, hamiltonian] = read_hamiltonian(options.method, options.system);
+        return printed(method, hamiltonian, options);
+    }
+    const MethodAndScene both = read_both(options.method, options.system);
+    return by_unrolling(
+        both.scene, options.system.sums,
+        [&](const UnrollDecision&) { return printed_with_sums(both, options); },
+        [&](const WrittenOutScene& scene, const UnrollDecision&) {
+            return printed_written_out(both, scene, options);
+        });
 }
 
 }  // namespace

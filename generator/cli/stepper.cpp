@@ -29,7 +29,7 @@ void write_method(const StepperOptions& options) {
                  options.dump ? dump(method, stepper, *options.dump) : stepper.header);
 }
 
-std::string explanation(const SceneStepper& stepper, const UnrollDecision& unrolling) {
+std::string explanation(const SceneStepper& stepper) {
     std::string text = fmt::format("found in {}:\n", stepper.system.function_letter());
     for (const std::string& fact : facts(stepper.system)) text += "  " + fact + "\n";
     if (stepper.evaluations) {
@@ -38,11 +38,9 @@ std::string explanation(const SceneStepper& stepper, const UnrollDecision& unrol
             text += "  " + cost + "\n";
     }
     text += "plan:\n";
-    if (!stepper.no_loops.empty())
-        text += fmt::format("  sums are written out: {}\n", stepper.no_loops);
-    else if (!unrolling.why.empty())
-        text += fmt::format("  sums {}: {}\n",
-                            unrolling.writes_out ? "are written out" : "stay loops", unrolling.why);
+    text += fmt::format("  sums {}: {}\n",
+                        stepper.unrolling.writes_out ? "are written out" : "stay loops",
+                        stepper.unrolling.why);
     for (const Decision& decision : stepper.step.decisions)
         text += "  " + decision.what + ": " + decision.why + "\n";
     return text;
@@ -60,19 +58,13 @@ void check_output(const StepperOptions& options, const OwnFunctions& own) {
     }
 }
 
-/// With a scene that is written out, or with loops.
-template <class AnyMethodAndScene>
-void write_scene(const StepperOptions& options, const AnyMethodAndScene& wished) {
+void write_scene(const StepperOptions& options) {
+    const MethodAndScene wished = read_scene(options.method, *options.system);
     check_output(options, wished.scene.own);
     const SceneStepper stepper = scene_stepper(wished.method, wished.scene, options.wishes);
-    if (options.explain) std::fputs(explanation(stepper, wished.unrolling).c_str(), stderr);
+    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
     write_result(options.output,
                  options.dump ? dump(wished.method, stepper, *options.dump) : stepper.header);
-}
-
-void write_scene(const StepperOptions& options) {
-    std::visit([&](const auto& wished) { write_scene(options, wished); },
-               read_scene_of_any_size(options.method, *options.system));
 }
 
 /// With the method and the solver that measuring finds.
@@ -89,13 +81,11 @@ void write_advised(const StepperOptions& options) {
     StepperWishes wishes = options.wishes;
     wishes.solver = advice.solver;
     wishes.composition = advice.composition;
-    const auto write = [&](const auto& both) {
-        const SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
-        if (options.explain) std::fputs(explanation(stepper, both.unrolling).c_str(), stderr);
-        std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
-        write_result(options.output, with_note(stepper.header, advice.note));
-    };
-    std::visit(write, read_scene_of_any_size(method_options, *options.system));
+    const MethodAndScene both = read_scene(method_options, *options.system);
+    const SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
+    if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
+    std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
+    write_result(options.output, with_note(stepper.header, advice.note));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
-#include "generator/symmetry/families.hpp"
+#include "generator/symmetry/symmetries.hpp"
 
 namespace hvi::gen {
 
@@ -28,8 +28,7 @@ void check_said(const SceneSymmetries& found) {
 
 void run(const SymmetriesOptions& options) {
     const SceneSymmetries found =
-        std::visit([](const auto& scene) { return find_symmetries(scene); },
-                   read_scene_alone(options.parameters, options.system));
+        find_symmetries(read_scene_alone(options.parameters, options.system), options.system.sums);
     check_said(found);
     const bool as_json = options.format == SymmetriesOptions::Format::json;
     write_result(options.output, as_json ? render_json(found) : render_text(found));

@@ -69,12 +69,13 @@ std::string header_text(const OwnFunctions& own) {
 
 }  // namespace
 
-WrittenOutScene with_dual_functions(WrittenOutScene scene) {
+Scene with_dual_functions(Scene scene) {
     if (scene.own.functions.empty()) return scene;
     scene.own.headers.push_back({header_of_duals, header_text(scene.own)});
     for (OwnFunction& function : scene.own.functions) function.header = header_of_duals;
-    rename_own_calls(function_of(scene).expression);
-    for (NamedExpression& invariant : scene.invariants) rename_own_calls(invariant.expression);
+    rename_own_calls(scene.function.written);
+    for (Definition& definition : scene.definitions) rename_own_calls(definition.value.written);
+    for (NamedIndexed& invariant : scene.invariants) rename_own_calls(invariant.expression.written);
     return scene;
 }
 

@@ -8,7 +8,7 @@
 #include "generator/draw/curves.hpp"
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/program/builds.hpp"
-#include "generator/read/written_out_scene.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -34,9 +34,9 @@ struct EdgeChapter {
 ///
 /// Precondition: the scenes have initial data and say their step.
 [[nodiscard]] EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
-                                     const std::vector<WrittenOutScene>& scenes);
+                                     const std::vector<Scene>& scenes);
 [[nodiscard]] EdgeChapter symplecticity(Builds& builds, const std::vector<ExactMethod>& methods,
-                                        const std::vector<WrittenOutScene>& scenes);
+                                        const std::vector<Scene>& scenes);
 
 /// The same on scenes of their own.
 [[nodiscard]] EdgeChapter stiff(Builds& builds, const std::vector<ExactMethod>& methods);

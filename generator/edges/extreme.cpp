@@ -11,9 +11,7 @@
 
 namespace hvi::gen {
 
-WrittenOutScene scene_of(const std::string& text) {
-    return scene_from_toml(Source{"scene.toml", text});
-}
+Scene scene_of(const std::string& text) { return scene_from_toml(Source{"scene.toml", text}); }
 
 bool is_whole(const Heard& heard) {
     if (!heard.failure.empty()) return false;

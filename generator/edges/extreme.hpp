@@ -36,7 +36,7 @@ void add_scaled(const ExtremeMethod& method, EdgeChapter& chapter);
 void add_bodies(const ExtremeMethod& method, EdgeChapter& chapter);
 
 /// The scene in a text as files have it.
-[[nodiscard]] WrittenOutScene scene_of(const std::string& text);
+[[nodiscard]] Scene scene_of(const std::string& text);
 
 /// Whether the end is ok and finite, or a status and every bit of the state as it was before the
 /// step.

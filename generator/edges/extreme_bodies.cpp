@@ -111,7 +111,7 @@ struct Pair {
 };
 
 void add_pair(const ExtremeMethod& method, EdgeChapter& chapter) {
-    const WrittenOutScene scene = scene_of(two_bodies);
+    const Scene scene = scene_of(two_bodies);
     const EdgeProgram& program = method.two_bodies;
     const Passage passage(0.5);
     for (const double light : {0.5, 1e-12}) {
@@ -142,10 +142,10 @@ void add_pair(const ExtremeMethod& method, EdgeChapter& chapter) {
 }
 
 void add_three(const ExtremeMethod& method, EdgeChapter& chapter) {
-    const WrittenOutScene scene = scene_of(three_bodies);
+    const Scene scene = scene_of(three_bodies);
     const EdgeProgram& program = method.three_bodies;
     const std::vector<double> start =
-        program.ask({"start"}).answers.numbers("start", scene.initial.size());
+        program.ask({"start"}).answers.numbers("start", variables(unrolled(scene)).size());
     for (const long parts : {16, 256, 4096}) {
         const Heard heard =
             program.ask("advance", 1 / static_cast<double>(parts), 10 * parts, start);

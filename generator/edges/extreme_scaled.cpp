@@ -88,7 +88,7 @@ EdgeCheck check(const std::string& method, const std::string& scene, const Form&
 std::vector<std::vector<Form>> scaled_forms(Builds& builds, const ExactMethod& method) {
     std::vector<std::vector<Form>> all;
     for (const ScaledScene& scaled : scaled_scenes()) {
-        const WrittenOutScene scene = scene_of(scaled.text);
+        const Scene scene = scene_of(scaled.text);
         if (refusal_of_general_form(method, scene))
             all.emplace_back();
         else
@@ -105,7 +105,7 @@ std::vector<std::vector<Form>> scaled_forms(Builds& builds, const ExactMethod& m
 void add_scaled(const ExtremeMethod& method, EdgeChapter& chapter) {
     auto forms = method.scaled.begin();
     for (const ScaledScene& scaled : scaled_scenes()) {
-        const WrittenOutScene scene = scene_of(scaled.text);
+        const Scene scene = scene_of(scaled.text);
         for (const Form& form : *forms++)
             for (const int exponent : {-900, -498, 498, 900})
                 chapter.checks.push_back(

@@ -5,8 +5,7 @@
 
 namespace hvi::gen {
 
-std::vector<Form> forms(Builds& builds, const ComposedMethod& method,
-                        const WrittenOutScene& scene) {
+std::vector<Form> forms(Builds& builds, const ComposedMethod& method, const Scene& scene) {
     std::vector<Form> result{
         {"as is", Solver::automatic, EdgeProgram(builds, method, scene, Solver::automatic)}};
     if (EdgeProgram iterated(builds, method, scene, Solver::fixed_point); !iterated.is_explicit()) {

@@ -18,6 +18,6 @@ struct Form {
 /// As it is without wishes, iterated with fixed points, and with Newton's method. Where there is
 /// nothing to solve they are one. Throws what EdgeProgram() does.
 [[nodiscard]] std::vector<Form> forms(Builds& builds, const ComposedMethod& method,
-                                      const WrittenOutScene& scene);
+                                      const Scene& scene);
 
 }  // namespace hvi::gen

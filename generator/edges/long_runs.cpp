@@ -119,7 +119,7 @@ void compare(const Comparison& comparison, EdgeChapter& chapter) {
 
 std::optional<Comparison> comparison(Builds& builds, const std::vector<ExactMethod>& methods) {
     std::optional<Comparison> best;
-    const WrittenOutScene scene = edge_scene(compared_scene);
+    const Scene scene = edge_scene(compared_scene);
     for (const ExactMethod& method : methods) {
         if (method.composition) continue;
         const auto* const tableau = std::get_if<Tableau>(&method.base);

@@ -10,11 +10,11 @@
 namespace hvi::gen {
 
 void add_cases(EdgeChapter& chapter, const std::vector<ExactMethod>& methods,
-               const std::vector<WrittenOutScene>& scenes, const ProgramOf& program,
+               const std::vector<Scene>& scenes, const ProgramOf& program,
                const std::function<std::vector<EdgeCheck>(const MethodOnScene&)>& cases) {
     std::vector<MethodOnScene> all;
     for (const ExactMethod& method : methods)
-        for (const WrittenOutScene& scene : scenes) {
+        for (const Scene& scene : scenes) {
             if (auto refusal = refusal_of_general_form(method, scene))
                 chapter.checks.push_back(*std::move(refusal));
             else

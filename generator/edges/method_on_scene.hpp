@@ -12,16 +12,16 @@ namespace hvi::gen {
 
 struct MethodOnScene {
     ExactMethod method;
-    WrittenOutScene scene;
+    Scene scene;
     EdgeProgram program;
 };
 
-using ProgramOf = std::function<EdgeProgram(const ExactMethod&, const WrittenOutScene&)>;
+using ProgramOf = std::function<EdgeProgram(const ExactMethod&, const Scene&)>;
 
 /// Makes all programs, then adds the cases of each to the chapter, and says on standard error what
 /// it is at. Where the general Galerkin form does not step an H, the case is why not.
 void add_cases(EdgeChapter& chapter, const std::vector<ExactMethod>& methods,
-               const std::vector<WrittenOutScene>& scenes, const ProgramOf& program,
+               const std::vector<Scene>& scenes, const ProgramOf& program,
                const std::function<std::vector<EdgeCheck>(const MethodOnScene&)>& cases);
 
 }  // namespace hvi::gen

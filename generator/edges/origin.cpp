@@ -8,15 +8,17 @@
 
 namespace hvi::gen {
 
-Origin origin_of(const WrittenOutScene& scene) {
-    if (!std::holds_alternative<Hamiltonian>(scene.mechanics)) return Origin::other;
-    if (!hamiltonian_of(scene).rotations.empty()) return Origin::singular;
-    if (own_call_in(hamiltonian_of(scene).expression) != nullptr) return Origin::other;
-    SymbolValues values = parameter_values(scene);
-    for (const auto* names : {&hamiltonian_of(scene).coordinates, &hamiltonian_of(scene).momenta})
+Origin origin_of(const Scene& scene) {
+    if (scene.side == Side::lagrangian) return Origin::other;
+    const WrittenOutScene written = unrolled(scene);
+    const Hamiltonian& H = hamiltonian_of(written);
+    if (!H.rotations.empty()) return Origin::singular;
+    if (own_call_in(H.expression) != nullptr) return Origin::other;
+    SymbolValues values = parameter_values(written);
+    for (const auto* names : {&H.coordinates, &H.momenta})
         for (const std::string& name : *names) values[name] = Ball();
     values["t"] = Ball();
-    const Gradient derivatives = gradient(hamiltonian_of(scene));
+    const Gradient derivatives = gradient(H);
     Origin origin = Origin::rest;
     for (const auto* parts : {&derivatives.by_coordinates, &derivatives.by_momenta})
         for (const Expression& part : *parts) {

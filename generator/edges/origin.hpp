@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "generator/read/written_out_scene.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -15,6 +15,6 @@ enum class Origin {
 /// By the exact derivatives of H, in enclosures; of an H that depends on time, at t = 0; not known
 /// where the scene has a Lagrangian or functions of the user's own. Throws as gradient() and
 /// parameter_values() do.
-[[nodiscard]] Origin origin_of(const WrittenOutScene& scene);
+[[nodiscard]] Origin origin_of(const Scene& scene);
 
 }  // namespace hvi::gen

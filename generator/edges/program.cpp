@@ -39,11 +39,12 @@ std::string failure_of(int status) {
 
 }  // namespace
 
-WrittenOutScene edge_scene(const std::string& name) { return find_scene(given("SCENE", name)); }
+Scene edge_scene(const std::string& name) { return find_scene(given("SCENE", name)); }
 
-double usual_step(const WrittenOutScene& scene) {
-    HVI_CHECK(scene.run.step.has_value());
-    return nearest_value(scene, *scene.run.step);
+double usual_step(const Scene& scene) {
+    const SceneTimes times = times_of(scene);
+    HVI_CHECK(times.step.has_value());
+    return nearest_value(times, *times.step);
 }
 
 Advance::Advance(const Heard& heard) : failure(heard.failure) {
@@ -55,8 +56,7 @@ Advance::Advance(const Heard& heard) : failure(heard.failure) {
                  static_cast<double>(std::max(1L, steps));
 }
 
-std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method,
-                                                 const WrittenOutScene& scene) {
+std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method, const Scene& scene) {
     if (!std::holds_alternative<GalerkinRule>(method.base)) return {};
     const auto check = [&](const Error& error) {
         return EdgeCheck{method.name(), scene.name,
@@ -71,11 +71,13 @@ std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method,
     return {};
 }
 
-EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const WrittenOutScene& scene,
+EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Scene& scene,
                          Solver solver) {
-    const SceneStepper stepper =
-        scene_stepper(method.method, scene,
-                      {.solver = solver, .energy = true, .composition = method.composition});
+    const SceneStepper stepper = scene_stepper(method.method, scene,
+                                               {.solver = solver,
+                                                .unroll = Unroll::yes,
+                                                .energy = true,
+                                                .composition = method.composition});
     is_explicit_ = stepper.step.is_explicit();
     build_ = builds.order(
         program_around(stepper, "edge.cpp.in",
@@ -83,10 +85,10 @@ EdgeProgram::EdgeProgram(Builds& builds, const ComposedMethod& method, const Wri
 }
 
 EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method,
-                                    const WrittenOutScene& scene) {
+                                    const Scene& scene) {
     const SceneStepper stepper =
         scene_stepper(method.method, with_dual_functions(scene),
-                      {.float128 = true, .composition = method.composition});
+                      {.unroll = Unroll::yes, .float128 = true, .composition = method.composition});
     EdgeProgram program;
     program.is_explicit_ = stepper.step.is_explicit();
     program.build_ = builds.order(
@@ -94,7 +96,7 @@ EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method
     return program;
 }
 
-EdgeProgram EdgeProgram::naive(Builds& builds, const WrittenOutScene& scene) {
+EdgeProgram EdgeProgram::naive(Builds& builds, const Scene& scene) {
     EdgeProgram program;
     program.build_ =
         builds.order(driver_program(stepper_for_peers(scene), {"naive", "naive::main", {}}));

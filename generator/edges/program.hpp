@@ -15,10 +15,10 @@
 namespace hvi::gen {
 
 /// The scene of this name that comes with the program.
-[[nodiscard]] WrittenOutScene edge_scene(const std::string& name);
+[[nodiscard]] Scene edge_scene(const std::string& name);
 
 /// The size of a step that the scene itself asks for.
-[[nodiscard]] double usual_step(const WrittenOutScene& scene);
+[[nodiscard]] double usual_step(const Scene& scene);
 
 /// What a program has said.
 struct Heard {
@@ -45,16 +45,16 @@ struct Advance {
 class EdgeProgram {
 public:
     /// Of src/driver/edge_main.hpp. Throws what scene_stepper() does.
-    EdgeProgram(Builds& builds, const ComposedMethod& method, const WrittenOutScene& scene,
+    EdgeProgram(Builds& builds, const ComposedMethod& method, const Scene& scene,
                 Solver solver = Solver::automatic);
 
     /// Of src/driver/edge_symplectic.hpp, in dual numbers.
     [[nodiscard]] static EdgeProgram symplectic(Builds& builds, const ComposedMethod& method,
-                                                const WrittenOutScene& scene);
+                                                const Scene& scene);
 
     /// The same as from a scene, of src/driver/naive.hpp: in place of values of parameters it takes
     /// a tableau.
-    [[nodiscard]] static EdgeProgram naive(Builds& builds, const WrittenOutScene& scene);
+    [[nodiscard]] static EdgeProgram naive(Builds& builds, const Scene& scene);
 
     /// Throws what the Build does, EnvironmentError where what it says is no answer, and
     /// Interruption.
@@ -79,6 +79,6 @@ private:
 /// The general Galerkin form does not step every H: why not this one, as a case. Empty where it
 /// does, and for other methods.
 [[nodiscard]] std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method,
-                                                               const WrittenOutScene& scene);
+                                                               const Scene& scene);
 
 }  // namespace hvi::gen

@@ -114,16 +114,17 @@ std::vector<Case> cases(Origin origin, double h, const std::vector<double>& star
 }
 
 /// NOTE: a chart is at the start of a step, so that the way back takes another one.
-bool has_charts(const WrittenOutScene& scene) { return !function_of(scene).rotations.empty(); }
+bool has_charts(const Scene& scene) { return !scene.rotations.texts.empty(); }
 
 std::vector<EdgeCheck> checks(const MethodOnScene& subject) {
     const auto& [method, scene, program] = subject;
     const bool comes_back = !has_charts(scene) && is_symmetric(method);
+    const WrittenOutScene written = unrolled(scene);
     const std::vector<double> start =
-        program.ask({"start"}).answers.numbers("start", scene.initial.size());
+        program.ask({"start"}).answers.numbers("start", written.initial.size());
     std::vector<EdgeCheck> result;
     for (const Case& edge : cases(origin_of(scene), usual_step(scene), start,
-                                  function_of(scene).coordinates.size(), comes_back)) {
+                                  function_of(written).coordinates.size(), comes_back)) {
         const bool back = edge.promise == Promise::back;
         const Seen seen = judged(
             program.ask(back ? "return" : "advance", edge.h, back ? 10 : 1, edge.state), edge);
@@ -136,7 +137,7 @@ std::vector<EdgeCheck> checks(const MethodOnScene& subject) {
 }  // namespace
 
 EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
-                       const std::vector<WrittenOutScene>& scenes) {
+                       const std::vector<Scene>& scenes) {
     EdgeChapter chapter{
         "rejections",
         "Steps that cannot be",
@@ -149,7 +150,7 @@ EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
         {}};
     add_cases(
         chapter, methods, scenes,
-        [&](const ExactMethod& method, const WrittenOutScene& scene) {
+        [&](const ExactMethod& method, const Scene& scene) {
             return EdgeProgram(builds, method, scene);
         },
         checks);

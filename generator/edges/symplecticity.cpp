@@ -16,9 +16,9 @@ namespace {
 /// twice in D^T J D, and the sums of its products are rounded as many times as they have terms.
 /// Where velocities are solved for, momenta are right to that, and velocities to that times the
 /// condition number of d2L/dv2. Charts of rotations are a dozen products more, back and forth.
-double bound_of(const WrittenOutScene& scene, long steps, double condition) {
-    const auto terms = static_cast<double>(scene.initial.size());
-    const double of_charts = function_of(scene).rotations.empty() ? 1 : 4;
+double bound_of(const Scene& scene, long steps, double condition) {
+    const auto terms = static_cast<double>(variables(unrolled(scene)).size());
+    const double of_charts = scene.rotations.texts.empty() ? 1 : 4;
     return std::ldexp(2 * 16 * condition * of_charts * static_cast<double>(steps) + terms, -53);
 }
 
@@ -50,7 +50,7 @@ EdgeCheck check(const MethodOnScene& subject, long steps) {
 }  // namespace
 
 EdgeChapter symplecticity(Builds& builds, const std::vector<ExactMethod>& methods,
-                          const std::vector<WrittenOutScene>& scenes) {
+                          const std::vector<Scene>& scenes) {
     EdgeChapter chapter{
         "symplecticity",
         "Symplecticity",
@@ -73,7 +73,7 @@ EdgeChapter symplecticity(Builds& builds, const std::vector<ExactMethod>& method
         {}};
     add_cases(
         chapter, methods, scenes,
-        [&](const ExactMethod& method, const WrittenOutScene& scene) {
+        [&](const ExactMethod& method, const Scene& scene) {
             return EdgeProgram::symplectic(builds, method, scene);
         },
         [](const MethodOnScene& subject) {

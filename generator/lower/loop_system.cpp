@@ -16,6 +16,7 @@
 #include "generator/lower/lower.hpp"
 #include "generator/lower/sites.hpp"
 #include "generator/lower/totals.hpp"
+#include "generator/read/hamiltonian.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/no_loops.hpp"
@@ -498,11 +499,11 @@ SystemStart LoopLowering::start(const SystemFamily& family, const IndexedValue& 
 }
 
 SystemStart LoopLowering::start(const SystemFamily& family) {
-    for (const IndexedValue& value : written_.initial.values) {
+    for (const IndexedValue& value : written_.initial->values) {
         if (value.name == family.name) { return start(family, value); }
     }
     throw InputError(fmt::format("an initial value is missing: that of `{}`", family.name),
-                     written_.initial.place);
+                     written_.initial->place);
 }
 
 System LoopLowering::operator()() {
@@ -524,7 +525,7 @@ System LoopLowering::operator()() {
     for (const auto* families : {&system_.coordinates, &system_.conjugates}) {
         for (const SystemFamily& each : *families) { system_.initial.push_back(start(each)); }
     }
-    for (const IndexedValue& value : written_.initial.values) {
+    for (const IndexedValue& value : written_.initial->values) {
         const auto found = families_.find(value.name);
         if (found == families_.end() || found->second.kind == FamilyKind::table) {
             throw InputError(fmt::format("`{}` is no variable", value.name), value.place);

@@ -11,7 +11,7 @@
 #include "generator/options/option_table.hpp"
 #include "generator/pipeline/refusals.hpp"
 #include "generator/plan/plan.hpp"
-#include "generator/read/no_loops.hpp"
+#include "generator/read/scene_times.hpp"
 #include "generator/scene/start.hpp"
 
 namespace hvi::gen {
@@ -143,8 +143,10 @@ MethodStepper method_stepper(const Method& wished, const StepperWishes& wishes) 
     return {std::move(method), std::move(step), std::move(header)};
 }
 
-SceneStepper scene_stepper(const Method& wished, const WrittenOutScene& scene,
-                           const StepperWishes& wishes) {
+namespace {
+
+SceneStepper written_out_stepper(const Method& wished, const WrittenOutScene& scene,
+                                 const StepperWishes& wishes) {
     const SceneWishes members = members_of(wishes);
     check_members(scene, members);
     check_own_names(scene.own);
@@ -161,8 +163,6 @@ SceneStepper scene_stepper(const Method& wished, const WrittenOutScene& scene,
                       members);
 }
 
-namespace {
-
 SceneStepper loop_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
     const Place place = whole(scene.function.source);
     check_wishes_of_any_size(wishes, place);
@@ -177,17 +177,24 @@ SceneStepper loop_stepper(const Method& wished, const Scene& scene, const Steppe
                       {scene.origin, place, scene.own.headers}, wishes, members);
 }
 
+SceneStepper with_reason(SceneStepper stepper, const UnrollDecision& unrolling) {
+    stepper.unrolling = unrolling;
+    return stepper;
+}
+
 }  // namespace
 
 SceneStepper scene_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
-    try {
-        return loop_stepper(wished, scene, wishes);
-    } catch (const NoLoops& obstacle) {
-        if (!may_write_out(scene, wishes.unroll)) { throw; }
-        SceneStepper result = scene_stepper(wished, unrolled(scene), wishes);
-        result.no_loops = obstacle.what();
-        return result;
-    }
+    SceneStepper stepper = by_unrolling(
+        scene, {wishes.unroll, wish_without_loops(wishes)},
+        [&](const UnrollDecision& why) {
+            return with_reason(loop_stepper(wished, scene, wishes), why);
+        },
+        [&](const WrittenOutScene& written, const UnrollDecision& why) {
+            return with_reason(written_out_stepper(wished, written, wishes), why);
+        });
+    static_cast<void>(times_of(scene));  // whose words are checked there
+    return stepper;
 }
 
 }  // namespace hvi::gen

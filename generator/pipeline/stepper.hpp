@@ -23,8 +23,7 @@
 #include "generator/lower/system.hpp"
 #include "generator/options/wishes.hpp"
 #include "generator/plan/evaluations.hpp"
-#include "generator/read/scene.hpp"
-#include "generator/read/written_out_scene.hpp"
+#include "generator/read/unrolling.hpp"
 
 namespace hvi::gen {
 
@@ -49,18 +48,13 @@ struct SceneStepper {
     std::string class_name;
     std::string header;
     std::vector<OwnHeader> own_headers;  ///< that it needs
-    std::string no_loops = {};           ///< why sums are written out that could have stayed loops
+    UnrollDecision unrolling = {};
 };
 
-/// The same. Throws InputError and MathError also for a scene that cannot start, an invariant that
-/// cannot be a member, and a solver that is not built for this H. Preconditions: those of lower().
-[[nodiscard]] SceneStepper scene_stepper(const Method& method, const WrittenOutScene& scene,
-                                         const StepperWishes& wishes);
-
-/// A stepper with loops for the sums of the scene: the sizes are parameters of the class. Where
-/// loops do not have the step of this method, sums are written out that may_write_out(). Throws
-/// InputError and MathError as loop_system() does, too, and for what is wished for and not built
-/// for systems of any size.
+/// A stepper of the scene, whose sums are written out or stay loops; then the sizes are parameters
+/// of the class. The command line is quoted in it. Throws InputError and MathError also for a word
+/// without a meaning, a scene that cannot start, an invariant that cannot be a member, and what is
+/// wished for and not built for this H. Preconditions: those of lower().
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
                                          const StepperWishes& wishes);
 

@@ -24,6 +24,11 @@ struct Parameter {
     std::shared_ptr<const Source> source = nullptr;  ///< in which the ranges of the value are
 };
 
+/// Whether it has one; that of an H on the command line need not.
+[[nodiscard]] inline bool has_value(const Parameter& parameter) {
+    return parameter.place.source != nullptr;
+}
+
 /// A method as it was given, checked as far as words go: families exist, have a size that they can
 /// have, and stand where they belong; `tau` occurs in basis functions and within `roots` only;
 /// there are at most 64 functions, 64 nodes and 64 parameters. Whether mathematics allows it is

@@ -9,12 +9,10 @@
 #include <utility>
 
 #include "generator/read/embedded.hpp"
+#include "generator/read/hamiltonian.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/sizes.hpp"
-#include "generator/read/unroll.hpp"
-#include "generator/read/unrolling.hpp"
-#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -23,12 +21,6 @@ namespace {
 /// `kepler` of `kepler.toml`.
 std::string_view name_of(const EmbeddedFile& file) {
     return file.name.substr(0, file.name.rfind('.'));
-}
-
-std::vector<std::string> parameter_names(const WrittenOutScene& scene) {
-    std::vector<std::string> names;
-    for (const Parameter& parameter : scene.parameters) names.push_back(parameter.name);
-    return names;
 }
 
 [[noreturn]] void refuse_unknown(const Given& given) {
@@ -41,7 +33,7 @@ std::vector<std::string> parameter_names(const WrittenOutScene& scene) {
 }
 
 Scene embedded_scene(const EmbeddedFile& file) {
-    return indexed_scene_from_toml({std::string(file.name), std::string(file.text)});
+    return scene_from_toml({std::string(file.name), std::string(file.text)});
 }
 
 Scene found(const Given& name_or_file) {
@@ -55,53 +47,24 @@ Scene found(const Given& name_or_file) {
     std::error_code ignored;
     const auto status = std::filesystem::status(name, ignored);
     if (status.type() == std::filesystem::file_type::not_found) refuse_unknown(name_or_file);
-    return indexed_scene_from_file(name);
+    return scene_from_file(name);
 }
 
 }  // namespace
 
-const MechanicalFunction& function_of(const WrittenOutScene& scene) {
-    return std::visit([](const auto& of) -> const MechanicalFunction& { return of; },
-                      scene.mechanics);
+std::string_view name_of_function(const Scene& scene) {
+    return scene.side == Side::hamiltonian ? "the Hamiltonian" : "the Lagrangian";
 }
 
-MechanicalFunction& function_of(WrittenOutScene& scene) {
-    return std::visit([](auto& of) -> MechanicalFunction& { return of; }, scene.mechanics);
+const std::string& title(const Scene& scene) {
+    return scene.name.empty() ? scene.origin : scene.name;
 }
 
-std::vector<std::string> variables(const WrittenOutScene& scene) {
-    return std::visit([](const auto& of) { return variables(of); }, scene.mechanics);
-}
-
-std::string_view name_of_function(const WrittenOutScene& scene) {
-    return std::holds_alternative<Hamiltonian>(scene.mechanics) ? "the Hamiltonian"
-                                                                : "the Lagrangian";
-}
-
-const Hamiltonian& hamiltonian_of(const WrittenOutScene& scene) {
-    if (const auto* H = std::get_if<Hamiltonian>(&scene.mechanics)) return *H;
-    throw MathError("here a Hamiltonian is wanted, and the scene has a Lagrangian",
-                    whole(function_of(scene).source), "`hvi-gen scheme` prints its Hamiltonian");
-}
-
-WrittenOutScene scene_from_toml(const Source& file) {
-    return unrolled(indexed_scene_from_toml(file));
-}
-
-WrittenOutScene scene_from_file(const std::filesystem::path& path) {
-    return unrolled(indexed_scene_from_file(path));
-}
-
-Scene find_indexed_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
-    Scene written = found(name_or_file);
-    for (const Parameter& value : values) static_cast<void>(assign(written, value));
-    return written;
-}
-
-WrittenOutScene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
-    return written_out(find_indexed_scene(name_or_file, values), name_or_file,
-                       "here sums are written out; `stepper`, `run` and `report` take scenes of "
-                       "any size, without --accuracy");
+Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values) {
+    Scene scene = found(name_or_file);
+    scene.place = whole(name_or_file);
+    for (const Parameter& value : values) { static_cast<void>(assign(scene, value)); }
+    return scene;
 }
 
 std::vector<SceneEntry> scenes() {
@@ -116,43 +79,158 @@ std::vector<SceneEntry> scenes() {
     return entries;
 }
 
-NamedExpression expression_of_parameters(const WrittenOutScene& scene, std::string name,
-                                         std::shared_ptr<const Source> text) {
-    Expression read = unrolled(parse_indexed_expression(text), function_of(scene).sizes);
-    check_functions(read, text, "this");
-    const std::vector<std::string> names = parameter_names(scene);
-    walk(read, [&](const Expression& part) {
-        const bool is_known = part.kind != Expression::Kind::symbol || is_constant(part.name) ||
-                              contains(names, part.name);
-        if (!is_known)
-            throw InputError(fmt::format("the scene has no parameter `{}`", part.name),
-                             Place{text, part.range},
-                             did_you_mean(part.name, {names.begin(), names.end()},
-                                          "it may depend on parameters, pi and e"));
-        return true;
-    });
-    Place place{text, {0, text->text.size()}};
-    return {std::move(name), std::move(read), std::move(place)};
-}
+// ---- of --hamiltonian ----
 
-void check_together(const Method& method, const WrittenOutScene& scene) {
-    check_together(method, variables(scene), name_of_function(scene));
-}
+namespace {
 
-void set_parameter(Method& method, WrittenOutScene& scene, Parameter parameter) {
-    std::vector<std::string> names = parameter_names(scene);
-    const std::vector<std::string> of_method = parameter_names(method);
-    const bool in_scene = contains(names, parameter.name);
-    const bool in_method = contains(of_method, parameter.name);
-    if (!in_scene && !in_method && function_of(scene).sizes.count(parameter.name) == 0) {
-        names.insert(names.end(), of_method.begin(), of_method.end());
-        refuse_parameter(parameter, variables(scene), name_of_function(scene), names);
+/// Names without indices, as if the whole text declared each.
+NameTexts texts_of(const std::vector<std::string>& names, const Place& place) {
+    NameTexts result{{}, place};
+    for (const std::string& name : names) {
+        result.texts.push_back({{{name, {}, place.range}}, place.source});
     }
-    if (in_scene) assign(scene.parameters, parameter);
-    MechanicalFunction& function = function_of(scene);
-    if (contains(parameter_names(function.expression, variables(scene)), parameter.name))
-        assign(function.parameters, parameter);
-    if (in_method) set_parameter(method, std::move(parameter));
+    return result;
+}
+
+}  // namespace
+
+Scene scene_from_hamiltonian(const std::shared_ptr<const Source>& expression,
+                             const std::shared_ptr<const Source>& coordinates,
+                             const std::shared_ptr<const Source>& momenta,
+                             const std::vector<Parameter>& values) {
+    const Hamiltonian H = hamiltonian_from_text(expression, coordinates, momenta, values);
+    Scene scene;
+    scene.function = parse_indexed_expression(expression);
+    scene.coordinates = texts_of(H.coordinates, whole(coordinates ? coordinates : expression));
+    scene.conjugates = texts_of(H.momenta, whole(momenta ? momenta : expression));
+    scene.origin = H.origin;
+    for (const auto& [name, size] : H.sizes) {
+        scene.parameters.push_back({name,
+                                    IndexedExpression{Expression::integer(size), expression},
+                                    whole(expression),
+                                    {}});
+    }
+    for (const std::string& name : parameter_names(H)) {
+        scene.parameters.push_back({name, NoValue{}, whole(expression), {}});
+    }
+    for (const Parameter& value : values) { static_cast<void>(assign(scene, value)); }
+    return scene;
+}
+
+// ---- sizes and values ----
+
+namespace {
+
+std::size_t count(const NameTexts& names, const WholeNumbers& known) {
+    constexpr std::size_t most_in_family = 1'000'000'000'000;
+    std::size_t total = 0;
+    for (const NameTexts::Text& text : names.texts) {
+        for (const Name& name : text.names) {
+            std::size_t count = 1;
+            for (const IndexBounds& bounds : name.bounds) {
+                const auto [first, last] = interval(bounds, text.source, known);
+                const auto extent = static_cast<std::size_t>(last - first + 1);
+                if (count > most_in_family / extent) {
+                    throw InputError("there are more of these than any memory holds",
+                                     Place{text.source, name.range});
+                }
+                count *= extent;
+            }
+            total += count;
+        }
+    }
+    return total;
+}
+
+}  // namespace
+
+std::size_t degrees_of_freedom(const Scene& scene) {
+    const WholeNumbers known = sizes(scene);
+    return count(scene.coordinates, known) + 3 * count(scene.rotations, known);
+}
+
+Index index_of_value(const ValueList& list, std::size_t k) {
+    Index index(list.extents.size());
+    for (std::size_t d = index.size(); d-- > 0; k /= list.extents[d]) {
+        index[d] = static_cast<long>(k % list.extents[d]) + 1;
+    }
+    return index;
+}
+
+namespace {
+
+bool assign(IndexedValue& value, const Parameter& parameter) {
+    const IndexedExpression given{parameter.value, parameter.source};
+    if (auto* list = std::get_if<ValueList>(&value.value)) {
+        for (std::size_t k = 0; k < list->values.size(); ++k) {
+            if (indexed_name(value.name, index_of_value(*list, k)) != parameter.name) { continue; }
+            list->values[k] = given;
+            return true;
+        }
+        return false;
+    }
+    if (std::holds_alternative<ValueFile>(value.value)) {
+        if (without_index(parameter.name) != value.name) { return false; }
+        throw InputError(fmt::format("the values of `{}` stand in a file", value.name),
+                         parameter.place, "change them there");
+    }
+    if (parameter.name != value.name) { return false; }
+    value.value = given;
+    return true;
+}
+
+std::vector<std::string> parameter_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const IndexedValue& value : scene.parameters) {
+        const auto* list = std::get_if<ValueList>(&value.value);
+        if (list == nullptr) { names.push_back(value.name); }
+        for (std::size_t k = 0; list != nullptr && k < list->values.size(); ++k) {
+            names.push_back(indexed_name(value.name, index_of_value(*list, k)));
+        }
+    }
+    return names;
+}
+
+/// Variables; those with an index by the names of their families where `with_families`.
+std::vector<std::string> variable_names(const Scene& scene, bool with_families) {
+    std::vector<std::string> names;
+    for (const NameTexts* texts :
+         {&scene.coordinates, &scene.rotations, &scene.conjugates, &scene.angular_momenta}) {
+        for (const NameTexts::Text& text : texts->texts) {
+            for (const Name& name : text.names) {
+                if (with_families || name.bounds.empty()) { names.push_back(name.stem); }
+            }
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+bool assign(Scene& scene, const Parameter& parameter) {
+    return std::any_of(scene.parameters.begin(), scene.parameters.end(),
+                       [&](IndexedValue& value) { return assign(value, parameter); });
+}
+
+void check_together(const Method& method, const Scene& scene) {
+    check_together(method, variable_names(scene, false), name_of_function(scene));
+}
+
+void set_parameter(Method& method, Scene& scene, Parameter parameter) {
+    const std::vector<std::string> of_method = parameter_names(method);
+    const bool in_method = contains(of_method, parameter.name);
+    const bool in_scene = assign(scene, parameter);
+    if (!in_scene && !in_method) {
+        std::vector<std::string> variables = variable_names(scene, true);
+        if (contains(variables, std::string(without_index(parameter.name)))) {
+            variables.push_back(parameter.name);
+        }
+        std::vector<std::string> names = parameter_names(scene);
+        names.insert(names.end(), of_method.begin(), of_method.end());
+        refuse_parameter(parameter, variables, name_of_function(scene), names);
+    }
+    if (in_scene && in_method) { scene.fixed.insert(parameter.name); }
+    if (in_method) { set_parameter(method, std::move(parameter)); }
 }
 
 }  // namespace hvi::gen

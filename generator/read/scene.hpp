@@ -1,4 +1,5 @@
-// Scenes as they are written: indices are indices, and sums run over them.
+// Scenes: a Hamiltonian or a Lagrangian with its numbers, and what one wants to know of its motion,
+// as it is written: indices are indices, and sums run over them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,7 +12,9 @@
 #include <vector>
 
 #include "generator/expr/side.hpp"
-#include "generator/read/written_out_scene.hpp"
+#include "generator/read/method.hpp"
+#include "generator/read/own_functions.hpp"
+#include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
 
@@ -52,10 +55,13 @@ struct ValueRule {
     IndexedExpression value;
 };
 
+/// A parameter of `--hamiltonian` that has no value yet.
+struct NoValue {};
+
 /// What a name, or a name with an index, stands for.
 struct IndexedValue {
     std::string name;  ///< without an index
-    std::variant<IndexedExpression, ValueList, ValueRule, ValueFile, RotationValue> value;
+    std::variant<IndexedExpression, ValueList, ValueRule, ValueFile, RotationValue, NoValue> value;
     Place place;           ///< of the name
     Place place_of_value;  ///< of all values
 };
@@ -87,10 +93,11 @@ struct IndexedRun {
     std::optional<NamedIndexed> step, until;
 };
 
-/// A scene whose text is well-formed; whether its words have a meaning is not yet looked at. Sums
-/// are sums, and what has indices is one family, of a size that parameters may give.
+/// A scene whose text is well-formed. Sums are sums, and what has indices is one family, of a size
+/// that parameters may give. That of `--hamiltonian` has H and parameters alone.
 struct Scene {
-    std::string name, description;
+    std::string name;               ///< the key `name`, else that of the file without its ending
+    std::string description;        ///< the key `description`: one line; or empty
     Side side = Side::hamiltonian;  ///< which of the two `function` is
     NameTexts coordinates;
     NameTexts conjugates;                  ///< momenta, or velocities
@@ -100,43 +107,66 @@ struct Scene {
     std::filesystem::path directory;       ///< that paths of files are relative to
     std::vector<IndexedValue> parameters;  ///< no ValueRule and no RotationValue among them
     std::set<std::string> fixed;           ///< parameters that a program cannot change
-    OwnFunctions own;
+    OwnFunctions own;                      ///< that H and invariants may call
     std::vector<Definition> definitions;
-    std::vector<NamedIndexed> invariants;
-    std::set<std::string> approximate;  ///< names of some of them
-    std::vector<IndexedField> fields;
-    ValueTable initial;
+    std::vector<NamedIndexed> invariants;  ///< in the order of the file
+    std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
+    std::vector<IndexedField> fields;      ///< of [symmetries]
+    std::optional<ValueTable> initial;
     std::optional<ValueTable> exact;
     IndexedRun run;
+    std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
 };
+
+/// `the Hamiltonian` or `the Lagrangian`.
+[[nodiscard]] std::string_view name_of_function(const Scene& scene);
+
+/// Its name, or where it has none what the command line has for it.
+[[nodiscard]] const std::string& title(const Scene& scene);
 
 /// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
 /// line of the file.
-[[nodiscard]] Scene indexed_scene_from_file(const std::filesystem::path& path);
+[[nodiscard]] Scene scene_from_file(const std::filesystem::path& path);
 
 /// The same for the text of such a file; the source's name is that of the file.
-[[nodiscard]] Scene indexed_scene_from_toml(const Source& file);
+[[nodiscard]] Scene scene_from_toml(const Source& file);
 
-/// The scene that the command line names, as find_scene() finds it, with other values for those of
-/// its parameters that `values` names.
-[[nodiscard]] Scene find_indexed_scene(const Given& name_or_file,
-                                       const std::vector<Parameter>& values = {});
+/// The H of `--hamiltonian`, as hamiltonian_from_text() reads it, with the values that it needs for
+/// its sizes. Throws InputError as that does.
+[[nodiscard]] Scene scene_from_hamiltonian(const std::shared_ptr<const Source>& expression,
+                                           const std::shared_ptr<const Source>& coordinates,
+                                           const std::shared_ptr<const Source>& momenta,
+                                           const std::vector<Parameter>& values);
+
+/// The scene that the command line names: one that comes with the program (`kepler`), else that of
+/// the file; with other values for those of its parameters that `values` names. Throws InputError,
+/// with what may have been meant, where there is neither.
+[[nodiscard]] Scene find_scene(const Given& name_or_file,
+                               const std::vector<Parameter>& values = {});
+
+/// The scenes that come with the program, by name.
+struct SceneEntry {
+    std::string_view name;
+    std::string description;
+    std::size_t degrees_of_freedom = 0;  ///< with the values that its parameters have in it
+};
+[[nodiscard]] std::vector<SceneEntry> scenes();
 
 /// How many coordinates it has, for the sizes that it names. Throws InputError where a bound of an
 /// index is no whole number, and where an index has no value.
 [[nodiscard]] std::size_t degrees_of_freedom(const Scene& scene);
 
+/// The index of the k-th value of a list: 1, 2, ..., or of a matrix 1,1, 1,2, ...
+[[nodiscard]] Index index_of_value(const ValueList& list, std::size_t k);
+
 /// Gives a parameter another value: `N`, or `m[2]` of a list. Whether there is such a parameter.
 [[nodiscard]] bool assign(Scene& scene, const Parameter& parameter);
 
-/// The scene with all sums written out, names with indices as so many names, definitions put in,
-/// and parameters that are made of others computed. What stands in an index or a range is a number:
-/// no parameter of the result. Throws InputError where a word has no meaning or stands where it may
-/// not, for more than most_degrees_of_freedom, and for more than 64 parameters or invariants.
-[[nodiscard]] WrittenOutScene unrolled(const Scene& scene);
+/// Throws InputError where a parameter of the method is called as a variable without an index.
+void check_together(const Method& method, const Scene& scene);
 
-/// What a scene of any size says besides its motion: names, parameters without an index, sizes, and
-/// what [run] asks for. Throws InputError as unrolled() does for these.
-[[nodiscard]] WrittenOutScene without_motion(Scene scene);
+/// Gives a value to a parameter of the scene, or of the method, or of both, where it is fixed in
+/// the scene. Throws InputError when it is a variable, and when neither has it.
+void set_parameter(Method& method, Scene& scene, Parameter parameter);
 
 }  // namespace hvi::gen

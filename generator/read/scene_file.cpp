@@ -17,6 +17,8 @@ namespace hvi::gen {
 
 namespace {
 
+constexpr std::size_t most_invariants = 64;
+
 using Entry = std::pair<const toml::key*, const toml::node*>;
 
 /// What a table has, as it stands in the file. NOTE: toml++ sorts by key.
@@ -389,6 +391,9 @@ void SceneReader::add_invariant(Scene& scene, const Entry& entry) const {
     const bool is_approximate = table != nullptr && (*table)["approximate"].value_or(false);
     const auto add = [&](const std::string& name, const toml::node& text) {
         NamedIndexed& invariant = scene.invariants.emplace_back(named(name, text));
+        if (scene.invariants.size() > most_invariants)
+            throw InputError(fmt::format("there are more than {} invariants", most_invariants),
+                             file_.place(key.source()));
         invariant.place_of_name = file_.place(key.source());
         if (is_approximate) scene.approximate.insert(name);
     };
@@ -497,10 +502,10 @@ Scene SceneReader::read() {
 
 }  // namespace
 
-Scene indexed_scene_from_toml(const Source& file) { return SceneReader(file).read(); }
+Scene scene_from_toml(const Source& file) { return SceneReader(file).read(); }
 
-Scene indexed_scene_from_file(const std::filesystem::path& path) {
-    return indexed_scene_from_toml(toml_source(path));
+Scene scene_from_file(const std::filesystem::path& path) {
+    return scene_from_toml(toml_source(path));
 }
 
 }  // namespace hvi::gen

@@ -88,7 +88,7 @@ NameSet structural_names(const Scene& scene) {
         insert_structural(invariant.expression.written, {}, names);
     }
     for (const IndexedField& field : scene.fields) { insert_structural(field.components, names); }
-    insert_structural(scene.initial, names);
+    if (scene.initial) { insert_structural(*scene.initial, names); }
     if (scene.exact) { insert_structural(*scene.exact, names); }
     return names;
 }

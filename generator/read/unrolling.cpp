@@ -93,6 +93,7 @@ UnrollDecision unroll_decision(const Scene& scene, const UnrollWish& wish) {
     if (!has_indices(scene.coordinates) && !has_indices(scene.rotations)) {
         return {true, "no variable has an index"};
     }
+    if (!scene.initial) { return {true, "no initial values are given"}; }
     switch (wish.choice) {
     case Unroll::yes: return {true, "--unroll yes"};
     case Unroll::no: return {false, "--unroll no"};
@@ -119,20 +120,6 @@ UnrollDecision unroll_decision(const Scene& scene, const UnrollWish& wish) {
 
 bool may_write_out(const Scene& scene, Unroll wish) {
     return wish == Unroll::automatic && degrees_of_freedom(scene) <= most_degrees_of_freedom;
-}
-
-WrittenOutScene written_out(const Scene& written, const Given& name_or_file,
-                            const std::string& why) {
-    const std::size_t degrees = degrees_of_freedom(written);
-    if (degrees > most_degrees_of_freedom) {
-        throw InputError(fmt::format("this scene has {} degrees of freedom, and sums of at most {} "
-                                     "are written out",
-                                     degrees, most_degrees_of_freedom),
-                         whole(name_or_file), why);
-    }
-    WrittenOutScene scene = unrolled(written);
-    scene.place = whole(name_or_file);
-    return scene;
 }
 
 }  // namespace hvi::gen

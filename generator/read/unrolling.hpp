@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <string>
 
-#include "generator/read/scene.hpp"
+#include "generator/read/no_loops.hpp"
+#include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
@@ -39,10 +40,23 @@ struct UnrollDecision {
 /// there are not more than most_degrees_of_freedom.
 [[nodiscard]] bool may_write_out(const Scene& scene, Unroll wish);
 
-/// The scene that the command line names, written out. Throws InputError as unrolled() does, and
-/// with `why` as help for more than most_degrees_of_freedom.
-[[nodiscard]] WrittenOutScene written_out(const Scene& written, const Given& name_or_file,
-                                          const std::string& why);
+/// Makes one of two results, as sums stay loops or are written out: `with_loops(decision)`, or
+/// `written_out(scene, decision)`. What loops turn out not to have is written out where nothing
+/// else was wished for. Throws InputError as unroll_decision() and unrolled() do.
+template <class WithLoops, class WrittenOut>
+auto by_unrolling(const Scene& scene, const UnrollWish& wish, WithLoops with_loops,
+                  WrittenOut written_out) {
+    UnrollDecision decision = unroll_decision(scene, wish);
+    if (!decision.writes_out) {
+        try {
+            return with_loops(decision);
+        } catch (const NoLoops& obstacle) {
+            if (!may_write_out(scene, wish.choice)) { throw; }
+            decision = {true, obstacle.what()};
+        }
+    }
+    return written_out(unrolled(scene, decision.why), decision);
+}
 
 /// How many additions, multiplications, divisions, powers and calls of functions the expression has
 /// with its sums written out; `most` where there are more. Throws InputError where a bound is no

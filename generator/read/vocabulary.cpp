@@ -13,17 +13,6 @@ namespace hvi::gen {
 
 namespace {
 
-/// 3 of `x[3]`, 1 and 2 of `u[1,2]`, or empty.
-Index index_of(const std::string& name) {
-    Index index;
-    std::size_t begin = name.find('[');
-    while (begin != std::string::npos) {
-        index.push_back(std::stol(name.substr(begin + 1)));
-        begin = name.find(',', begin + 1);
-    }
-    return index;
-}
-
 /// `3`, or `1,2`.
 std::string in_words(const Index& index) { return fmt::format("{}", fmt::join(index, ",")); }
 
@@ -41,6 +30,16 @@ std::string in_words(const std::vector<Index>& indices) {
 }
 
 }  // namespace
+
+Index index_of(const std::string& name) {
+    Index index;
+    std::size_t begin = name.find('[');
+    while (begin != std::string::npos) {
+        index.push_back(std::stol(name.substr(begin + 1)));
+        begin = name.find(',', begin + 1);
+    }
+    return index;
+}
 
 void Vocabulary::declare(const DeclaredName& declared, std::string_view subject) {
     const auto& [name, place] = declared;

@@ -16,6 +16,9 @@ namespace hvi::gen {
 /// The 1 and 2 of u[1,2].
 using Index = std::vector<long>;
 
+/// 3 of `x[3]`, 1 and 2 of `u[1,2]`, or empty.
+[[nodiscard]] Index index_of(const std::string& name);
+
 /// A name where it is declared.
 struct DeclaredName {
     std::string name;  ///< `x`, or with an index `x[3]`, `u[1,2]`
@@ -40,6 +43,9 @@ public:
     /// The indices of x[1], x[2], ... in ascending order; of x alone an empty one; none where
     /// `stem` names nothing.
     [[nodiscard]] std::vector<Index> indices(std::string_view stem) const;
+
+    /// Whether a stem names something.
+    [[nodiscard]] bool has(std::string_view stem) const { return entries_.count(stem) != 0; }
 
     /// Whether a stem has that subject.
     [[nodiscard]] bool is(std::string_view subject, std::string_view stem) const;

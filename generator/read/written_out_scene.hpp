@@ -1,10 +1,7 @@
-// Scenes: a Hamiltonian or a Lagrangian with its numbers, and what one wants to know of its motion.
+// Scenes without indices: their sums are written out.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,7 +10,7 @@
 
 #include "generator/read/hamiltonian.hpp"
 #include "generator/read/lagrangian.hpp"
-#include "generator/read/own_functions.hpp"
+#include "generator/read/scene.hpp"
 
 namespace hvi::gen {
 
@@ -25,13 +22,6 @@ struct NamedExpression {
     Place place;  ///< of its whole text
 };
 
-/// What [run] asks for, where it says so.
-struct RunWishes {
-    std::shared_ptr<const Source> method;  ///< of a named method or family: `gauss:4`; or null
-    std::optional<NamedExpression> step;   ///< of parameters, pi and e
-    std::optional<NamedExpression> until;  ///< the same
-};
-
 /// A vector field on the coordinates along which H or L is said not to change; those that are not
 /// named do not move.
 struct VectorField {
@@ -40,13 +30,12 @@ struct VectorField {
     Place place;                              ///< of the name
 };
 
-/// What a scene says, checked as far as words go: every symbol is a variable, a parameter with a
-/// value, pi, e, or, in H, L and [exact], the time t; names are free and differ. Its variables are
-/// coordinates, and momenta where it has a Hamiltonian, velocities where it has a Lagrangian.
+/// What a scene says of its motion, checked as far as words go: every symbol is a variable, a
+/// parameter, pi, e, or, in H, L and [exact], the time t; names are free and differ. Its variables
+/// are coordinates, and momenta where it has a Hamiltonian, velocities where it has a Lagrangian.
 struct WrittenOutScene {
-    std::string name;         ///< the key `name`, else that of the file without its ending
-    std::string description;  ///< the key `description`: one line; or empty
-    std::variant<Hamiltonian, Lagrangian> mechanics;  ///< no parameter of it has a value yet
+    std::string name, description;                    ///< as the scene has them
+    std::variant<Hamiltonian, Lagrangian> mechanics;  ///< with the values of fixed parameters
     std::vector<Parameter> parameters;                ///< all, in the order of the file
     OwnFunctions own;                                 ///< that H and invariants may call
     std::vector<NamedExpression> invariants;          ///< in the order of the file
@@ -54,9 +43,14 @@ struct WrittenOutScene {
     std::vector<VectorField> fields;       ///< of [symmetries], in the order of the file
     std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
     std::vector<NamedExpression> exact;    ///< the same, as functions of t; or empty
-    RunWishes run;
-    std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
 };
+
+/// The scene with all sums written out, names with indices as so many names, definitions put in,
+/// and parameters that are made of others computed. What stands in an index or a range is a number:
+/// no parameter of the result. Throws InputError where a word has no meaning or stands where it may
+/// not, for more than 64 parameters, and, with `why` it is written out, for more than
+/// most_degrees_of_freedom.
+[[nodiscard]] WrittenOutScene unrolled(const Scene& scene, const std::string& why = "");
 
 /// Its H or L.
 [[nodiscard]] const MechanicalFunction& function_of(const WrittenOutScene& scene);
@@ -65,47 +59,7 @@ struct WrittenOutScene {
 /// Coordinates, then momenta or velocities.
 [[nodiscard]] std::vector<std::string> variables(const WrittenOutScene& scene);
 
-/// `the Hamiltonian` or `the Lagrangian`.
-[[nodiscard]] std::string_view name_of_function(const WrittenOutScene& scene);
-
 /// H. Throws MathError, with the place of L, where the scene has a Lagrangian.
 [[nodiscard]] const Hamiltonian& hamiltonian_of(const WrittenOutScene& scene);
-
-/// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it, unrolled. Throws InputError
-/// with the line of the file.
-[[nodiscard]] WrittenOutScene scene_from_file(const std::filesystem::path& path);
-
-/// The same for the text of such a file; the source's name is that of the file.
-[[nodiscard]] WrittenOutScene scene_from_toml(const Source& file);
-
-/// The scene that the command line names: one that comes with the program (`kepler`), else that of
-/// the file; with other values for those of its parameters that `values` names. Throws InputError,
-/// with what may have been meant, where there is neither, and for more than
-/// most_degrees_of_freedom.
-[[nodiscard]] WrittenOutScene find_scene(const Given& name_or_file,
-                                         const std::vector<Parameter>& values = {});
-
-/// The scenes that come with the program, by name. NOTE: what is said of them is known without
-/// their sums being written out.
-struct SceneEntry {
-    std::string_view name;
-    std::string description;
-    std::size_t degrees_of_freedom = 0;  ///< with the values that its parameters have in it
-};
-[[nodiscard]] std::vector<SceneEntry> scenes();
-
-/// A number that may depend on the scene's parameters, as [run] has it: the value of `--step`.
-/// Throws InputError.
-[[nodiscard]] NamedExpression expression_of_parameters(const WrittenOutScene& scene,
-                                                       std::string name,
-                                                       std::shared_ptr<const Source> text);
-
-/// Throws InputError as check_together() of H does.
-void check_together(const Method& method, const WrittenOutScene& scene);
-
-/// Fixes the value of a parameter of the scene's H or L, initial values and the rest, or of the
-/// method's. Throws InputError as set_parameter() of a Hamiltonian does. NOTE: a size has had its
-/// value since find_scene().
-void set_parameter(Method& method, WrittenOutScene& scene, Parameter parameter);
 
 }  // namespace hvi::gen

@@ -2,8 +2,11 @@
 #include "generator/scene/step_count.hpp"
 
 #include <cmath>
+#include <initializer_list>
+#include <set>
 
 #include "generator/exact/expressions/evaluate.hpp"
+#include "generator/read/names.hpp"
 #include "generator/scene/start.hpp"
 
 namespace hvi::gen {
@@ -21,10 +24,16 @@ std::int64_t floor(const Number& number) {
     return is_above(nearest) ? nearest - 1 : is_above(nearest + 1) ? nearest : nearest + 1;
 }
 
-/// The ground with the values of the scene's parameters.
-Ground with_parameters(Ground ground, const WrittenOutScene& scene) {
-    for (const Parameter& parameter : scene.parameters)
+/// The ground with the values of parameters. NOTE: a list may be long, and its values are looked at
+/// where these expressions have them.
+Ground with_parameters(Ground ground, const SceneTimes& times,
+                       std::initializer_list<const NamedExpression*> expressions) {
+    std::set<std::string> names;
+    for (const NamedExpression* each : expressions) insert_parameters(each->expression, names);
+    for (const Parameter& parameter : times.parameters) {
+        if (is_indexed_name(parameter.name) && names.count(parameter.name) == 0) continue;
         ground.set_parameter(parameter.name, exact_value(parameter, ground));
+    }
     return ground;
 }
 
@@ -60,16 +69,16 @@ Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExp
 
 }  // namespace
 
-Steps steps_until(const WrittenOutScene& scene, const NamedExpression& step,
+Steps steps_until(const SceneTimes& times, const NamedExpression& step,
                   const NamedExpression& until) {
     return on_new_ground([&](const Ground& ground) {
-        return steps_on(with_parameters(ground, scene), step, until);
+        return steps_on(with_parameters(ground, times, {&step, &until}), step, until);
     });
 }
 
-double nearest_value(const WrittenOutScene& scene, const NamedExpression& what) {
+double nearest_value(const SceneTimes& times, const NamedExpression& what) {
     return on_new_ground([&](const Ground& ground) {
-        return nearest_time(value_of(what, with_parameters(ground, scene)), what.place);
+        return nearest_time(value_of(what, with_parameters(ground, times, {&what})), what.place);
     });
 }
 

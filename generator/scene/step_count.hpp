@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "generator/read/written_out_scene.hpp"
+#include "generator/read/scene_times.hpp"
 
 namespace hvi::gen {
 
@@ -16,14 +16,14 @@ struct Steps {
 };
 
 /// Decided exactly: 200 is 4000 steps of 1/20, although 200/0.05 in doubles is another number.
-/// `step` and `until` may depend on the scene's parameters, which have their values. Throws
+/// `step` and `until` may depend on these parameters, which have their values. Throws
 /// MathError with its place for a step of size zero, one that leads away from the end, one of which
 /// there would be more than 10^15, and times beyond the range of doubles; and as evaluate_number()
 /// does.
-[[nodiscard]] Steps steps_until(const WrittenOutScene& scene, const NamedExpression& step,
+[[nodiscard]] Steps steps_until(const SceneTimes& times, const NamedExpression& step,
                                 const NamedExpression& until);
 
-/// The double nearest to a time that may depend on the scene's parameters. Throws as steps_until().
-[[nodiscard]] double nearest_value(const WrittenOutScene& scene, const NamedExpression& what);
+/// The double nearest to a time that may depend on these parameters. Throws as steps_until().
+[[nodiscard]] double nearest_value(const SceneTimes& times, const NamedExpression& what);
 
 }  // namespace hvi::gen

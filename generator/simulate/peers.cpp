@@ -75,10 +75,12 @@ bool applies(const Peer& peer, const System& system) {
     return !peer.needs_separable || (system.structure.is_separable && !system.time);
 }
 
-SceneStepper stepper_for_peers(const WrittenOutScene& scene) {
+SceneStepper stepper_for_peers(const Scene& scene) {
     // NOTE: a method with equations to solve, so that Newton's method wants second derivatives.
     const auto name = std::make_shared<const Source>(Source{"--method", "gauss:2"});
-    return scene_stepper(named_method(name), scene, simulation_wishes(Solver::newton));
+    StepperWishes wishes = simulation_wishes(Solver::newton);
+    wishes.unroll = Unroll::yes;
+    return scene_stepper(named_method(name), scene, wishes);
 }
 
 Measurement measure_peer(const std::filesystem::path& program, const Peer& peer, const PeerRun& run,

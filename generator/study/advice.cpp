@@ -332,19 +332,18 @@ private:
     Bar bar_;
 };
 
-}  // namespace
-
-Advice advice(Builds& builds, const WrittenOutScene& scene, const AdviceWishes& wishes) {
-    const System system = system_of(scene);
+Advice advice_written_out(Builds& builds, const Scene& scene, const WrittenOutScene& written,
+                          const AdviceWishes& wishes) {
+    const System system = system_of(written);
     Adviser adviser(scene.name, system.structure, wishes);
     const Build quadruple =
-        wishes.accuracy < coarsest_of_quadruple ? reference_build(builds, scene) : Build();
+        wishes.accuracy < coarsest_of_quadruple ? reference_build(builds, scene, written) : Build();
     adviser.compile([&](const Candidate& candidate) {
-        return contender(builds, candidate.method, scene, candidate.solver);
+        return contender(builds, candidate.method, scene, Unroll::yes, candidate.solver);
     });
     const Deadline deadline(wishes.seconds);
     const FoundReference found =
-        good_reference(quadruple, adviser.contenders().back(), scene, wishes);
+        good_reference(quadruple, adviser.contenders().back(), written, wishes);
     if (!(found.reference.error <= part_of_accuracy * wishes.accuracy))
         return std::move(adviser).with(found);
     const Course course{
@@ -355,12 +354,13 @@ Advice advice(Builds& builds, const WrittenOutScene& scene, const AdviceWishes& 
     return std::move(adviser).with_race(course, wishes.accuracy, measures, deadline);
 }
 
-Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
+/// Beside a reference in long double, or its exact one.
+Advice advice_with_loops(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     const System system = loop_system(scene);
     Adviser adviser(scene.name, system.structure, wishes);
     const LargeReference large(builds, scene, wishes.until);
     adviser.compile([&](const Candidate& candidate) {
-        return contender(builds, candidate.method, scene, candidate.solver);
+        return contender(builds, candidate.method, scene, Unroll::no, candidate.solver);
     });
     large.wait();
     const Deadline deadline(wishes.seconds);
@@ -375,6 +375,17 @@ Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     for (const Contender& contender : adviser.contenders())
         measures.push_back(large.measured(contender.build));
     return std::move(adviser).with_race(course, wishes.accuracy, measures, deadline);
+}
+
+}  // namespace
+
+Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
+    return by_unrolling(
+        scene, wishes.sums,
+        [&](const UnrollDecision&) { return advice_with_loops(builds, scene, wishes); },
+        [&](const WrittenOutScene& written, const UnrollDecision&) {
+            return advice_written_out(builds, scene, written, wishes);
+        });
 }
 
 }  // namespace hvi::gen

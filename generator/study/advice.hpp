@@ -29,6 +29,7 @@ struct AdviceWishes {
     std::int64_t first_count = 1;  ///< steps to begin with
     bool has_curve = false;        ///< steps are to have a curve, as those of compositions have not
     double seconds = 60;           ///< for which runs are made; programs are compiled before
+    UnrollWish sums = {};
 };
 
 struct Advice {
@@ -45,10 +46,6 @@ struct Advice {
 /// terminal. No run is begun that would end after the time that there is, as far as those before it
 /// tell. Throws MathError where none gets there with any steps, or nothing is known so well as to
 /// tell; and what scene_stepper(), a Build and ask() do.
-[[nodiscard]] Advice advice(Builds& builds, const WrittenOutScene& scene,
-                            const AdviceWishes& wishes);
-
-/// Advises for a scene whose sums stay loops, beside a reference in long double, or its exact one.
 [[nodiscard]] Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes);
 
 }  // namespace hvi::gen

@@ -39,23 +39,15 @@ bool has_exact_states(const WrittenOutScene& scene) {
     return !scene.exact.empty() && std::holds_alternative<Hamiltonian>(scene.mechanics);
 }
 
-Contender contender(Builds& builds, const StudiedMethod& method, const WrittenOutScene& scene,
+Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene, Unroll unroll,
                     Solver solver) {
-    const SceneStepper stepper =
-        scene_stepper(method.method, scene, simulation_wishes(solver, method.composition));
+    StepperWishes wishes = simulation_wishes(solver, method.composition);
+    wishes.unroll = unroll;
+    const SceneStepper stepper = scene_stepper(method.method, scene, wishes);
     check_simulation(stepper);
     const std::optional<StageCorrections>& corrections = stepper.step.corrections;
     return {stepper.method.title(), method.order, builds.order(simulation_program(stepper)),
             corrections ? std::optional(corrections->costs) : std::nullopt};
-}
-
-Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
-                    Solver solver) {
-    // NOTE: programs of vectors are measured against a reference of vectors.
-    StepperWishes wishes = simulation_wishes(solver, method.composition);
-    wishes.unroll = Unroll::no;
-    const SceneStepper stepper = scene_stepper(method.method, scene, wishes);
-    return {stepper.method.title(), method.order, builds.order(simulation_program(stepper))};
 }
 
 MeasureSteps measured(const Contender& contender, double until) {
@@ -64,11 +56,12 @@ MeasureSteps measured(const Contender& contender, double until) {
     };
 }
 
-Build reference_build(Builds& builds, const WrittenOutScene& scene) {
-    if (has_exact_states(scene)) return {};
+Build reference_build(Builds& builds, const Scene& scene, const WrittenOutScene& written) {
+    if (has_exact_states(written)) return {};
     const auto name = std::make_shared<const Source>(Source{"--method", reference_method});
-    return builds.order(reference_program(scene_stepper(
-        named_method(name), scene, {.solver = Solver::fixed_point, .float128 = true})));
+    return builds.order(reference_program(
+        scene_stepper(named_method(name), scene,
+                      {.solver = Solver::fixed_point, .unroll = Unroll::yes, .float128 = true})));
 }
 
 Reference reference(const Build& build, const WrittenOutScene& scene, double until,

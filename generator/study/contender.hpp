@@ -9,7 +9,6 @@
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/step.hpp"
 #include "generator/program/builds.hpp"
-#include "generator/read/scene.hpp"
 #include "generator/read/written_out_scene.hpp"
 #include "generator/study/work.hpp"
 
@@ -31,14 +30,10 @@ struct Contender {
     std::optional<SolverCosts> costs = {};  ///< of the ways to solve for its stages
 };
 
+/// Takes sums as they are in the reference that it is measured against: written out, or as loops.
 /// Throws what scene_stepper() does.
-[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method,
-                                  const WrittenOutScene& scene, Solver solver);
-
-/// Makes a contender of a method on a scene whose sums stay loops; NoLoops where these do not have
-/// its step.
 [[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
-                                  Solver solver);
+                                  Unroll unroll, Solver solver);
 
 /// Measures its runs, until the time of the course.
 [[nodiscard]] MeasureSteps measured(const Contender& contender, double until);
@@ -48,7 +43,8 @@ struct Contender {
 [[nodiscard]] bool has_exact_states(const WrittenOutScene& scene);
 
 /// The program of a reference solution, where the scene has none that is exact.
-[[nodiscard]] Build reference_build(Builds& builds, const WrittenOutScene& scene);
+[[nodiscard]] Build reference_build(Builds& builds, const Scene& scene,
+                                    const WrittenOutScene& written);
 
 /// The scene's exact solution at its end, or one by that program, with steps halved until the end
 /// moves by no more than `wanted`, or for so many seconds. `count` are the scene's own steps.

@@ -26,7 +26,7 @@ constexpr const char* implicit_method = "gauss:6";
 /// Whether each variable has a solution.
 void check_complete(const Scene& scene) {
     const std::vector<IndexedValue>& solutions = scene.exact->values;
-    for (const IndexedValue& value : scene.initial.values) {
+    for (const IndexedValue& value : scene.initial->values) {
         const auto has_name = [&](const IndexedValue& each) { return each.name == value.name; };
         if (std::any_of(solutions.begin(), solutions.end(), has_name)) continue;
         throw InputError(fmt::format("an exact solution is missing: that of `{}`", value.name),
@@ -41,9 +41,9 @@ Scene exact_at(Scene scene, double until) {
         solution.written = replaced(solution.written, time);
     };
     check_complete(scene);
-    scene.initial = *scene.exact;
+    scene.initial = scene.exact;
     for (Definition& definition : scene.definitions) put_in(definition.value);
-    for (IndexedValue& value : scene.initial.values) {
+    for (IndexedValue& value : scene.initial->values) {
         if (auto* one = std::get_if<IndexedExpression>(&value.value)) put_in(*one);
         if (auto* rule = std::get_if<ValueRule>(&value.value)) put_in(rule->value);
         if (auto* list = std::get_if<ValueList>(&value.value))

@@ -39,10 +39,11 @@ struct Programs {
     }
 };
 
-Programs programs(Builds& builds, const WrittenOutScene& scene, const StudyWishes& wishes) {
-    Programs all{reference_build(builds, scene), {}, {}, {}};
+Programs programs(Builds& builds, const Scene& scene, const WrittenOutScene& written,
+                  const StudyWishes& wishes) {
+    Programs all{reference_build(builds, scene, written), {}, {}, {}};
     for (const StudiedMethod& method : wishes.methods)
-        all.contenders.push_back(contender(builds, method, scene, Solver::automatic));
+        all.contenders.push_back(contender(builds, method, scene, Unroll::yes, Solver::automatic));
     if (!wishes.libraries.empty()) all.for_peers = stepper_for_peers(scene);
     for (const PeerLibrary& library : wishes.libraries)
         all.teams.push_back(
@@ -59,7 +60,7 @@ struct LargePrograms {
                   const std::vector<StudiedMethod>& methods)
         : reference(builds, scene, until) {
         for (const StudiedMethod& method : methods)
-            contenders.push_back(contender(builds, method, scene, Solver::automatic));
+            contenders.push_back(contender(builds, method, scene, Unroll::no, Solver::automatic));
     }
 
     void wait() const {
@@ -135,15 +136,14 @@ private:
 
 constexpr std::size_t other_parts = 3 + more_rounds;  // than runs of one method, or library
 
-}  // namespace
-
-void study(Builds& builds, const WrittenOutScene& scene, double until, std::int64_t first_count,
-           const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
+void study_written_out(Builds& builds, const Scene& scene, const WrittenOutScene& written,
+                       double until, std::int64_t first_count, const StudyWishes& wishes,
+                       SceneReport& report, TimeSpent& time_spent) {
     report = {scene.name, scene.description, until, {}, {}};
     Study study(report, time_spent, wishes.methods.size() + wishes.libraries.size() + other_parts);
     const Programs all = [&] {
         const auto part = study.begin("deriving and writing steppers");
-        return programs(builds, scene, wishes);
+        return programs(builds, scene, written, wishes);
     }();
     {
         const auto part = study.begin("compiling");
@@ -151,18 +151,18 @@ void study(Builds& builds, const WrittenOutScene& scene, double until, std::int6
     }
     {
         const auto part = study.begin("reference");
-        report.reference = reference(all.reference, scene, until, first_count, 1e-18);
+        report.reference = reference(all.reference, written, until, first_count, 1e-18);
     }
     const Course course{report.reference, until, first_count, wishes.steps,
-                        !depends_on_time(function_of(scene).expression)};
+                        !depends_on_time(function_of(written).expression)};
     for (const Contender& contender : all.contenders)
         study.run(contender, course, measured(contender, until));
     for (const Team& team : all.teams) study.run(team, *all.for_peers, course);
     study.run_again();
 }
 
-void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
-           const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
+void study_with_loops(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
+                      const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
     report = {scene.name, scene.description, until, {}, {}};
     Study study(report, time_spent, wishes.methods.size() + other_parts);
     const auto all = [&] {
@@ -184,6 +184,21 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
         study.run(contender, course, all->reference.measured(contender.build));
     }
     study.run_again();
+}
+
+}  // namespace
+
+void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
+           const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
+    by_unrolling(
+        scene, wishes.sums,
+        [&](const UnrollDecision&) {
+            study_with_loops(builds, scene, until, first_count, wishes, report, time_spent);
+        },
+        [&](const WrittenOutScene& written, const UnrollDecision&) {
+            study_written_out(builds, scene, written, until, first_count, wishes, report,
+                              time_spent);
+        });
 }
 
 }  // namespace hvi::gen

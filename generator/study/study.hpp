@@ -22,16 +22,13 @@ struct StudyWishes {
     std::vector<double> steps;  ///< sizes, of which none is 0; empty: chosen for each method so
                                 ///< that errors go from 1e-2 to round-off
     std::vector<PeerLibrary> libraries = {};  ///< whose integrators are measured too
+    UnrollWish sums = {};
 };
 
 /// Compiles and runs all of it, and says on standard error what it is at, where that is a terminal.
 /// `until` is the time at the end. It adds to `report` as it goes, so that what there is can be
-/// kept where it throws, as scene_stepper(), a Build and ask() do.
-void study(Builds& builds, const WrittenOutScene& scene, double until, std::int64_t first_count,
-           const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent);
-
-/// The same of a scene of any size, by steppers with loops. Without libraries: wishes.libraries is
-/// not looked at. Throws as scene_stepper(), a Build and ask() do.
+/// kept where it throws, as scene_stepper(), a Build and ask() do. Libraries are measured where
+/// sums are written out.
 void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent);
 

@@ -493,6 +493,6 @@ private:
 
 }  // namespace
 
-SceneSymmetries find_symmetries(const Scene& scene) { return FamilyScene(scene).found(); }
+SceneSymmetries symmetries_of_families(const Scene& scene) { return FamilyScene(scene).found(); }
 
 }  // namespace hvi::gen

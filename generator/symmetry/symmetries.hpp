@@ -9,7 +9,7 @@
 #include "generator/expr/side.hpp"
 #include "generator/hamiltonian/affine_symmetries.hpp"
 #include "generator/hamiltonian/conserved.hpp"
-#include "generator/read/written_out_scene.hpp"
+#include "generator/read/unrolling.hpp"
 
 namespace hvi::gen {
 
@@ -54,9 +54,8 @@ struct SceneSymmetries {
 /// Degrees of freedom of a scene without loops whose symmetries are looked for.
 constexpr std::size_t most_degrees_of_symmetries = 64;
 
-/// By exact algebra, for the values that the scene's parameters have. Throws as affine_symmetries()
-/// does, and for more degrees of freedom than are looked at; and InputError where the scene calls
-/// functions of the user's own, of which nothing is known.
-[[nodiscard]] SceneSymmetries find_symmetries(const WrittenOutScene& scene);
+/// By exact algebra, for the values that the scene's parameters have; of families as wholes where
+/// sums stay loops. Throws as symmetries_of() and symmetries_of_families() do.
+[[nodiscard]] SceneSymmetries find_symmetries(const Scene& scene, const UnrollWish& wish = {});
 
 }  // namespace hvi::gen

@@ -5,9 +5,12 @@
 #include <utility>
 #include <variant>
 
+#include "generator/read/names.hpp"
+#include "generator/read/vocabulary.hpp"
 #include "generator/support/warning.hpp"
 #include "generator/support/work.hpp"
 #include "generator/symmetry/families.hpp"
+#include "generator/symmetry/written_out.hpp"
 
 namespace hvi::gen {
 
@@ -39,34 +42,56 @@ bool is_invariant(const WrittenOutScene& scene, const Expression& map) {
         });
 }
 
-bool has_name(const WrittenOutScene& scene, const std::string& name) {
+bool has_name(const Scene& scene, const std::string& name) {
     const auto is_it = [&](const auto& named) { return named.name == name; };
-    const std::vector<std::string> names = variables(scene);
+    const auto has_variable = [&](const NameTexts& texts) {
+        return std::any_of(texts.texts.begin(), texts.texts.end(), [&](const auto& text) {
+            return std::any_of(text.names.begin(), text.names.end(),
+                               [&](const Name& each) { return each.stem == name; });
+        });
+    };
     return std::any_of(scene.invariants.begin(), scene.invariants.end(), is_it) ||
            std::any_of(scene.parameters.begin(), scene.parameters.end(), is_it) ||
-           std::find(names.begin(), names.end(), name) != names.end();
+           std::any_of(scene.definitions.begin(), scene.definitions.end(), is_it) ||
+           has_variable(scene.coordinates) || has_variable(scene.conjugates);
 }
 
-void add_momentum_maps(WrittenOutScene& scene, SceneSymmetries& found) {
+/// The expression with elements for symbols with an index: x[3].
+Expression with_elements(const Expression& expression) {
+    if (expression.kind == Expression::Kind::symbol && is_indexed_name(expression.name)) {
+        std::vector<Expression> indices;
+        for (const long index : index_of(expression.name))
+            indices.push_back(Expression::integer(index));
+        return Expression::element(std::string(without_index(expression.name)), std::move(indices));
+    }
+    Expression result = expression;
+    for (Expression& argument : result.arguments) argument = with_elements(argument);
+    return result;
+}
+
+void add(Scene& scene, const ConservedQuantity& quantity) {
+    const auto source =
+        std::make_shared<const Source>(Source{quantity.name, to_text(quantity.expression)});
+    const Place place = whole(source);
+    scene.invariants.push_back(
+        {quantity.name, {with_elements(quantity.expression), source}, place, place});
+}
+
+/// Adds what is said by nothing else, with names of their own.
+void add_momentum_maps(Scene& scene, SceneSymmetries& found) {
     std::size_t added = 0;
-    for (std::size_t i = 0; i < found.momentum_maps.size() && added < most_added; ++i) {
-        ConservedQuantity& map = found.momentum_maps[i];
-        map.is_said = is_momentum(found, i) || is_invariant(scene, map.expression);
-        if (map.is_said) continue;
+    for (ConservedQuantity& map : found.momentum_maps) {
+        if (map.is_said || added == most_added) continue;
         map.name = "momentum_map_" + std::to_string(++added);
         while (has_name(scene, map.name)) map.name += "_";
-        const auto source =
-            std::make_shared<const Source>(Source{map.name, to_text(map.expression)});
-        scene.invariants.push_back({map.name, map.expression, whole(source)});
+        add(scene, map);
     }
 }
 
-void add_fields(WrittenOutScene& scene, const SceneSymmetries& found) {
-    for (const ConservedQuantity& field : found.fields) {
-        const auto source =
-            std::make_shared<const Source>(Source{field.name, to_text(field.expression)});
-        scene.invariants.push_back({field.name, field.expression, whole(source)});
-    }
+/// NOTE: a field and an invariant of one name would be one thing said twice.
+void add_fields(Scene& scene, const SceneSymmetries& found) {
+    for (const ConservedQuantity& field : found.fields) add(scene, field);
+    scene.fields.clear();
 }
 
 void warn_of(const ConservedQuantity& invariant) {
@@ -88,78 +113,64 @@ auto within_a_second(Find find) -> std::optional<decltype(find())> {
     } catch (const WorkLimitReached&) { return {}; }
 }
 
-/// What both kinds of scenes have: a search that may be refused, or take too long. `add` gives what
-/// the scene's invariants are with what is found.
-template <class AnyScene, class Add>
-void look(AnyScene& scene, Watched& result, Add add) {
-    const auto search = [&] {
-        result.found = find_symmetries(scene);
-        return add();
-    };
+/// Looks for symmetries by `find`, which may be refused, or take too long.
+template <class Find>
+Watched look(Scene& scene, Find find) {
+    Watched result;
     try {
-        if (auto invariants = within_a_second(search)) {
-            for (const ConservedQuantity& invariant : result.found->invariants) warn_of(invariant);
-            for (const ConservedQuantity& field : result.found->fields) warn_of(field);
-            scene.invariants = *std::move(invariants);
-        } else {
-            result.found.reset();
-            result.left_out = symmetry_work_is_spent;
-        }
+        result.found = within_a_second(find);
+    } catch (const NoLoops&) {
+        throw;
     } catch (const InputError&) {  // of functions of the user's own nothing is known
-    } catch (const MathError&) {}
-    if (!result.found || !result.found->depends_on_time) result.names.emplace_back("energy");
-    for (const auto& invariant : scene.invariants) result.names.push_back(invariant.name);
+        return result;
+    } catch (const MathError&) { return result; }
+    if (!result.found) {
+        result.left_out = symmetry_work_is_spent;
+        return result;
+    }
+    for (const ConservedQuantity& invariant : result.found->invariants) warn_of(invariant);
+    for (const ConservedQuantity& field : result.found->fields) warn_of(field);
+    add_fields(scene, *result.found);
+    add_momentum_maps(scene, *result.found);
+    return result;
+}
+
+Watched left_out(const char* why) { return {{}, why, {}}; }
+
+Watched watch_written_out(Scene& scene, const WrittenOutScene& written) {
+    const std::size_t degrees = function_of(written).degrees_of_freedom();
+    if (degrees > most_searched) return left_out("there are more than 24 degrees of freedom");
+    const std::size_t turns = function_of(written).rotations.size();
+    if (turns > 0 && degrees > 3 * turns + most_beside_rotations)
+        return left_out("of several bodies it takes seconds");
+    return look(scene, [&] {
+        SceneSymmetries found = symmetries_of(written);
+        for (std::size_t i = 0; i < found.momentum_maps.size(); ++i) {
+            ConservedQuantity& map = found.momentum_maps[i];
+            map.is_said = is_momentum(found, i) || is_invariant(written, map.expression);
+        }
+        return found;
+    });
 }
 
 }  // namespace
 
-std::optional<SceneSymmetries> symmetries_within_a_second(const WrittenOutScene& scene) {
-    return within_a_second([&] { return find_symmetries(scene); });
+std::optional<SceneSymmetries> symmetries_within_a_second(const Scene& scene,
+                                                          const UnrollWish& wish) {
+    return within_a_second([&] { return find_symmetries(scene, wish); });
 }
 
-std::optional<SceneSymmetries> symmetries_within_a_second(const Scene& scene) {
-    return within_a_second([&] { return find_symmetries(scene); });
-}
-
-Watched watch(WrittenOutScene& scene) {
-    Watched result;
-    if (function_of(scene).degrees_of_freedom() > most_searched) {
-        result.left_out = "there are more than 24 degrees of freedom";
-        return result;
-    }
-    const std::size_t turns = function_of(scene).rotations.size();
-    if (turns > 0 && function_of(scene).degrees_of_freedom() > 3 * turns + most_beside_rotations) {
-        result.left_out = "of several bodies it takes seconds";
-        return result;
-    }
-    look(scene, result, [&] {
-        WrittenOutScene with_more = scene;
-        add_fields(with_more, *result.found);
-        add_momentum_maps(with_more, *result.found);
-        return with_more.invariants;
-    });
-    return result;
-}
-
-Watched watch(Scene& scene) {
-    Watched result;
-    look(scene, result, [&] {
-        auto invariants = scene.invariants;
-        std::size_t added = 0;
-        for (ConservedQuantity& map : result.found->momentum_maps) {
-            if (map.is_said || added == most_added) continue;
-            map.name = "momentum_map_" + std::to_string(++added);
-            const auto is_it = [&](const auto& named) { return named.name == map.name; };
-            while (std::any_of(invariants.begin(), invariants.end(), is_it) ||
-                   std::any_of(scene.parameters.begin(), scene.parameters.end(), is_it))
-                map.name += "_";
-            const auto source =
-                std::make_shared<const Source>(Source{map.name, to_text(map.expression)});
-            invariants.push_back(
-                {map.name, {map.expression, source}, whole(source), whole(source)});
-        }
-        return invariants;
-    });
+Watched watch(Scene& scene, const UnrollWish& wish) {
+    Watched result = by_unrolling(
+        scene, wish,
+        [&](const UnrollDecision&) {
+            return look(scene, [&] { return symmetries_of_families(scene); });
+        },
+        [&](const WrittenOutScene& written, const UnrollDecision&) {
+            return watch_written_out(scene, written);
+        });
+    if (!result.found || !result.found->depends_on_time) result.names.emplace_back("energy");
+    for (const NamedIndexed& invariant : scene.invariants) result.names.push_back(invariant.name);
     return result;
 }
 

@@ -6,16 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "generator/read/scene.hpp"
 #include "generator/symmetry/statements.hpp"
 
 namespace hvi::gen {
 
 /// What find_symmetries() finds with the work that a run has for it, which takes about a second.
 /// Empty where that is not enough: `symmetry_work_is_spent` says so. Throws as it does.
-[[nodiscard]] std::optional<SceneSymmetries>
-symmetries_within_a_second(const WrittenOutScene& scene);
-[[nodiscard]] std::optional<SceneSymmetries> symmetries_within_a_second(const Scene& scene);
+[[nodiscard]] std::optional<SceneSymmetries> symmetries_within_a_second(const Scene& scene,
+                                                                        const UnrollWish& wish);
 constexpr const char* symmetry_work_is_spent = "the search was given up after about a second";
 
 /// What is watched in runs of a scene.
@@ -33,9 +31,6 @@ struct Watched {
 /// one of these or of a single momentum, and at most 16; and those of [symmetries]. Nothing is
 /// looked for where that would take long, or is seen to. Warns of an invariant that is not
 /// conserved.
-[[nodiscard]] Watched watch(WrittenOutScene& scene);
-
-/// The same of a scene of any size: what is one sum.
-[[nodiscard]] Watched watch(Scene& scene);
+[[nodiscard]] Watched watch(Scene& scene, const UnrollWish& wish);
 
 }  // namespace hvi::gen

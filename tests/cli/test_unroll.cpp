@@ -118,11 +118,12 @@ TEST_CASE("factors of sparse matrices are not computed in __float128") {
     CHECK(hvi_gen(words, directory.path()).status == 0);
 }
 
-TEST_CASE("a report keeps loops, and refuses a method that these do not have") {
+TEST_CASE("a report of loops refuses a method that these do not have") {
     const Directory directory;
     write(directory / "pairs.toml", pairs(" + sum(i=1..N, p[i]^4)"));
     const Outcome refused =
-        hvi_gen({"report", "pairs.toml", "--basis", "1, tau", "--nodes", "gauss:3", "-o", "out"},
+        hvi_gen({"report", "pairs.toml", "--basis", "1, tau", "--nodes", "gauss:3", "--unroll",
+                 "no", "-o", "out"},
                 directory.path());
     INFO(refused.err);
     CHECK(refused.status == 2);

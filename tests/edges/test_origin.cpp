@@ -11,9 +11,9 @@ using namespace hvi::gen;
 
 namespace {
 
-WrittenOutScene embedded_scene(const std::string& name) { return find_scene(given("SCENE", name)); }
+Scene embedded_scene(const std::string& name) { return find_scene(given("SCENE", name)); }
 
-WrittenOutScene of_one_spring(const std::string& hamiltonian) {
+Scene of_one_spring(const std::string& hamiltonian) {
     return scene_from_toml(
         {"scene.toml", "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
                        "parameters = {a = 2}\ninitial = {q = 1, p = 0}\nhamiltonian = \"" +

@@ -150,14 +150,14 @@ void carry_out(StepperOptions options) {
 /// Up to where the compiler starts.
 void carry_out(const RunOptions& options) {
     if (options.accuracy) return;
-    const auto [method, scene, sums] = read_scene(options.method, options.system);
-    static_cast<void>(steps_until(scene, wish(scene, options.step, scene.run.step, "step"),
-                                  wish(scene, options.until, scene.run.until, "until")));
+    MethodAndScene both = read_scene(options.method, options.system);
+    const SceneTimes times = times_of(both.scene);
+    static_cast<void>(steps_until(times, wish(times, options.step, times.step, "step"),
+                                  wish(times, options.until, times.until, "until")));
     const StepperWishes wishes =
         simulation_wishes(options.wishes.solver, options.wishes.composition);
-    WrittenOutScene watched_scene = scene;
-    const Watched watched = watch(watched_scene);
-    const SceneStepper stepper = scene_stepper(method, watched_scene, wishes);
+    const Watched watched = watch(both.scene, options.system.sums);
+    const SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
     static_cast<void>(watched.statements(keeping_facts(stepper.method.base)));
     check_simulation(stepper);
     check_header(stepper.header);

@@ -150,7 +150,7 @@ void check_indices(const IndexedExpression& expression) {
 
 void scene(std::string_view bytes) {
     attempt_to_read([&] {
-        const Scene written = indexed_scene_from_toml({"fuzz.toml", std::string(bytes)});
+        const Scene written = scene_from_toml({"fuzz.toml", std::string(bytes)});
         check_indices(written.function);
         for (const Definition& definition : written.definitions) check_indices(definition.value);
         check_scene(unrolled(written));

@@ -28,8 +28,9 @@ const Real pi = std::acos(Real(-1));
 class SmallScene {
 public:
     SmallScene(const std::string& name, std::size_t size)
-        : scene_(find_scene(source(name, "SCENE"),
-                            {parse_parameter(source("N=" + std::to_string(size), "--param"))})) {
+        : scene_(unrolled(
+              find_scene(source(name, "SCENE"),
+                         {parse_parameter(source("N=" + std::to_string(size), "--param"))}))) {
         for (const Parameter& parameter : scene_.parameters) {
             point_[parameter.name] = evaluate(parameter.value, {});
         }
@@ -267,7 +268,7 @@ TEST_CASE("Plummer's sphere is in equilibrium") {
     const auto initial = [] {
         for (const EmbeddedFile& file : embedded_scenes()) {
             if (file.name == "plummer.toml") {
-                return indexed_scene_from_toml({"plummer.toml", std::string(file.text)});
+                return scene_from_toml({"plummer.toml", std::string(file.text)});
             }
         }
         throw std::runtime_error("no such scene");
@@ -276,7 +277,7 @@ TEST_CASE("Plummer's sphere is in equilibrium") {
     for (const Definition& definition : initial.definitions) { definitions.add(definition); }
     std::array<Vector, 6> all;  // x, y, z, and momenta
     for (std::size_t k = 0; k < 6; ++k) {
-        const auto& rule = std::get<ValueRule>(initial.initial.values.at(k).value);
+        const auto& rule = std::get<ValueRule>(initial.initial->values.at(k).value);
         const IndexedExpression whole = definitions.put_in(rule.value);
         for (long i = 1; i <= n; ++i) {
             const Expression value = unrolled(whole, {{"i", i}, {"N", n}});

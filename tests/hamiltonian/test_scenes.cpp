@@ -12,7 +12,9 @@ using namespace hvi::gen;
 
 namespace {
 
-WrittenOutScene scene(const std::string& name) { return find_scene(source(name, "SCENE")); }
+WrittenOutScene scene(const std::string& name) {
+    return unrolled(find_scene(source(name, "SCENE")));
+}
 
 /// The values of the parameters, and a time.
 Point given(const WrittenOutScene& scene, Real time) {

@@ -13,7 +13,9 @@ using namespace hvi::gen;
 
 namespace {
 
-System scene(const char* text) { return system_of(scene_from_toml(Source{"swing.toml", text})); }
+System scene(const char* text) {
+    return system_of(unrolled(scene_from_toml(Source{"swing.toml", text})));
+}
 
 constexpr const char* swing = R"toml(
 hamiltonian = "p^2/2 - w^2*cos(q)"
@@ -77,7 +79,7 @@ k = ["1/4", 2]
 "q[i]" = "i"
 "p[i]" = 0
 )toml";
-    return loop_system(indexed_scene_from_toml(Source{"chain.toml", text}));
+    return loop_system(scene_from_toml(Source{"chain.toml", text}));
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ TEST_CASE("what H does not depend on") {
 
 TEST_CASE("of an L there are second derivatives, and no parts are looked for") {
     // L = v^2/2 + w^2/2 - x^2/2: d2L/dv2 = 1, d2L/dx2 = -1, and p_w is constant.
-    const System system = system_of(scene_from_toml(Source{"l.toml", R"toml(
+    const System system = system_of(unrolled(scene_from_toml(Source{"l.toml", R"toml(
 lagrangian = "v^2/2+w^2/2-x^2/2"
 coordinates = ["x", "y"]
 velocities = ["v", "w"]
@@ -161,7 +161,7 @@ x = 1
 y = 0
 v = 0
 w = 1
-)toml"}));
+)toml"})));
     CHECK_FALSE(system.structure.is_separable);
     CHECK_FALSE(system.structure.has_linear_map);
     CHECK(system.structure.direction.empty());

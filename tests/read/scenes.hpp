@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/read/scene_times.hpp"
 #include "generator/read/written_out_scene.hpp"
 #include "tests/read/refusal.hpp"
 
@@ -53,10 +54,17 @@ inline std::string edited(std::string text, const std::string& part, const std::
     return text.replace(at, part.size(), other);
 }
 
-inline WrittenOutScene read(const std::string& text) { return scene_from_toml({"s.toml", text}); }
+inline Scene written(const std::string& text) { return scene_from_toml({"s.toml", text}); }
+
+inline WrittenOutScene read(const std::string& text) { return unrolled(written(text)); }
 
 inline Refusal refused(const std::string& text) {
-    return refusal([&] { return read(text); });
+    return refusal([&] {
+        const Scene scene = written(text);
+        WrittenOutScene result = unrolled(scene);
+        static_cast<void>(times_of(scene));
+        return result;
+    });
 }
 
 inline Refusal refused(const std::string& text, const std::string& part, const std::string& other) {
@@ -78,7 +86,7 @@ inline Names lines(const std::vector<NamedExpression>& values) {
 }
 
 inline WrittenOutScene embedded(const std::string& name) {
-    return find_scene(source(name, "SCENE"));
+    return unrolled(find_scene(source(name, "SCENE")));
 }
 
 }  // namespace hvi::gen

@@ -13,8 +13,8 @@ namespace hvi::gen {
 inline WrittenOutScene small_scene(const SceneEntry& entry) {
     constexpr std::size_t few = 64;
     const Given name = source(std::string(entry.name), "SCENE");
-    if (entry.degrees_of_freedom <= few) { return find_scene(name); }
-    return find_scene(name, {parse_parameter(source("N=4", "--param"))});
+    if (entry.degrees_of_freedom <= few) { return unrolled(find_scene(name)); }
+    return unrolled(find_scene(name, {parse_parameter(source("N=4", "--param"))}));
 }
 
 }  // namespace hvi::gen

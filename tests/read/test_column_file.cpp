@@ -29,7 +29,7 @@ public:
                         "hamiltonian = \"sum(i=1..2, j=1..2, p[i,j]^2/2 + k*x[i,j])\"\n"
                         "[parameters]\nk = 1\n[initial]\n\"p[i,j]\" = 0\nx = " +
                             values + "\n");
-        return indexed_scene_from_file(scratch_.path / "s.toml");
+        return scene_from_file(scratch_.path / "s.toml");
     }
 
     [[nodiscard]] Names lines(const std::string& values) const {
@@ -148,7 +148,7 @@ namespace {
 
 /// What a file of values in [initial] is read as.
 IndexedValue value_in(const Files& files, const std::string& values) {
-    return files.indexed(values).initial.values.back();
+    return files.indexed(values).initial->values.back();
 }
 
 /// `x`, and so many rows.
@@ -219,7 +219,7 @@ TEST_CASE("a long column is a list of parameters too") {
                    column +
                    ".csv\", column = \"a\"}\n"
                    "[initial]\nq = 1\np = 0\n";
-        return scene_from_file(scratch.path / "s.toml");
+        return unrolled(scene_from_file(scratch.path / "s.toml"));
     };
     CHECK(refusal([&] { return scene("a"); }).says("`1/257` is not a finite number"));
     std::ofstream numbers(scratch.path / "b.csv");

@@ -26,16 +26,19 @@ public:
 
     [[nodiscard]] WrittenOutScene scene(const std::string& text) const {
         write("s.toml", text);
-        return scene_from_file(scratch_.path / "s.toml");
+        return unrolled(scene_from_file(scratch_.path / "s.toml"));
     }
 
     [[nodiscard]] Scene indexed(const std::string& text) const {
         write("s.toml", text);
-        return indexed_scene_from_file(scratch_.path / "s.toml");
+        return scene_from_file(scratch_.path / "s.toml");
     }
 
     [[nodiscard]] Refusal refused(const std::string& text) const {
-        return refusal([&] { return scene(text); });
+        return refusal([&] {
+            static_cast<void>(times_of(indexed(text)));
+            return scene(text);
+        });
     }
 
 private:

@@ -70,7 +70,7 @@ TEST_CASE("a parameter gives the size of a scene") {
     CHECK(lines(scene.invariants) == Names{"momentum = p[1]+p[2]+p[3]"});
     CHECK(lines(scene.initial)[1] == "q[2] = sin(2*pi*2/3)");
     CHECK(lines(scene.initial)[5] == "p[3] = 0");
-    CHECK(to_text(scene.run.step->expression) == "1/(10*3)");
+    CHECK(to_text(times_of(written(ring)).step->expression) == "1/(10*3)");
 }
 
 TEST_CASE("a list of parameters is as long as it likes") {
@@ -132,7 +132,7 @@ TEST_CASE("a size is no variable") {
 }
 
 TEST_CASE("a size that is given takes the place of that in the file") {
-    Scene scene = indexed_scene_from_toml({"s.toml", ring});
+    Scene scene = scene_from_toml({"s.toml", ring});
     const auto set = [&](const std::string& text) {
         return assign(scene, parse_parameter(source(text, "--param")));
     };
@@ -148,7 +148,7 @@ TEST_CASE("a size that is given takes the place of that in the file") {
     CHECK(half.what == "a whole number is wanted here");
     CHECK(half.name == "--param");
     CHECK(half.marked == "N=[1/2]");
-    Scene matrix = indexed_scene_from_toml({"s.toml", lattice});
+    Scene matrix = scene_from_toml({"s.toml", lattice});
     CHECK(assign(matrix, parse_parameter(source("K[2,1]=9"))));
     CHECK_FALSE(assign(matrix, parse_parameter(source("K[3,1]=9"))));
     CHECK(to_text(unrolled(matrix).parameters[2].value) == "9");

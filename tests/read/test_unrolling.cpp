@@ -11,7 +11,7 @@ using namespace hvi::gen;
 namespace {
 
 Scene chain(const std::string& size, const std::string& more = "") {
-    return indexed_scene_from_toml(
+    return scene_from_toml(
         Source{"chain.toml", "hamiltonian = \"sum(i=1..N, p[i]^2/2 + x[i]^4)" + more +
                                  "\"\ncoordinates = [\"x[1..N]\"]\nmomenta = [\"p[1..N]\"]\n"
                                  "[parameters]\nN = " +

@@ -40,11 +40,11 @@ Scene scene_of_chain(const std::string& hamiltonian, const std::string& variable
             toml += "\"" + stem + (stem == name ? "" : has_two ? "[i,j]" : "[i]") + "\" = 1\n";
         }
     }
-    return indexed_scene_from_toml({"chain.toml", toml});
+    return scene_from_toml({"chain.toml", toml});
 }
 
 Scene named_scene(const std::string& name) {
-    return find_indexed_scene(source(name, "SCENE"), {parse_parameter(source("N=5", "--param"))});
+    return find_scene(source(name, "SCENE"), {parse_parameter(source("N=5", "--param"))});
 }
 
 /// A scene with its sums written out, at a point.
@@ -282,8 +282,8 @@ TEST_CASE("a chain's step fits on a page, whatever its length") {
     const auto lines = [](const std::string& text) {
         return std::count(text.begin(), text.end(), '\n');
     };
-    const Scene scene = find_indexed_scene(source("fpu-chain", "SCENE"),
-                                           {parse_parameter(source("N=1000000", "--param"))});
+    const Scene scene =
+        find_scene(source("fpu-chain", "SCENE"), {parse_parameter(source("N=1000000", "--param"))});
     for (const char* method : {"midpoint", "stormer-verlet", "gauss:2", "gauss:3"}) {
         const LoopEquations step =
             loop_equations(named_method(source(method, "--method")), scene, {});

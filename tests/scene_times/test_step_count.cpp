@@ -12,7 +12,7 @@ using namespace hvi::gen;
 namespace {
 
 Steps count(const std::string& step, const std::string& until) {
-    const WrittenOutScene scene = scene_from_toml({"scene.toml", R"toml(
+    const SceneTimes times = times_of(scene_from_toml({"scene.toml", R"toml(
 coordinates = ["q"]
 momenta = ["p"]
 hamiltonian = "p^2/2 + w*q^2"
@@ -22,12 +22,12 @@ m = [1, "sqrt(2)"]
 [initial]
 q = 1
 p = 0
-)toml"});
+)toml"}));
     const auto text = [&](const std::string& name, const std::string& value) {
-        return expression_of_parameters(scene, name,
+        return expression_of_parameters(times, name,
                                         std::make_shared<const Source>(Source{name, value}));
     };
-    return steps_until(scene, text("step", step), text("until", until));
+    return steps_until(times, text("step", step), text("until", until));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/symmetry/symmetries.hpp"
+#include "generator/symmetry/written_out.hpp"
 
 namespace hvi::gen {
 
@@ -18,7 +18,7 @@ inline SceneSymmetries found_of(const std::string& hamiltonian, const std::strin
                           : hamiltonian_from_text(given("--hamiltonian", hamiltonian),
                                                   given("--coordinates", coordinates),
                                                   given("--momenta", momenta));
-    return find_symmetries(scene);
+    return symmetries_of(scene);
 }
 
 inline SceneSymmetries found_of_scene(const std::string& toml) {

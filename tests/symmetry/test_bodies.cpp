@@ -33,17 +33,17 @@ std::string row(int i) {
 }  // namespace
 
 TEST_CASE("a free body: rotations of space, and of a body with equal moments its own") {
-    const SceneSymmetries general = find_symmetries(body("L[1]^2/2+L[2]^2/4+L[3]^2/6"));
+    const SceneSymmetries general = symmetries_of(body("L[1]^2/2+L[2]^2/4+L[3]^2/6"));
     CHECK(maps(general) == std::set{row(1), row(2), row(3)});
     CHECK(general.affine.doubt.empty());
     REQUIRE(general.affine.algebra);
     CHECK(general.affine.algebra->name == "so(3)");
     CHECK(general.rank == 3);
     CHECK(general.degrees_of_freedom == 3);
-    const SceneSymmetries symmetric = find_symmetries(body("(L[1]^2+L[2]^2)/4+L[3]^2/6"));
+    const SceneSymmetries symmetric = symmetries_of(body("(L[1]^2+L[2]^2)/4+L[3]^2/6"));
     CHECK(maps(symmetric) == std::set<std::string>{row(1), row(2), row(3), "L[3]"});
     CHECK(symmetric.affine.doubt.empty());
-    const SceneSymmetries sphere = find_symmetries(body("(L[1]^2+L[2]^2+L[3]^2)/2"));
+    const SceneSymmetries sphere = symmetries_of(body("(L[1]^2+L[2]^2+L[3]^2)/2"));
     CHECK(maps(sphere) == std::set<std::string>{row(1), row(2), row(3), "L[1]", "L[2]", "L[3]"});
     REQUIRE(sphere.affine.algebra);
     CHECK(sphere.affine.algebra->name == "so(4)");
@@ -61,15 +61,15 @@ TEST_CASE("a free body: rotations of space, and of a body with equal moments its
 
 TEST_CASE("a top: the vertical, and the axis of a symmetric one") {
     const std::string kinetic = "L[1]^2/2+L[2]^2/4+L[3]^2/6";
-    CHECK(maps(find_symmetries(body(kinetic + "+R[3,1]/3+R[3,2]/5+R[3,3]"))) == std::set{row(3)});
-    CHECK(maps(find_symmetries(body(kinetic + "+exp(R[2,3])"))) == std::set{row(2)});
-    CHECK(maps(find_symmetries(body("(L[1]^2+L[2]^2)/2+L[3]^2+cos(R[3,3])"))) ==
+    CHECK(maps(symmetries_of(body(kinetic + "+R[3,1]/3+R[3,2]/5+R[3,3]"))) == std::set{row(3)});
+    CHECK(maps(symmetries_of(body(kinetic + "+exp(R[2,3])"))) == std::set{row(2)});
+    CHECK(maps(symmetries_of(body("(L[1]^2+L[2]^2)/2+L[3]^2+cos(R[3,3])"))) ==
           std::set<std::string>{row(3), "L[3]"});
-    const SceneSymmetries none = find_symmetries(body(kinetic + "+R[3,1]+R[2,2]"));
+    const SceneSymmetries none = symmetries_of(body(kinetic + "+R[3,1]+R[2,2]"));
     CHECK(none.affine.basis.empty());
     CHECK(none.affine.doubt.empty());
     // The axis of the body is not the one of its moments.
-    CHECK(maps(find_symmetries(body("L[1]^2/2+(L[2]^2+L[3]^2)/4+R[3,3]"))) == std::set{row(3)});
+    CHECK(maps(symmetries_of(body("L[1]^2/2+(L[2]^2+L[3]^2)/4+R[3,3]"))) == std::set{row(3)});
 }
 
 TEST_CASE("an orbit and a rotation are turned together") {
@@ -86,7 +86,7 @@ py = 1
 R = "identity"
 L = [1, 2, 3]
 )toml");
-    const SceneSymmetries found = find_symmetries(scene);
+    const SceneSymmetries found = symmetries_of(scene);
     CHECK(maps(found) == std::set<std::string>{"x*py-y*px+" + row(3)});
     CHECK(found.affine.doubt.empty());
     CHECK(to_text(found.affine.basis[0].generator[0]) == "-y");
@@ -96,18 +96,18 @@ L = [1, 2, 3]
 TEST_CASE("what holds for rotations alone is not claimed to be all") {
     // The first column has the length 1: this is a free sphere.
     const SceneSymmetries found =
-        find_symmetries(body("(L[1]^2+L[2]^2+L[3]^2)/2+R[1,1]^2+R[2,1]^2+R[3,1]^2"));
+        symmetries_of(body("(L[1]^2+L[2]^2+L[3]^2)/2+R[1,1]^2+R[2,1]^2+R[3,1]^2"));
     CHECK(found.affine.basis.size() < 6);
     CHECK(!found.affine.doubt.empty());
 }
 
 TEST_CASE("invariants of bodies, with proof") {
     const SceneSymmetries found =
-        find_symmetries(body("L[1]^2/2+L[2]^2/4+L[3]^2/6+R[3,3]",
-                             "[invariants]\nvertical = \"2*(" + row(3) +
-                                 ")+1\"\nlength = \"R[1,1]^2+R[2,1]^2+R[3,1]^2\"\nsquare = "
-                                 "\"L[1]^2+L[2]^2+L[3]^2\"\nenergy_again = "
-                                 "\"L[1]^2/2+L[2]^2/4+L[3]^2/6+R[3,3]\"\n"));
+        symmetries_of(body("L[1]^2/2+L[2]^2/4+L[3]^2/6+R[3,3]",
+                           "[invariants]\nvertical = \"2*(" + row(3) +
+                               ")+1\"\nlength = \"R[1,1]^2+R[2,1]^2+R[3,1]^2\"\nsquare = "
+                               "\"L[1]^2+L[2]^2+L[3]^2\"\nenergy_again = "
+                               "\"L[1]^2/2+L[2]^2/4+L[3]^2/6+R[3,3]\"\n"));
     const auto conserved = [&](std::size_t i) { return found.invariants[i].finding.conserved; };
     CHECK(conserved(0) == Vanishing::proved);
     CHECK(found.invariants[0].finding.is_momentum_map);

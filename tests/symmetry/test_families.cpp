@@ -30,7 +30,7 @@ std::string scene_of(const Texts& families, const std::string& hamiltonian,
 }
 
 SceneSymmetries of_families(const std::string& toml) {
-    return find_symmetries(indexed_scene_from_toml({"scene.toml", toml}));
+    return symmetries_of_families(scene_from_toml({"scene.toml", toml}));
 }
 
 const char* const bodies_in_space =
@@ -141,18 +141,18 @@ TEST_CASE("A function of the user's own has no exact symmetries, however many el
         const std::string file = scratch.path / "scene.toml";
         std::ofstream(file) << scene_of({"x"}, "sum(i=1..N, px[i]^2/2 + V(x[i]))",
                                         std::string("N = ") + size + "\n", own);
-        return indexed_scene_from_file(file);
+        return scene_from_file(file);
     };
     for (const Refusal& own_function :
-         {refusal([&] { return find_symmetries(scene("3")); }),
-          refusal([&] { return find_symmetries(scene("80")); }),
-          refusal([&] { return find_symmetries(unrolled(scene("3"))); })}) {
+         {refusal([&] { return symmetries_of_families(scene("3")); }),
+          refusal([&] { return symmetries_of_families(scene("80")); }),
+          refusal([&] { return symmetries_of(unrolled(scene("3"))); })}) {
         CHECK(own_function.what == "`V` cannot stand in what is computed exactly");
         CHECK(own_function.marked == "sum(i=1..N, px[i]^2/2 + [V(x[i])])");
         CHECK(own_function.status == 2);
     }
     // Written out there are too many equations.
-    CHECK(refusal([&] { return find_symmetries(unrolled(scene("80"))); }).status == 1);
+    CHECK(refusal([&] { return symmetries_of(unrolled(scene("80"))); }).status == 1);
 }
 
 TEST_CASE("What keeps each sum in a product or a function, and each summand, keeps H") {

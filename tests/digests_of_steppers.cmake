@@ -1,7 +1,11 @@
-# Compares the headers of steppers that hvi-gen has WRITTEN for the tests with what they were when LIST
-# was: a line of SHA-256 and name for each. Which files of the runtime a header includes, of which
-# format, and which version wrote it, does not count. Where a change of bytes is meant, look at the difference and write
-# LIST anew by -D RENEW=ON.
+# A switch for changes that keep the bytes of generated steppers. With -D KEEP=ON it writes to LIST a
+# digest of each header in WRITTEN, which hvi-gen has written for the tests; without, it says which
+# are not what they were. Which files of the runtime a header includes, of which format, and which
+# version wrote it, does not count.
+#
+#     cmake --build build/dev --target keep-digests      before the change
+#     cmake --build build/dev --target compare-digests   after it
+#
 # SPDX-License-Identifier: GPL-2.0-or-later
 
 file(GLOB_RECURSE headers LIST_DIRECTORIES OFF RELATIVE "${WRITTEN}" "${WRITTEN}/*.hpp")
@@ -16,7 +20,7 @@ foreach(header IN LISTS headers)
     string(REGEX MATCH "/(.*)" name "${header}")
     list(APPEND current "${digest}  ${CMAKE_MATCH_1}")
 endforeach()
-if(RENEW)
+if(KEEP)
     list(JOIN current "\n" text)
     file(WRITE "${LIST}" "${text}\n")
     return()

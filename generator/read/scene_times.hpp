@@ -1,0 +1,30 @@
+// Times of a scene: its steps, and the end of its run.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/read/written_out_scene.hpp"
+
+namespace hvi::gen {
+
+/// What [run] says of times, and the parameters that times can be made of.
+struct SceneTimes {
+    std::vector<Parameter> parameters;  ///< without those whose values stand in files
+    WholeNumbers sizes;
+    std::optional<NamedExpression> step;   ///< of parameters, pi and e
+    std::optional<NamedExpression> until;  ///< the same
+    std::optional<Place> place;            ///< of the word that names the scene
+};
+
+/// Throws InputError where a word has no meaning, as unrolled() does.
+[[nodiscard]] SceneTimes times_of(const Scene& scene);
+
+/// A number that may depend on the scene's parameters, as [run] has it: the value of `--step`.
+/// Throws InputError.
+[[nodiscard]] NamedExpression expression_of_parameters(const SceneTimes& times, std::string name,
+                                                       std::shared_ptr<const Source> text);
+
+}  // namespace hvi::gen

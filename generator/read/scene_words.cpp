@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/read/scene_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/read/column_file.hpp"
+#include "generator/read/names.hpp"
+#include "generator/read/sizes.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr std::size_t most_words_of_scene =
+    300'000;  ///< of all expressions, with their sums expanded
+
+/// Throws InputError at the first of too many names. NOTE: a list is one, however long it is.
+void check_count(const std::vector<IndexedValue>& parameters) {
+    if (parameters.size() <= most_parameters) { return; }
+    throw InputError(fmt::format("there are more than {} parameters", most_parameters),
+                     parameters[most_parameters].place, "those with an index are one: m[1], m[2]");
+}
+
+[[noreturn]] void refuse_words(const Place& place) {
+    throw InputError(
+        fmt::format("the expressions of the scene have more than {} words", most_words_of_scene),
+        place);
+}
+
+}  // namespace
+
+SceneWords::SceneWords(const Scene& written)
+    : written_(written), sizes_(hvi::gen::sizes(written)) {}
+
+void SceneWords::declare_variables(const VariableNames& names) {
+    const bool has_velocities = written_.side == Side::lagrangian;
+    names_ = has_velocities
+                 ? declared_variables(names.coordinates, names.conjugates, words_of_velocities)
+                 : declared_variables(names);
+}
+
+void SceneWords::declare_stems() {
+    const auto declare = [&](const NameTexts& texts, std::string_view subject) {
+        for (const NameTexts::Text& text : texts.texts) {
+            for (const Name& name : text.names) {
+                if (names_.is(subject, name.stem)) { continue; }
+                names_.declare({name.stem, {text.source, name.range}}, subject);
+            }
+        }
+    };
+    declare(written_.coordinates, "a coordinate");
+    declare(written_.conjugates, written_.side == Side::lagrangian ? words_of_velocities.subject
+                                                                   : words_of_momenta.subject);
+    declare(written_.rotations, "a rotation");
+    declare(written_.angular_momenta, "an angular momentum");
+}
+
+void SceneWords::define() {
+    for (const Definition& definition : written_.definitions) {
+        if (!names_.indices(definition.name).empty()) {
+            throw InputError(
+                fmt::format("`{}` is a variable or a parameter already", definition.name),
+                definition.place);
+        }
+        definitions_.add(definition);
+    }
+}
+
+NamedExpression SceneWords::expression(std::string name, const IndexedExpression& written,
+                                       const SceneRules& rules, const WholeNumbers& indices) {
+    WholeNumbers known = indices;
+    known.insert(sizes_.begin(), sizes_.end());
+    Expression read = unrolled(definitions_.put_in(written), known);
+    check_words(read, written.source, rules);
+    return {std::move(name), std::move(read), whole(written.source)};
+}
+
+void SceneWords::check_words(const Expression& expression,
+                             const std::shared_ptr<const Source>& source, const SceneRules& rules) {
+    check_functions(expression, source, rules.subject);
+    if (!rules.own_functions) { refuse_own_functions(expression, source, rules.subject); }
+    const auto check = [&](const std::string& symbol, const Place& place) {
+        if (is_constant(symbol) || (symbol == "t" && rules.time)) { return; }
+        if (symbol == "t") {
+            throw InputError(fmt::format("{} cannot depend on the time `t`", rules.subject), place);
+        }
+        check_symbol_name(symbol, place);
+        const std::string_view stem = without_index(symbol);
+        const bool is_variable = names_.has(stem) && !names_.is("a parameter", stem);
+        if (!rules.variables && is_variable) {
+            throw InputError(
+                fmt::format("{} cannot depend on the variable `{}`", rules.subject, symbol), place,
+                std::string(rules.help));
+        }
+        names_.check(symbol, place, std::string(rules.help));
+    };
+    walk(expression, [&](const Expression& part) {
+        if (part.kind == Expression::Kind::symbol) { check(part.name, {source, part.range}); }
+        ++word_count_;
+        return true;
+    });
+    if (word_count_ > most_words_of_scene) { refuse_words(whole(source)); }
+}
+
+void SceneWords::add_parameter(std::vector<Parameter>& list, const IndexedValue& value,
+                               std::string name, const IndexedExpression& written) {
+    names_.declare({name, value.place}, "a parameter");
+    list.push_back({std::move(name), unrolled(written, sizes_), value.place, written.source});
+}
+
+/// Values of a list, also where they stand in a file.
+ValueList SceneWords::values_of(const IndexedValue& value) const {
+    const auto* file = std::get_if<ValueFile>(&value.value);
+    if (file == nullptr) { return std::get<ValueList>(value.value); }
+    if (count(*file) > most_words_of_scene) { refuse_words(value.place_of_value); }
+    return all_values_in({written_.directory, file->path, file->column, value.place_of_value});
+}
+
+void SceneWords::add_parameters(std::vector<Parameter>& list, const IndexedValue& value) {
+    if (std::holds_alternative<NoValue>(value.value)) {
+        names_.declare({value.name, value.place}, "a parameter");
+        list.push_back({value.name, {}, {}});
+    } else if (const auto* one = std::get_if<IndexedExpression>(&value.value)) {
+        add_parameter(list, value, value.name, *one);
+    } else {
+        const ValueList several = values_of(value);
+        for (std::size_t k = 0; k < several.values.size(); ++k) {
+            add_parameter(list, value, indexed_name(value.name, index_of_value(several, k)),
+                          several.values[k]);
+        }
+    }
+}
+
+std::vector<Parameter> SceneWords::declare_parameters(bool files) {
+    check_count(written_.parameters);
+    std::vector<Parameter> list;
+    for (const IndexedValue& value : written_.parameters) {
+        if (sizes_.count(value.name) != 0) {
+            names_.declare({value.name, value.place}, "a parameter");
+        } else if (files || !std::holds_alternative<ValueFile>(value.value)) {
+            add_parameters(list, value);
+        }
+    }
+    for (const Parameter& parameter : list) {
+        if (has_value(parameter)) {
+            check_words(parameter.value, parameter.source, parameter_rules);
+        }
+    }
+    resolve(list);
+    return list;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,32 @@
+# Compares the headers in READ, which people read, with those of these names in WRITTEN, which hvi-gen
+# has written for the tests. The version that wrote a header does not count. Where a difference is
+# meant, `cmake --build build/dev --target update-written` copies them anew, and the change is read.
+# SPDX-License-Identifier: GPL-2.0-or-later
+
+file(GLOB_RECURSE headers LIST_DIRECTORIES OFF RELATIVE "${READ}" "${READ}/*.hpp")
+if(NOT headers)
+    message(FATAL_ERROR "there are no headers in ${READ}")
+endif()
+set(others)
+foreach(header IN LISTS headers)
+    file(GLOB written "${WRITTEN}/*/${header}")
+    list(LENGTH written count)
+    if(NOT count EQUAL 1)
+        message(FATAL_ERROR "${count} headers ${header} are written for the tests")
+    endif()
+    file(READ "${written}" fresh)
+    file(READ "${READ}/${header}" known)
+    if(UPDATE)
+        file(WRITE "${READ}/${header}" "${fresh}")
+        continue()
+    endif()
+    foreach(text fresh known)
+        string(REGEX REPLACE "^// Written by hvi-gen [^\n]*\n" "" ${text} "${${text}}")
+    endforeach()
+    if(NOT fresh STREQUAL known)
+        string(APPEND others "\n  diff ${READ}/${header} ${written}")
+    endif()
+endforeach()
+if(others)
+    message(FATAL_ERROR "headers are not as they were read:${others}")
+endif()
