@@ -46,7 +46,7 @@ Ball number(std::size_t& state) {
 
 BodyMotion::BodyMotion(const Hamiltonian& hamiltonian)
     : algebra_(Algebra::with_entries(hamiltonian)),
-      n_(hamiltonian.coordinates.size() - 9 * hamiltonian.rotations.size()),
+      n_(hamiltonian.coordinates.size() - rotations_of_space.point * hamiltonian.rotations.size()),
       m_(hamiltonian.rotations.size()) {}
 
 BodyMotion::Triple BodyMotion::by_turns(const ex& function, std::size_t r) const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "generator/expr/space.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -68,7 +69,8 @@ void verify(const SystemProperties& system) {
     HVI_CHECK(!system.has_diagonal_mass || system.kinetic_is_quadratic);
     HVI_CHECK(!system.has_linear_map || !system.depends_on_time);
     HVI_CHECK(!system.is_lattice || system.container == Container::vectors);
-    HVI_CHECK(system.degrees_of_freedom == 0 || 3 * system.rotations <= system.degrees_of_freedom);
+    HVI_CHECK(system.degrees_of_freedom == 0 ||
+              rotations_of_space.tangent * system.rotations <= system.degrees_of_freedom);
     HVI_CHECK(system.rotations == 0 || system.side == Side::hamiltonian);
     const auto* stiff = std::get_if<StiffComponents>(&system.linear);
     HVI_CHECK(stiff == nullptr ||

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/expr/space.hpp"
 #include "generator/graph/graph.hpp"
 #include "generator/ir/affine_form.hpp"
 
@@ -27,19 +28,6 @@ struct Loop {
 
     friend bool operator==(const Loop&, const Loop&) = default;
 };
-
-/// The space that an element of a family is a point of.
-struct Space {
-    std::string_view name;
-    std::size_t point = 1;    ///< numbers of a point
-    std::size_t tangent = 1;  ///< numbers of a tangent, and degrees of freedom
-
-    friend bool operator==(const Space&, const Space&) = default;
-};
-inline constexpr Space real_line{"number", 1, 1};
-/// A matrix row by row, and its turns about the axes of the body.
-inline constexpr Space rotations_of_space{"rotation", 9, 3};
-inline constexpr Space angular_momenta{"angular momentum", 3, 3};
 
 /// What has a name and indices, the last of which runs fastest; or no index. Bounds have sizes.
 struct SystemFamily {

@@ -158,7 +158,8 @@ std::vector<std::string> costs(const System& system, const Step& step,
                                const Evaluations& evaluations) {
     const std::size_t n = system.degrees_of_freedom();
     // NOTE: the momenta of charts at the end of the step are solved for, too.
-    const std::size_t unknowns = n * step.unknowns() + 3 * rotations_of(system);
+    const std::size_t unknowns =
+        n * step.unknowns() + rotations_of_space.tangent * rotations_of(system);
     if (const auto* map = std::get_if<TabulatedStep>(&step.form)) {
         return {cost_of_map(n, map->as == TabulatedStep::As::shears,
                             has_linear_part(system.structure))};

@@ -149,7 +149,8 @@ void declare_rotations(Vocabulary& vocabulary, const VariableNames& names) {
 Vocabulary declared_variables(const VariableNames& names) {
     Vocabulary vocabulary = declared_variables(names.coordinates, names.conjugates);
     declare_rotations(vocabulary, names);
-    if (names.coordinates.names.size() + 3 * names.rotations.names.size() > most_degrees_of_freedom)
+    if (names.coordinates.names.size() + rotations_of_space.tangent * names.rotations.names.size() >
+        most_degrees_of_freedom)
         throw InputError(fmt::format("there are more than {} degrees of freedom, of which a "
                                      "rotation has three",
                                      most_degrees_of_freedom),

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/expr/space.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/rotations.hpp"
 #include "generator/read/unroll.hpp"
@@ -30,9 +31,9 @@ struct MechanicalFunction {
     WholeNumbers sizes;                 ///< structural parameters: numbers in all that stands here
     std::string origin;  ///< as the command line has it, without parameters; one line of ASCII
 
-    /// NOTE: a rotation has nine entries.
     [[nodiscard]] std::size_t degrees_of_freedom() const {
-        return coordinates.size() - 6 * rotations.size();
+        return coordinates.size() -
+               (rotations_of_space.point - rotations_of_space.tangent) * rotations.size();
     }
 };
 

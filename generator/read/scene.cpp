@@ -146,7 +146,8 @@ std::size_t count(const NameTexts& names, const WholeNumbers& known) {
 
 std::size_t degrees_of_freedom(const Scene& scene) {
     const WholeNumbers known = sizes(scene);
-    return count(scene.coordinates, known) + 3 * count(scene.rotations, known);
+    return count(scene.coordinates, known) +
+           rotations_of_space.tangent * count(scene.rotations, known);
 }
 
 Index index_of_value(const ValueList& list, std::size_t k) {
