@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "generator/exact/expressions/evaluate.hpp"
-#include "generator/lower/accesses.hpp"
-#include "generator/lower/derivative.hpp"
 #include "generator/lower/loop_elements.hpp"
 #include "generator/lower/loop_terms.hpp"
+#include "generator/lower/slopes.hpp"
 #include "generator/lower/totals.hpp"
 
 namespace hvi::gen {
@@ -35,19 +34,6 @@ struct Group {
     Roles roles;
     std::vector<Scaled> values;
 };
-
-void add_slopes(System& system, SystemSum& sum) {
-    sum.accesses = accesses_in(system, {sum.value});
-    std::vector<Node> inputs;
-    for (const std::size_t k : sum.accesses) { inputs.push_back(system.accesses[k].node); }
-    const std::vector<Scaled> slopes = gradient(system.graph, sum.value, inputs);
-    for (std::size_t k = 0; k < slopes.size(); ++k) {
-        const FamilyKind kind = system.accesses[sum.accesses[k]].kind;
-        if (kind == FamilyKind::table || slopes[k].is_zero()) { continue; }
-        (kind == FamilyKind::coordinate ? sum.by_q : sum.by_conjugates)
-            .push_back({sum.accesses[k], slopes[k]});
-    }
-}
 
 /// The input for a sum that others are made of.
 Scaled total(System& system, const Declarations& names, const std::string& name,
@@ -89,9 +75,8 @@ std::vector<SystemSum> sums_of(System& system, const Declarations& names,
     }
     std::vector<SystemSum> result;
     for (Group& group : groups) {
-        result.push_back(
-            {std::move(group.loops), system.graph.sum(std::move(group.values)), {}, {}, {}});
-        add_slopes(system, result.back());
+        const Scaled value = system.graph.sum(std::move(group.values));
+        result.push_back(differentiated(system, {std::move(group.loops), value, {}, {}, {}}));
     }
     return result;
 }
