@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/slopes.hpp"
 
-#include <utility>
+#include <algorithm>
+#include <map>
 
+#include "generator/graph/replaced.hpp"
 #include "generator/lower/accesses.hpp"
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/turns.hpp"
@@ -51,6 +53,29 @@ std::vector<AccessSlope> slopes(System& system, const Scaled& value,
         if (!values[k].is_zero()) { result.push_back({accesses[k], values[k]}); }
     }
     return result;
+}
+
+std::vector<std::size_t> accesses_of(const std::vector<AccessSlope>& slopes) {
+    std::vector<std::size_t> result;
+    for (const AccessSlope& slope : slopes) { result.push_back(slope.access); }
+    return result;
+}
+
+std::optional<std::vector<AccessSlope>> linear_form(System& system, const Scaled& value,
+                                                    const std::vector<std::size_t>& variables) {
+    // NOTE: the derivatives of a function with a kink are constant on both sides of it, and not
+    // one.
+    if (has_kinks(system.graph, {value})) { return std::nullopt; }
+    std::vector<AccessSlope> coefficients = slopes(system, value, variables);
+    const bool are_constant =
+        std::none_of(coefficients.begin(), coefficients.end(), [&](const AccessSlope& each) {
+            return (system.graph.at(each.value.node).roles & of_motion) != 0;
+        });
+    if (!are_constant) { return std::nullopt; }
+    std::map<Node, Scaled> at_rest;
+    for (const std::size_t k : variables) { at_rest[system.accesses[k].node] = Graph::number(0); }
+    if (!replaced(system.graph, value, at_rest).is_zero()) { return std::nullopt; }
+    return coefficients;
 }
 
 SystemSum differentiated(System& system, SystemSum sum) {
