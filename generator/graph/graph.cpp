@@ -249,7 +249,7 @@ bool has_kinks(const Graph& graph, const std::vector<Scaled>& values) {
     for (const Scaled& value : values) { is_needed[value.node] = true; }
     for (auto node = static_cast<Node>(graph.size()); node-- > 0;) {
         const Computation& computation = graph.at(node);
-        if (!is_needed[node] || !varies(computation.roles)) { continue; }
+        if (!is_needed[node] || (computation.roles & of_motion) == 0) { continue; }
         const bool is_call = computation.operation == Operation::call;
         if (is_call && !is_smooth(computation.name)) { return true; }
         for (const Scaled& term : computation.terms) { is_needed[term.node] = true; }

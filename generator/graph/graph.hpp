@@ -58,6 +58,9 @@ using Roles = unsigned;
 inline constexpr Roles of_state =
     static_cast<Roles>(Role::coordinate) | static_cast<Roles>(Role::conjugate);
 
+/// Of what changes along a motion.
+inline constexpr Roles of_motion = of_state | static_cast<Roles>(Role::time);
+
 /// Whether something depends on variables, so that it is computed at every evaluation.
 [[nodiscard]] constexpr bool varies(Roles roles) {
     return (roles & ~static_cast<Roles>(Role::parameter)) != 0;
@@ -134,8 +137,8 @@ private:
     std::map<Node, HalfPower> half_powers_;
 };
 
-/// Whether a value is not smooth in what varies, as far as the graph shows: a function with a kink
-/// or a choice is called of it.
+/// Whether a value is not smooth in what changes along a motion, as far as the graph shows: a
+/// function with a kink or a choice is called of it.
 [[nodiscard]] bool has_kinks(const Graph& graph, const std::vector<Scaled>& values);
 
 }  // namespace hvi::gen

@@ -8,8 +8,8 @@
 
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/accesses.hpp"
-#include "generator/lower/derivative.hpp"
 #include "generator/lower/kernel.hpp"
+#include "generator/lower/slopes.hpp"
 #include "generator/read/no_loops.hpp"
 
 namespace hvi::gen {
@@ -23,8 +23,6 @@ struct Mass {
     std::vector<std::string> indices;
     Scaled value = Graph::number(0);
 };
-
-constexpr Roles of_motion = of_state | static_cast<Roles>(Role::time);
 
 class LegendreOfSums {
 public:
@@ -84,13 +82,12 @@ private:
         if (!sum.by_q.empty() || has_role(sum.value, static_cast<Roles>(Role::time))) {
             refuse("here velocities stand beside coordinates or the time");
         }
+        const std::vector<std::size_t> velocities = accesses_of(sum.by_conjugates);
         std::map<Node, Scaled> at_rest;
         for (const AccessSlope& slope : sum.by_conjugates) {
-            at_rest[system_.accesses[slope.access].node] = Graph::number(0);
-        }
-        for (const AccessSlope& slope : sum.by_conjugates) {
             const Access access = system_.accesses[slope.access];
-            add_mass(access, mass_of(access, slope.value, at_rest), sum.loops);
+            at_rest[access.node] = Graph::number(0);
+            add_mass(access, mass_of(slope, velocities), sum.loops);
         }
         const Scaled constant = replaced(system_.graph, sum.value, at_rest);
         if (constant.is_zero()) { return; }
@@ -98,24 +95,18 @@ private:
         system_.sums.back().accesses = accesses_in(system_, {constant});
     }
 
-    /// m of a slope m v: it is 0 at rest, and its derivatives by all velocities of the sum are
-    /// constant, and 0 but by v.
-    [[nodiscard]] Scaled mass_of(const Access& access, const Scaled& slope,
-                                 const std::map<Node, Scaled>& at_rest) {
-        Scaled mass = Graph::number(0);
-        bool is_alone = replaced(system_.graph, slope, at_rest).is_zero();
-        for (const auto& [velocity, rest] : at_rest) {
-            const Scaled second = gradient(system_.graph, slope, {velocity}).front();
-            if (velocity == access.node) {
-                mass = second;
-            } else {
-                is_alone = is_alone && second.is_zero();
-            }
-        }
-        if (has_role(mass, of_motion) || !is_alone) {
+    /// m of a slope m v.
+    [[nodiscard]] Scaled mass_of(const AccessSlope& slope,
+                                 const std::vector<std::size_t>& velocities) {
+        const auto masses = linear_form(system_, slope.value, velocities);
+        const bool is_alone =
+            masses && std::all_of(masses->begin(), masses->end(), [&](const AccessSlope& mass) {
+                return mass.access == slope.access;
+            });
+        if (!is_alone) {
             refuse("a kinetic energy is quadratic in each velocity, and couples none of them");
         }
-        return mass;
+        return masses->empty() ? Graph::number(0) : masses->front().value;
     }
 
     /// The position of a loop among the indices of an element that each loop counts one index of.

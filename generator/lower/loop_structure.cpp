@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "generator/lower/derivative.hpp"
+#include "generator/lower/slopes.hpp"
 #include "generator/lower/totals.hpp"
 #include "generator/support/error.hpp"
 
@@ -14,11 +14,6 @@ namespace {
 
 bool has_role(const System& system, const Scaled& value, Roles roles) {
     return (system.graph.at(value.node).roles & roles) != 0;
-}
-
-/// Whether it changes along a motion.
-bool changes(const System& system, const Scaled& value) {
-    return has_role(system, value, of_state | static_cast<Roles>(Role::time));
 }
 
 /// Whether T has no time.
@@ -31,34 +26,21 @@ bool is_kinetic_autonomous(const System& system) {
     });
 }
 
-/// The derivatives of a slope by the elements of other slopes of its sum.
-std::vector<Scaled> second(System& system, const Scaled& slope,
-                           const std::vector<AccessSlope>& by) {
-    std::vector<Node> inputs;
-    for (const AccessSlope& each : by) { inputs.push_back(system.accesses[each.access].node); }
-    return gradient(system.graph, slope, inputs);
-}
-
 // ---- T ----
 
 enum class Kinetic { other, quadratic, diagonal };
 
 /// Of one sum: whether each slope is the sum of constants times momenta, and of its own alone.
 Kinetic kinetic(System& system, const SystemSum& sum) {
-    // NOTE: a copy, as the graph grows.
-    const std::vector<AccessSlope> slopes = sum.by_conjugates;
     Kinetic result = Kinetic::diagonal;
-    for (std::size_t a = 0; a < slopes.size(); ++a) {
-        const std::vector<Scaled> row = second(system, slopes[a].value, slopes);
-        std::vector<Scaled> terms{{-slopes[a].value.factor, slopes[a].value.node}};
-        for (std::size_t b = 0; b < row.size(); ++b) {
-            if (row[b].is_zero()) { continue; }
-            if (changes(system, row[b])) { return Kinetic::other; }
-            if (a != b) { result = Kinetic::quadratic; }
-            terms.push_back(
-                system.graph.product(row[b], {{1, 1}, system.accesses[slopes[b].access].node}));
-        }
-        if (!system.graph.sum(std::move(terms)).is_zero()) { return Kinetic::other; }
+    const std::vector<std::size_t> momenta = accesses_of(sum.by_conjugates);
+    for (const AccessSlope& slope : sum.by_conjugates) {
+        const auto row = linear_form(system, slope.value, momenta);
+        if (!row) { return Kinetic::other; }
+        const bool is_alone = std::all_of(row->begin(), row->end(), [&](const AccessSlope& entry) {
+            return entry.access == slope.access;
+        });
+        if (!is_alone) { result = Kinetic::quadratic; }
     }
     return result;
 }
@@ -74,13 +56,14 @@ Kinetic kinetic(System& system) {
 // ---- U ----
 
 bool is_quadratic(System& system, const SystemSum& sum) {
-    const std::vector<AccessSlope> slopes = sum.by_q;
-    for (const AccessSlope& slope : slopes) {
-        for (const Scaled& entry : second(system, slope.value, slopes)) {
-            if (changes(system, entry)) { return false; }
+    std::vector<Scaled> forces;
+    for (const AccessSlope& slope : sum.by_q) {
+        for (const AccessSlope& entry : slopes(system, slope.value, accesses_of(sum.by_q))) {
+            if (has_role(system, entry.value, of_motion)) { return false; }
         }
+        forces.push_back(slope.value);
     }
-    return true;
+    return !has_kinks(system.graph, forces);
 }
 
 /// Whether an element is told by the indices of all loops, so that it is in few summands: each
@@ -122,12 +105,9 @@ HessianForm hessian_form(const System& system, Kinetic kinetic, bool is_quadrati
 
 SumEntries second_entries(System& system, const SystemSum& sum) {
     SumEntries result{sum.loops, sum.accesses, {}};
-    const std::vector<AccessSlope> slopes = sum.by_q;
-    for (const AccessSlope& row : slopes) {
-        const std::vector<Scaled> values = second(system, row.value, slopes);
-        for (std::size_t b = 0; b < values.size(); ++b) {
-            if (values[b].is_zero()) { continue; }
-            result.entries.push_back({row.access, slopes[b].access, values[b]});
+    for (const AccessSlope& row : sum.by_q) {
+        for (const AccessSlope& entry : slopes(system, row.value, accesses_of(sum.by_q))) {
+            result.entries.push_back({row.access, entry.access, entry.value});
         }
     }
     return result;
@@ -147,23 +127,12 @@ std::size_t direction_of(System& system, std::size_t variable) {
     return system.accesses.size() - 1;
 }
 
-/// Derivatives by the elements of slopes, but those that are zero.
-std::vector<AccessSlope> slopes_of(System& system, const Scaled& value,
-                                   const std::vector<AccessSlope>& by) {
-    std::vector<AccessSlope> result;
-    const std::vector<Scaled> values = second(system, value, by);
-    for (std::size_t a = 0; a < by.size(); ++a) {
-        if (!values[a].is_zero()) { result.push_back({by[a].access, values[a]}); }
-    }
-    return result;
-}
-
 /// The derivative of a sum along the vector, whose own derivatives are the product.
 SystemSum product_of(System& system, const SystemSum& sum) {
     SystemSum result{sum.loops, {}, sum.accesses, {}, {}};
     std::vector<Scaled> terms;
-    for (const std::vector<AccessSlope>* slopes : {&sum.by_q, &sum.by_conjugates}) {
-        for (const AccessSlope& slope : *slopes) {
+    for (const std::vector<AccessSlope>* each : {&sum.by_q, &sum.by_conjugates}) {
+        for (const AccessSlope& slope : *each) {
             const std::size_t direction = direction_of(system, slope.access);
             result.accesses.push_back(direction);
             terms.push_back(
@@ -171,8 +140,8 @@ SystemSum product_of(System& system, const SystemSum& sum) {
         }
     }
     result.value = system.graph.sum(std::move(terms));
-    result.by_q = slopes_of(system, result.value, sum.by_q);
-    result.by_conjugates = slopes_of(system, result.value, sum.by_conjugates);
+    result.by_q = slopes(system, result.value, accesses_of(sum.by_q));
+    result.by_conjugates = slopes(system, result.value, accesses_of(sum.by_conjugates));
     return result;
 }
 

@@ -6,10 +6,9 @@
 #include <variant>
 
 #include "generator/lower/accesses.hpp"
-#include "generator/lower/derivative.hpp"
 #include "generator/lower/lower.hpp"
+#include "generator/lower/slopes.hpp"
 #include "generator/lower/structure.hpp"
-#include "generator/lower/turns.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -71,39 +70,9 @@ void add_turns(System& system) {
     }
 }
 
-std::vector<AccessSlope> slopes(const System& system, FamilyKind kind,
-                                const std::vector<Scaled>& values) {
-    std::vector<AccessSlope> result;
-    std::size_t degree = 0;
-    for (std::size_t k = 0; k < system.accesses.size(); ++k) {
-        const Access& access = system.accesses[k];
-        const bool is_degree =
-            kind == FamilyKind::conjugate
-                ? access.kind == kind
-                : access.kind == FamilyKind::turn ||
-                      (access.kind == kind && system.family(access).space == real_line);
-        if (!is_degree) { continue; }
-        if (!values[degree].is_zero()) { result.push_back({k, values[degree]}); }
-        ++degree;
-    }
-    return result;
-}
-
 /// A value as a sum without loops.
 SystemSum term(const System& system, const Scaled& value) {
     return {{}, value, accesses_in(system, {value}), {}, {}};
-}
-
-/// The sum with its derivatives.
-SystemSum differentiated(System& system, SystemSum sum) {
-    const std::vector<Node> q = coordinate_nodes(system);
-    std::vector<Node> variables = q;
-    for (const Node node : conjugate_nodes(system)) { variables.push_back(node); }
-    const std::vector<Scaled> by_all = gradient(system.graph, sum.value, variables);
-    const auto middle = by_all.begin() + static_cast<std::ptrdiff_t>(q.size());
-    sum.by_q = slopes(system, FamilyKind::coordinate, by_turns(system, {by_all.begin(), middle}));
-    sum.by_conjugates = slopes(system, FamilyKind::conjugate, {middle, by_all.end()});
-    return sum;
 }
 
 /// H, or v dL/dv - L.
@@ -131,7 +100,7 @@ NamedSystem named_system(const Function& function, const std::vector<std::string
     }
     const Scaled value = lower(system.graph, function.expression, result.symbols, function.source);
     add_turns(system);
-    system.sums = {differentiated(system, term(system, value))};
+    system.sums = {differentiated(system, {{}, value, {}, {}, {}})};
     system = with_structure(std::move(system));
     system.energy = {term(system, energy(system))};
     return result;

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 #include <utility>
 
 #include "generator/read/column_file.hpp"
@@ -52,19 +52,14 @@ void SceneWords::declare_stems() {
         }
     };
     declare(written_.coordinates, "a coordinate");
-    declare(written_.conjugates, written_.side == Side::lagrangian ? words_of_velocities.subject
-                                                                   : words_of_momenta.subject);
+    declare(written_.conjugates, subject_of_conjugates(written_));
     declare(written_.rotations, "a rotation");
     declare(written_.angular_momenta, "an angular momentum");
 }
 
 void SceneWords::define() {
     for (const Definition& definition : written_.definitions) {
-        if (!names_.indices(definition.name).empty()) {
-            throw InputError(
-                fmt::format("`{}` is a variable or a parameter already", definition.name),
-                definition.place);
-        }
+        check_definition(definition, names_);
         definitions_.add(definition);
     }
 }
@@ -73,32 +68,22 @@ NamedExpression SceneWords::expression(std::string name, const IndexedExpression
                                        const SceneRules& rules, const WholeNumbers& indices) {
     WholeNumbers known = indices;
     known.insert(sizes_.begin(), sizes_.end());
-    Expression read = unrolled(definitions_.put_in(written), known);
-    check_words(read, written.source, rules);
+    const IndexedExpression put = definitions_.put_in(written);
+    std::set<std::string> numbers;
+    for (const auto& [each, value] : known) { numbers.insert(each); }
+    check_words(put, rules, names_, std::move(numbers));
+    Expression read = unrolled(put, known);
+    check_indices(read, written.source);
     return {std::move(name), std::move(read), whole(written.source)};
 }
 
-void SceneWords::check_words(const Expression& expression,
-                             const std::shared_ptr<const Source>& source, const SceneRules& rules) {
-    check_functions(expression, source, rules.subject);
-    if (!rules.own_functions) { refuse_own_functions(expression, source, rules.subject); }
-    const auto check = [&](const std::string& symbol, const Place& place) {
-        if (is_constant(symbol) || (symbol == "t" && rules.time)) { return; }
-        if (symbol == "t") {
-            throw InputError(fmt::format("{} cannot depend on the time `t`", rules.subject), place);
-        }
-        check_symbol_name(symbol, place);
-        const std::string_view stem = without_index(symbol);
-        const bool is_variable = names_.has(stem) && !names_.is("a parameter", stem);
-        if (!rules.variables && is_variable) {
-            throw InputError(
-                fmt::format("{} cannot depend on the variable `{}`", rules.subject, symbol), place,
-                std::string(rules.help));
-        }
-        names_.check(symbol, place, std::string(rules.help));
-    };
+/// Throws InputError for an index that a name does not have, and for too many words of all.
+void SceneWords::check_indices(const Expression& expression,
+                               const std::shared_ptr<const Source>& source) {
     walk(expression, [&](const Expression& part) {
-        if (part.kind == Expression::Kind::symbol) { check(part.name, {source, part.range}); }
+        if (part.kind == Expression::Kind::symbol) {
+            names_.check_index(part.name, {source, part.range});
+        }
         ++word_count_;
         return true;
     });
@@ -146,7 +131,8 @@ std::vector<Parameter> SceneWords::declare_parameters(bool files) {
     }
     for (const Parameter& parameter : list) {
         if (has_value(parameter)) {
-            check_words(parameter.value, parameter.source, parameter_rules);
+            check_words({parameter.value, parameter.source}, parameter_rules, names_, {});
+            check_indices(parameter.value, parameter.source);
         }
     }
     resolve(list);

@@ -8,39 +8,10 @@
 #include <vector>
 
 #include "generator/read/put_in.hpp"
+#include "generator/read/scene_rules.hpp"
 #include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
-
-/// What may stand in an expression besides parameters, pi and e.
-struct SceneRules {
-    std::string_view subject;  ///< what messages call it
-    bool variables = false;
-    bool time = false;
-    bool own_functions = false;
-    std::string_view help;  ///< for a symbol that resembles no other
-};
-
-inline constexpr std::string_view made_of_parameters =
-    "it is made of numbers, parameters, pi and e";
-inline constexpr SceneRules hamiltonian_rules{"the Hamiltonian", true, true, true,
-                                              "give it a value: add it to [parameters]"};
-inline constexpr SceneRules lagrangian_rules{"the Lagrangian", true, true, false,
-                                             "give it a value: add it to [parameters]"};
-inline constexpr SceneRules parameter_rules{"the value of a parameter", false, false, false,
-                                            made_of_parameters};
-inline constexpr SceneRules invariant_rules{"an invariant", true, false, true,
-                                            "add it to [parameters]"};
-inline constexpr SceneRules field_rules{"a vector field", true, false, false,
-                                        "add it to [parameters]"};
-inline constexpr SceneRules initial_rules{"an initial value", false, false, false,
-                                          made_of_parameters};
-inline constexpr SceneRules exact_rules{
-    "an exact solution", false, true, false,
-    "it is made of numbers, parameters, pi, e and the time `t`"};
-inline constexpr SceneRules step_rules{"the step size", false, false, false, made_of_parameters};
-inline constexpr SceneRules until_rules{"the time at the end", false, false, false,
-                                        made_of_parameters};
 
 /// Names are declared one kind after the other: variables, parameters, definitions.
 class SceneWords {
@@ -73,8 +44,7 @@ private:
     void add_parameter(std::vector<Parameter>& list, const IndexedValue& value, std::string name,
                        const IndexedExpression& written);
     void add_parameters(std::vector<Parameter>& list, const IndexedValue& value);
-    void check_words(const Expression& expression, const std::shared_ptr<const Source>& source,
-                     const SceneRules& rules);
+    void check_indices(const Expression& expression, const std::shared_ptr<const Source>& source);
 
     const Scene& written_;
     WholeNumbers sizes_;

@@ -71,6 +71,12 @@ std::vector<Index> Vocabulary::indices(std::string_view stem) const {
     return indices;
 }
 
+std::set<std::string> Vocabulary::stems() const {
+    std::set<std::string> result;
+    for (const auto& [stem, entry] : entries_) result.insert(stem);
+    return result;
+}
+
 bool Vocabulary::is(std::string_view subject, std::string_view stem) const {
     const auto found = entries_.find(stem);
     return found != entries_.end() && found->second.subject == subject;
@@ -90,11 +96,13 @@ void Vocabulary::check_index(const std::string& symbol, const Place& place) cons
                      fmt::format("the indices of `{}` are {}", stem, in_words(entry.indices)));
 }
 
-void Vocabulary::check(const std::string& symbol, const Place& place, std::string help) const {
-    if (contains(symbol)) return;
-    check_index(symbol, place);
-    throw InputError(fmt::format("`{}` is neither a variable nor a parameter with a value", symbol),
-                     place, did_you_mean(symbol, {names_.begin(), names_.end()}, std::move(help)));
+void Vocabulary::check_stem(std::string_view stem, const std::string& text, const Place& place,
+                            std::string help) const {
+    if (has(stem)) return;
+    std::vector<std::string_view> stems;
+    for (const auto& [name, entry] : entries_) stems.push_back(name);
+    throw InputError(fmt::format("`{}` is neither a variable nor a parameter with a value", text),
+                     place, did_you_mean(std::string(stem), stems, std::move(help)));
 }
 
 }  // namespace hvi::gen

@@ -44,6 +44,9 @@ public:
     /// `stem` names nothing.
     [[nodiscard]] std::vector<Index> indices(std::string_view stem) const;
 
+    /// Names without their indices.
+    [[nodiscard]] std::set<std::string> stems() const;
+
     /// Whether a stem names something.
     [[nodiscard]] bool has(std::string_view stem) const { return entries_.count(stem) != 0; }
 
@@ -53,8 +56,10 @@ public:
     /// Throws InputError for a symbol that has a declared name, but not its index: x[7] of x[1..6].
     void check_index(const std::string& symbol, const Place& place) const;
 
-    /// Throws InputError for a symbol that is not declared; `help` where none resembles it.
-    void check(const std::string& symbol, const Place& place, std::string help) const;
+    /// Throws InputError for a stem that names nothing; `text` is what messages have for it, `help`
+    /// where none resembles it.
+    void check_stem(std::string_view stem, const std::string& text, const Place& place,
+                    std::string help) const;
 
 private:
     struct Entry {

@@ -42,10 +42,9 @@ VariableNames SceneUnrolling::variable_names() const {
 
 void SceneUnrolling::set_mechanics(WrittenOutScene& scene, const VariableNames& names) {
     const std::shared_ptr<const Source>& source = written_.function.source;
-    const bool is_lagrangian = written_.side == Side::lagrangian;
-    const SceneRules& rules = is_lagrangian ? lagrangian_rules : hamiltonian_rules;
-    Expression function = words_.expression("", written_.function, rules).expression;
-    if (is_lagrangian) {
+    Expression function =
+        words_.expression("", written_.function, rules_of_function(written_.side)).expression;
+    if (written_.side == Side::lagrangian) {
         scene.mechanics =
             lagrangian_of(std::move(function), source, names.coordinates, names.conjugates);
     } else {
@@ -69,11 +68,7 @@ void SceneUnrolling::fix_parameters(WrittenOutScene& scene) const {
 
 std::vector<NamedExpression> SceneUnrolling::invariants() {
     std::vector<NamedExpression> list;
-    Vocabulary names = words_.names();
     for (const NamedIndexed& invariant : written_.invariants) {
-        const Place& place = invariant.place_of_name;
-        check_parameter_name(invariant.name, place, "an invariant");
-        names.declare({invariant.name, place}, "an invariant");
         list.push_back(words_.expression(invariant.name, invariant.expression, invariant_rules));
     }
     return list;
@@ -121,15 +116,7 @@ VectorField SceneUnrolling::field(const IndexedField& written) {
 
 std::vector<VectorField> SceneUnrolling::fields() {
     std::vector<VectorField> list;
-    Vocabulary names = words_.names();
-    for (const NamedIndexed& invariant : written_.invariants) {
-        names.declare({invariant.name, invariant.place_of_name}, "an invariant");
-    }
-    for (const IndexedField& written : written_.fields) {
-        check_parameter_name(written.name, written.place, "a symmetry");
-        names.declare({written.name, written.place}, "a symmetry");
-        list.push_back(field(written));
-    }
+    for (const IndexedField& written : written_.fields) { list.push_back(field(written)); }
     return list;
 }
 
@@ -141,6 +128,7 @@ WrittenOutScene SceneUnrolling::operator()() {
     words_.declare_variables(names);
     scene.parameters = words_.declare_parameters();
     words_.define();
+    check_more_names(written_, words_.names());
     set_mechanics(scene, names);
     fix_parameters(scene);
     scene.own = written_.own;

@@ -76,7 +76,7 @@ TEST_CASE("an exact solution of a large scene is looked at") {
     };
     const std::string x = "\"x[i]\" = \"cos(t)\"\n";
     CHECK(check(x).find("an exact solution is missing: that of `p`") != std::string::npos);
-    CHECK(pointed_at(check(x + "\"p[i]\" = \"x[i]*t\"")) == "x[i]*t");
+    CHECK(pointed_at(check(x + "\"p[i]\" = \"x[i]*t\"")) == "x[i]");
     CHECK(pointed_at(check(x + "\"p[i]\" = \"s*t\"")) == "s");
     CHECK(pointed_at(check(x + "\"p[i]\" = 0\n\"y[i]\" = 0")).find("y[i]") != std::string::npos);
 }
@@ -102,7 +102,7 @@ TEST_CASE("initial values of a list are looked at one by one") {
     CHECK(check("\"c[2]\"") == "fine");
     CHECK(check("\"c[3]\"") == "c[3]");
     CHECK(check("\"p[1]\"") == "p[1]");
-    CHECK(check("\"2*x[2] + 1\"") == "2*x[2] + 1");
+    CHECK(check("\"2*x[2] + 1\"") == "x[2]");
     CHECK(check("\"d\"") == "d");
     CHECK(check("\"i\"") == "i");
 }

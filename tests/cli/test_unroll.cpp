@@ -101,6 +101,57 @@ TEST_CASE("loops have the time, products, curves, actions, wide numbers, paramet
     check(pairs(""), words);
 }
 
+TEST_CASE("words mean the same where sums are written out and where they stay loops") {
+    const auto error = [](const std::string& scene, const char* unroll) {
+        const Directory directory;
+        write(directory / "pairs.toml", scene);
+        const Outcome outcome =
+            hvi_gen({"stepper", "pairs.toml", "--unroll", unroll}, directory.path());
+        CHECK(outcome.status == 2);
+        check_form(outcome.err);
+        return outcome.err;
+    };
+    const auto edited = [](const std::string& part, const std::string& other) {
+        std::string text = pairs(" + w*x[1]", "4");
+        const std::size_t place = text.find(part);
+        REQUIRE(place != std::string::npos);
+        return text.replace(place, part.size(), other);
+    };
+    const std::vector<std::pair<std::string, std::string>> edits = {
+        {"w*x[1]", "v*x[1]"},
+        {"w*x[1]", "w*y[1]"},
+        {"w*x[1]", "w*tau"},
+        {"w*x[1]", "h*x[1]"},
+        {"w*x[1]", "roots(w)"},
+        {"w*x[1]", "i*x[1]"},
+        {"w = 2", "x = 2"},
+        {"w = 2", "w = \"x[1]\""},
+        {"w = 2", "w = \"v\""},
+        {"w = 2", "w = \"t\""},
+        {"w = 2", "w = \"w + 1\""},
+        {"w = 2", "2w = 2"},
+        {"w = 2", "pi = 2"},
+        {"w = 2\n", "w = 2\n[definitions]\nw = 3\n"},
+        {"\"i/10\"", "\"v*i\""},
+        {"\"i/10\"", "\"p[i]\""},
+        {"\"i/10\"", "\"t\""},
+        {"[run]", "[invariants]\nx = \"w\"\n[run]"},
+        {"[run]", "[invariants]\na = \"b\"\n[run]"},
+        {"[run]", "[invariants]\na = \"t\"\n[run]"},
+        {"[run]", "[invariants]\nsin = \"w\"\n[run]"},
+        {"[run]", "[symmetries]\nw = {\"x[i]\" = 1}\n[run]"},
+        {"momenta = \"p[1..N]\"", "momenta = \"x[1..N]\""},
+        {"momenta = \"p[1..N]\"", "momenta = \"e[1..N]\""},
+        {"1/100", "1/v"},
+        {"1/100", "x/100"},
+    };
+    for (const auto& [part, other] : edits) {
+        const std::string scene = edited(part, other);
+        INFO(other);
+        CHECK(error(scene, "yes") == error(scene, "no"));
+    }
+}
+
 TEST_CASE("factors of sparse matrices are not computed in __float128") {
     const Directory directory;
     write(directory / "plane.toml",
@@ -121,10 +172,9 @@ TEST_CASE("factors of sparse matrices are not computed in __float128") {
 TEST_CASE("a report of loops refuses a method that these do not have") {
     const Directory directory;
     write(directory / "pairs.toml", pairs(" + sum(i=1..N, p[i]^4)"));
-    const Outcome refused =
-        hvi_gen({"report", "pairs.toml", "--basis", "1, tau", "--nodes", "gauss:3", "--unroll",
-                 "no", "-o", "out"},
-                directory.path());
+    const Outcome refused = hvi_gen({"report", "pairs.toml", "--basis", "1, tau", "--nodes",
+                                     "gauss:3", "--unroll", "no", "-o", "out"},
+                                    directory.path());
     INFO(refused.err);
     CHECK(refused.status == 2);
     CHECK(refused.err.find("more nodes than functions") != std::string::npos);

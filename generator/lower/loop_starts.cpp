@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/loop_starts.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "generator/lower/accesses.hpp"
+#include "generator/lower/loop_elements.hpp"
+#include "generator/lower/loop_terms.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+class StartLowering {
+public:
+    StartLowering(System& system, const Declarations& names, const Scene& scene)
+        : system_(system), names_(names), scene_(scene) {}
+
+    [[nodiscard]] SystemStart start(const SystemFamily& family);
+
+private:
+    void check_count(const SystemFamily& family, std::size_t given, const Place& place) const;
+    [[nodiscard]] SystemStart start(const SystemFamily& family, const IndexedValue& value);
+
+    System& system_;
+    const Declarations& names_;
+    const Scene& scene_;
+};
+
+void StartLowering::check_count(const SystemFamily& family, std::size_t given,
+                                const Place& place) const {
+    const std::size_t wanted = element_count(family, names_.sizes);
+    if (given == wanted) { return; }
+    throw InputError(fmt::format("`{}` has {} {}, and here are {} values", family.name, wanted,
+                                 wanted == 1 ? "index" : "indices", given),
+                     place);
+}
+
+SystemStart StartLowering::start(const SystemFamily& family, const IndexedValue& value) {
+    if (const auto* file = std::get_if<ValueFile>(&value.value)) {
+        check_count(family, count(*file), value.place_of_value);
+        return {numbers_in(*file)};
+    }
+    if (const auto* list = std::get_if<ValueList>(&value.value)) {
+        check_count(family, list->values.size(), value.place_of_value);
+        SystemStart::List result;
+        for (const IndexedExpression& each : list->values) {
+            const IndexedExpression put = names_.meant(each, initial_rules);
+            const Expression number = without_sums(put);
+            result.values.push_back(
+                value_of_term(system_, names_, {{}, number}, put.source, names_.symbols));
+        }
+        result.accesses = accesses_in(system_, result.values);
+        return {std::move(result)};
+    }
+    const auto* rule = std::get_if<ValueRule>(&value.value);
+    const IndexedExpression& written =
+        rule != nullptr ? rule->value : std::get<IndexedExpression>(value.value);
+    const std::vector<std::string> indices =
+        rule != nullptr ? rule->indices : std::vector<std::string>{};
+    if (indices.size() != family.ranges.size()) {
+        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", family.name,
+                                     family.ranges.size(),
+                                     family.ranges.size() == 1 ? "ex" : "ices", indices.size()),
+                         value.place, "give a rule for all indices: \"x[i]\" = \"sin(i)\"");
+    }
+    const IndexedExpression whole = names_.meant(written, initial_rules, indices);
+    LoopTerm term{{}, without_sums(whole)};
+    for (std::size_t d = 0; d < indices.size(); ++d) {
+        term = within_loop(std::move(term), indices[d], family.ranges[d], names_.taken);
+    }
+    SystemStart::Rule result;
+    for (const Loop& loop : term.loops) { result.indices.push_back(loop.index); }
+    result.value = value_of_term(system_, names_, term, whole.source, names_.symbols);
+    result.accesses = accesses_in(system_, {result.value});
+    return {std::move(result)};
+}
+
+SystemStart StartLowering::start(const SystemFamily& family) {
+    for (const IndexedValue& value : scene_.initial->values) {
+        if (value.name == family.name) { return start(family, value); }
+    }
+    throw InputError(fmt::format("an initial value is missing: that of `{}`", family.name),
+                     scene_.initial->place);
+}
+
+}  // namespace
+
+std::vector<SystemStart> starts_of(System& system, const Declarations& names, const Scene& scene) {
+    StartLowering lowering(system, names, scene);
+    std::vector<SystemStart> result;
+    for (const auto* families : {&system.coordinates, &system.conjugates}) {
+        for (const SystemFamily& each : *families) { result.push_back(lowering.start(each)); }
+    }
+    for (const IndexedValue& value : scene.initial->values) {
+        const auto found = names.families.find(value.name);
+        if (found == names.families.end() || found->second.kind == FamilyKind::table) {
+            throw InputError(fmt::format("`{}` is no variable", value.name), value.place);
+        }
+    }
+    return result;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,62 @@
+// What words of a scene mean, and where they may stand.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "generator/read/parse.hpp"
+#include "generator/read/scene.hpp"
+#include "generator/read/vocabulary.hpp"
+
+namespace hvi::gen {
+
+/// What may stand in an expression besides parameters, pi and e.
+struct SceneRules {
+    std::string_view subject;  ///< what messages call it
+    bool variables = false;
+    bool time = false;
+    bool own_functions = false;
+    std::string_view help;  ///< for a symbol that resembles no other
+};
+
+inline constexpr std::string_view made_of_parameters =
+    "it is made of numbers, parameters, pi and e";
+inline constexpr SceneRules hamiltonian_rules{"the Hamiltonian", true, true, true,
+                                              "give it a value: add it to [parameters]"};
+inline constexpr SceneRules lagrangian_rules{"the Lagrangian", true, true, false,
+                                             "give it a value: add it to [parameters]"};
+inline constexpr SceneRules parameter_rules{"the value of a parameter", false, false, false,
+                                            made_of_parameters};
+inline constexpr SceneRules invariant_rules{"an invariant", true, false, true,
+                                            "add it to [parameters]"};
+inline constexpr SceneRules field_rules{"a vector field", true, false, false,
+                                        "add it to [parameters]"};
+inline constexpr SceneRules initial_rules{"an initial value", false, false, false,
+                                          made_of_parameters};
+inline constexpr SceneRules exact_rules{
+    "an exact solution", false, true, false,
+    "it is made of numbers, parameters, pi, e and the time `t`"};
+inline constexpr SceneRules step_rules{"the step size", false, false, false, made_of_parameters};
+inline constexpr SceneRules until_rules{"the time at the end", false, false, false,
+                                        made_of_parameters};
+
+/// `a momentum`, or `a velocity`.
+[[nodiscard]] std::string_view subject_of_conjugates(const Scene& scene);
+
+/// The rules for H, or for L.
+[[nodiscard]] const SceneRules& rules_of_function(Side side);
+
+/// Throws InputError for a definition that is called as a variable or a parameter.
+void check_definition(const Definition& definition, const Vocabulary& names);
+
+/// Throws InputError for names of invariants and of [symmetries] that are none, or are taken.
+void check_more_names(const Scene& scene, Vocabulary names);
+
+/// Throws InputError for a word that names nothing, or that the rules forbid. `known` are indices
+/// and sizes; what stands in indices is not looked at.
+void check_words(const IndexedExpression& expression, const SceneRules& rules,
+                 const Vocabulary& names, std::set<std::string> known);
+
+}  // namespace hvi::gen
