@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "generator/lower/loop_system.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/read/no_loops.hpp"
 
 namespace hvi::gen {
@@ -14,7 +14,7 @@ namespace {
 void look_for_obstacles(UnrollDecision& decision, const Scene& scene, const UnrollWish& wish) {
     if (decision.writes_out || !may_write_out(scene, wish.choice)) { return; }
     try {
-        static_cast<void>(loop_system(scene));
+        static_cast<void>(system_of(scene));
     } catch (const NoLoops& obstacle) { decision = {true, obstacle.what()}; }
 }
 

@@ -59,7 +59,7 @@ struct SceneStepper {
 
 /// A stepper with loops for the sums of the scene: the sizes are parameters of the class. Where
 /// loops do not have the step of this method, sums are written out that may_write_out(). Throws
-/// InputError and MathError as loop_system() does, too, and for what is wished for and not built
+/// InputError and MathError as system_of() does, too, and for what is wished for and not built
 /// for systems of any size.
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
                                          const StepperWishes& wishes);

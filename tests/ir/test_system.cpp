@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/lower/loop_system.hpp"
 #include "generator/lower/system.hpp"
 #include "tests/ir/is_found.hpp"
 
@@ -77,7 +76,7 @@ k = ["1/4", 2]
 "q[i]" = "i"
 "p[i]" = 0
 )toml";
-    return loop_system(indexed_scene_from_toml(Source{"chain.toml", text}));
+    return system_of(indexed_scene_from_toml(Source{"chain.toml", text}));
 }
 
 }  // namespace
