@@ -10,7 +10,7 @@
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/expr/functions.hpp"
 #include "generator/lower/kernel.hpp"
-#include "generator/lower/loop_system.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/no_loops.hpp"
 #include "generator/read/own_functions.hpp"
@@ -201,7 +201,7 @@ LoopEquations loop_equations(const Method& method, Scene scene,
     refuse_own_functions(function.written, function.source, "the exact equations of a step");
     for (const Parameter& parameter : values) { scene.fixed.insert(parameter.name); }
     const Place place{function.source, function.written.range};
-    const System system = loop_system(scene);
+    const System system = system_of(scene);
     check_names(method, system);
     check_totals(system, place);
     LoopEquations result;

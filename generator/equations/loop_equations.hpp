@@ -27,7 +27,7 @@ struct LoopEquations : StepTitle {
                                      const std::vector<std::string>& indices);
 
 /// The equations of the stages with the exact coefficients of the method, and the derivatives of H.
-/// `values` are those of the parameters that have one. Throws what loop_system() and derive_any()
+/// `values` are those of the parameters that have one. Throws what system_of() and derive_any()
 /// throw, and NoLoops for what loop_gradient() refuses and for the general Galerkin form.
 [[nodiscard]] LoopEquations loop_equations(const Method& method, Scene scene,
                                            const std::vector<Parameter>& values);

@@ -36,20 +36,17 @@ struct SumEntries {
     std::vector<SumEntry> entries;
 };
 
-/// d2H/dq2 by the entries of sums.
-struct HessianEntries {
-    std::vector<SumEntries> sums;
+/// The second derivatives of an H whose sums stay loops.
+struct HessianOfSums {
+    std::vector<SumEntries> entries;  ///< of d2H/dq2, where HessianForm has these
+    /// Sums whose derivatives `by_q` are, together, the product of the rows by q of d2H with a
+    /// vector, and those by conjugates that of the other rows. The elements of the vector are
+    /// accesses too: FamilyKind::direction and direction_of_conjugate.
+    std::vector<SystemSum> products;
 };
 
-/// Sums whose derivatives `by_q` are, together, the product of d2H/dq2 with a vector, the elements
-/// of which are accesses too: FamilyKind::direction. Where stages have momenta the vector has
-/// elements for these as well, and with the derivatives by conjugates it is one of all of d2H.
-struct HessianProducts {
-    std::vector<SystemSum> sums;
-};
-
-/// Second derivatives as steps take them; none of sums with loops where T is not quadratic.
-using SecondOrder = std::variant<std::monostate, Hessian, HessianEntries, HessianProducts>;
+/// Second derivatives as steps take them; none of an H that is made of totals.
+using SecondOrder = std::variant<std::monostate, Hessian, HessianOfSums>;
 
 /// Whether H does not depend on some momentum, or not more than linearly: a row of d2H/dp2 is zero.
 [[nodiscard]] bool is_degenerate(const Hessian& hessian);

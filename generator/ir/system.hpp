@@ -88,10 +88,10 @@ struct System {
     std::optional<Node> time;  ///< the input t, where the function depends on it
     std::vector<Access> accesses;
     std::vector<SystemTotal> totals;  ///< each made of those before it
-    /// H or L; with loops each of q alone, of p alone, or of both. Those of value 0 have derivatives
-    /// through totals.
+    /// H or L; with loops each of q alone, of p alone, or of both. Those of value 0 have
+    /// derivatives through totals.
     std::vector<SystemSum> sums;
-    std::vector<SystemSum> energy;  ///< H, or v dL/dv - L
+    std::vector<SystemSum> energy;        ///< H, or v dL/dv - L
     std::vector<SystemStart> initial;     ///< of coordinates, then of conjugates; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
 

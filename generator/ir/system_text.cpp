@@ -206,9 +206,9 @@ std::string lines(const System& system, const std::string& what,
     return result;
 }
 
-std::string lines(const System& system, const HessianEntries& second) {
+std::string lines(const System& system, const HessianOfSums& second) {
     std::string result;
-    for (const SumEntries& sum : second.sums) {
+    for (const SumEntries& sum : second.entries) {
         for (const SumEntry& entry : sum.entries) {
             result +=
                 line("d2H/d" + text(system, system.accesses[entry.row]) + " d" +
@@ -216,7 +216,7 @@ std::string lines(const System& system, const HessianEntries& second) {
                      text(entry.value));
         }
     }
-    return result;
+    return result + lines(system, "along the direction", second.products);
 }
 
 std::string text(const System& system, const SystemStart& start) {
@@ -237,11 +237,8 @@ std::string with_loops(const System& system) {
     }
     result += lines(system, std::string(1, system.function_letter()), system.sums);
     if (system.side == Side::lagrangian) { result += lines(system, "energy", system.energy); }
-    if (const auto* entries = std::get_if<HessianEntries>(&system.second)) {
-        result += lines(system, *entries);
-    }
-    if (const auto* products = std::get_if<HessianProducts>(&system.second)) {
-        result += lines(system, "along the direction", products->sums);
+    if (const auto* second = std::get_if<HessianOfSums>(&system.second)) {
+        result += lines(system, *second);
     }
     for (std::size_t k = 0; system.sites && k < system.sites->forces.size(); ++k) {
         result +=

@@ -163,45 +163,26 @@ Structure structure_of_sums(System& system) {
     return result;
 }
 
-SecondOrder second_order(System& system) {
-    HessianEntries entries;
-    HessianProducts products;
-    const bool are_products = system.structure.hessian == HessianForm::products;
+HessianOfSums second_order(System& system) {
+    HessianOfSums result;
+    const bool has_entries = system.structure.hessian != HessianForm::products;
     // NOTE: a copy, as accesses are added.
     const std::vector<SystemSum> sums = system.sums;
     for (const SystemSum& sum : sums) {
-        if (sum.by_q.empty()) { continue; }
-        if (are_products) {
-            SystemSum product = product_of(system, sum);
-            if (!product.by_q.empty()) { products.sums.push_back(std::move(product)); }
-        } else {
-            SumEntries of_sum = second_entries(system, sum);
-            if (!of_sum.entries.empty()) { entries.sums.push_back(std::move(of_sum)); }
-        }
+        SumEntries entries = has_entries ? second_entries(system, sum) : SumEntries{};
+        if (!entries.entries.empty()) { result.entries.push_back(std::move(entries)); }
+        SystemSum product = product_of(system, sum);
+        if (product.by_q.empty() && product.by_conjugates.empty()) { continue; }
+        result.products.push_back(std::move(product));
     }
-    return are_products ? SecondOrder{std::move(products)} : SecondOrder{std::move(entries)};
+    return result;
 }
 
 }  // namespace
 
-System with_loop_structure(System system) {
+System with_structure_of_sums(System system) {
     system.structure = structure_of_sums(system);
-    const bool has_second =
-        system.structure.kinetic_is_quadratic && system.structure.hessian != HessianForm::none;
-    if (has_second) { system.second = second_order(system); }
-    return system;
-}
-
-System with_products_of_pairs(System system) {
-    HessianProducts products;
-    // NOTE: a copy, as accesses are added.
-    const std::vector<SystemSum> sums = system.sums;
-    for (const SystemSum& sum : sums) {
-        SystemSum product = product_of(system, sum);
-        if (product.by_q.empty() && product.by_conjugates.empty()) { continue; }
-        products.sums.push_back(std::move(product));
-    }
-    system.second = std::move(products);
+    if (system.structure.hessian != HessianForm::none) { system.second = second_order(system); }
     return system;
 }
 

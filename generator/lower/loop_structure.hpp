@@ -7,11 +7,9 @@
 namespace hvi::gen {
 
 /// The system with its structure: H = T(p) + U(q), T = p^T K p/2, whether U is quadratic, and what
-/// is coupled in d2U/dq2: read off the summands, never off sizes. Where T is quadratic d2H/dq2 is
-/// there too, as Newton's method takes it. Precondition: slopes, and sites of a lattice, are there.
-[[nodiscard]] System with_loop_structure(System system);
-
-/// The system with HessianProducts of all of d2H, for Newton's method where stages have momenta.
-[[nodiscard]] System with_products_of_pairs(System system);
+/// is coupled in d2U/dq2: read off the summands, never off sizes. Second derivatives are there but
+/// for an H that is made of totals. Preconditions: sums have loops; slopes, and the Sites of a
+/// lattice, are there.
+[[nodiscard]] System with_structure_of_sums(System system);
 
 }  // namespace hvi::gen

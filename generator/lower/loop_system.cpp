@@ -4,20 +4,12 @@
 #include <utility>
 
 #include "generator/lower/declarations.hpp"
-#include "generator/lower/loop_legendre.hpp"
 #include "generator/lower/loop_starts.hpp"
-#include "generator/lower/loop_structure.hpp"
 #include "generator/lower/loop_sums.hpp"
-#include "generator/lower/sites.hpp"
-#include "generator/lower/totals.hpp"
-#include "generator/read/names.hpp"
 
 namespace hvi::gen {
 
-namespace {
-
-/// What a scene says, H or L with its derivatives.
-System declared(const Scene& scene) {
+System loop_system(const Scene& scene) {
     System system;
     system.side = scene.side;
     system.name = scene.name;
@@ -35,19 +27,6 @@ System declared(const Scene& scene) {
         system.invariants.push_back({invariant.name, invariant.expression.written,
                                      sums_of(system, names, meant, names.symbols)});
     }
-    return system;
-}
-
-}  // namespace
-
-System loop_system(const Scene& scene) {
-    System system = declared(scene);
-    if (scene.side == Side::lagrangian) {
-        system = legendre_transform(std::move(system), whole(scene.function.source));
-    }
-    system = with_slopes_through_totals(std::move(system));
-    system = with_loop_structure(with_sites(std::move(system)));
-    verify(system);
     return system;
 }
 

@@ -7,11 +7,10 @@
 
 namespace hvi::gen {
 
-/// H with its sums for loops, its derivatives, and all else that a scene has, for the sizes that it
-/// names and, by other values of these, for any. Throws InputError for a word without a meaning,
-/// for an index that leaves its range for some value of those of its sums, and for what is not
-/// built for systems of any size: a Lagrangian, explicit time, sums inside functions. Throws
-/// MathError for a number that is not real.
+/// H or L with its sums for loops, its derivatives, and all else that a scene has. Throws
+/// InputError for a word without a meaning and for an index that leaves its range for some value of
+/// those of its sums, NoLoops for what is not built for systems of any size, and MathError for a
+/// number that is not real.
 [[nodiscard]] System loop_system(const Scene& scene);
 
 }  // namespace hvi::gen

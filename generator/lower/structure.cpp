@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/loop_structure.hpp"
 #include "generator/lower/turns.hpp"
 
 namespace hvi::gen {
@@ -208,14 +210,20 @@ Structure structure(System& system) {
     return found;
 }
 
-}  // namespace
-
-System with_structure(System system) {
+/// NOTE: no step for an L, or of rotations, takes anything of the structure.
+System with_structure_of_term(System system) {
     system.second = hessian(system);
     if (system.side == Side::hamiltonian && rotations_of(system) == 0) {
         system.structure = structure(system);
     }
     return system;
+}
+
+}  // namespace
+
+System with_structure(System system) {
+    return system.is_written_out() ? with_structure_of_term(std::move(system))
+                                   : with_structure_of_sums(std::move(system));
 }
 
 }  // namespace hvi::gen

@@ -6,9 +6,8 @@
 
 namespace hvi::gen {
 
-/// The system with its second derivatives, and with its structure where it is an H of numbers: no
-/// step for an L, or of rotations, takes anything of that. Precondition: it is written out, and its
-/// slopes are there.
+/// The system with its second derivatives, and with its structure: of an L or of rotations that is
+/// none. Precondition: its slopes are there, and where sums have loops the Sites of a lattice.
 [[nodiscard]] System with_structure(System system);
 
 }  // namespace hvi::gen

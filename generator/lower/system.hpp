@@ -1,4 +1,4 @@
-// From a Hamiltonian, or a whole scene, to a system.
+// From a Hamiltonian, or a whole scene, to a system, and what is found in it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,20 +8,31 @@
 #include "generator/ir/properties.hpp"
 #include "generator/ir/system.hpp"
 #include "generator/lower/gradient_kernels.hpp"
+#include "generator/read/scene.hpp"
 #include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
-/// H, its gradient and its structure. A parameter that has a value is replaced by it; `parameters`
-/// are the inputs among the others. Throws InputError as lower() does. Preconditions: those of
-/// lower(). The result is verified.
+/// The passes over any system, whose slopes are there: slopes through totals, Sites, Structure and
+/// second derivatives. The result is verified, and no later stage changes it.
+[[nodiscard]] System with_all_found(System system);
+
+/// H with all that is found in it. A parameter that has a value is replaced by it; `parameters` are
+/// the inputs among the others. Throws InputError as lower() does. Preconditions: those of lower().
 [[nodiscard]] System system_of(const Hamiltonian& hamiltonian,
                                const std::vector<std::string>& parameters);
 
-/// The same with all that a scene has. Of its parameters those of H that have a value are replaced.
+/// A scene that is written out. Of its parameters those of H that have a value are replaced.
 [[nodiscard]] System system_of(const WrittenOutScene& scene);
 
-/// What is proved of it. Costs of evaluations are those of a system that is written out.
+/// A scene whose sums stay loops: for the sizes that it names and, by other values of these, for
+/// any. Its L becomes the H of it. Throws InputError for a word without a meaning and for an index
+/// that leaves its range for some value of those of its sums, NoLoops for what is not built for
+/// systems of any size, and MathError for a number that is not real.
+[[nodiscard]] System system_of(const Scene& scene);
+
+/// Properties that are proved of it. Costs of evaluations are those of a system that is written
+/// out.
 [[nodiscard]] SystemProperties properties(const System& system);
 [[nodiscard]] SystemProperties properties(const System& system, const GradientKernels& gradients);
 

@@ -6,8 +6,7 @@
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"
 #include "generator/hamiltonian/legendre.hpp"
-#include "generator/lower/loop_structure.hpp"
-#include "generator/lower/loop_system.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/pipeline/refusals.hpp"
 #include "generator/plan/plan.hpp"
@@ -96,12 +95,6 @@ SceneWishes members_of(const StepperWishes& wishes) {
             .action = wishes.action};
 }
 
-/// Whether Newton's method may be called for where stages have momenta.
-bool takes_newton_for_pairs(const Step& step) {
-    return std::holds_alternative<PairStep>(step.form) && step.iteration() != nullptr &&
-           step.iteration()->takes_newton();
-}
-
 /// The way from a system to a header.
 SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, System system,
                         const SceneText& scene, const StepperWishes& wishes, SceneWishes members) {
@@ -114,9 +107,6 @@ SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, System sys
     check_step(step, wished, wishes, scene.place);
     check_newton(system, step, scene.place);
     check_curve(step, members.curve, wished);
-    if (!is_written_out && takes_newton_for_pairs(step)) {
-        system = with_products_of_pairs(std::move(system));
-    }
     std::optional<Evaluations> evaluations;
     if (is_written_out) { evaluations = hvi::gen::evaluations(system, std::move(gradients), step); }
     std::string name = name_of_class(
@@ -173,7 +163,7 @@ SceneStepper loop_stepper(const Method& wished, const Scene& scene, const Steppe
     // NOTE: the energy and invariants are members of every one.
     SceneWishes members = members_of(wishes);
     members.energy = members.invariants = true;
-    return stepper_of(wished, derived(wished, wishes), loop_system(scene),
+    return stepper_of(wished, derived(wished, wishes), system_of(scene),
                       {scene.origin, place, scene.own.headers}, wishes, members);
 }
 

@@ -13,7 +13,6 @@
 #include <optional>
 #include <utility>
 
-#include "generator/lower/loop_system.hpp"
 #include "generator/lower/system.hpp"
 #include "generator/study/large_reference.hpp"
 #include "generator/study/path_to_accuracy.hpp"
@@ -356,7 +355,7 @@ Advice advice_written_out(Builds& builds, const Scene& scene, const WrittenOutSc
 
 /// Beside a reference in long double, or its exact one.
 Advice advice_with_loops(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
-    const System system = loop_system(scene);
+    const System system = system_of(scene);
     Adviser adviser(scene.name, system.structure, wishes);
     const LargeReference large(builds, scene, wishes.until);
     adviser.compile([&](const Candidate& candidate) {

@@ -8,7 +8,7 @@
 
 #include "generator/graph/written.hpp"
 #include "generator/hamiltonian/family_symmetries.hpp"
-#include "generator/lower/loop_system.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/lower/totals.hpp"
 #include "generator/read/own_functions.hpp"
 
@@ -85,7 +85,7 @@ class FamilyScene {
 public:
     explicit FamilyScene(const Scene& scene)
         : scene_(scene),
-          system_(loop_system(scene)),
+          system_(system_of(scene)),
           groups_(groups_of(system_.sums)),
           totals_(totals_in(system_, system_.sums)) {
         for (const SystemFamily& family : system_.coordinates) {

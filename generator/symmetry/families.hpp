@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 /// For any sizes: what moves all elements of families alike and leaves each summand as it is, and
 /// turns of the centre of mass. There may be more of them. An invariant is seen to be conserved
-/// where it is made of these momentum maps. Throws as loop_system() and Algebra do.
+/// where it is made of these momentum maps. Throws as system_of() and Algebra do.
 [[nodiscard]] SceneSymmetries symmetries_of_families(const Scene& scene);
 
 }  // namespace hvi::gen

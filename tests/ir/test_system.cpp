@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/lower/loop_system.hpp"
 #include "generator/lower/system.hpp"
 #include "tests/ir/is_found.hpp"
 
@@ -79,7 +78,7 @@ k = ["1/4", 2]
 "q[i]" = "i"
 "p[i]" = 0
 )toml";
-    return loop_system(scene_from_toml(Source{"chain.toml", text}));
+    return system_of(scene_from_toml(Source{"chain.toml", text}));
 }
 
 }  // namespace

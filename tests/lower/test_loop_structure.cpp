@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/lower/loop_system.hpp"
+#include "generator/lower/system.hpp"
 #include "generator/read/no_loops.hpp"
 #include "tests/read/refusal.hpp"
 
@@ -25,7 +25,7 @@ m = [1, 2]
 "q[i]" = "i"
 "p[i]" = 1
 )toml";
-    return loop_system(scene_from_toml(Source{"chain.toml", text}));
+    return system_of(scene_from_toml(Source{"chain.toml", text}));
 }
 
 constexpr const char* springs = " + sum(i=1..N-1, (q[i+1] - q[i])^2)";

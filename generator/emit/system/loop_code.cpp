@@ -46,10 +46,11 @@ std::vector<SumDerivatives> derivatives(const System& system, const LoopWriter& 
     return result;
 }
 
-/// d2H/dq2 times a vector, sum by sum.
-std::vector<SumDerivatives> products_of_sums(const System& system, const HessianProducts& hessian) {
+/// d2H/dq2 times a vector, sum by sum. Precondition: no sum has q and p.
+std::vector<SumDerivatives> products_of_positions(const System& system) {
     std::vector<SumDerivatives> result;
-    for (const SystemSum& sum : hessian.sums) {
+    for (const SystemSum& sum : std::get<HessianOfSums>(system.second).products) {
+        if (sum.by_q.empty()) { continue; }
         result.push_back({fmt::format("add_product_{}", result.size() + 1), &sum, &sum.by_q, "way",
                           system.time.has_value()});
     }
@@ -59,6 +60,21 @@ std::vector<SumDerivatives> products_of_sums(const System& system, const Hessian
 /// Whether Newton's method may be called for.
 bool takes_second(const Step& step) {
     return step.iteration() != nullptr && step.iteration()->takes_newton();
+}
+
+/// Whether Newton's method for positions goes by products.
+bool takes_products(const Step& step) {
+    const auto* velocities = std::get_if<VelocityStep>(&step.form);
+    return velocities != nullptr && velocities->hessian == HessianForm::products;
+}
+
+/// Whether a step adds up products with second derivatives that are not zero.
+bool adds_products(const System& system, const Step& step) {
+    const bool are_pairs = std::holds_alternative<PairStep>(step.form);
+    if (!takes_second(step) || !(are_pairs || takes_products(step))) { return false; }
+    const std::vector<SystemSum>& products = std::get<HessianOfSums>(system.second).products;
+    return std::any_of(products.begin(), products.end(),
+                       [&](const SystemSum& sum) { return are_pairs || !sum.by_q.empty(); });
 }
 
 class SystemClass {
@@ -157,16 +173,16 @@ private:
         writer.line("void inverse_mass(const Vector& v, Vector& out) const {{ dHdp(v, out); }}");
         write_kick_of_stage(writer);
         if (!takes_second(step_)) { return; }
-        if (const auto* products = std::get_if<HessianProducts>(&system_.second)) {
-            write_products(writer, *products);
+        if (takes_products(step_)) {
+            write_products(writer);
         } else {
-            write_entries(writer, std::get<HessianEntries>(system_.second));
+            write_entries(writer);
         }
     }
 
     void write_for_pairs(Writer& writer) {
         if (!std::holds_alternative<PairStep>(step_.form) || !takes_second(step_)) { return; }
-        write_pair_products(writer, loops_, std::get<HessianProducts>(system_.second));
+        write_pair_products(writer, loops_);
     }
 
     /// Another argument, where H depends on the time.
@@ -189,19 +205,21 @@ private:
         writer.close();
     }
 
-    void write_entries(Writer& writer, const HessianEntries& hessian) {
+    void write_entries(Writer& writer) {
         writer.blank().comment("Adds the entries i, j of d2H/dq2 by out.add(i, j, value).", "/// ");
         writer.line("template <class Matrix>");
         writer.open("void d2Hdq2([[maybe_unused]] const Vector& q_of{}, [[maybe_unused]] Matrix& "
                     "out) const {{",
                     time_argument());
         writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
-        for (const SumEntries& entries : hessian.sums) { loops_.write_entries(writer, entries); }
+        for (const SumEntries& entries : std::get<HessianOfSums>(system_.second).entries) {
+            loops_.write_entries(writer, entries);
+        }
         writer.close();
     }
 
-    void write_products(Writer& writer, const HessianProducts& hessian) {
-        const std::vector<SumDerivatives> all = products_of_sums(system_, hessian);
+    void write_products(Writer& writer) {
+        const std::vector<SumDerivatives> all = products_of_positions(system_);
         for (const SumDerivatives& each : all) {
             writer.blank();
             loops_.write_derivatives(writer, each);
@@ -379,8 +397,7 @@ private:
 }  // namespace
 
 bool scatters(const System& system, const Step& step) {
-    const auto* products = std::get_if<HessianProducts>(&system.second);
-    return !system.sites || (takes_second(step) && products != nullptr && !products->sums.empty());
+    return !system.sites || adds_products(system, step);
 }
 
 std::string loop_system_text(const System& system, const Step& step, bool counts) {

@@ -7,11 +7,10 @@ namespace hvi::gen {
 
 namespace {
 
-std::vector<SumDerivatives> products(const System& system, const HessianProducts& hessian,
-                                     bool by_q) {
+std::vector<SumDerivatives> products(const System& system, bool by_q) {
     const bool has_time = system.time && (by_q || !system.structure.is_separable);
     std::vector<SumDerivatives> result;
-    for (const SystemSum& sum : hessian.sums) {
+    for (const SystemSum& sum : std::get<HessianOfSums>(system.second).products) {
         const std::vector<AccessSlope>& slopes = by_q ? sum.by_q : sum.by_conjugates;
         if (slopes.empty()) { continue; }
         const std::string name =
@@ -26,9 +25,9 @@ std::vector<SumDerivatives> products(const System& system, const HessianProducts
     return result;
 }
 
-void write_side(Writer& writer, LoopWriter& loops, const HessianProducts& hessian, bool by_q) {
+void write_side(Writer& writer, LoopWriter& loops, bool by_q) {
     const System& system = loops.system();
-    const std::vector<SumDerivatives> all = products(system, hessian, by_q);
+    const std::vector<SumDerivatives> all = products(system, by_q);
     for (const SumDerivatives& each : all) {
         writer.blank();
         loops.write_derivatives(writer, each);
@@ -52,10 +51,10 @@ void write_side(Writer& writer, LoopWriter& loops, const HessianProducts& hessia
 
 }  // namespace
 
-void write_pair_products(Writer& writer, LoopWriter& loops, const HessianProducts& hessian) {
+void write_pair_products(Writer& writer, LoopWriter& loops) {
     writer.blank().comment("Rows of d2H times a vector: way of positions, way_p of momenta.");
-    write_side(writer, loops, hessian, true);
-    write_side(writer, loops, hessian, false);
+    write_side(writer, loops, true);
+    write_side(writer, loops, false);
 }
 
 }  // namespace hvi::gen

@@ -8,6 +8,6 @@ namespace hvi::gen {
 
 /// Writes members d2Hdq and d2Hdp of a system: rows of d2H times a vector (way, way_p). Where
 /// H = T(p) + U(q) each takes what it depends on alone.
-void write_pair_products(Writer& writer, LoopWriter& loops, const HessianProducts& hessian);
+void write_pair_products(Writer& writer, LoopWriter& loops);
 
 }  // namespace hvi::gen
