@@ -82,10 +82,11 @@ void write_advised(const StepperOptions& options) {
     wishes.solver = advice.solver;
     wishes.composition = advice.composition;
     const MethodAndScene both = read_scene(method_options, *options.system);
+    wishes.note = advice.note;
     const SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
     if (options.explain) std::fputs(explanation(stepper).c_str(), stderr);
-    std::fputs((command_in(stepper.header) + "\n" + advice.note + "\n").c_str(), stderr);
-    write_result(options.output, with_note(stepper.header, advice.note));
+    std::fputs((stepper.command + "\n" + advice.note + "\n").c_str(), stderr);
+    write_result(options.output, stepper.header);
 }
 
 }  // namespace

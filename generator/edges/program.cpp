@@ -98,8 +98,8 @@ EdgeProgram EdgeProgram::symplectic(Builds& builds, const ComposedMethod& method
 
 EdgeProgram EdgeProgram::naive(Builds& builds, const Scene& scene) {
     EdgeProgram program;
-    program.build_ =
-        builds.order(driver_program(stepper_for_peers(scene), {"naive", "naive::main", {}}));
+    program.build_ = builds.order(driver_program(
+        stepper_for_peers(lowered(scene, {.choice = Unroll::yes})), {"naive", "naive::main", {}}));
     return program;
 }
 

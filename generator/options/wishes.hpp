@@ -33,6 +33,7 @@ struct StepperWishes {
     bool action = false;                          ///< H_d^+ and the action of the steps, the same
     Given class_name = nullptr;                   ///< by check_class_name(); else the method's
     std::optional<Composition> composition = {};  ///< a step is made of several of the method
+    std::string note = {};                        ///< for those who read the header; or empty
 };
 
 }  // namespace hvi::gen

@@ -5,13 +5,9 @@
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"
-#include "generator/hamiltonian/legendre.hpp"
-#include "generator/lower/system.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/pipeline/refusals.hpp"
 #include "generator/plan/plan.hpp"
-#include "generator/read/scene_times.hpp"
-#include "generator/scene/start.hpp"
 
 namespace hvi::gen {
 
@@ -26,11 +22,6 @@ std::string command(const OneStepMethod& method, const StepperWishes& wishes) {
 bool is_overdetermined(const OneStepMethod& method, const System& system) {
     return std::holds_alternative<GalerkinRule>(method.base) && system.side == Side::hamiltonian &&
            !is_degenerate(hessian_of(system));
-}
-
-/// Whether (4.14) makes steps of the L of a scene; nothing is asked of an H.
-void check_lagrangian(const WrittenOutScene& scene) {
-    if (const auto* L = std::get_if<Lagrangian>(&scene.mechanics)) check_regular(*L);
 }
 
 /// NOTE: a step of kicks and drifts keeps the slopes of its drifts, and the curve is one of kicks.
@@ -80,13 +71,6 @@ std::string name_of_class(const Given& wished, const std::string& otherwise) {
     return wished ? wished->text : class_name(otherwise);
 }
 
-/// A scene as its texts have it.
-struct SceneText {
-    std::string origin;  ///< as the command line has it
-    Place place;         ///< of H or L
-    std::vector<OwnHeader> own_headers;
-};
-
 SceneWishes members_of(const StepperWishes& wishes) {
     return {.energy = wishes.energy,
             .invariants = wishes.invariants,
@@ -95,31 +79,61 @@ SceneWishes members_of(const StepperWishes& wishes) {
             .action = wishes.action};
 }
 
+/// What the class of the scene has. NOTE: with loops the energy and invariants are members of every
+/// one.
+SceneWishes members_of(const StepperWishes& wishes, const LoweredScene& scene) {
+    SceneWishes members = members_of(wishes);
+    if (!scene.written) { members.energy = members.invariants = true; }
+    return members;
+}
+
+/// Throws InputError for members that no class can have, and for wishes that the scene does not go
+/// with.
+void check_wishes(const LoweredScene& scene, const StepperWishes& wishes) {
+    check_own_names(scene.scene.own);
+    if (scene.written) {
+        check_members(*scene.written, members_of(wishes));
+        if (wishes.action) { refuse_rotations(function_of(*scene.written), "--action"); }
+        return;
+    }
+    check_wishes_of_any_size(wishes, scene.place());
+    for (const NamedIndexed& invariant : scene.scene.invariants) {
+        check_function_name(invariant.name, invariant.place_of_name);
+    }
+}
+
 /// The way from a system to a header.
-SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, System system,
-                        const SceneText& scene, const StepperWishes& wishes, SceneWishes members) {
+SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, const LoweredScene& scene,
+                        const StepperWishes& wishes) {
     auto& [method, curve] = derived;
+    const System& system = scene.system;
+    if (scene.written && is_overdetermined(method, system))
+        check_fibre_rank(hamiltonian_of(*scene.written), wished.place);
+    SceneWishes members = members_of(wishes, scene);
     members.curve = std::move(curve);
-    const bool is_written_out = system.is_written_out();
-    GradientKernels gradients = is_written_out ? gradient_kernels(system) : GradientKernels{};
-    Step step = planned(method, is_written_out ? properties(system, gradients) : properties(system),
-                        wishes);
-    check_step(step, wished, wishes, scene.place);
-    check_newton(system, step, scene.place);
+    Step step = planned(
+        method, scene.written ? properties(system, scene.gradients) : properties(system), wishes);
+    check_step(step, wished, wishes, scene.place());
+    check_newton(system, step, scene.place());
     check_curve(step, members.curve, wished);
     std::optional<Evaluations> evaluations;
-    if (is_written_out) { evaluations = hvi::gen::evaluations(system, std::move(gradients), step); }
+    if (scene.written) { evaluations = hvi::gen::evaluations(system, scene.gradients, step); }
     std::string name = name_of_class(
         wishes.class_name, system.name.empty() ? method.name() : system.name + "-" + method.name());
+    std::string command = "hvi-gen stepper " + method.provenance().origin + " " +
+                          scene.scene.origin + options_for(wishes);
     std::string header = emit(method, step,
                               {.class_name = name,
-                               .command = "hvi-gen stepper " + method.provenance().origin + " " +
-                                          scene.origin + options_for(wishes),
+                               .command = command,
+                               .note = wishes.note,
                                .system = &system,
                                .wishes = members,
                                .evaluations = evaluations ? &*evaluations : nullptr});
-    return {std::move(method), std::move(system), std::move(step),  std::move(evaluations),
-            std::move(name),   std::move(header), scene.own_headers};
+    return {std::move(method), system,
+            std::move(step),   std::move(evaluations),
+            std::move(name),   std::move(command),
+            std::move(header), scene.scene.own.headers,
+            scene.unrolling};
 }
 
 }  // namespace
@@ -133,58 +147,30 @@ MethodStepper method_stepper(const Method& wished, const StepperWishes& wishes) 
     return {std::move(method), std::move(step), std::move(header)};
 }
 
-namespace {
-
-SceneStepper written_out_stepper(const Method& wished, const WrittenOutScene& scene,
-                                 const StepperWishes& wishes) {
-    const SceneWishes members = members_of(wishes);
-    check_members(scene, members);
-    check_own_names(scene.own);
-    if (wishes.action) { refuse_rotations(function_of(scene), "--action"); }
-    check_start(scene);
-    check_lagrangian(scene);
-    MethodAndCurve method = derived(wished, wishes);
-    System system = system_of(scene);
-    if (is_overdetermined(method.method, system))
-        check_fibre_rank(hamiltonian_of(scene), wished.place);
-    const MechanicalFunction& function = function_of(scene);
-    return stepper_of(wished, std::move(method), std::move(system),
-                      {function.origin, whole(function.source), scene.own.headers}, wishes,
-                      members);
+SceneStepper scene_stepper(const Method& wished, const LoweredScene& scene,
+                           const StepperWishes& wishes) {
+    check_wishes(scene, wishes);
+    return stepper_of(wished, derived(wished, wishes), scene, wishes);
 }
 
-SceneStepper loop_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
-    const Place place = whole(scene.function.source);
-    check_wishes_of_any_size(wishes, place);
-    check_own_names(scene.own);
-    for (const NamedIndexed& invariant : scene.invariants) {
-        check_function_name(invariant.name, invariant.place_of_name);
-    }
-    // NOTE: the energy and invariants are members of every one.
-    SceneWishes members = members_of(wishes);
-    members.energy = members.invariants = true;
-    return stepper_of(wished, derived(wished, wishes), system_of(scene),
-                      {scene.origin, place, scene.own.headers}, wishes, members);
+SceneStepper scene_stepper(const ExactMethod& method, const LoweredScene& scene,
+                           const StepperWishes& wishes) {
+    check_wishes(scene, wishes);
+    return stepper_of(method.method,
+                      {{method.base, method.composition, method.method.place}, std::nullopt}, scene,
+                      wishes);
 }
-
-SceneStepper with_reason(SceneStepper stepper, const UnrollDecision& unrolling) {
-    stepper.unrolling = unrolling;
-    return stepper;
-}
-
-}  // namespace
 
 SceneStepper scene_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
-    SceneStepper stepper = by_unrolling(
+    return by_unrolling(
         scene, {wishes.unroll, wish_without_loops(wishes)},
         [&](const UnrollDecision& why) {
-            return with_reason(loop_stepper(wished, scene, wishes), why);
+            return scene_stepper(wished, lowered_with_loops(scene, why), wishes);
         },
-        [&](const WrittenOutScene& written, const UnrollDecision& why) {
-            return with_reason(written_out_stepper(wished, written, wishes), why);
+        [&](WrittenOutScene written, const UnrollDecision& why) {
+            return scene_stepper(wished, lowered_written_out(scene, std::move(written), why),
+                                 wishes);
         });
-    static_cast<void>(times_of(scene));  // whose words are checked there
-    return stepper;
 }
 
 }  // namespace hvi::gen

@@ -19,11 +19,11 @@
 #include <optional>
 #include <string>
 
+#include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/one_step_method.hpp"
-#include "generator/lower/system.hpp"
 #include "generator/options/wishes.hpp"
+#include "generator/pipeline/lowered.hpp"
 #include "generator/plan/evaluations.hpp"
-#include "generator/read/unrolling.hpp"
 
 namespace hvi::gen {
 
@@ -46,15 +46,25 @@ struct SceneStepper {
     Step step;
     std::optional<Evaluations> evaluations;  ///< of a system that is written out
     std::string class_name;
+    std::string command;  ///< that writes the header
     std::string header;
     std::vector<OwnHeader> own_headers;  ///< that it needs
     UnrollDecision unrolling = {};
 };
 
-/// A stepper of the scene, whose sums are written out or stay loops; then the sizes are parameters
-/// of the class. The command line is quoted in it. Throws InputError and MathError also for a word
-/// without a meaning, a scene that cannot start, an invariant that cannot be a member, and what is
-/// wished for and not built for this H. Preconditions: those of lower().
+/// A stepper of the scene. The command line `hvi-gen stepper ...` that writes the same header is
+/// quoted in it. Throws InputError and MathError for an invariant that cannot be a member, and for
+/// what is wished for and not built for this H. Precondition: wishes.unroll is that of the scene.
+[[nodiscard]] SceneStepper scene_stepper(const Method& method, const LoweredScene& scene,
+                                         const StepperWishes& wishes);
+
+/// Takes a method that is derived already. Precondition: its composition is wished for, no curve.
+[[nodiscard]] SceneStepper scene_stepper(const ExactMethod& method, const LoweredScene& scene,
+                                         const StepperWishes& wishes);
+
+/// Lowers the scene for this method alone; then the sizes are parameters of the class where sums
+/// stay loops. What loops do not have for this method is written out where that is left open.
+/// Throws as lowered() does, too. Preconditions: those of lower().
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
                                          const StepperWishes& wishes);
 

@@ -75,12 +75,10 @@ bool applies(const Peer& peer, const System& system) {
     return !peer.needs_separable || (system.structure.is_separable && !system.time);
 }
 
-SceneStepper stepper_for_peers(const Scene& scene) {
+SceneStepper stepper_for_peers(const LoweredScene& scene) {
     // NOTE: a method with equations to solve, so that Newton's method wants second derivatives.
     const auto name = std::make_shared<const Source>(Source{"--method", "gauss:2"});
-    StepperWishes wishes = simulation_wishes(Solver::newton);
-    wishes.unroll = Unroll::yes;
-    return scene_stepper(named_method(name), scene, wishes);
+    return scene_stepper(named_method(name), scene, simulation_wishes(Solver::newton));
 }
 
 Measurement measure_peer(const std::filesystem::path& program, const Peer& peer, const PeerRun& run,

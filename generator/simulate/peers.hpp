@@ -38,7 +38,7 @@ struct PeerLibrary {
 [[nodiscard]] bool applies(const Peer& peer, const System& system);
 
 /// A scene with what peers evaluate. Throws as scene_stepper() does.
-[[nodiscard]] SceneStepper stepper_for_peers(const Scene& scene);
+[[nodiscard]] SceneStepper stepper_for_peers(const LoweredScene& scene);
 
 /// A run of a peer. `tolerance` is that of what chooses its steps, of which then the first has the
 /// size that `steps` has.

@@ -331,22 +331,20 @@ private:
     Bar bar_;
 };
 
-Advice advice_written_out(Builds& builds, const Scene& scene, const WrittenOutScene& written,
-                          const AdviceWishes& wishes) {
-    const System system = system_of(written);
-    Adviser adviser(scene.name, system.structure, wishes);
+Advice advice_written_out(Builds& builds, const LoweredScene& scene, const AdviceWishes& wishes) {
+    Adviser adviser(scene.scene.name, scene.system.structure, wishes);
     const Build quadruple =
-        wishes.accuracy < coarsest_of_quadruple ? reference_build(builds, scene, written) : Build();
+        wishes.accuracy < coarsest_of_quadruple ? reference_build(builds, scene) : Build();
     adviser.compile([&](const Candidate& candidate) {
-        return contender(builds, candidate.method, scene, Unroll::yes, candidate.solver);
+        return contender(builds, candidate.method, scene, candidate.solver);
     });
     const Deadline deadline(wishes.seconds);
     const FoundReference found =
-        good_reference(quadruple, adviser.contenders().back(), written, wishes);
+        good_reference(quadruple, adviser.contenders().back(), *scene.written, wishes);
     if (!(found.reference.error <= part_of_accuracy * wishes.accuracy))
         return std::move(adviser).with(found);
     const Course course{
-        found.reference, wishes.until, wishes.first_count, {}, !system.time.has_value()};
+        found.reference, wishes.until, wishes.first_count, {}, !scene.system.time.has_value()};
     std::vector<MeasureSteps> measures;
     for (const Contender& contender : adviser.contenders())
         measures.push_back(measured(contender, course.until));
@@ -354,12 +352,11 @@ Advice advice_written_out(Builds& builds, const Scene& scene, const WrittenOutSc
 }
 
 /// Beside a reference in long double, or its exact one.
-Advice advice_with_loops(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
-    const System system = system_of(scene);
-    Adviser adviser(scene.name, system.structure, wishes);
-    const LargeReference large(builds, scene, wishes.until);
+Advice advice_with_loops(Builds& builds, const LoweredScene& scene, const AdviceWishes& wishes) {
+    Adviser adviser(scene.scene.name, scene.system.structure, wishes);
+    const LargeReference large(builds, scene.scene, wishes.until);
     adviser.compile([&](const Candidate& candidate) {
-        return contender(builds, candidate.method, scene, Unroll::no, candidate.solver);
+        return contender(builds, candidate.method, scene, candidate.solver);
     });
     large.wait();
     const Deadline deadline(wishes.seconds);
@@ -367,9 +364,9 @@ Advice advice_with_loops(Builds& builds, const Scene& scene, const AdviceWishes&
                         wishes.until,
                         wishes.first_count,
                         {},
-                        !system.time.has_value()};
+                        !scene.system.time.has_value()};
     if (!(course.reference.error <= part_of_accuracy * wishes.accuracy))
-        refuse_reference(scene.name, course.reference.error);
+        refuse_reference(scene.scene.name, course.reference.error);
     std::vector<MeasureSteps> measures;
     for (const Contender& contender : adviser.contenders())
         measures.push_back(large.measured(contender.build));
@@ -379,12 +376,9 @@ Advice advice_with_loops(Builds& builds, const Scene& scene, const AdviceWishes&
 }  // namespace
 
 Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
-    return by_unrolling(
-        scene, wishes.sums,
-        [&](const UnrollDecision&) { return advice_with_loops(builds, scene, wishes); },
-        [&](const WrittenOutScene& written, const UnrollDecision&) {
-            return advice_written_out(builds, scene, written, wishes);
-        });
+    const LoweredScene system = lowered(scene, wishes.sums);
+    return system.written ? advice_written_out(builds, system, wishes)
+                          : advice_with_loops(builds, system, wishes);
 }
 
 }  // namespace hvi::gen

@@ -39,11 +39,10 @@ bool has_exact_states(const WrittenOutScene& scene) {
     return !scene.exact.empty() && std::holds_alternative<Hamiltonian>(scene.mechanics);
 }
 
-Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene, Unroll unroll,
+Contender contender(Builds& builds, const StudiedMethod& method, const LoweredScene& scene,
                     Solver solver) {
-    StepperWishes wishes = simulation_wishes(solver, method.composition);
-    wishes.unroll = unroll;
-    const SceneStepper stepper = scene_stepper(method.method, scene, wishes);
+    const SceneStepper stepper =
+        scene_stepper(method, scene, simulation_wishes(solver, method.composition));
     check_simulation(stepper);
     const std::optional<StageCorrections>& corrections = stepper.step.corrections;
     return {stepper.method.title(), method.order, builds.order(simulation_program(stepper)),
@@ -56,12 +55,11 @@ MeasureSteps measured(const Contender& contender, double until) {
     };
 }
 
-Build reference_build(Builds& builds, const Scene& scene, const WrittenOutScene& written) {
-    if (has_exact_states(written)) return {};
+Build reference_build(Builds& builds, const LoweredScene& scene) {
+    if (has_exact_states(*scene.written)) return {};
     const auto name = std::make_shared<const Source>(Source{"--method", reference_method});
-    return builds.order(reference_program(
-        scene_stepper(named_method(name), scene,
-                      {.solver = Solver::fixed_point, .unroll = Unroll::yes, .float128 = true})));
+    return builds.order(reference_program(scene_stepper(
+        named_method(name), scene, {.solver = Solver::fixed_point, .float128 = true})));
 }
 
 Reference reference(const Build& build, const WrittenOutScene& scene, double until,

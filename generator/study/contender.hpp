@@ -30,10 +30,9 @@ struct Contender {
     std::optional<SolverCosts> costs = {};  ///< of the ways to solve for its stages
 };
 
-/// Takes sums as they are in the reference that it is measured against: written out, or as loops.
 /// Throws what scene_stepper() does.
-[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method, const Scene& scene,
-                                  Unroll unroll, Solver solver);
+[[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method,
+                                  const LoweredScene& scene, Solver solver);
 
 /// Measures its runs, until the time of the course.
 [[nodiscard]] MeasureSteps measured(const Contender& contender, double until);
@@ -43,8 +42,8 @@ struct Contender {
 [[nodiscard]] bool has_exact_states(const WrittenOutScene& scene);
 
 /// The program of a reference solution, where the scene has none that is exact.
-[[nodiscard]] Build reference_build(Builds& builds, const Scene& scene,
-                                    const WrittenOutScene& written);
+/// Precondition: sums are written out.
+[[nodiscard]] Build reference_build(Builds& builds, const LoweredScene& scene);
 
 /// The scene's exact solution at its end, or one by that program, with steps halved until the end
 /// moves by no more than `wanted`, or for so many seconds. `count` are the scene's own steps.

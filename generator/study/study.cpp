@@ -39,11 +39,10 @@ struct Programs {
     }
 };
 
-Programs programs(Builds& builds, const Scene& scene, const WrittenOutScene& written,
-                  const StudyWishes& wishes) {
-    Programs all{reference_build(builds, scene, written), {}, {}, {}};
+Programs programs(Builds& builds, const LoweredScene& scene, const StudyWishes& wishes) {
+    Programs all{reference_build(builds, scene), {}, {}, {}};
     for (const StudiedMethod& method : wishes.methods)
-        all.contenders.push_back(contender(builds, method, scene, Unroll::yes, Solver::automatic));
+        all.contenders.push_back(contender(builds, method, scene, Solver::automatic));
     if (!wishes.libraries.empty()) all.for_peers = stepper_for_peers(scene);
     for (const PeerLibrary& library : wishes.libraries)
         all.teams.push_back(
@@ -56,11 +55,11 @@ struct LargePrograms {
     LargeReference reference;
     std::vector<Contender> contenders;
 
-    LargePrograms(Builds& builds, const Scene& scene, double until,
+    LargePrograms(Builds& builds, const LoweredScene& scene, double until,
                   const std::vector<StudiedMethod>& methods)
-        : reference(builds, scene, until) {
+        : reference(builds, scene.scene, until) {
         for (const StudiedMethod& method : methods)
-            contenders.push_back(contender(builds, method, scene, Unroll::no, Solver::automatic));
+            contenders.push_back(contender(builds, method, scene, Solver::automatic));
     }
 
     void wait() const {
@@ -136,14 +135,13 @@ private:
 
 constexpr std::size_t other_parts = 3 + more_rounds;  // than runs of one method, or library
 
-void study_written_out(Builds& builds, const Scene& scene, const WrittenOutScene& written,
-                       double until, std::int64_t first_count, const StudyWishes& wishes,
-                       SceneReport& report, TimeSpent& time_spent) {
-    report = {scene.name, scene.description, until, {}, {}};
+void study_written_out(Builds& builds, const LoweredScene& scene, double until,
+                       std::int64_t first_count, const StudyWishes& wishes, SceneReport& report,
+                       TimeSpent& time_spent) {
     Study study(report, time_spent, wishes.methods.size() + wishes.libraries.size() + other_parts);
     const Programs all = [&] {
         const auto part = study.begin("deriving and writing steppers");
-        return programs(builds, scene, written, wishes);
+        return programs(builds, scene, wishes);
     }();
     {
         const auto part = study.begin("compiling");
@@ -151,19 +149,19 @@ void study_written_out(Builds& builds, const Scene& scene, const WrittenOutScene
     }
     {
         const auto part = study.begin("reference");
-        report.reference = reference(all.reference, written, until, first_count, 1e-18);
+        report.reference = reference(all.reference, *scene.written, until, first_count, 1e-18);
     }
     const Course course{report.reference, until, first_count, wishes.steps,
-                        !depends_on_time(function_of(written).expression)};
+                        !scene.system.time.has_value()};
     for (const Contender& contender : all.contenders)
         study.run(contender, course, measured(contender, until));
     for (const Team& team : all.teams) study.run(team, *all.for_peers, course);
     study.run_again();
 }
 
-void study_with_loops(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
-                      const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
-    report = {scene.name, scene.description, until, {}, {}};
+void study_with_loops(Builds& builds, const LoweredScene& scene, double until,
+                      std::int64_t first_count, const StudyWishes& wishes, SceneReport& report,
+                      TimeSpent& time_spent) {
     Study study(report, time_spent, wishes.methods.size() + other_parts);
     const auto all = [&] {
         const auto part = study.begin("deriving and writing steppers");
@@ -190,15 +188,10 @@ void study_with_loops(Builds& builds, const Scene& scene, double until, std::int
 
 void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
-    by_unrolling(
-        scene, wishes.sums,
-        [&](const UnrollDecision&) {
-            study_with_loops(builds, scene, until, first_count, wishes, report, time_spent);
-        },
-        [&](const WrittenOutScene& written, const UnrollDecision&) {
-            study_written_out(builds, scene, written, until, first_count, wishes, report,
-                              time_spent);
-        });
+    report = {scene.name, scene.description, until, {}, {}};
+    const LoweredScene system = lowered(scene, wishes.sums);
+    const auto& of_form = system.written ? study_written_out : study_with_loops;
+    of_form(builds, system, until, first_count, wishes, report, time_spent);
 }
 
 }  // namespace hvi::gen

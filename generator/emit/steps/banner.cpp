@@ -166,26 +166,11 @@ std::string one_line(std::string_view command) {
     return "//     " + text;
 }
 
-/// What stands before the command in templates/banner.hpp.in, and where that begins in a header.
-constexpr std::string_view before_command = "to write it again:\n//     ";
-
-std::size_t begin_of_command(const std::string& header) {
-    const std::size_t found = header.find(before_command);
-    HVI_CHECK(found != std::string::npos);
-    return found + before_command.size();
+std::string note_text(const EmitOptions& options) {
+    return options.note.empty() ? "" : "\n// " + options.note;
 }
 
 }  // namespace
-
-std::string command_in(const std::string& header) {
-    const std::size_t begin = begin_of_command(header);
-    return header.substr(begin, header.find('\n', begin) - begin);
-}
-
-std::string with_note(std::string header, const std::string& note) {
-    const std::size_t end = header.find('\n', begin_of_command(header));
-    return header.insert(end + 1, "// " + note + "\n");
-}
 
 std::string banner(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     const auto of_base = [&](auto text) {
@@ -194,7 +179,7 @@ std::string banner(const OneStepMethod& method, const Step& step, const EmitOpti
     std::string text =
         fill("banner.hpp.in",
              {{"version", std::string(version)},
-              {"command", one_line(options.command)},
+              {"command", one_line(options.command) + note_text(options)},
               {"method", of_base([&](const auto& base) { return method_text(base, step); })},
               {"numbers", of_base([&](const auto& base) { return numbers_text(base, step); })},
               {"scene", options.evaluations == nullptr

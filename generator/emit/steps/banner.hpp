@@ -12,10 +12,4 @@ namespace hvi::gen {
 [[nodiscard]] std::string banner(const OneStepMethod& method, const Step& step,
                                  const EmitOptions& options);
 
-/// The command that a header says it was written by.
-[[nodiscard]] std::string command_in(const std::string& header);
-
-/// The header with a line of comment behind that command.
-[[nodiscard]] std::string with_note(std::string header, const std::string& note);
-
 }  // namespace hvi::gen

@@ -13,6 +13,7 @@ namespace hvi::gen {
 struct EmitOptions {
     std::string class_name;          ///< checked by check_class_name()
     std::string command;             ///< the command line that writes the same header again
+    std::string note = {};           ///< a line below that; or empty
     const System* system = nullptr;  ///< whose H it is; null: that of a class of the user
     SceneWishes wishes = {};         ///< of the scene
     const Evaluations* evaluations = nullptr;  ///< of a system that is written out
