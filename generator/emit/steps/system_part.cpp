@@ -81,18 +81,25 @@ std::string_view numbers(const SceneWishes& wishes) {
                            : "float, double or long double";
 }
 
+/// The scene, its method and its numbers.
 std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& options) {
     const System& scene = *options.system;
-    const std::string method =
-        provenance.name.empty() ? "a method of its own basis and nodes" : provenance.name;
+    const bool is_any_size = !scene.is_written_out();
+    std::string method = provenance.name;
+    if (method.empty()) {
+        method = is_any_size ? "a method of its own" : "a method of its own basis and nodes";
+    }
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
+    std::string_view states;
+    if (is_any_size) {
+        states = " States hold std::vector.";
+    } else if (rotations_of(scene) == 0) {
+        states = " States hold Numbers: arrays, or vectors of Eigen of fixed size.";
+    }
     Writer writer(0);
-    const std::string_view states =
-        rotations_of(scene) == 0
-            ? " States hold Numbers: arrays, or vectors of Eigen of fixed size."
-            : "";
-    writer.comment(fmt::format("{} with {}, computed in Number: {}.{}", what, method,
-                               numbers(options.wishes), states),
+    writer.comment(fmt::format("{}{} with {}, computed in Number: {}.{}", what,
+                               is_any_size ? " of any size" : "", method, numbers(options.wishes),
+                               states),
                    "/// ");
     if (!scene.description.empty()) { writer.comment(scene.description, "/// "); }
     return writer.str();
@@ -113,11 +120,12 @@ std::string solver_type(const Step& step) {
     return {};
 }
 
-std::string types_for_scene(const Step& step, const EmitOptions& options) {
-    const System& system = *options.system;
+/// Vectors, and what else there is by their container.
+std::string vector_types(const System& system) {
     Writer writer(1);
-    writer.line("using Scalar = Number;");
-    if (rotations_of(system) == 0) {
+    if (!system.is_written_out()) {
+        writer.line("using Vector = std::vector<Number>;").line("using Place = std::ptrdiff_t;");
+    } else if (rotations_of(system) == 0) {
         writer.line("using Vector = Numbers;");
     } else {
         writer.line("using Space = hvi::detail::ChartSpace<Number, {}, {}>;",
@@ -125,8 +133,16 @@ std::string types_for_scene(const Step& step, const EmitOptions& options) {
         writer.line("using Vector = typename Space::Vector;");
         writer.blank().insert(bodies_text(system));
     }
+    return writer.str();
+}
+
+/// The public types up to the scene's System, and the solver.
+std::string types_for_scene(const Step& step, const EmitOptions& options) {
+    const System& system = *options.system;
+    Writer writer(1);
+    writer.line("using Scalar = Number;").insert(vector_types(system));
     writer.blank().insert(parameters_text(system));
-    writer.blank().insert(system_text(*options.system, options.wishes, step, *options.evaluations));
+    writer.blank().insert(system_text(system, options.wishes, step, options.evaluations));
     if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
         writer.blank().line("using Solver = {};", solver_type(step));
     }
@@ -182,45 +198,35 @@ std::string condition_on_numbers(const SceneWishes& wishes) {
     return writer.str();
 }
 
-std::string conditions_for_scene(std::size_t n, const SceneWishes& wishes) {
+/// Whether vectors are of any type of a fixed size.
+bool takes_vectors(const System& system) {
+    return system.is_written_out() && rotations_of(system) == 0;
+}
+
+std::string conditions_for_scene(const System& system, const SceneWishes& wishes) {
+    if (!takes_vectors(system)) { return condition_on_numbers(wishes); }
     Writer writer(1);
     writer.insert(condition_on_numbers(wishes));
-    writer.line("static_assert(hvi::detail::is_fixed_vector<Numbers, Number, {}>(),", n);
+    writer.line("static_assert(hvi::detail::is_fixed_vector<Numbers, Number, {}>(),",
+                system.degrees_of_freedom());
     writer.line(
         "              \"hvi: vectors are of these numbers, and of fixed size: std::array, or "
         "Eigen's\");");
     return writer.str();
 }
 
-SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitOptions& options) {
-    SystemPart part;
-    part.include = own_includes(options.system->own_headers) + "#include <array>\n#include <cmath>";
-    if (options.wishes.evaluations) { part.include += "\n#include <cstdint>"; }
+std::string include_of_arrays(const Step& step, const EmitOptions& options) {
+    std::string text = "#include <array>\n#include <cmath>";
+    if (options.wishes.evaluations) { text += "\n#include <cstdint>"; }
     // NOTE: explicit steppers have it as a part of their own.
     if (!step.is_explicit() && calls_more_math(*options.system, options.wishes)) {
-        part.include += "\n#include <hvi/detail/numbers/more_math.hpp>";
+        text += "\n#include <hvi/detail/numbers/more_math.hpp>";
     }
     if (step.has_lanes() && calls_lane_functions(*options.system)) {
-        part.include += "\n#include <hvi/detail/lanes/lane_functions.hpp>";
+        text += "\n#include <hvi/detail/lanes/lane_functions.hpp>";
     }
-    part.purpose = purpose_for_scene(provenance, options);
-    part.class_name = "Basic" + options.class_name;
-    const std::size_t n = options.system->degrees_of_freedom();
-    const bool has_rotations = rotations_of(*options.system) > 0;
-    part.head = has_rotations ? "template <class Number>"
-                              : fmt::format("template <class Number, class Numbers = "
-                                            "std::array<Number, {}>>",
-                                            n);
-    part.condition = has_rotations ? condition_on_numbers(options.wishes)
-                                   : conditions_for_scene(n, options.wishes);
-    part.types = types_for_scene(step, options);
-    part.state = has_rotations ? "Bodies" : state_type(step);
-    part.construct = constructors_for_scene(step, options, part.class_name);
-    part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
-    return part;
+    return text;
 }
-
-// ---- a scene with loops ----
 
 /// NOTE: explicit steppers include of hvi what they have in copies too.
 std::string include_of_loops(const System& system, const Step& step) {
@@ -239,46 +245,21 @@ std::string include_of_loops(const System& system, const Step& step) {
     return text;
 }
 
-/// The scene, its method and its numbers.
-std::string purpose_for_loops(const Provenance& provenance, const EmitOptions& options) {
-    const System& system = *options.system;
-    Writer writer(0);
-    writer.comment(
-        fmt::format("The scene {} of any size with {}, computed in Number: {}. States hold "
-                    "std::vector.",
-                    system.name, provenance.name.empty() ? "a method of its own" : provenance.name,
-                    numbers(options.wishes)),
-        "/// ");
-    if (!system.description.empty()) { writer.comment(system.description, "/// "); }
-    return writer.str();
-}
-
-/// The public types up to the scene's System, and the solver.
-std::string types_for_loops(const Step& step, const EmitOptions& options) {
-    const System& system = *options.system;
-    // NOTE: sweeps over sites know how many they take.
-    const bool counts = options.wishes.evaluations && step.layout != Layout::sites;
-    Writer writer(1);
-    writer.line("using Scalar = Number;").line("using Vector = std::vector<Number>;");
-    writer.line("using Place = std::ptrdiff_t;").blank();
-    writer.insert(parameters_text(system)).blank();
-    writer.insert(loop_system_text(system, step, counts)).blank();
-    if (step.iteration() != nullptr) {
-        writer.line("using Solver = {};", solver_type(step)).blank();
-    }
-    return writer.str();
-}
-
-SystemPart for_loops(const Provenance& provenance, const Step& step, const EmitOptions& options) {
+SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitOptions& options) {
     const System& system = *options.system;
     SystemPart part;
-    part.include = own_includes(system.own_headers) + include_of_loops(system, step);
-    part.purpose = purpose_for_loops(provenance, options);
-    part.head = "template <class Number>";
+    part.include = own_includes(system.own_headers) + (system.is_written_out()
+                                                           ? include_of_arrays(step, options)
+                                                           : include_of_loops(system, step));
+    part.purpose = purpose_for_scene(provenance, options);
     part.class_name = "Basic" + options.class_name;
-    part.condition = condition_on_numbers(options.wishes);
-    part.types = types_for_loops(step, options);
-    part.state = state_type(step);
+    part.head = takes_vectors(system) ? fmt::format("template <class Number, class Numbers = "
+                                                    "std::array<Number, {}>>",
+                                                    system.degrees_of_freedom())
+                                      : "template <class Number>";
+    part.condition = conditions_for_scene(system, options.wishes);
+    part.types = types_for_scene(step, options);
+    part.state = rotations_of(system) > 0 ? "Bodies" : state_type(step);
     part.construct = constructors_for_scene(step, options, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;
@@ -295,8 +276,8 @@ std::string own_includes(const std::vector<std::string>& headers) {
 SystemPart system_part(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     switch (step.container) {
     case Container::of_user: return for_users(step, options);
-    case Container::arrays: return for_scene(method.provenance(), step, options);
-    case Container::vectors: return for_loops(method.provenance(), step, options);
+    case Container::arrays:
+    case Container::vectors: return for_scene(method.provenance(), step, options);
     }
     HVI_CHECK(false);
     return {};

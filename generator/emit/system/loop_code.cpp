@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/emit/system/class_values.hpp"
 #include "generator/emit/system/element_conditions.hpp"
 #include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/loop_names.hpp"
@@ -79,8 +80,14 @@ bool adds_products(const System& system, const Step& step) {
 
 class SystemClass {
 public:
-    SystemClass(const System& system, const Step& step, bool counts)
-        : step_(step), system_(system), counts_(counts), names_(system_), loops_(system_, names_) {}
+    SystemClass(const System& system, const SceneWishes& wishes, const Step& step)
+        : step_(step),
+          system_(system),
+          wishes_(wishes),
+          // NOTE: sweeps over sites know how many they take.
+          counts_(wishes.evaluations && step.layout != Layout::sites),
+          names_(system_),
+          loops_(system_, names_) {}
 
     [[nodiscard]] std::string text() {
         // NOTE: the constructor comes last, as it computes what the others need.
@@ -236,7 +243,7 @@ private:
     }
 
     void write_value(Writer& writer, const std::string& name, const std::vector<SystemSum>& sums,
-                     std::string_view time = "") {
+                     std::string_view time) {
         writer.blank().open("[[nodiscard]] Scalar {}([[maybe_unused]] const Vector& q_of, "
                             "[[maybe_unused]] const Vector& p_of{}) const {{",
                             name, time);
@@ -253,9 +260,8 @@ private:
     }
 
     void write_values(Writer& writer) {
-        write_value(writer, "energy", system_.energy, time_argument());
-        for (const SystemValue& invariant : system_.invariants) {
-            write_value(writer, member_name(invariant.name), invariant.sums);
+        for (const ClassValue& value : values_of_class(system_, wishes_)) {
+            write_value(writer, value.name, *value.sums, value.has_time ? time_argument() : "");
         }
     }
 
@@ -389,6 +395,7 @@ private:
 
     const Step& step_;
     const System& system_;
+    const SceneWishes& wishes_;
     bool counts_;
     LoopNames names_;
     LoopWriter loops_;
@@ -400,8 +407,8 @@ bool scatters(const System& system, const Step& step) {
     return !system.sites || adds_products(system, step);
 }
 
-std::string loop_system_text(const System& system, const Step& step, bool counts) {
-    return SystemClass(system, step, counts).text();
+std::string loop_system_text(const System& system, const SceneWishes& wishes, const Step& step) {
+    return SystemClass(system, wishes, step).text();
 }
 
 }  // namespace hvi::gen

@@ -4,16 +4,15 @@
 
 #include <string>
 
-#include "generator/ir/step.hpp"
-#include "generator/ir/system.hpp"
+#include "generator/emit/system/scene_code.hpp"
 
 namespace hvi::gen {
 
 /// Whether something is scattered: added where it belongs, one summand after the other.
 [[nodiscard]] bool scatters(const System& system, const Step& step);
 
-/// `struct System`: what a stepper needs of H, with loops where the scene has sums; `counts`:
-/// evaluations of dH/dq are counted.
-[[nodiscard]] std::string loop_system_text(const System& system, const Step& step, bool counts);
+/// `struct System`: what a stepper needs of H, with loops where the scene has sums.
+[[nodiscard]] std::string loop_system_text(const System& system, const SceneWishes& wishes,
+                                           const Step& step);
 
 }  // namespace hvi::gen

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 
+#include "generator/emit/system/class_values.hpp"
 #include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/rotation_code.hpp"
 #include "generator/emit/text/constants.hpp"
@@ -226,16 +227,10 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
     write_reading(writer, system);
     if (!system.initial.empty()) { write_initial(writer, system, state); }
     if (has_velocities || system.is_transformed) { write_velocity(writer, system, state); }
-    if (wishes.energy) {
-        const bool has_L = has_velocities || system.is_transformed;
-        write_member(writer, doc(has_L ? "v dL/dv - L" : "H = " + to_text(system.expression)),
-                     state, "energy", arguments, system.time ? ", x.t" : "");
-    }
-    if (wishes.invariants) {
-        for (const SystemValue& invariant : system.invariants) {
-            write_member(writer, doc(to_text(invariant.expression)), state,
-                         member_name(invariant.name), arguments);
-        }
+    for (const ClassValue& value : values_of_class(system, wishes)) {
+        if (value.about.empty()) { continue; }
+        write_member(writer, doc(value.about), state, value.name, arguments,
+                     value.has_time ? ", x.t" : "");
     }
     if (wishes.evaluations) {
         writer.line("/// How often d{}/dq was evaluated, at one stage each time.",

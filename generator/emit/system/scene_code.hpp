@@ -51,9 +51,10 @@ void check_members(const WrittenOutScene& scene, const SceneWishes& wishes);
 /// The constant of a System that tells whether its K is diagonal.
 [[nodiscard]] std::string mass_text(const VelocityStep& form);
 
-/// `struct System`: what a stepper with this step needs of H, as straight-line code.
+/// `struct System`: what a stepper with this step needs of H, as straight-line code, or with loops
+/// where there are no evaluations without.
 [[nodiscard]] std::string system_text(const System& system, const SceneWishes& wishes,
-                                      const Step& step, const Evaluations& evaluations);
+                                      const Step& step, const Evaluations* evaluations);
 
 /// `static State initial(...)`, and the members that are asked for.
 [[nodiscard]] std::string scene_members_text(const System& system, const SceneWishes& wishes,

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/emit/system/class_values.hpp"
 #include "generator/emit/system/given_names.hpp"
+#include "generator/emit/system/loop_code.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/names.hpp"
 
@@ -36,10 +38,12 @@ struct SystemFunction {
     std::vector<std::string> targets;  ///< of the results; empty where the only one is returned
     Kernel kernel;
     bool has_q = true, has_p = true;  ///< among its arguments
-    std::string out;                  ///< its last argument, if any
+    std::string out = {};             ///< its last argument, if any
+    bool is_matrix = false;           ///< of a type that a caller chooses
     bool has_time = false;            ///< among its arguments, before that
     bool is_mirrored = false;         ///< out is a matrix of which the lower half is computed
     NodeNames names = {};             ///< of what it alone is given
+    bool has_forces = false;          ///< dH/dq at a stage
     bool is_counted = false;          ///< each call
     bool takes_lanes = false;         ///< as well as numbers
     bool is_inlined = false;          ///< wherever it is called
@@ -65,6 +69,7 @@ SystemFunction hessian(std::string name, const BlockKernel& block) {
     SystemFunction function;
     function.name = std::move(name);
     function.out = "Matrix& out";
+    function.is_matrix = true;
     for (const auto& [row, column] : block.places) {
         function.targets.push_back(fmt::format("out({}, {})", row, column));
         function.is_mirrored = function.is_mirrored || (block.is_symmetric && row != column);
@@ -121,8 +126,9 @@ void add_tangents(std::vector<SystemFunction>& functions, const Tangents& tangen
     const std::vector<Node>& direction = system.structure.direction;
     const std::vector<std::string> out = components("out", direction.size());
     const std::vector<std::string> kept = components("at", tangents.kept.size());
-    SystemFunction along{"d2Hdq2", out, tangents.along, true, false, ""};
-    SystemFunction slope{"dHdq", out, tangents.slope, true, false, ""};
+    SystemFunction along{"d2Hdq2", out, tangents.along, true, false};
+    SystemFunction slope{"dHdq", out, tangents.slope, true, false};
+    slope.has_forces = true;
     slope.has_time = system.time.has_value();
     slope.targets.insert(slope.targets.end(), kept.begin(), kept.end());
     for (std::size_t k = 0; k < direction.size(); ++k) {
@@ -142,6 +148,7 @@ void add_shared(std::vector<SystemFunction>& functions, const Kernel& by_q_and_s
     const std::vector<std::string> out = components("out", system.degrees_of_freedom());
     const std::vector<std::string> kept = components("at", gradients.shared.size());
     SystemFunction by_q{"dHdq", out, by_q_and_shared, true, true, "Values& out, Values& at"};
+    by_q.has_forces = true;
     SystemFunction by_p{"dHdp", out,  gradients.by_conjugates_at_q,
                         true,   true, "const Values& at, Values& out"};
     by_q.targets.insert(by_q.targets.end(), kept.begin(), kept.end());
@@ -195,6 +202,7 @@ SystemFunction both_gradients(const System& system, const Step& step, const Kern
         function.targets.push_back(std::move(target));
     }
     function.out = fmt::format("{0}& {1}, {0}& {2}", vector_type(step.has_lanes()), by_q, by_p);
+    function.has_forces = true;
     return of_positions(std::move(function), step);
 }
 
@@ -207,6 +215,7 @@ std::vector<SystemFunction> slopes(const System& system, const Step& step,
     } else {
         const GradientKernels& gradients = evaluations.gradients;
         result.push_back(of_positions(slope(system, step, "dHdq", gradients.by_q), step));
+        result.back().has_forces = true;
         result.push_back(of_momenta(slope(system, step, "dHdp", gradients.by_conjugates), step));
     }
     if (system.side == Side::lagrangian) {
@@ -221,7 +230,7 @@ std::vector<SystemFunction> slopes(const System& system, const Step& step,
         add_shared(result, *evaluations.shared, evaluations.gradients, system, step);
     }
     if (evaluations.stiffness) {
-        SystemFunction function{"stiffness", {}, *evaluations.stiffness, false, false, ""};
+        SystemFunction function{"stiffness", {}, *evaluations.stiffness, false, false};
         function.targets = components("out", evaluations.stiffness->results.size());
         function.out = fmt::format("std::array<Scalar, {}>& out", function.targets.size());
         result.push_back(std::move(function));
@@ -237,7 +246,7 @@ SystemFunction quadratic(const System& system) {
     const Structure& found = system.structure;
     const Hessian& second = hessian_of(system);
     const std::size_t n = system.degrees_of_freedom();
-    SystemFunction function{"quadratic", {}, {}, false, false, ""};
+    SystemFunction function{"quadratic", {}, {}, false, false};
     function.out = fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n);
     Results results;
     const auto add = [&](std::string target, const Scaled& value) {
@@ -260,33 +269,18 @@ SystemFunction quadratic(const System& system) {
 
 std::vector<SystemFunction> functions(const System& system, const SceneWishes& wishes,
                                       const Step& step, const Evaluations& evaluations) {
-    const auto value = [&](const std::string& name, const Scaled& result) {
-        return SystemFunction{name, {}, kernel(system.graph, {result}), true, true, ""};
-    };
-    const auto value_in_time = [&](const std::string& name, const Scaled& result) {
-        SystemFunction function = value(name, result);
-        function.has_time = step.depends_on_time();
-        return function;
-    };
-    const bool has_L = system.side == Side::lagrangian;
     const bool is_map = std::holds_alternative<TabulatedStep>(step.form);
     std::vector<SystemFunction> result =
         is_map ? std::vector<SystemFunction>{quadratic(system)} : slopes(system, step, evaluations);
     for (SystemFunction& function : result) {
-        const bool has_forces = function.name == "dHdq" || function.name == "gradient";
-        function.is_counted = wishes.evaluations && has_forces;
+        function.is_counted = wishes.evaluations && function.has_forces;
     }
-    if (wishes.energy || (wishes.action && !has_L)) {
-        result.push_back(value_in_time("energy", energy_of(system)));
-    }
-    if (wishes.action && has_L) {
-        result.push_back(value_in_time("lagrangian", function_of(system)));
-    }
-    if (wishes.invariants) {
-        for (std::size_t i = 0; i < system.invariants.size(); ++i) {
-            result.push_back(
-                value(member_name(system.invariants[i].name), value_of(system.invariants[i])));
-        }
+    for (const ClassValue& value : values_of_class(system, wishes)) {
+        SystemFunction function;
+        function.name = value.name;
+        function.kernel = kernel(system.graph, {value.sums->front().value});
+        function.has_time = value.has_time;
+        result.push_back(std::move(function));
     }
     return result;
 }
@@ -320,8 +314,7 @@ void write(Writer& writer, const System& system, GivenNames& given, const System
     if (!function.out.empty()) {
         arguments.push_back(argument(!function.targets.empty(), function.out));
     }
-    const bool is_matrix = function.out.substr(0, 6) == "Matrix";
-    if (is_matrix) { writer.line("template <class Matrix>"); }
+    if (function.is_matrix) { writer.line("template <class Matrix>"); }
     if (function.takes_lanes) {
         writer.line("template <class Values, class Value = hvi::detail::ScalarOf<Values>>");
     }
@@ -397,15 +390,8 @@ Kernel initial_values(const System& system) {
     return kernel_of_inputs(system.graph, start_of(system));
 }
 
-}  // namespace
-
-std::string mass_text(const VelocityStep& form) {
-    return fmt::format("static constexpr bool has_diagonal_mass = {};",
-                       form.has_diagonal_mass ? "true" : "false");
-}
-
-std::string system_text(const System& system, const SceneWishes& wishes, const Step& step,
-                        const Evaluations& evaluations) {
+std::string straight_system_text(const System& system, const SceneWishes& wishes, const Step& step,
+                                 const Evaluations& evaluations) {
     const std::vector<SystemFunction> all = functions(system, wishes, step, evaluations);
     GivenNames given(system.graph, parameter_names(system));
     // NOTE: the constructor computes what functions need, and constants of both have names.
@@ -446,6 +432,19 @@ std::string system_text(const System& system, const SceneWishes& wishes, const S
     given.write_data(data);
     if (!data.str().empty()) { writer.blank().insert(data.str()); }
     return writer.close("};").str();
+}
+
+}  // namespace
+
+std::string mass_text(const VelocityStep& form) {
+    return fmt::format("static constexpr bool has_diagonal_mass = {};",
+                       form.has_diagonal_mass ? "true" : "false");
+}
+
+std::string system_text(const System& system, const SceneWishes& wishes, const Step& step,
+                        const Evaluations* evaluations) {
+    return evaluations != nullptr ? straight_system_text(system, wishes, step, *evaluations)
+                                  : loop_system_text(system, wishes, step);
 }
 
 }  // namespace hvi::gen
