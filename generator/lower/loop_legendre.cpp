@@ -44,7 +44,6 @@ public:
         name_momenta();
         for (std::size_t f = 0; f < masses_.size(); ++f) { system_.sums.push_back(kinetic(f)); }
         for (SystemSum& sum : potential) { system_.sums.push_back(std::move(sum)); }
-        system_.energy = system_.sums;
         for (SystemValue& invariant : system_.invariants) {
             for (SystemSum& sum : invariant.sums) { sum = in_momenta(std::move(sum)); }
         }

@@ -20,7 +20,6 @@ System loop_system(const Scene& scene) {
     system.own_headers = scene.own.includes();
     Declarations names = declare(system, scene);
     system.sums = sums_in_time(system, names, scene.function);
-    system.energy = system.sums;
     system.initial = starts_of(system, names, scene);
     for (const NamedIndexed& invariant : scene.invariants) {
         check_parameter_name(invariant.name, invariant.place_of_name, "an invariant");

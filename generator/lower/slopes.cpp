@@ -97,13 +97,11 @@ System differentiated(System system) {
         for (SystemSum& sum : total.sums) { sum = differentiated(system, std::move(sum)); }
     }
     for (SystemSum& sum : system.sums) { sum = differentiated(system, std::move(sum)); }
-    const auto look_again = [&](std::vector<SystemSum>& sums) {
-        for (SystemSum& sum : sums) {
+    for (SystemValue& invariant : system.invariants) {
+        for (SystemSum& sum : invariant.sums) {
             sum = {std::move(sum.loops), sum.value, accesses_in(system, {sum.value}), {}, {}};
         }
-    };
-    look_again(system.energy);
-    for (SystemValue& invariant : system.invariants) { look_again(invariant.sums); }
+    }
     for (SystemStart& start : system.initial) {
         if (auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
             rule->accesses = accesses_in(system, {rule->value});

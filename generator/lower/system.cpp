@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "generator/lower/energy.hpp"
 #include "generator/lower/loop_legendre.hpp"
 #include "generator/lower/loop_system.hpp"
 #include "generator/lower/named_system.hpp"
@@ -29,7 +30,7 @@ LinearPart linear_part(const ConstantTerms& constant) {
 }  // namespace
 
 System with_all_found(System system) {
-    for (const auto pass : {with_slopes_through_totals, with_sites, with_structure}) {
+    for (const auto pass : {with_energy, with_slopes_through_totals, with_sites, with_structure}) {
         system = pass(std::move(system));
     }
     verify(system);

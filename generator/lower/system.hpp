@@ -13,8 +13,8 @@
 
 namespace hvi::gen {
 
-/// The passes over any system, whose slopes are there: slopes through totals, Sites, Structure and
-/// second derivatives. The result is verified, and no later stage changes it.
+/// The passes over any system, whose slopes are there: the energy, slopes through totals, Sites,
+/// Structure and second derivatives. The result is verified, and no later stage changes it.
 [[nodiscard]] System with_all_found(System system);
 
 /// H with all that is found in it. A parameter that has a value is replaced by it; `parameters` are
