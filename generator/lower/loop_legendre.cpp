@@ -10,6 +10,7 @@
 #include "generator/lower/accesses.hpp"
 #include "generator/lower/kernel.hpp"
 #include "generator/lower/slopes.hpp"
+#include "generator/lower/taken_names.hpp"
 #include "generator/read/no_loops.hpp"
 
 namespace hvi::gen {
@@ -43,14 +44,13 @@ public:
         name_momenta();
         for (std::size_t f = 0; f < masses_.size(); ++f) { system_.sums.push_back(kinetic(f)); }
         for (SystemSum& sum : potential) { system_.sums.push_back(std::move(sum)); }
-        system_.energy = system_.sums;
         for (SystemValue& invariant : system_.invariants) {
             for (SystemSum& sum : invariant.sums) { sum = in_momenta(std::move(sum)); }
         }
         for (std::size_t f = 0; f < masses_.size(); ++f) { start_with_momenta(f); }
         system_.side = Side::hamiltonian;
         system_.is_transformed = true;
-        return std::move(system_);
+        return differentiated(std::move(system_));
     }
 
 private:
@@ -69,10 +69,8 @@ private:
         return system_.graph.times({-1, 1}, value);
     }
 
-    [[nodiscard]] SystemSum negative(SystemSum sum) {
-        sum.value = negative(sum.value);
-        for (AccessSlope& slope : sum.by_q) { slope.value = negative(slope.value); }
-        return sum;
+    [[nodiscard]] SystemSum negative(const SystemSum& sum) {
+        return {sum.loops, negative(sum.value), {}, {}, {}};
     }
 
     // ---- masses ----
@@ -92,7 +90,6 @@ private:
         const Scaled constant = replaced(system_.graph, sum.value, at_rest);
         if (constant.is_zero()) { return; }
         system_.sums.push_back({sum.loops, negative(constant), {}, {}, {}});
-        system_.sums.back().accesses = accesses_in(system_, {constant});
     }
 
     /// m of a slope m v.
@@ -216,17 +213,10 @@ private:
     // ---- H ----
 
     void name_momenta() {
-        std::set<std::string> taken;
-        for (const SystemSize& size : system_.sizes) { taken.insert(size.name); }
-        for (const SystemParameter& each : system_.parameters) { taken.insert(each.name); }
-        for (const SystemTable& table : system_.tables) { taken.insert(table.family.name); }
-        for (const SystemFamily& family : system_.coordinates) { taken.insert(family.name); }
+        std::set<std::string> taken = taken_names(system_);
         for (const Mass& mass : masses_) { taken.insert(mass.indices.begin(), mass.indices.end()); }
-        for (const SystemValue& invariant : system_.invariants) { taken.insert(invariant.name); }
         for (std::size_t f = 0; f < system_.conjugates.size(); ++f) {
-            std::string name = "p_" + system_.coordinates[f].name;
-            while (!taken.insert(name).second) { name += '_'; }
-            system_.conjugates[f].name = name;
+            system_.conjugates[f].name = new_name("p_" + system_.coordinates[f].name, taken);
         }
     }
 
@@ -250,8 +240,6 @@ private:
         const Scaled at{{1, 1}, system_.accesses[p].node};
         const Scaled velocity = system_.graph.product(at, system_.graph.inverse(mass.value));
         sum.value = system_.graph.times({1, 2}, system_.graph.product(at, velocity));
-        sum.accesses = accesses_in(system_, {sum.value});
-        sum.by_conjugates.push_back({p, velocity});
         return sum;
     }
 
@@ -267,7 +255,7 @@ private:
             inputs[access.node] = system_.graph.product(p, system_.graph.inverse(*mass));
         }
         const Scaled value = replaced(system_.graph, sum.value, inputs);
-        return {std::move(sum.loops), value, accesses_in(system_, {value}), {}, {}};
+        return {std::move(sum.loops), value, {}, {}, {}};
     }
 
     // ---- where it begins ----
@@ -286,7 +274,6 @@ private:
                 indices.push_back({AffineForm::of(index)});
             }
             rule->value = momentum_at_start(f, rule->value, indices);
-            rule->accesses = accesses_in(system_, {rule->value});
         } else if (auto* list = std::get_if<SystemStart::List>(&start.values)) {
             start_with_list(f, *list);
         } else {
@@ -310,7 +297,6 @@ private:
                 place[d] = ranges[d].first.at(sizes);
             }
         }
-        list.accesses = accesses_in(system_, list.values);
     }
 
     System system_;

@@ -20,7 +20,6 @@ System loop_system(const Scene& scene) {
     Declarations names = declare(system, scene);
     system.sums =
         sums_in_time(system, names, names.meant(scene.function, rules_of_function(scene.side)));
-    system.energy = system.sums;
     system.initial = starts_of(system, names, scene);
     for (const NamedIndexed& invariant : scene.invariants) {
         const IndexedExpression meant = names.meant(invariant.expression, invariant_rules);

@@ -74,18 +74,6 @@ SystemSum term(const System& system, const Scaled& value) {
     return {{}, value, accesses_in(system, {value}), {}, {}};
 }
 
-/// H, or v dL/dv - L.
-Scaled energy(System& system) {
-    if (system.side == Side::hamiltonian) { return function_of(system); }
-    std::vector<Scaled> terms{system.graph.times({-1, 1}, function_of(system))};
-    const std::vector<Node> v = conjugate_nodes(system);
-    const std::vector<Scaled> momenta = by_conjugates(system);
-    for (std::size_t k = 0; k < v.size(); ++k) {
-        terms.push_back(system.graph.product({{1, 1}, v[k]}, momenta[k]));
-    }
-    return system.graph.sum(std::move(terms));
-}
-
 template <class Function>
 NamedSystem lowered(const Function& function, const std::vector<std::string>& parameters) {
     NamedSystem result;
@@ -100,7 +88,6 @@ NamedSystem lowered(const Function& function, const std::vector<std::string>& pa
     const Scaled value = lower(system.graph, function.expression, result.symbols, function.source);
     add_turns(system);
     system.sums = {differentiated(system, {{}, value, {}, {}, {}})};
-    system.energy = {term(system, energy(system))};
     return result;
 }
 

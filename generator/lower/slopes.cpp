@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+#include <variant>
 
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/accesses.hpp"
@@ -88,6 +90,26 @@ SystemSum differentiated(System& system, SystemSum sum) {
     }
     if (rotations_of(system) != 0) { sum.by_q = with_turns(system, sum.by_q); }
     return sum;
+}
+
+System differentiated(System system) {
+    for (SystemTotal& total : system.totals) {
+        for (SystemSum& sum : total.sums) { sum = differentiated(system, std::move(sum)); }
+    }
+    for (SystemSum& sum : system.sums) { sum = differentiated(system, std::move(sum)); }
+    for (SystemValue& invariant : system.invariants) {
+        for (SystemSum& sum : invariant.sums) {
+            sum = {std::move(sum.loops), sum.value, accesses_in(system, {sum.value}), {}, {}};
+        }
+    }
+    for (SystemStart& start : system.initial) {
+        if (auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
+            rule->accesses = accesses_in(system, {rule->value});
+        } else if (auto* list = std::get_if<SystemStart::List>(&start.values)) {
+            list->accesses = accesses_in(system, list->values);
+        }
+    }
+    return system;
 }
 
 }  // namespace hvi::gen

@@ -25,4 +25,8 @@ linear_form(System& system, const Scaled& value, const std::vector<std::size_t>&
 /// rotations by their turns, which are accesses already.
 [[nodiscard]] SystemSum differentiated(System& system, SystemSum sum);
 
+/// The system with the derivatives of its function and totals, and the accesses of all its values,
+/// anew: what another function needs that a pass has made of it.
+[[nodiscard]] System differentiated(System system);
+
 }  // namespace hvi::gen

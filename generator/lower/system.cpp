@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "generator/lower/energy.hpp"
 #include "generator/lower/loop_legendre.hpp"
 #include "generator/lower/loop_system.hpp"
 #include "generator/lower/named_system.hpp"
@@ -26,28 +27,35 @@ LinearPart linear_part(const ConstantTerms& constant) {
                                                      : LinearPart{};
 }
 
-}  // namespace
+System passed(System system, const std::vector<SystemPass>& passes) {
+    for (const SystemPass pass : passes) { system = pass(std::move(system)); }
+    return system;
+}
 
+/// NOTE: no later stage changes the system.
 System with_all_found(System system) {
-    for (const auto pass : {with_slopes_through_totals, with_sites, with_structure}) {
-        system = pass(std::move(system));
-    }
+    system = passed(std::move(system),
+                    {with_energy, with_slopes_through_totals, with_sites, with_structure});
     verify(system);
     return system;
 }
+
+}  // namespace
 
 System system_of(const Hamiltonian& hamiltonian, const std::vector<std::string>& parameters) {
     return with_all_found(named_system(hamiltonian, parameters));
 }
 
-System system_of(const WrittenOutScene& scene) { return with_all_found(named_system(scene)); }
+System system_of(const WrittenOutScene& scene, const std::vector<SystemPass>& passes) {
+    return with_all_found(passed(named_system(scene), passes));
+}
 
-System system_of(const Scene& scene) {
+System system_of(const Scene& scene, const std::vector<SystemPass>& passes) {
     System system = loop_system(scene);
     if (scene.side == Side::lagrangian) {
         system = legendre_transform(std::move(system), whole(scene.function.source));
     }
-    return with_all_found(std::move(system));
+    return with_all_found(passed(std::move(system), passes));
 }
 
 SystemProperties properties(const System& system) {

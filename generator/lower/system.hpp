@@ -13,23 +13,25 @@
 
 namespace hvi::gen {
 
-/// The passes over any system, whose slopes are there: slopes through totals, Sites, Structure and
-/// second derivatives. The result is verified, and no later stage changes it.
-[[nodiscard]] System with_all_found(System system);
-
 /// H with all that is found in it. A parameter that has a value is replaced by it; `parameters` are
 /// the inputs among the others. Throws InputError as lower() does. Preconditions: those of lower().
 [[nodiscard]] System system_of(const Hamiltonian& hamiltonian,
                                const std::vector<std::string>& parameters);
 
-/// A scene that is written out. Of its parameters those of H that have a value are replaced.
-[[nodiscard]] System system_of(const WrittenOutScene& scene);
+/// A pass that makes another H or L, with its slopes, before anything is found.
+using SystemPass = System (*)(System);
 
-/// A scene whose sums stay loops: for the sizes that it names and, by other values of these, for
-/// any. Its L becomes the H of it. Throws InputError for a word without a meaning and for an index
-/// that leaves its range for some value of those of its sums, NoLoops for what is not built for
-/// systems of any size, and MathError for a number that is not real.
-[[nodiscard]] System system_of(const Scene& scene);
+/// A scene that is written out, after these passes. Of its parameters those of H that have a value
+/// are replaced.
+[[nodiscard]] System system_of(const WrittenOutScene& scene,
+                               const std::vector<SystemPass>& passes = {});
+
+/// A scene whose sums stay loops, after these passes: for the sizes that it names and, by other
+/// values of these, for any. Its L becomes the H of it before them. Throws InputError for a word
+/// without a meaning and for an index that leaves its range for some value of those of its sums,
+/// NoLoops for what is not built for systems of any size, and MathError for a number that is not
+/// real.
+[[nodiscard]] System system_of(const Scene& scene, const std::vector<SystemPass>& passes = {});
 
 /// Properties that are proved of it. Costs of evaluations are those of a system that is written
 /// out.

@@ -1,0 +1,13 @@
+// Energy of a system.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/ir/system.hpp"
+
+namespace hvi::gen {
+
+/// The system with its energy: H, or v dL/dv - L of what is written out. Precondition: slopes are
+/// there, and none of a sum of value 0.
+[[nodiscard]] System with_energy(System system);
+
+}  // namespace hvi::gen
