@@ -76,8 +76,40 @@ void verify(const System& system, const std::vector<SystemSum>& sums) {
         verify(system, sum, sum.by_q, FamilyKind::coordinate);
         verify(system, sum, sum.by_conjugates, FamilyKind::conjugate);
     }
+}
+
+/// The sums of a value: without loops they are one.
+void verify_value(const System& system, const std::vector<SystemSum>& sums) {
+    verify(system, sums);
     HVI_CHECK(!system.is_written_out() || sums.size() == 1);
     HVI_CHECK(!system.is_written_out() || sums.front().loops.empty());
+}
+
+/// Each total is an input, with the roles of what it is made of.
+void verify_totals(const System& system) {
+    for (const SystemTotal& total : system.totals) {
+        const Computation& input = system.graph.at(total.node);
+        HVI_CHECK(input.operation == Operation::input);
+        for (const SystemSum& sum : total.sums) {
+            const Roles roles = system.graph.at(sum.value.node).roles & of_state;
+            HVI_CHECK((roles & ~input.roles) == 0);
+        }
+        verify(system, total.sums);
+    }
+}
+
+void verify(const System& system, const HessianOfSums& second) {
+    const auto is_coordinate = [&](std::size_t access) {
+        return system.accesses.at(access).kind == FamilyKind::coordinate;
+    };
+    for (const SumEntries& entries : second.entries) {
+        verify(system, entries.accesses);
+        for (const SumEntry& entry : entries.entries) {
+            HVI_CHECK(is_coordinate(entry.row) && is_coordinate(entry.column));
+            HVI_CHECK(!entry.value.is_zero() && entry.value.node < system.graph.size());
+        }
+    }
+    verify(system, second.products);
 }
 
 void verify_constant(const System& system, const Scaled& value) {
@@ -154,9 +186,13 @@ void verify(const System& system) {
     for (Node node = 0; node < system.graph.size(); ++node) { verify(system.graph, node); }
     verify_families(system);
     for (const Access& access : system.accesses) { verify(system, access); }
-    verify(system, system.sums);
-    verify(system, system.energy);
-    for (const SystemValue& each : system.invariants) { verify(system, each.sums); }
+    verify_totals(system);
+    verify_value(system, system.sums);
+    verify_value(system, system.energy);
+    for (const SystemValue& each : system.invariants) { verify_value(system, each.sums); }
+    if (const auto* second = std::get_if<HessianOfSums>(&system.second)) {
+        verify(system, *second);
+    }
     HVI_CHECK(!found.kinetic_is_quadratic || found.is_separable);
     HVI_CHECK(!found.has_diagonal_mass || found.kinetic_is_quadratic);
     if (system.is_written_out()) { verify_written_out(system); }

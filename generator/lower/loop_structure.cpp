@@ -129,17 +129,17 @@ std::size_t direction_of(System& system, std::size_t variable) {
 
 /// The derivative of a sum along the vector, whose own derivatives are the product.
 SystemSum product_of(System& system, const SystemSum& sum) {
-    SystemSum result{sum.loops, {}, sum.accesses, {}, {}};
+    SystemSum result{sum.loops, {}, {}, {}, {}};
     std::vector<Scaled> terms;
     for (const std::vector<AccessSlope>* each : {&sum.by_q, &sum.by_conjugates}) {
         for (const AccessSlope& slope : *each) {
             const std::size_t direction = direction_of(system, slope.access);
-            result.accesses.push_back(direction);
             terms.push_back(
                 system.graph.product(slope.value, {{1, 1}, system.accesses[direction].node}));
         }
     }
     result.value = system.graph.sum(std::move(terms));
+    result.accesses = accesses_in(system, {result.value});
     result.by_q = slopes(system, result.value, accesses_of(sum.by_q));
     result.by_conjugates = slopes(system, result.value, accesses_of(sum.by_conjugates));
     return result;
