@@ -22,11 +22,11 @@ namespace hvi::detail {
 /// step, so that its rounding does not add up, and the R L of a free body keep their bits. As for
 /// StepMemory, a state that is not, bit for bit, where the last step ended begins without memory.
 template <class Space>
-class ChartMemory {
+class ChartMemory : public Space {
 public:
     using Scalar = typename Space::Scalar;
     using Vector = typename Space::Vector;
-    using Spins = std::array<Vector3<Scalar>, Space::rotations>;
+    using Spins = typename Space::template PerRotation<Vector3<Scalar>>;
 
     ChartState<Space> at;         ///< of L what is in the body
     ChartState<Space> remainder;  ///< of L what is cut off from `spins`
@@ -39,7 +39,8 @@ public:
     bool goes_on = false;    ///< and that was of the same size
 
     /// Prepares a step of size h from x. Precondition: h != 0.
-    [[nodiscard]] Status begin(const ChartState<Space>& x, Scalar step_size) {
+    template <class State>
+    [[nodiscard]] Status begin(const State& x, Scalar step_size) {
         if (!sums_are_exact_) { return Status(Status::Code::unsafe_arithmetic); }
         if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
         continues = ended_ && same_bits(at.q, x.q) && same_bits(at.p, x.p);
@@ -50,8 +51,7 @@ public:
         ended_ = false;
         if (continues) { return {}; }
         if (!is_finite_state(x)) { return Status(Status::Code::not_finite); }
-        at = x;
-        remainder = {};
+        take(x);
         for (std::size_t r = 0; r < Space::rotations; ++r) {
             const Matrix3<Scalar> R = Space::rotation(at.q, r);
             if (!is_rotation(R)) { return Status(Status::Code::not_a_rotation); }
@@ -88,7 +88,7 @@ public:
     /// Turns the body by exp(hat xi) where `by_spin` is added to R L.
     void advance_rotation(std::size_t r, const ChartPoint<Scalar>& xi,
                           const Vector3<Scalar>& by_spin) {
-        constexpr std::size_t n_q = Space::coordinates;
+        const std::size_t n_q = Space::coordinates;
         start_[r] = Space::rotation(at.q, r);
         const Matrix3<Scalar> change = product(start_[r], xi.turn());
         const Matrix3<Scalar> way = way_to_rotation(rotated(r, xi));
@@ -103,9 +103,11 @@ public:
     }
 
     /// Ends the step: x becomes `at`, unless that is not finite.
-    [[nodiscard]] Status end(ChartState<Space>& x, int iterations) {
+    template <class State>
+    [[nodiscard]] Status end(State& x, int iterations) {
         if (!is_finite_state(at)) { return Status(Status::Code::not_finite, iterations); }
-        x = at;
+        x.q = at.q;
+        x.p = at.p;
         ended_ = true;
         return Status(Status::Code::ok, iterations);
     }
@@ -116,12 +118,28 @@ public:
     [[nodiscard]] bool has_ended() const { return ended_; }
 
 private:
-    [[nodiscard]] static bool is_finite_state(const ChartState<Space>& x) {
+    /// Goes to x, with no remainders.
+    template <class State>
+    void take(const State& x) {
+        Space::fit(x);
+        n = Space::degrees_of_freedom;
+        at.q = x.q;
+        at.p = x.p;
+        remainder.q = Space::no_positions();
+        Space::set_zero(remainder.p);
+        if constexpr (!Space::has_fixed_size) {
+            spins.resize(Space::rotations);
+            start_.resize(Space::rotations);
+        }
+    }
+
+    template <class State>
+    [[nodiscard]] static bool is_finite_state(const State& x) {
         return finite(x.q, x.q) && finite(x.p, x.p);
     }
 
-    std::array<Matrix3<Scalar>, Space::rotations> start_{};  ///< of the last step
-    bool ended_ = false;                                     ///< `at` is where a step ended well
+    typename Space::template PerRotation<Matrix3<Scalar>> start_{};  ///< of the last step
+    bool ended_ = false;  ///< `at` is where a step ended well
     bool sums_are_exact_ = sums_are_exact<Scalar>();
 };
 

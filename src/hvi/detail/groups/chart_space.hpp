@@ -23,6 +23,17 @@ struct ChartSpace {
     /// What there is of each degree of freedom, the three of a rotation behind the coordinates.
     using Vector = std::array<Number, n + 3 * m>;
 
+    /// Something for each rotation.
+    template <class T>
+    using PerRotation = std::array<T, m>;
+
+    /// NOTE: arrays always have it.
+    static constexpr bool has_fixed_size = true;
+    template <class At>
+    void fit(const At& /*state*/) {}
+    static void set_zero(Vector& v) { v = {}; }
+    [[nodiscard]] static Positions no_positions() { return Positions{}; }
+
     /// Of a Vector what belongs to rotation r.
     [[nodiscard]] static Vector3<Number> part(const Vector& v, std::size_t r) {
         return {v[n + 3 * r], v[n + 3 * r + 1], v[n + 3 * r + 2]};

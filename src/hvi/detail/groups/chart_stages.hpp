@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include <hvi/detail/coefficients/weights.hpp>
 #include <hvi/detail/groups/chart.hpp>
@@ -46,13 +47,18 @@ public:
     using Table = Scalar[stages][stages];
 
     static constexpr std::size_t count = stages;
-    static constexpr std::size_t coordinates = Space::coordinates;
-    static constexpr std::size_t rotations = Space::rotations;
-    static constexpr std::size_t dimension = Space::degrees_of_freedom;
 
     std::array<Vector, stages> Lq{}, Lp{};
     std::array<Scalar, stages> hb{};  ///< h b_i; see weigh()
     State<Vector> change;             ///< of the stage values in one sweep
+
+    /// Prepares a step of size h from x. Precondition: h != 0.
+    template <class At>
+    [[nodiscard]] Status begin(const At& x, Scalar step_size) {
+        const Status status = ChartMemory<Space>::begin(x, step_size);
+        if constexpr (!Space::has_fixed_size) { fit_stages(); }
+        return status;
+    }
 
     /// Sets hb.
     void weigh(const Scalar (&b)[stages]) {
@@ -76,7 +82,7 @@ public:
         if (!this->goes_on) { return false; }
         const auto old = slopes_;
         for (std::size_t i = 0; i < stages; ++i) {
-            slopes_[i] = {};
+            clear(slopes_[i]);
             add(slopes_[i], last[i], old, hb[i]);
         }
         begin_with_slopes(m);
@@ -87,7 +93,7 @@ public:
         has_slopes_before_ = this->goes_on;
         const auto old = slopes_;
         for (std::size_t i = 0; i < stages && has_both; ++i) {
-            slopes_[i] = {};
+            clear(slopes_[i]);
             add(slopes_[i], last[i], old, hb[i]);
             add(slopes_[i], before[i], slopes_before_, hb[i]);
         }
@@ -100,6 +106,7 @@ public:
     template <class Gradient>
     void predict(const Table& m, Gradient gradient) {
         StageSlopes start;
+        clear(start);
         start.momentum = this->at.p;
         gradient(this->at.q, this->at.p, start.by_q, start.by_p);
         slopes_.fill(start);
@@ -128,12 +135,14 @@ public:
     // ---- sweeps ----
 
     /// xi_1 = sum_i Lq_i of each rotation.
-    using Turns = std::array<Point, rotations>;
+    using Turns = typename Space::template PerRotation<Point>;
     HVI_INLINE_IN_SPACE [[nodiscard]] Turns turns() const {
-        Turns all;
-        for (std::size_t r = 0; r < rotations; ++r) {
+        Turns all = no_turns();
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
             Part xi{};
-            for (std::size_t k = 0; k < 3; ++k) { xi[k] = sum_of(Lq, coordinates + 3 * r + k); }
+            for (std::size_t k = 0; k < 3; ++k) {
+                xi[k] = sum_of(Lq, Space::coordinates + 3 * r + k);
+            }
             all[r] = Point(xi);
         }
         return all;
@@ -148,17 +157,17 @@ public:
 
     /// pi_1 from the same.
     void balance(const Turns& turns) {
-        for (std::size_t r = 0; r < rotations; ++r) {
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
             Space::set_part(pi_end, r, turns[r].T_transposed(momentum_at_end(r, turns[r])));
         }
     }
 
     /// P_i = p + (e_p + sum_j mt_ij Lp_j) and pi_i = pi_1 - sum_j m_ji Lp_j; mt_ij is 1 - m_ji.
     void momenta(const Table& m, const Table& mt) {
-        change.p = {};
+        Space::set_zero(change.p);
         for (std::size_t i = 0; i < stages; ++i) {
-            for (std::size_t k = 0; k < dimension; ++k) {
-                const bool is_flat = k < coordinates;
+            for (std::size_t k = 0; k < Space::degrees_of_freedom; ++k) {
+                const bool is_flat = k < Space::coordinates;
                 Scalar sum = is_flat ? this->remainder.p[k] : Scalar(0);
                 for (std::size_t j = 0; j < stages; ++j) {
                     sum += (is_flat ? mt[i][j] : -m[j][i]) * Lp[j][k];
@@ -172,10 +181,10 @@ public:
 
     /// Q_i = q + (e_q + sum_j m_ij Lq_j) and xi_i = sum_j m_ij Lq_j, and what belongs to them.
     void positions(const Table& m) {
-        change.q = {};
+        Space::set_zero(change.q);
         for (std::size_t i = 0; i < stages; ++i) {
-            for (std::size_t k = 0; k < dimension; ++k) {
-                const bool is_flat = k < coordinates;
+            for (std::size_t k = 0; k < Space::degrees_of_freedom; ++k) {
+                const bool is_flat = k < Space::coordinates;
                 Scalar sum = is_flat ? this->remainder.q[k] : Scalar(0);
                 for (std::size_t j = 0; j < stages; ++j) { sum += m[i][j] * Lq[j][k]; }
                 const Scalar value = is_flat ? moved(this->at.q[k], sum) : sum;
@@ -198,8 +207,8 @@ public:
     /// What the rounding of component k of the stages is to be compared with: of a rotation all of
     /// its entries, and all of its angular momentum.
     [[nodiscard]] Scalar size_q(std::size_t k) const {
-        const bool is_flat = k < coordinates;
-        const std::size_t first = coordinates + 9 * ((k - coordinates) / 3);
+        const bool is_flat = k < Space::coordinates;
+        const std::size_t first = Space::coordinates + 9 * ((k - Space::coordinates) / 3);
         Scalar sum = is_flat ? abs(this->at.q[k]) : Scalar(0);
         for (std::size_t l = first; l < first + 9 && !is_flat; ++l) {
             sum = larger(sum, abs(this->at.q[l]));
@@ -208,8 +217,8 @@ public:
         return sum;
     }
     [[nodiscard]] Scalar size_p(std::size_t k) const {
-        const bool is_flat = k < coordinates;
-        const std::size_t first = is_flat ? k : k - (k - coordinates) % 3;
+        const bool is_flat = k < Space::coordinates;
+        const std::size_t first = is_flat ? k : k - (k - Space::coordinates) % 3;
         Scalar sum = 0;
         for (std::size_t l = first; l < first + (is_flat ? 1 : 3); ++l) {
             sum += abs(this->at.p[l]);
@@ -237,11 +246,11 @@ public:
 
     /// Moves `at` to the end of the step.
     void advance() {
-        for (std::size_t k = 0; k < coordinates; ++k) {
+        for (std::size_t k = 0; k < Space::coordinates; ++k) {
             this->advance_flat(k, sum_of(Lq, k), sum_of(Lp, k));
         }
         const Turns turns = this->turns();
-        for (std::size_t r = 0; r < rotations; ++r) {
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
             Part torque{};
             for (std::size_t i = 0; i < stages; ++i) { torque = torque - torques_[i][r]; }
             this->advance_rotation(r, turns[r], times(Space::rotation(this->at.q, r), torque));
@@ -254,17 +263,17 @@ public:
     /// much the curve departs from its chord, for each slope.
     template <class... Bend>
     [[nodiscard]] Positions position(Scalar tau, const Bend&... bend) const {
-        if (!this->has_ended()) { return nowhere<Positions>(); }
-        Positions q{};
-        for (std::size_t k = 0; k < coordinates; ++k) {
+        Positions q = Space::no_positions();
+        if (!this->has_ended()) { return nowhere(std::move(q)); }
+        for (std::size_t k = 0; k < Space::coordinates; ++k) {
             const Scalar to_end = (Scalar(1) - tau) * sum_of(Lq, k);
             const Scalar away = bend_of(k, bend...) - to_end;
             q[k] = this->at.q[k] + (this->remainder.q[k] + away);
         }
-        for (std::size_t r = 0; r < rotations; ++r) {
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
             Part xi{};
             for (std::size_t k = 0; k < 3; ++k) {
-                const std::size_t l = coordinates + 3 * r + k;
+                const std::size_t l = Space::coordinates + 3 * r + k;
                 xi[k] = tau * sum_of(Lq, l) + bend_of(l, bend...);
             }
             Space::set_rotation(q, r, this->rotated_from_start(r, Point(xi)));
@@ -279,9 +288,9 @@ public:
     /// NOTE: made anew when it is asked for: of a gradient that takes no rotations, or some rows
     /// of them, compilers leave out the rest.
     HVI_INLINE_IN_SPACE [[nodiscard]] Positions position(std::size_t i) const {
-        Positions q{};
-        for (std::size_t k = 0; k < coordinates; ++k) { q[k] = x_[i][k]; }
-        for (std::size_t r = 0; r < rotations; ++r) {
+        Positions q = Space::no_positions();
+        for (std::size_t k = 0; k < Space::coordinates; ++k) { q[k] = x_[i][k]; }
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
             Space::set_rotation(q, r, this->rotated(r, points_[i][r]));
         }
         return q;
@@ -290,6 +299,33 @@ public:
     [[nodiscard]] const Point& point(std::size_t i, std::size_t r) const { return points_[i][r]; }
 
 private:
+    /// Makes room for as many numbers as there are.
+    void fit_stages() {
+        if (points_[0].size() == Space::rotations && Lq[0].size() == Space::degrees_of_freedom) {
+            return;
+        }
+        for (auto* vectors : {&Lq, &Lp, &x_, &y_}) {
+            for (Vector& each : *vectors) { Space::set_zero(each); }
+        }
+        Space::set_zero(pi_end);
+        for (Turns& points : points_) { points.resize(Space::rotations); }
+        for (auto& torques : torques_) { torques.resize(Space::rotations); }
+    }
+
+    void clear(StageSlopes& slopes) const {
+        for (Vector* each : {&slopes.by_q, &slopes.by_p, &slopes.momentum}) {
+            Space::set_zero(*each);
+        }
+    }
+
+    [[nodiscard]] Turns no_turns() const {
+        if constexpr (Space::has_fixed_size) {
+            return Turns{};
+        } else {
+            return Turns(Space::rotations);
+        }
+    }
+
     [[nodiscard]] Scalar bend_of(std::size_t) const { return Scalar(0); }
     [[nodiscard]] Scalar bend_of(std::size_t k, const std::array<Scalar, stages>& bend) const {
         Scalar sum = 0;
@@ -308,7 +344,7 @@ private:
              const std::array<StageSlopes, stages>& from, const Scalar& weight) const {
         for (std::size_t j = 0; j < stages; ++j) {
             const Scalar factor = row[j] * hb[j] / weight;
-            for (std::size_t k = 0; k < dimension; ++k) {
+            for (std::size_t k = 0; k < Space::degrees_of_freedom; ++k) {
                 to.by_q[k] += factor * from[j].by_q[k];
                 to.by_p[k] += factor * from[j].by_p[k];
                 to.momentum[k] += factor * from[j].momentum[k];
@@ -320,7 +356,7 @@ private:
     /// a beginning.
     void begin_with_slopes(const Table& m) {
         for (std::size_t i = 0; i < stages; ++i) {
-            for (std::size_t r = 0; r < rotations; ++r) {
+            for (std::size_t r = 0; r < Space::rotations; ++r) {
                 Part xi{};
                 for (std::size_t j = 0; j < stages; ++j) {
                     xi = xi + m[i][j] * hb[j] * Space::part(slopes_[j].by_p, r);
@@ -333,8 +369,8 @@ private:
 
     /// Where x_ and y_ of a stage are in the space.
     HVI_INLINE_IN_SPACE void set_place(std::size_t i) {
-        for (std::size_t k = 0; k < coordinates; ++k) { slopes_[i].momentum[k] = y_[i][k]; }
-        for (std::size_t r = 0; r < rotations; ++r) {
+        for (std::size_t k = 0; k < Space::coordinates; ++k) { slopes_[i].momentum[k] = y_[i][k]; }
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
             points_[i][r] = Point(Space::part(x_[i], r));
             Space::set_part(slopes_[i].momentum, r,
                             points_[i][r].T_inverse_transposed(Space::part(y_[i], r)));
@@ -343,11 +379,11 @@ private:
 
     HVI_INLINE_IN_SPACE void set_slopes(std::size_t i) {
         const StageSlopes& slope = slopes_[i];
-        for (std::size_t k = 0; k < coordinates; ++k) {
+        for (std::size_t k = 0; k < Space::coordinates; ++k) {
             Lq[i][k] = hb[i] * slope.by_p[k];
             Lp[i][k] = -hb[i] * slope.by_q[k];
         }
-        for (std::size_t r = 0; r < rotations; ++r) {
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
             const Point& point = points_[i][r];
             const Part D = Space::part(slope.by_q, r);
             const Part w = point.T_inverse(Space::part(slope.by_p, r));
@@ -362,7 +398,7 @@ private:
     std::array<Vector, stages> x_{}, y_{};  ///< (Q, xi) and (P, pi)
     std::array<StageSlopes, stages> slopes_{}, slopes_before_{};
     std::array<Turns, stages> points_{};
-    std::array<std::array<Part, rotations>, stages> torques_{};
+    std::array<typename Space::template PerRotation<Part>, stages> torques_{};
     Scalar weighed_ = 0;              ///< the step size of hb
     bool has_slopes_before_ = false;  ///< of a step of the same size, that led to the last
 };

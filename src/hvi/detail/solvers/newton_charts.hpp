@@ -192,7 +192,7 @@ private:
     struct Unknowns {
         using Stages = typename Coupled::Stages;
         using Space = typename Stages::Of;
-        static constexpr std::size_t stages = Stages::count, dimension = Stages::dimension;
+        static constexpr std::size_t stages = Stages::count, dimension = Stages::degrees_of_freedom;
         static constexpr std::size_t coordinates = Stages::coordinates;
 
         static constexpr std::size_t q(std::size_t i, std::size_t k) {
@@ -219,7 +219,7 @@ private:
             for (auto& value : s.Lq[i]) { look(value); }
             for (auto& value : s.Lp[i]) { look(value); }
         }
-        for (std::size_t k = Stages::coordinates; k < Stages::dimension; ++k) { look(s.pi_end[k]); }
+        for (std::size_t k = Stages::coordinates; k < Stages::degrees_of_freedom; ++k) { look(s.pi_end[k]); }
         return count;
     }
 
