@@ -62,7 +62,6 @@ std::string printed_with_sums(const MethodAndScene& both, const SchemeOptions& o
 
 std::string printed_written_out(const MethodAndScene& both, WrittenOutScene scene,
                                 const SchemeOptions& options) {
-    refuse_rotations(function_of(scene), "`scheme`");
     function_of(scene).origin += options_for({.unroll = options.system.sums.choice});
     return std::visit([&](const auto& of) { return printed(both.method, of, options); },
                       scene.mechanics);
@@ -74,6 +73,7 @@ std::string printed(const SchemeOptions& options) {
         return printed(method, hamiltonian, options);
     }
     const MethodAndScene both = read_both(options.method, options.system);
+    refuse_rotations(both.scene, "`scheme`");
     return by_unrolling(
         both.scene, options.system.sums,
         [&](const UnrollDecision&) { return printed_with_sums(both, options); },

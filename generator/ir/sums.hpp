@@ -38,6 +38,14 @@ struct SystemFamily {
     friend bool operator==(const SystemFamily&, const SystemFamily&) = default;
 };
 
+/// How many indices numbers of a point have where it has several and sums stay loops: two of a
+/// matrix.
+[[nodiscard]] std::size_t component_dimensions(const Space& space);
+
+/// Whether families are those of coordinates and of their conjugates: with the same indices, and of
+/// spaces that belong together.
+[[nodiscard]] bool are_of_one_body(const SystemFamily& q, const SystemFamily& conjugate);
+
 /// An index of an element: `form`, or mod(form, modulus) + offset, in sizes and indices of loops.
 struct ElementIndex {
     AffineForm form;

@@ -13,6 +13,14 @@ namespace {
 
 bool is_rotation(const SystemFamily& family) { return family.space == rotations_of_space; }
 
+/// NOTE: with loops the numbers of a point are elements of its family.
+std::size_t point_count(const System& system, const SystemFamily& family) {
+    if (family.ranges.empty()) { return 1; }
+    std::map<std::string, long> values;
+    for (const SystemSize& size : system.sizes) { values[size.name] = size.value; }
+    return element_count(family, values) / family.space.point;
+}
+
 /// The number of a degree of freedom of a system that is written out.
 std::size_t degree_of(const System& system, const Access& access) {
     const std::size_t flat = flat_coordinates(system);
@@ -57,6 +65,22 @@ bool is_degenerate(const Hessian& hessian) {
     });
 }
 
+std::size_t component_dimensions(const Space& space) {
+    return space == rotations_of_space ? 2 : space == angular_momenta ? 1 : 0;
+}
+
+bool are_of_one_body(const SystemFamily& q, const SystemFamily& conjugate) {
+    if (q.space.tangent != conjugate.space.point) { return false; }
+    if (q.ranges.empty() && conjugate.ranges.empty()) { return true; }
+    const auto of_bodies = [](const SystemFamily& family) {
+        const std::size_t components = component_dimensions(family.space);
+        HVI_CHECK(family.ranges.size() >= components);
+        return std::vector<LoopRange>(
+            family.ranges.begin(), family.ranges.end() - static_cast<std::ptrdiff_t>(components));
+    };
+    return of_bodies(q) == of_bodies(conjugate);
+}
+
 const SystemFamily& System::family(const Access& access) const {
     switch (access.kind) {
     case FamilyKind::coordinate:
@@ -75,11 +99,17 @@ bool System::is_written_out() const {
 }
 
 std::size_t System::degrees_of_freedom() const {
-    std::map<std::string, long> values;
-    for (const SystemSize& size : sizes) { values[size.name] = size.value; }
     std::size_t count = 0;
     for (const SystemFamily& each : coordinates) {
-        count += each.space.tangent * element_count(each, values);
+        count += each.space.tangent * point_count(*this, each);
+    }
+    return count;
+}
+
+std::size_t bodies_of(const System& system) {
+    std::size_t count = 0;
+    for (const SystemFamily& each : system.coordinates) {
+        if (is_rotation(each)) { count += point_count(system, each); }
     }
     return count;
 }

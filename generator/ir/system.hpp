@@ -52,7 +52,13 @@ struct SystemStart {
         std::vector<Scaled> values;
         std::vector<std::size_t> accesses = {};  ///< as of a rule
     };
-    std::variant<Rule, List, NumbersInFile> values;
+    /// The numbers of the point for all indices but those of its numbers.
+    struct Points {
+        std::vector<std::string> indices;
+        std::vector<Scaled> values;
+        std::vector<std::size_t> accesses = {};  ///< as of a rule
+    };
+    std::variant<Rule, List, NumbersInFile, Points> values;
 };
 
 /// A sum of sums with its name.
@@ -101,7 +107,8 @@ struct System {
 
     [[nodiscard]] const SystemFamily& family(const Access& access) const;
     [[nodiscard]] bool is_written_out() const;
-    /// With the default values of its sizes. NOTE: a rotation has three, and nine q.
+    /// With the default values of its sizes. NOTE: a rotation has three, and nine q; with loops
+    /// these are elements of its family.
     [[nodiscard]] std::size_t degrees_of_freedom() const;
     /// Whether numbers of it stand in files.
     [[nodiscard]] bool reads_files() const;
@@ -133,6 +140,9 @@ struct System {
 
 /// Where it begins: coordinates, then conjugates; or empty.
 [[nodiscard]] std::vector<Scaled> start_of(const System& system);
+
+/// How many bodies turn, with the default values of its sizes.
+[[nodiscard]] std::size_t bodies_of(const System& system);
 
 /// How many of its families are rotations, and how many are not.
 [[nodiscard]] std::size_t rotations_of(const System& system);

@@ -226,6 +226,10 @@ std::string text(const System& system, const SystemStart& start) {
     if (const auto* list = std::get_if<SystemStart::List>(&start.values)) {
         return std::to_string(list->values.size()) + " values:" + joined(list->values);
     }
+    if (const auto* points = std::get_if<SystemStart::Points>(&start.values)) {
+        return names(points->indices) + (points->indices.empty() ? "points:" : ": points:") +
+               joined(points->values);
+    }
     const auto& file = std::get<NumbersInFile>(start.values);
     return "in " + (system.directory / file.path).string() + " " + file.column;
 }

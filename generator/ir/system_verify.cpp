@@ -143,9 +143,7 @@ void verify_constant(const System& system) {
 void verify_families(const System& system) {
     const auto& [q, y] = std::tie(system.coordinates, system.conjugates);
     HVI_CHECK(q.size() == y.size());
-    for (std::size_t k = 0; k < q.size(); ++k) {
-        HVI_CHECK(q[k].ranges == y[k].ranges && q[k].space.tangent == y[k].space.point);
-    }
+    for (std::size_t k = 0; k < q.size(); ++k) { HVI_CHECK(are_of_one_body(q[k], y[k])); }
     const bool has_L = system.side == Side::lagrangian;
     HVI_CHECK(system.momenta.size() == (has_L ? q.size() : 0));
     HVI_CHECK(system.initial.empty() || system.initial.size() == 2 * q.size());

@@ -28,10 +28,13 @@ public:
     Declaring(System& system, const Scene& scene) : system_(system), scene_(scene) {}
 
     [[nodiscard]] Declarations operator()() && {
-        refuse_what_has_no_loops();
         declare_sizes();
         declare_families(scene_.coordinates, FamilyKind::coordinate, "a coordinate");
+        declare_families(scene_.rotations, FamilyKind::coordinate, "a rotation",
+                         rotations_of_space);
         declare_families(scene_.conjugates, FamilyKind::conjugate, subject_of_conjugates(scene_));
+        declare_families(scene_.angular_momenta, FamilyKind::conjugate, "an angular momentum",
+                         angular_momenta);
         check_pairs();
         declare_parameters();
         define();
@@ -41,9 +44,9 @@ public:
     }
 
 private:
-    void refuse_what_has_no_loops() const;
     void declare_sizes();
-    void declare_families(const NameTexts& texts, FamilyKind kind, std::string_view subject);
+    void declare_families(const NameTexts& texts, FamilyKind kind, std::string_view subject,
+                          const Space& space = real_line);
     void check_pairs() const;
     void declare_parameters();
     void declare_table(SystemTable table);
@@ -57,12 +60,6 @@ private:
 
 // ---- names ----
 
-void Declaring::refuse_what_has_no_loops() const {
-    if (!scene_.rotations.texts.empty()) {
-        throw NoLoops("rotations have no loops", scene_.rotations.place);
-    }
-}
-
 void Declaring::declare_sizes() {
     for (const auto& [name, value] : sizes(scene_)) {
         names_.sizes[name] = value;
@@ -71,15 +68,16 @@ void Declaring::declare_sizes() {
     }
 }
 
-void Declaring::declare_families(const NameTexts& texts, FamilyKind kind,
-                                 std::string_view subject) {
+/// NOTE: with loops the numbers of a point are elements too: the rotations R[k] are R[k,i,j].
+void Declaring::declare_families(const NameTexts& texts, FamilyKind kind, std::string_view subject,
+                                 const Space& space) {
     std::vector<SystemFamily>& families =
         kind == FamilyKind::coordinate ? system_.coordinates : system_.conjugates;
     for (const NameTexts::Text& text : texts.texts) {
         for (const Name& name : text.names) {
             const Place place{text.source, name.range};
             names_.names.declare({name.stem, place}, subject);
-            SystemFamily family{name.stem, {}};
+            SystemFamily family{name.stem, {}, space};
             for (const IndexBounds& written : name.bounds) {
                 const auto first = affine_form(written.first), last = affine_form(written.last);
                 if (!first || !last) {
@@ -88,6 +86,7 @@ void Declaring::declare_families(const NameTexts& texts, FamilyKind kind,
                 }
                 family.ranges.push_back({*first, *last});
             }
+            family.ranges.insert(family.ranges.end(), component_dimensions(space), {{1}, {3}});
             names_.families[name.stem] = {kind, families.size()};
             families.push_back(std::move(family));
         }
@@ -101,7 +100,7 @@ void Declaring::check_pairs() const {
     const auto& [coordinates, momenta] = std::tie(system_.coordinates, system_.conjugates);
     bool are_pairs = coordinates.size() == momenta.size();
     for (std::size_t k = 0; are_pairs && k < coordinates.size(); ++k) {
-        are_pairs = coordinates[k].ranges == momenta[k].ranges;
+        are_pairs = are_of_one_body(coordinates[k], momenta[k]);
         for (const LoopRange& range : coordinates[k].ranges) {
             if (extent(range) < 0) {
                 throw InputError(fmt::format("`{}` has no index", coordinates[k].name),

@@ -8,6 +8,8 @@
 #include "generator/lower/accesses.hpp"
 #include "generator/lower/loop_elements.hpp"
 #include "generator/lower/loop_terms.hpp"
+#include "generator/read/names.hpp"
+#include "generator/read/no_loops.hpp"
 
 namespace hvi::gen {
 
@@ -22,7 +24,10 @@ public:
 
 private:
     void check_count(const SystemFamily& family, std::size_t given, const Place& place) const;
+    void refuse_one_by_one(const SystemFamily& family) const;
     [[nodiscard]] SystemStart start(const SystemFamily& family, const IndexedValue& value);
+    [[nodiscard]] SystemStart points(const SystemFamily& family, const IndexedValue& value,
+                                     const RotationValue& rotation);
 
     System& system_;
     const Declarations& names_;
@@ -55,6 +60,9 @@ SystemStart StartLowering::start(const SystemFamily& family, const IndexedValue&
         result.accesses = accesses_in(system_, result.values);
         return {std::move(result)};
     }
+    if (const auto* rotation = std::get_if<RotationValue>(&value.value)) {
+        return points(family, value, *rotation);
+    }
     const auto* rule = std::get_if<ValueRule>(&value.value);
     const IndexedExpression& written =
         rule != nullptr ? rule->value : std::get<IndexedExpression>(value.value);
@@ -78,10 +86,46 @@ SystemStart StartLowering::start(const SystemFamily& family, const IndexedValue&
     return {std::move(result)};
 }
 
+/// Throws NoLoops where bodies begin one by one: `"R[2]" = "identity"`.
+void StartLowering::refuse_one_by_one(const SystemFamily& family) const {
+    for (const IndexedValue& value : scene_.initial->values) {
+        if (value.name == family.name || without_index(value.name) != family.name) { continue; }
+        throw NoLoops("where sums stay loops, bodies begin by a rule for all of them", value.place,
+                      "write for example \"R[k]\" = {axis = [0, 0, 1], angle = \"k/10\"}");
+    }
+}
+
+/// NOTE: without indices all bodies begin alike.
+SystemStart StartLowering::points(const SystemFamily& family, const IndexedValue& value,
+                                  const RotationValue& rotation) {
+    const std::size_t dimension = family.ranges.size() - component_dimensions(family.space);
+    std::vector<std::string> indices = rotation.indices;
+    if (indices.empty()) { indices.assign(dimension, "k"); }
+    if (indices.size() != dimension) {
+        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", family.name,
+                                     dimension, dimension == 1 ? "ex" : "ices", indices.size()),
+                         value.place);
+    }
+    SystemStart::Points result;
+    for (const IndexedExpression& entry : rotation.entries) {
+        const IndexedExpression whole = names_.meant(entry, initial_rules, rotation.indices);
+        LoopTerm term{{}, without_sums(whole)};
+        for (std::size_t d = 0; d < dimension; ++d) {
+            term = within_loop(std::move(term), indices[d], family.ranges[d], names_.taken);
+        }
+        result.indices.clear();
+        for (const Loop& loop : term.loops) { result.indices.push_back(loop.index); }
+        result.values.push_back(value_of_term(system_, names_, term, whole.source, names_.symbols));
+    }
+    result.accesses = accesses_in(system_, result.values);
+    return {std::move(result)};
+}
+
 SystemStart StartLowering::start(const SystemFamily& family) {
     for (const IndexedValue& value : scene_.initial->values) {
         if (value.name == family.name) { return start(family, value); }
     }
+    refuse_one_by_one(family);
     throw InputError(fmt::format("an initial value is missing: that of `{}`", family.name),
                      scene_.initial->place);
 }

@@ -180,7 +180,12 @@ HessianOfSums second_order(System& system) {
 
 }  // namespace
 
+/// NOTE: steps of rotations take nothing of the structure; see with_structure().
 System with_structure_of_sums(System system) {
+    if (rotations_of(system) > 0) {
+        system.structure.hessian = HessianForm::none;
+        return system;
+    }
     system.structure = structure_of_sums(system);
     if (system.structure.hessian != HessianForm::none) { system.second = second_order(system); }
     return system;

@@ -289,6 +289,7 @@ private:
 }  // namespace
 
 System with_sites(System system) {
+    if (rotations_of(system) > 0) { return system; }
     SiteLowering lowering(system);
     if (lowering.find()) { system.sites = std::move(lowering).result(); }
     return system;

@@ -88,7 +88,10 @@ SystemSum differentiated(System& system, SystemSum sum) {
         const bool is_q = system.accesses[slope.access].kind == FamilyKind::coordinate;
         (is_q ? sum.by_q : sum.by_conjugates).push_back(slope);
     }
-    if (rotations_of(system) != 0) { sum.by_q = with_turns(system, sum.by_q); }
+    // NOTE: with loops a step makes turns of the derivatives by entries, body by body.
+    if (system.is_written_out() && rotations_of(system) != 0) {
+        sum.by_q = with_turns(system, sum.by_q);
+    }
     return sum;
 }
 
@@ -107,6 +110,8 @@ System differentiated(System system) {
             rule->accesses = accesses_in(system, {rule->value});
         } else if (auto* list = std::get_if<SystemStart::List>(&start.values)) {
             list->accesses = accesses_in(system, list->values);
+        } else if (auto* points = std::get_if<SystemStart::Points>(&start.values)) {
+            points->accesses = accesses_in(system, points->values);
         }
     }
     return system;

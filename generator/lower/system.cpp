@@ -68,7 +68,7 @@ SystemProperties properties(const System& system) {
         .has_diagonal_mass = found.has_diagonal_mass,
         .has_linear_map = found.has_linear_map,
         .degrees_of_freedom = system.degrees_of_freedom(),
-        .rotations = rotations_of(system),
+        .rotations = bodies_of(system),
         .linear = linear_part(found.constant),
         .container = system.is_written_out() ? Container::arrays : Container::vectors,
         .is_lattice = system.sites.has_value(),

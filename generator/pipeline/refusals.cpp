@@ -87,6 +87,9 @@ void check_newton(const System& system, const Step& step, const Place& place) {
     const Iteration* iteration = step.iteration();
     const bool takes_newton = iteration != nullptr && iteration->takes_newton();
     if (!takes_newton || system.structure.hessian != HessianForm::none) return;
+    if (rotations_of(system) > 0)
+        throw NoLoops("--solver newton is not built for rotations where sums stay loops", place,
+                      "without it fixed points are iterated; or write sums out: --unroll yes");
     throw NoLoops("--solver newton is not built where sums stay loops and stand in products or "
                   "functions, which couple all with all",
                   place, "without it fixed points are iterated; or write sums out: --unroll yes");

@@ -91,9 +91,9 @@ SceneWishes members_of(const StepperWishes& wishes, const LoweredScene& scene) {
 /// with.
 void check_wishes(const LoweredScene& scene, const StepperWishes& wishes) {
     check_own_names(scene.scene.own);
+    if (wishes.action) { refuse_rotations(scene.scene, "--action"); }
     if (scene.written) {
         check_members(*scene.written, members_of(wishes));
-        if (wishes.action) { refuse_rotations(function_of(*scene.written), "--action"); }
         return;
     }
     check_wishes_of_any_size(wishes, scene.place());

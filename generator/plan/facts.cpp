@@ -53,7 +53,7 @@ std::string kind_of(const System& system) {
     if (system.side == Side::lagrangian) { return kind_of_lagrangian(system); }
     if (rotations_of(system) > 0) {
         return fmt::format("H is of {}, with three degrees of freedom each",
-                           counted(rotations_of(system), "rotation"));
+                           counted(bodies_of(system), "rotation"));
     }
     if (found.is_quadratic) { return "H is quadratic: Hamilton's equations are linear"; }
     if (found.is_linear_in_p && found.is_linear_in_q) { return "H is linear in q and in p"; }

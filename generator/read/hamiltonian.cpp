@@ -158,12 +158,6 @@ Vocabulary declared_variables(const VariableNames& names) {
     return vocabulary;
 }
 
-void refuse_rotations(const MechanicalFunction& function, std::string_view what) {
-    if (function.rotations.empty()) return;
-    throw InputError(fmt::format("{} is not built for scenes with rotations", what),
-                     whole(function.source), "`stepper`, `run` and `report` take these");
-}
-
 std::vector<std::string> texts(const NameList& list) {
     std::vector<std::string> names;
     for (const DeclaredName& declared : list.names) names.push_back(declared.name);

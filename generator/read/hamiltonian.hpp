@@ -80,9 +80,6 @@ constexpr ConjugateWords words_of_momenta{"a momentum", "momentum", "momenta"};
 /// The same of all of them, with the entries of rotations.
 [[nodiscard]] Vocabulary declared_variables(const VariableNames& names);
 
-/// Throws InputError where the function has rotations. `what` is what is not built for these.
-void refuse_rotations(const MechanicalFunction& function, std::string_view what);
-
 /// Without their places.
 [[nodiscard]] std::vector<std::string> texts(const NameList& list);
 

@@ -56,6 +56,12 @@ std::string_view name_of_function(const Scene& scene) {
     return scene.side == Side::hamiltonian ? "the Hamiltonian" : "the Lagrangian";
 }
 
+void refuse_rotations(const Scene& scene, std::string_view what) {
+    if (scene.rotations.texts.empty()) { return; }
+    throw InputError(fmt::format("{} is not built for scenes with rotations", what),
+                     whole(scene.function.source), "`stepper`, `run` and `report` take these");
+}
+
 const std::string& title(const Scene& scene) {
     return scene.name.empty() ? scene.origin : scene.name;
 }

@@ -44,6 +44,7 @@ struct ValueFile {
 /// as they are written.
 struct RotationValue {
     std::vector<IndexedExpression> entries;
+    std::vector<std::string> indices = {};  ///< of all rotations: `"R[k]" = {...}`
 };
 
 /// How many values there are.
@@ -120,6 +121,9 @@ struct Scene {
 
 /// `the Hamiltonian` or `the Lagrangian`.
 [[nodiscard]] std::string_view name_of_function(const Scene& scene);
+
+/// Throws InputError where the scene has rotations. `what` is what is not built for these.
+void refuse_rotations(const Scene& scene, std::string_view what);
 
 /// Its name, or where it has none what the command line has for it.
 [[nodiscard]] const std::string& title(const Scene& scene);

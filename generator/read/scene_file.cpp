@@ -233,8 +233,9 @@ IndexedValue SceneReader::value(const Entry& entry) const {
     RuleName name = rule_name(*key);
     IndexedValue result{std::move(name.stem), {}, file_.place(key->source()), file_.place(*node)};
     const auto* array = node->as_array();
-    if (is_of_rotation(result.name) && array == nullptr && name.indices.empty())
-        result.value = rotation_in(*node, file_, own_);
+    if (is_of_rotation(result.name) && array == nullptr &&
+        (node->is_table() || name.indices.empty()))
+        result.value = RotationValue{rotation_in(*node, file_, own_).entries, name.indices};
     else if (const auto* table = node->as_table())
         std::visit([&](auto&& values) { result.value = std::forward<decltype(values)>(values); },
                    values_in(column_file(*table)));

@@ -89,6 +89,22 @@ void SceneValues::add_rule(const IndexedValue& value, const ValueRule& rule,
     }
 }
 
+/// The values that the indices of a rule have for one of the bodies.
+WholeNumbers indices_of_body(const IndexedValue& value, const RotationValue& rotation,
+                             const std::string& name) {
+    const Index index = index_of(name);
+    if (rotation.indices.empty()) { return {}; }
+    if (rotation.indices.size() != index.size()) {
+        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", value.name,
+                                     index.size(), index.size() == 1 ? "ex" : "ices",
+                                     rotation.indices.size()),
+                         value.place);
+    }
+    WholeNumbers known;
+    for (std::size_t d = 0; d < index.size(); ++d) { known[rotation.indices[d]] = index[d]; }
+    return known;
+}
+
 /// Of R, or of all rotations R[1], R[2], ..., or of one of them.
 void SceneValues::add_rotation(const IndexedValue& value, const RotationValue& rotation) {
     bool is_known = false;
@@ -97,8 +113,9 @@ void SceneValues::add_rotation(const IndexedValue& value, const RotationValue& r
         if (!is_one && without_index(names.rotation) != value.name) { continue; }
         is_known = true;
         const std::vector<std::string> entries = entries_of(names.rotation);
+        const WholeNumbers known = indices_of_body(value, rotation, names.rotation);
         for (std::size_t k = 0; k < entries.size(); ++k) {
-            put(value, entries[k], rotation.entries[k]);
+            put(value, entries[k], rotation.entries[k], known);
         }
     }
     if (!is_known) { refuse_variable(value.name, value.place); }

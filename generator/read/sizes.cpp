@@ -67,7 +67,8 @@ void insert_structural(const ValueTable& table, NameSet& names) {
             }
         } else if (const auto* rotation = std::get_if<RotationValue>(&value.value)) {
             for (const IndexedExpression& each : rotation->entries) {
-                insert_structural(each.written, {}, names);
+                insert_structural(each.written,
+                                  {rotation->indices.begin(), rotation->indices.end()}, names);
             }
         }
     }

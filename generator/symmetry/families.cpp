@@ -493,6 +493,11 @@ private:
 
 }  // namespace
 
-SceneSymmetries symmetries_of_families(const Scene& scene) { return FamilyScene(scene).found(); }
+SceneSymmetries symmetries_of_families(const Scene& scene) {
+    if (!scene.rotations.texts.empty())
+        throw MathError("symmetries of rotations are looked for where sums are written out",
+                        whole(scene.function.source), "of a few bodies: a smaller size by --param");
+    return FamilyScene(scene).found();
+}
 
 }  // namespace hvi::gen

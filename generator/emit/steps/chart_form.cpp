@@ -20,11 +20,19 @@ std::string equations_type(const Step& step) {
 }
 
 std::string step_text(const Step& step) {
-    return fill_part("chart_step.hpp.in",
-                     {{"clock", clock_begins(step, "s_.forget()")},
-                      {"equations", fmt::format("m, {}{}", table_mt(step),
-                                                step.depends_on_time() ? ", clock_" : "")},
-                      {"end", clock_ends(step, "status")}});
+    constexpr const char* fits = "if (!system_.fits(x.q, x.p)) {\n"
+                                 "    return Status(Status::Code::dimension_mismatch);\n"
+                                 "}";
+    const bool is_any_size = step.container == Container::vectors;
+    return fill_part(
+        "chart_step.hpp.in",
+        {{"clock", clock_begins(step, "s_.forget()")},
+         {"begin", is_any_size ? fits : "hvi::detail::ChartState<Space> at = flat(x);"},
+         {"state", is_any_size ? "x" : "at"},
+         {"set", is_any_size ? "" : "if (status.ok()) { set(x, at); }"},
+         {"equations",
+          fmt::format("m, {}{}", table_mt(step), step.depends_on_time() ? ", clock_" : "")},
+         {"end", clock_ends(step, "status")}});
 }
 
 std::string constants_text(const Step& step, const ChartStep& form, const SceneWishes& wishes) {
@@ -67,7 +75,7 @@ std::string coupled_text(const Step& step) {
 }
 
 /// The member position(tau): coordinates and rotations on the curve of the step.
-std::string curve_member(const Curve& curve) {
+std::string curve_member(const Step& step, const Curve& curve) {
     const bool is_straight = curve.F.front().empty();
     Writer writer(1);
     writer.comment(
@@ -79,16 +87,17 @@ std::string curve_member(const Curve& curve) {
             "are no numbers.",
             curve.order + 1),
         "/// ");
-    writer.open("[[nodiscard]] Placement position(Scalar tau) const {{");
-    writer.line("Placement x;");
-    if (is_straight) {
-        writer.line("set(x, s_.position(tau));");
-    } else {
+    const bool is_any_size = step.container == Container::vectors;
+    writer.open("[[nodiscard]] {} position(Scalar tau) const {{",
+                is_any_size ? "Vector" : "Placement");
+    if (!is_any_size) { writer.line("Placement x;"); }
+    if (!is_straight) {
         writer.line("const auto bend = hvi::detail::departures(curve, {});",
                     curve.A.empty() ? "tau" : "tau, curve_terms(tau), curve_terms(1)");
-        writer.line("set(x, s_.position(tau, bend));");
     }
-    return writer.line("return x;").close().str();
+    const std::string_view place = is_straight ? "s_.position(tau)" : "s_.position(tau, bend)";
+    if (is_any_size) { return writer.line("return {};", place).close().str(); }
+    return writer.line("set(x, {});", place).line("return x;").close().str();
 }
 
 }  // namespace
@@ -98,26 +107,27 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const ChartS
     const SystemPart system = system_part(method, step, options);
     std::vector<std::string> runtime{"detail/groups/coupled_charts"};
     for (const std::string& header : clock_runtime(step)) { runtime.push_back(header); }
+    if (step.container == Container::vectors) { runtime.emplace_back("detail/groups/body_space"); }
     if (options.wishes.curve) { runtime.emplace_back("detail/stages/curve"); }
     if (options.wishes.float128) { runtime.emplace_back("detail/numbers/math"); }
     for (const std::string& header : solver_headers(step)) { runtime.push_back(header); }
     Holes holes = holes_of(system);
-    holes.merge(
-        Holes{{"banner", banner(method, step, options)},
-              {"format", std::to_string(hvi::runtime_format)},
-              {"runtime", runtime_includes(std::move(runtime))},
-              {"parameter", ""},
-              {"state", system.state},
-              {"curve", options.wishes.curve ? curve_member(*options.wishes.curve) : std::string()},
-              {"step", step_text(step)},
-              {"part", ""},
-              {"action", ""},
-              {"integral", ""},
-              {"forget", "s_.forget();"},
-              {"constants", constants_text(step, form, options.wishes)},
-              {"predict", prediction(step, form.iteration)},
-              {"coupled", coupled_text(step)},
-              {"members", members_text(step)}});
+    holes.merge(Holes{
+        {"banner", banner(method, step, options)},
+        {"format", std::to_string(hvi::runtime_format)},
+        {"runtime", runtime_includes(std::move(runtime))},
+        {"parameter", ""},
+        {"state", system.state},
+        {"curve", options.wishes.curve ? curve_member(step, *options.wishes.curve) : std::string()},
+        {"step", step_text(step)},
+        {"part", ""},
+        {"action", ""},
+        {"integral", ""},
+        {"forget", "s_.forget();"},
+        {"constants", constants_text(step, form, options.wishes)},
+        {"predict", prediction(step, form.iteration)},
+        {"coupled", coupled_text(step)},
+        {"members", members_text(step)}});
     return fill("implicit.hpp.in", holes);
 }
 

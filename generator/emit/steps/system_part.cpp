@@ -125,6 +125,9 @@ std::string vector_types(const System& system) {
     Writer writer(1);
     if (!system.is_written_out()) {
         writer.line("using Vector = std::vector<Number>;").line("using Place = std::ptrdiff_t;");
+        if (rotations_of(system) > 0) {
+            writer.line("using Space = hvi::detail::BodySpace<Number>;");
+        }
     } else if (rotations_of(system) == 0) {
         writer.line("using Vector = Numbers;");
     } else {
@@ -259,7 +262,8 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
                                       : "template <class Number>";
     part.condition = conditions_for_scene(system, options.wishes);
     part.types = types_for_scene(step, options);
-    part.state = rotations_of(system) > 0 ? "Bodies" : state_type(step);
+    const bool has_members = system.is_written_out() && rotations_of(system) > 0;
+    part.state = has_members ? "Bodies" : state_type(step);
     part.construct = constructors_for_scene(step, options, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;

@@ -98,12 +98,18 @@ std::set<std::string> conditions_of_starts(const System& system, const LoopNames
             conditions.add(list->accesses, {});
             continue;
         }
-        const auto* rule = std::get_if<SystemStart::Rule>(&system.initial[k].values);
-        std::vector<Loop> loops;
-        for (std::size_t d = 0; d < rule->indices.size(); ++d) {
-            loops.push_back({rule->indices[d], family.ranges[d]});
+        const auto add = [&](const auto& rule) {
+            std::vector<Loop> loops;
+            for (std::size_t d = 0; d < rule.indices.size(); ++d) {
+                loops.push_back({rule.indices[d], family.ranges[d]});
+            }
+            conditions.add(rule.accesses, loops);
+        };
+        if (const auto* rule = std::get_if<SystemStart::Rule>(&system.initial[k].values)) {
+            add(*rule);
+        } else {
+            add(std::get<SystemStart::Points>(system.initial[k].values));
         }
-        conditions.add(rule->accesses, loops);
     }
     std::set<std::string> all = std::move(conditions).all();
     all.merge(lengths);

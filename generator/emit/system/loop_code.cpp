@@ -96,6 +96,7 @@ public:
         write_gradients(functions);
         write_for_positions(functions);
         write_for_pairs(functions);
+        write_for_charts(functions);
         write_values(functions);
         write_begin(functions);
         Writer writer(1);
@@ -117,12 +118,14 @@ public:
 private:
     void write_gradients(Writer& writer) {
         writer.line("/// Degrees of freedom.");
-        writer.line("[[nodiscard]] std::size_t size() const {{ return size_; }}").blank();
+        writer.line("[[nodiscard]] std::size_t size() const {{ return {}; }}", conjugate_count());
+        writer.blank();
         writer.comment("Whether vectors have the size of the system, and all that sums look at is "
                        "there: lists may be too short.",
                        "/// ");
         writer.open("[[nodiscard]] bool fits(const Vector& q, const Vector& p) const {{");
-        writer.line("return fits_ && q.size() == size_ && p.size() == size_;").close().blank();
+        writer.line("return fits_ && q.size() == size_ && p.size() == {};", conjugate_count());
+        writer.close().blank();
         if (system_.sites) {
             SiteWriter(*system_.sites, loops_).write(writer);
             write_gathered(writer);
@@ -190,6 +193,26 @@ private:
     void write_for_pairs(Writer& writer) {
         if (!std::holds_alternative<PairStep>(step_.form) || !takes_second(step_)) { return; }
         write_pair_products(writer, loops_);
+    }
+
+    [[nodiscard]] bool has_bodies() const { return rotations_of(system_) > 0; }
+
+    /// How many momenta there are; of rotations less than positions.
+    [[nodiscard]] std::string_view conjugate_count() const {
+        return has_bodies() ? "degrees_" : "size_";
+    }
+
+    /// Both gradients of a stage, by turns of bodies in the place of entries of rotations.
+    void write_for_charts(Writer& writer) const {
+        if (!has_bodies()) { return; }
+        const std::string_view t = system_.time ? ", t" : "";
+        writer.blank().open("void gradient(const Vector& q, const Vector& p{}, Vector& by_q, "
+                            "Vector& by_p) const {{",
+                            system_.time ? ", Scalar t" : "");
+        writer.line("by_entries_.resize(size_);");
+        writer.line("dHdq(q, p{}, by_entries_);", t);
+        writer.line("hvi::detail::by_turns(q, by_entries_, by_q);");
+        writer.line("dHdp(q, p{}, by_p);", t).close();
     }
 
     /// Another argument, where H depends on the time.
@@ -275,7 +298,8 @@ private:
         }
         write_conditions_of_files(writer, system_, names_);
         for (const char letter : {'q', 'p'}) {
-            writer.line("{}_of.assign(size_, Scalar(0));", letter);
+            writer.line("{}_of.assign({}, Scalar(0));", letter,
+                        letter == 'q' ? "size_" : conjugate_count());
             writer.line("[[maybe_unused]] Scalar* const {0} = {0}_of.data();", letter);
         }
         const std::size_t count = system_.coordinates.size();
@@ -334,6 +358,7 @@ private:
         }
         for (const SystemTable& table : system_.tables) { write_places(body, table.family, ""); }
         body.line("size_ = static_cast<std::size_t>(in_q);");
+        if (has_bodies()) { body.line("degrees_ = static_cast<std::size_t>(in_p);"); }
         if (system_.sites) { body.line("count_ = in_q / {};", system_.coordinates.size()); }
         write_fits(body);
         names_.write_setup(body, "hvi::math");
@@ -385,6 +410,11 @@ private:
             writer.line("{};", line);
         }
         writer.line("std::size_t size_ = 0;").line("bool fits_ = true;");
+        if (has_bodies()) {
+            writer.line("std::size_t degrees_ = 0;  // of freedom");
+            writer.line(
+                "mutable Vector by_entries_{{}};  // dH/dq, and by the entries of rotations");
+        }
         if (system_.sites) { writer.line("Place count_ = 0;  // of sites"); }
         if (has_chunks()) {
             writer.line("mutable hvi::detail::Team team_;");

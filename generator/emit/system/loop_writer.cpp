@@ -325,6 +325,8 @@ void LoopWriter::write_start(Writer& writer, const SystemFamily& family, std::st
         write_list(writer, family, array, *list);
     } else if (const auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
         write_rule(writer, family, array, *rule);
+    } else if (const auto* points = std::get_if<SystemStart::Points>(&start.values)) {
+        write_points(writer, family, array, *points);
     } else {
         writer.line("std::copy(parameters.{0}.begin(), parameters.{0}.end(), {1} + {2});",
                     member_of(family.name), array, first_place(family));
@@ -362,6 +364,29 @@ void LoopWriter::write_list(Writer& writer, const SystemFamily& family, std::str
     for (const std::string& result : results) { writer.line("{},", result); }
     writer.close("};");
     writer.line("hvi::detail::put(values, {} + {});", array, first_place(family)).close();
+}
+
+/// NOTE: the numbers of a point stand in a row.
+void LoopWriter::write_points(Writer& writer, const SystemFamily& family, std::string_view array,
+                              const SystemStart::Points& points) {
+    std::vector<Loop> loops;
+    std::vector<std::string> first;
+    for (std::size_t d = 0; d < family.ranges.size(); ++d) {
+        const bool is_of_body = d < points.indices.size();
+        if (is_of_body) { loops.push_back({points.indices[d], family.ranges[d]}); }
+        first.push_back(is_of_body ? names_.index(points.indices[d])
+                                   : "(" + names_.whole(family.ranges[d].first) + ")");
+    }
+    if (loops.empty()) { writer.open("{{"); }
+    for (const Loop& loop : loops) { open_loop(writer, loop); }
+    const Kernel all = kernel(system_.graph, points.values);
+    const NodeNames given = load(writer, points.accesses, all, loops);
+    const auto results = write_code(writer, system_.graph, all, given, "hvi::math");
+    writer.open("const Scalar values[] = {{");
+    for (const std::string& result : results) { writer.line("{},", result); }
+    writer.close("};");
+    writer.line("hvi::detail::put(values, {} + {});", array, place(family, first));
+    for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
 }
 
 void LoopWriter::write_rule(Writer& writer, const SystemFamily& family, std::string_view array,

@@ -83,6 +83,8 @@ private:
     void write_lanes(Writer& writer, const SystemSum& sum, const std::vector<AccessSlope>& slopes);
     void write_list(Writer& writer, const SystemFamily& family, std::string_view array,
                     const SystemStart::List& list);
+    void write_points(Writer& writer, const SystemFamily& family, std::string_view array,
+                      const SystemStart::Points& points);
     void write_rule(Writer& writer, const SystemFamily& family, std::string_view array,
                     const SystemStart::Rule& rule);
     [[nodiscard]] std::string place(const SystemFamily& family,

@@ -75,7 +75,7 @@ struct StateArguments {
 };
 
 StateArguments arguments_of(const System& system) {
-    if (rotations_of(system) > 0) {
+    if (system.is_written_out() && rotations_of(system) > 0) {
         return {"const hvi::detail::ChartState<Space> at = flat(x);", "at.q, at.p"};
     }
     return {"", system.side == Side::lagrangian ? "x.q, velocity(x)" : "x.q, x.p"};
