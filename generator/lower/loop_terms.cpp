@@ -31,16 +31,32 @@ bool mentions(const Expression& expression, const std::string& name) {
     return any_part(expression, [&](const Expression& part) { return part.name == name; });
 }
 
+constexpr long most_terms = 16;
+
+/// How many terms a sum with numbers for bounds has; more than the most of any other.
+long count_of_terms(const Expression& sum) {
+    const auto first = affine_form(sum.arguments[0]), last = affine_form(sum.arguments[1]);
+    if (!first || !last || !first->is_number() || !last->is_number()) { return most_terms + 1; }
+    return std::clamp(last->constant - first->constant + 1, 0L, most_terms + 1);
+}
+
+/// The same of an expression, whose sums within sums are written out too.
+long count_of_all_terms(const Expression& expression) {
+    long most = 1;
+    for (const Expression& argument : expression.arguments) {
+        most = std::max(most, count_of_all_terms(argument));
+    }
+    if (expression.kind != Expression::Kind::sum_over) { return most; }
+    return std::min(most_terms + 1, most * count_of_terms(expression));
+}
+
 /// Short sums with numbers for bounds, written out.
 Expression written_out(const Expression& expression) {
-    constexpr long most_terms = 16;
     Expression result = expression;
     for (Expression& argument : result.arguments) { argument = written_out(argument); }
     if (result.kind != Expression::Kind::sum_over) { return result; }
+    if (count_of_terms(result) > most_terms) { return result; }
     const auto first = affine_form(result.arguments[0]), last = affine_form(result.arguments[1]);
-    const bool is_short = first && last && first->is_number() && last->is_number() &&
-                          last->constant - first->constant < most_terms;
-    if (!is_short) { return result; }
     Expressions terms;
     for (long index = first->constant; index <= last->constant; ++index) {
         terms.push_back(replaced(result.arguments[2], {{result.name, Expression::integer(index)}}));
@@ -68,7 +84,13 @@ public:
             more.push_back(Expression::integer(-1));
             return split(expression.arguments.front(), more, loops);
         }
-        case Expression::Kind::sum_over: return split_sum(expression, factors, loops);
+        case Expression::Kind::sum_over:
+            // NOTE: what short sums have in common is computed once for all of their terms.
+            if (!loops.empty() && count_of_terms(expression) > 0 &&
+                count_of_all_terms(expression) <= most_terms) {
+                return split(written_out(expression), factors, loops);
+            }
+            return split_sum(expression, factors, loops);
         case Expression::Kind::product: return split_product(expression, factors, loops);
         default: return add(expression, factors, loops);
         }

@@ -90,7 +90,13 @@ std::string curve_member(const Step& step, const Curve& curve) {
     const bool is_any_size = step.container == Container::vectors;
     writer.open("[[nodiscard]] {} position(Scalar tau) const {{",
                 is_any_size ? "Vector" : "Placement");
-    if (!is_any_size) { writer.line("Placement x;"); }
+    if (is_any_size) {
+        writer.open("if (!s_.has_ended()) {{")
+            .line("return hvi::detail::nowhere(Vector(system_.size_));")
+            .close();
+    } else {
+        writer.line("Placement x;");
+    }
     if (!is_straight) {
         writer.line("const auto bend = hvi::detail::departures(curve, {});",
                     curve.A.empty() ? "tau" : "tau, curve_terms(tau), curve_terms(1)");
