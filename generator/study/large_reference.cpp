@@ -48,6 +48,8 @@ Scene exact_at(Scene scene, double until) {
         if (auto* rule = std::get_if<ValueRule>(&value.value)) put_in(rule->value);
         if (auto* list = std::get_if<ValueList>(&value.value))
             std::for_each(list->values.begin(), list->values.end(), put_in);
+        if (auto* rotation = std::get_if<RotationValue>(&value.value))
+            std::for_each(rotation->entries.begin(), rotation->entries.end(), put_in);
     }
     return scene;
 }

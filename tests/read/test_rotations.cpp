@@ -103,6 +103,25 @@ hamiltonian = "sum(k=1..2, L[k,1]^2/2 + L[k,2]^2/4 + L[k,3]^2/6)"
     check("", "an initial value is missing: that of `L[1,1]`");
 }
 
+TEST_CASE("rotations of several bodies may be given by a rule") {
+    const std::string two = R"toml(rotations = "R[1..2]"
+angular_momenta = "L[1..2]"
+hamiltonian = "sum(k=1..2, L[k,1]^2/2 + L[k,2]^2/4 + L[k,3]^2/6)"
+[parameters]
+a = [3, 4]
+[initial]
+"R[k]" = {axis = [0, 0, 1], angle = "k*a[k]"}
+"L[k,i]" = "k"
+)toml";
+    CHECK(value(read(two), "R[1,2,1]").find("a[1]") != std::string::npos);
+    CHECK(value(read(two), "R[2,2,1]").find("2*a[2]") != std::string::npos);
+    const auto check = [&](const std::string& name, const std::string& what) {
+        CHECK(hvi::gen::refused(two, "\"R[k]\" =", name + " =").what == what);
+    };
+    check("\"R[k,j]\"", "`R` has 1 index, and here it has 2");
+    check("\"R[2]\"", "`k` is neither a variable nor a parameter with a value");
+}
+
 TEST_CASE("an angle may depend on parameters, and on the time where it is that of a solution") {
     const std::string text = edited(body, "\"identity\"", "{axis = [0, 0, 1], angle = \"g/2\"}");
     CHECK(value(read(text), "R[2,1]").find("sin(g/2)") != std::string::npos);
