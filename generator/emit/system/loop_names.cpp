@@ -37,11 +37,11 @@ NodeNames inputs_of(const System& system) {
 LoopNames::LoopNames(const System& system)
     : GivenNames(system.graph, inputs_of(system)), system_(system) {}
 
-/// NOTE: other names in the code are q, p, way, way_p, totals, out, e, k, V, h, x and t1, t2, ...,
-/// or end in an underscore.
+/// NOTE: other names in the code are q, p, way, way_p, totals, out, e, k, V, h, x, t1, t2, ... and
+/// the tables b, c, m and n of a stepper, or end in an underscore.
 std::string LoopNames::index(const std::string& name) const {
     const bool is_free =
-        name.size() == 1 && std::string("abcdfgijlmnorsuvwyz").find(name) != std::string::npos;
+        name.size() == 1 && std::string("adfgijlorsuvwyz").find(name) != std::string::npos;
     return is_free ? name : "index_" + name;
 }
 
