@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/lower/accesses.hpp"
 #include "generator/lower/slopes.hpp"
 #include "generator/lower/totals.hpp"
 #include "generator/support/error.hpp"
