@@ -47,6 +47,8 @@ private:
     void declare_sizes();
     void declare_families(const NameTexts& texts, FamilyKind kind, std::string_view subject,
                           const Space& space = real_line);
+    void check_extents() const;
+    [[nodiscard]] bool are_pairs(bool that_turn) const;
     void check_pairs() const;
     void declare_parameters();
     void declare_table(SystemTable table);
@@ -93,28 +95,46 @@ void Declaring::declare_families(const NameTexts& texts, FamilyKind kind, std::s
     }
 }
 
-void Declaring::check_pairs() const {
-    const auto extent = [&](const LoopRange& range) {
-        return range.last.at(names_.sizes) - range.first.at(names_.sizes);
-    };
-    const auto& [coordinates, momenta] = std::tie(system_.coordinates, system_.conjugates);
-    bool are_pairs = coordinates.size() == momenta.size();
-    for (std::size_t k = 0; are_pairs && k < coordinates.size(); ++k) {
-        are_pairs = are_of_one_body(coordinates[k], momenta[k]);
-        for (const LoopRange& range : coordinates[k].ranges) {
-            if (extent(range) < 0) {
-                throw InputError(fmt::format("`{}` has no index", coordinates[k].name),
-                                 scene_.coordinates.place);
-            }
+void Declaring::check_extents() const {
+    for (const SystemFamily& family : system_.coordinates) {
+        for (const LoopRange& range : family.ranges) {
+            if (range.last.at(names_.sizes) >= range.first.at(names_.sizes)) { continue; }
+            throw InputError(fmt::format("`{}` has no index", family.name),
+                             scene_.coordinates.place);
         }
     }
-    if (!are_pairs) {
-        const std::string_view others = scene_.side == Side::hamiltonian ? "momenta" : "velocities";
-        throw NoLoops(fmt::format("where sums stay loops, coordinates and {} are pairs of families "
-                                  "with the same indices",
-                                  others),
-                      scene_.conjugates.place, "as x[1..N], y[1..N] and px[1..N], py[1..N]");
-    }
+}
+
+/// Whether coordinates and their conjugates are pairs, of those families that turn, or of the
+/// others.
+bool Declaring::are_pairs(bool that_turn) const {
+    const auto chosen = [&](const std::vector<SystemFamily>& families) {
+        std::vector<SystemFamily> result = families;
+        std::erase_if(result, [&](const SystemFamily& family) {
+            return (family.space != real_line) != that_turn;
+        });
+        return result;
+    };
+    const std::vector<SystemFamily> q = chosen(system_.coordinates), y = chosen(system_.conjugates);
+    return std::equal(q.begin(), q.end(), y.begin(), y.end(), are_of_one_body);
+}
+
+void Declaring::check_pairs() const {
+    const auto check = [&](bool that_turn, std::string_view which, const Place& place,
+                           const char* help) {
+        if (are_pairs(that_turn)) { return; }
+        throw NoLoops(fmt::format("where sums stay loops, {} are pairs of families with the same "
+                                  "indices",
+                                  which),
+                      place, help);
+    };
+    check(false,
+          scene_.side == Side::hamiltonian ? "coordinates and momenta"
+                                           : "coordinates and velocities",
+          scene_.conjugates.place, "as x[1..N], y[1..N] and px[1..N], py[1..N]");
+    check(true, "rotations and angular momenta", scene_.angular_momenta.place,
+          "as R[1..N] and L[1..N]");
+    check_extents();
 }
 
 // ---- parameters ----

@@ -68,12 +68,8 @@ SystemStart StartLowering::start(const SystemFamily& family, const IndexedValue&
         rule != nullptr ? rule->value : std::get<IndexedExpression>(value.value);
     const std::vector<std::string> indices =
         rule != nullptr ? rule->indices : std::vector<std::string>{};
-    if (indices.size() != family.ranges.size()) {
-        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", family.name,
-                                     family.ranges.size(),
-                                     family.ranges.size() == 1 ? "ex" : "ices", indices.size()),
-                         value.place, "give a rule for all indices: \"x[i]\" = \"sin(i)\"");
-    }
+    check_dimension(family.name, family.ranges.size(), indices.size(), value.place,
+                    "give a rule for all indices: \"x[i]\" = \"sin(i)\"");
     const IndexedExpression whole = names_.meant(written, initial_rules, indices);
     LoopTerm term{{}, without_sums(whole)};
     for (std::size_t d = 0; d < indices.size(); ++d) {
@@ -101,11 +97,7 @@ SystemStart StartLowering::points(const SystemFamily& family, const IndexedValue
     const std::size_t dimension = family.ranges.size() - component_dimensions(family.space);
     std::vector<std::string> indices = rotation.indices;
     if (indices.empty()) { indices.assign(dimension, "k"); }
-    if (indices.size() != dimension) {
-        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", family.name,
-                                     dimension, dimension == 1 ? "ex" : "ices", indices.size()),
-                         value.place);
-    }
+    check_dimension(family.name, dimension, indices.size(), value.place);
     SystemStart::Points result;
     for (const IndexedExpression& entry : rotation.entries) {
         const IndexedExpression whole = names_.meant(entry, initial_rules, rotation.indices);

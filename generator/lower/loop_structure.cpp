@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/lower/accesses.hpp"
+#include "generator/lower/accesses.hpp"
 #include "generator/lower/slopes.hpp"
 #include "generator/lower/totals.hpp"
 #include "generator/support/error.hpp"

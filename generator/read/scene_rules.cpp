@@ -67,6 +67,14 @@ const SceneRules& rules_of_function(Side side) {
     return side == Side::hamiltonian ? hamiltonian_rules : lagrangian_rules;
 }
 
+void check_dimension(const std::string& family, std::size_t wanted, std::size_t given,
+                     const Place& place, std::string help) {
+    if (given == wanted) { return; }
+    throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", family, wanted,
+                                 wanted == 1 ? "ex" : "ices", given),
+                     place, std::move(help));
+}
+
 void check_definition(const Definition& definition, const Vocabulary& names) {
     if (!names.has(definition.name)) { return; }
     throw InputError(fmt::format("`{}` is a variable or a parameter already", definition.name),

@@ -48,6 +48,11 @@ inline constexpr SceneRules until_rules{"the time at the end", false, false, fal
 /// The rules for H, or for L.
 [[nodiscard]] const SceneRules& rules_of_function(Side side);
 
+/// Throws InputError at `place` where a rule for the values of a family has another number of
+/// indices than the family.
+void check_dimension(const std::string& family, std::size_t wanted, std::size_t given,
+                     const Place& place, std::string help = "");
+
 /// Throws InputError for a definition that is called as a variable or a parameter.
 void check_definition(const Definition& definition, const Vocabulary& names);
 

@@ -77,11 +77,7 @@ void SceneValues::add_list(const IndexedValue& value, const ValueList& list,
 void SceneValues::add_rule(const IndexedValue& value, const ValueRule& rule,
                            const std::vector<Index>& indices) {
     const std::size_t dimension = indices.front().size();
-    if (rule.indices.size() != dimension) {
-        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", value.name, dimension,
-                                     dimension == 1 ? "ex" : "ices", rule.indices.size()),
-                         value.place);
-    }
+    check_dimension(value.name, dimension, rule.indices.size(), value.place);
     for (const Index& index : indices) {
         WholeNumbers known;
         for (std::size_t d = 0; d < dimension; ++d) { known[rule.indices[d]] = index[d]; }
@@ -94,12 +90,7 @@ WholeNumbers indices_of_body(const IndexedValue& value, const RotationValue& rot
                              const std::string& name) {
     const Index index = index_of(name);
     if (rotation.indices.empty()) { return {}; }
-    if (rotation.indices.size() != index.size()) {
-        throw InputError(fmt::format("`{}` has {} ind{}, and here it has {}", value.name,
-                                     index.size(), index.size() == 1 ? "ex" : "ices",
-                                     rotation.indices.size()),
-                         value.place);
-    }
+    check_dimension(value.name, index.size(), rotation.indices.size(), value.place);
     WholeNumbers known;
     for (std::size_t d = 0; d < index.size(); ++d) { known[rotation.indices[d]] = index[d]; }
     return known;

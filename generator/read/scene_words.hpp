@@ -30,7 +30,7 @@ public:
     /// Without `files` those whose values stand in files are left out.
     [[nodiscard]] std::vector<Parameter> declare_parameters(bool files = true);
 
-    /// Definitions, each with those above it put in.
+    /// Adds the definitions, each with those above it put in.
     void define();
 
     /// The expression with `indices` and sizes for numbers, and definitions put in. Throws

@@ -164,7 +164,7 @@ void set_findings(SceneSymmetries& result, const OfMomenta& motion) {
 
 namespace {
 
-/// Of rotating bodies: what is known of their invariants is whether they are conserved, and whether
+/// Looks at invariants of rotating bodies: whether they are conserved, and whether
 /// they are momentum maps.
 void set_findings_of_bodies(SceneSymmetries& result, const Hamiltonian& hamiltonian) {
     std::vector<Expression> maps;

@@ -173,3 +173,20 @@ TEST_CASE("a Lagrangian whose sums stay loops has a mass for each velocity, and 
     CHECK(refused("sum(i=1..N, j=1..N, v[i]^2)") == "its sums run over velocities once each");
     CHECK(refused("0*sum(i=1..N, v[i]^2)") == "here a velocity has no mass");
 }
+
+TEST_CASE("rotations and angular momenta are pairs, and the message is of these") {
+    const Directory directory;
+    write(directory / "bodies.toml",
+          "coordinates = \"x[1..N]\"\nmomenta = \"p[1..N]\"\nrotations = \"R[1..N]\"\n"
+          "angular_momenta = \"L[1..M]\"\n"
+          "hamiltonian = \"sum(k=1..N, p[k]^2/2 + x[k]*R[k,3,1] + L[k,1]^2/2)\"\n"
+          "[parameters]\nN = 3\nM = 3\n[initial]\n\"x[k]\" = 0\n\"p[k]\" = 0\nR = \"identity\"\n"
+          "\"L[k,i]\" = \"k\"\n");
+    const Outcome outcome = hvi_gen(
+        {"stepper", "bodies.toml", "--method", "gauss:2", "--unroll", "no"}, directory.path());
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find("rotations and angular momenta are pairs") != std::string::npos);
+    CHECK(outcome.err.find("bodies.toml:4") != std::string::npos);
+    check_form(outcome.err);
+}

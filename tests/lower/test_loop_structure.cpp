@@ -1,4 +1,4 @@
-// What is found in systems whose sums stay loops.
+// Structure that is found in systems whose sums stay loops.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <string>
 

@@ -389,7 +389,7 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[1][k])
                 + hvi::detail::abs(s.Q[2][k]) + hvi::detail::abs(s.Q[3][k])
@@ -397,7 +397,7 @@ private:
                 + hvi::detail::abs(s.Lq[2][k]) + hvi::detail::abs(s.Lq[3][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[0][k])
                 + hvi::detail::abs(s.P[1][k]) + hvi::detail::abs(s.P[2][k])

@@ -213,12 +213,12 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return 0;
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[0][k])
                 + hvi::detail::abs(s.Lp[0][k]);
@@ -270,13 +270,13 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[1][k])
                 + hvi::detail::abs(s.Lq[1][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return 0;
         }

@@ -171,7 +171,7 @@ template <class Scalar>
 
 #endif  // HVI_SCALAR_HPP
 
-// What a stepper asks of a user's class and of its vectors.
+// Requirements of steppers on a user's class and on its vectors.
 // SPDX-License-Identifier: MIT
 //
 // NOTE: needs the standard library alone; see state.hpp.

@@ -19,20 +19,29 @@ std::string equations_type(const Step& step) {
                            : "");
 }
 
+/// Texts of a step that tell how a state has its numbers.
+struct StateTexts {
+    std::string_view begin;  ///< before the step
+    std::string_view state;  ///< the numbers in a row
+    std::string_view end;    ///< after the step
+};
+constexpr StateTexts in_members{"hvi::detail::ChartState<Space> at = flat(x);", "at",
+                                "if (status.ok()) { set(x, at); }"};
+constexpr StateTexts in_a_row{"if (!system_.fits(x.q, x.p)) {\n"
+                              "    return Status(Status::Code::dimension_mismatch);\n"
+                              "}",
+                              "x", ""};
+
 std::string step_text(const Step& step) {
-    constexpr const char* fits = "if (!system_.fits(x.q, x.p)) {\n"
-                                 "    return Status(Status::Code::dimension_mismatch);\n"
-                                 "}";
-    const bool is_any_size = step.container == Container::vectors;
-    return fill_part(
-        "chart_step.hpp.in",
-        {{"clock", clock_begins(step, "s_.forget()")},
-         {"begin", is_any_size ? fits : "hvi::detail::ChartState<Space> at = flat(x);"},
-         {"state", is_any_size ? "x" : "at"},
-         {"set", is_any_size ? "" : "if (status.ok()) { set(x, at); }"},
-         {"equations",
-          fmt::format("m, {}{}", table_mt(step), step.depends_on_time() ? ", clock_" : "")},
-         {"end", clock_ends(step, "status")}});
+    const StateTexts& texts = step.container == Container::vectors ? in_a_row : in_members;
+    return fill_part("chart_step.hpp.in",
+                     {{"clock", clock_begins(step, "s_.forget()")},
+                      {"begin", std::string(texts.begin)},
+                      {"state", std::string(texts.state)},
+                      {"set", std::string(texts.end)},
+                      {"equations", fmt::format("m, {}{}", table_mt(step),
+                                                step.depends_on_time() ? ", clock_" : "")},
+                      {"end", clock_ends(step, "status")}});
 }
 
 std::string constants_text(const Step& step, const ChartStep& form, const SceneWishes& wishes) {

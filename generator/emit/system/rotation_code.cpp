@@ -74,7 +74,7 @@ void write_structs(Writer& writer, const System& system, const RotationMembers& 
     if (n > 0) { writer.line("std::array<Scalar, {}> q{{}};", n); }
     for (const Member& member : members.rotations) { declare(writer, member, 9, identity); }
     writer.close("};").blank();
-    writer.comment("The same with momenta p, and angular momenta in the bodies.", "/// ");
+    writer.comment("A placement with momenta p, and angular momenta in the bodies.", "/// ");
     writer.open("struct Bodies : Placement {{");
     if (n > 0) { writer.line("std::array<Scalar, {}> p{{}};", n); }
     for (const Member& member : members.momenta) { declare(writer, member, 3, "0, 0, 0"); }
@@ -120,7 +120,7 @@ std::string bodies_text(const System& system) {
     writer.open("static void set(Bodies& x, const hvi::detail::ChartState<Space>& at) {{");
     write_copies(writer, system, members, true, false);
     writer.close().blank();
-    writer.line("/// The same of a placement.");
+    writer.line("/// Sets the placement x to q, then R, one after the other.");
     writer.open("static void set(Placement& x, const typename Space::Positions& q) {{");
     write_copies(writer, system, members, false, false);
     return writer.close().str();

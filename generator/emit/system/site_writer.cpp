@@ -177,7 +177,7 @@ void SiteWriter::write_edge_term(Writer& writer, const SiteTerm& term) {
 }
 
 void SiteWriter::write_edge(Writer& writer) {
-    writer.line("/// The same of any site.");
+    writer.line("/// Adds up dH/dq at a site that may be at an edge.");
     writer.open("void force_at_edge([[maybe_unused]] const Scalar* q, Place, "
                 "[[maybe_unused]] const Site& k, Scalar "
                 "(&out)[components]) const {{");

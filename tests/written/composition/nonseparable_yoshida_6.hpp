@@ -342,13 +342,13 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[0][k])
                 + hvi::detail::abs(s.Lq[0][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[0][k])
                 + hvi::detail::abs(s.Lp[0][k]);
@@ -404,13 +404,13 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[1][k])
                 + hvi::detail::abs(s.Lq[1][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[1][k])
                 + hvi::detail::abs(s.Lp[1][k]);
@@ -468,13 +468,13 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[2][k])
                 + hvi::detail::abs(s.Lq[2][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[2][k])
                 + hvi::detail::abs(s.Lp[2][k]);
@@ -532,13 +532,13 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[3][k])
                 + hvi::detail::abs(s.Lq[3][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[3][k])
                 + hvi::detail::abs(s.Lp[3][k]);
@@ -596,13 +596,13 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[4][k])
                 + hvi::detail::abs(s.Lq[4][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[4][k])
                 + hvi::detail::abs(s.Lp[4][k]);
@@ -660,13 +660,13 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[5][k])
                 + hvi::detail::abs(s.Lq[5][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[5][k])
                 + hvi::detail::abs(s.Lp[5][k]);
@@ -724,13 +724,13 @@ private:
 
         void nudge(Scalar factor) { s.nudge(unknown_q, unknown_p, factor); }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.Q[6][k])
                 + hvi::detail::abs(s.Lq[6][k]);
         }
 
-        /// The same of P.
+        /// Size that the rounding of component k of P is compared with.
         [[nodiscard]] Scalar size_p([[maybe_unused]] Index k) const {
             return hvi::detail::abs(s.at.p[k]) + hvi::detail::abs(s.P[6][k])
                 + hvi::detail::abs(s.Lp[6][k]);

@@ -79,7 +79,7 @@ public:
         std::array<Scalar, 9> R{1, 0, 0, 0, 1, 0, 0, 0, 1};
     };
 
-    /// The same with momenta p, and angular momenta in the bodies.
+    /// A placement with momenta p, and angular momenta in the bodies.
     struct Bodies : Placement {
         std::array<Scalar, 3> L{0, 0, 0};
     };
@@ -98,7 +98,7 @@ public:
         for (std::size_t k = 0; k < 3; ++k) { x.L[k] = at.p[0 + k]; }
     }
 
-    /// The same of a placement.
+    /// Sets the placement x to q, then R, one after the other.
     static void set(Placement& x, const typename Space::Positions& q) {
         for (std::size_t k = 0; k < 9; ++k) { x.R[k] = q[0 + k]; }
     }

@@ -511,7 +511,7 @@ private:
             system.kick_stage(s, 2);
         }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q(Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.free_path[k])
                 + hvi::detail::abs(s.Q[0][k]) + hvi::detail::abs(s.Q[1][k])

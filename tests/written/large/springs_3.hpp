@@ -129,7 +129,7 @@ public:
             out[0] = V(c1_ * (a1 - a2) + c1_ * (a1 - a3));
         }
 
-        /// The same of any site.
+        /// Adds up dH/dq at a site that may be at an edge.
         void force_at_edge([[maybe_unused]] const Scalar* q, Place, [[maybe_unused]] const Site& k,
             Scalar (&out)[components]) const {
             for (Scalar& each : out) { each = 0; }
@@ -461,7 +461,7 @@ private:
             system.kick_stage(s, 2);
         }
 
-        /// What the rounding of component k of Q is to be compared with.
+        /// Size that the rounding of component k of Q is compared with.
         [[nodiscard]] Scalar size_q(Index k) const {
             return hvi::detail::abs(s.at.q[k]) + hvi::detail::abs(s.free_path[k])
                 + hvi::detail::abs(s.Q[0][k]) + hvi::detail::abs(s.Q[1][k])

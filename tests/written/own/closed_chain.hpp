@@ -119,7 +119,7 @@ public:
             out[0] = V(-Scalar(10.0) * (t1 * (Scalar(1.0) - t1) - t2 * (Scalar(1.0) - t2)));
         }
 
-        /// The same of any site.
+        /// Adds up dH/dq at a site that may be at an edge.
         void force_at_edge([[maybe_unused]] const Scalar* q, Place, [[maybe_unused]] const Site& k,
             Scalar (&out)[components]) const {
             for (Scalar& each : out) { each = 0; }
@@ -265,7 +265,7 @@ public:
     /// ok, x has kept its bits.
     [[nodiscard]] Status step(State& x, Scalar h) { return advance(x, h, 1).status; }
 
-    /// The same many times, with the same bits, and faster. Where a step fails x is where the last
+    /// Makes many steps of one size, with the bits of single ones, and faster. Where a step fails x is where the last
     /// good one ended.
     [[nodiscard]] hvi::Run advance(State& x, Scalar h, std::int64_t steps) {
         if (!system_.fits(x.q, x.p)) { return {Status(Status::Code::dimension_mismatch)}; }

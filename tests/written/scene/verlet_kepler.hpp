@@ -228,7 +228,7 @@ rounded([[maybe_unused]] float single, [[maybe_unused]] double hi, [[maybe_unuse
 
 #endif  // HVI_ROUNDED_HPP
 
-// What a stepper asks of a user's class and of its vectors.
+// Requirements of steppers on a user's class and on its vectors.
 // SPDX-License-Identifier: MIT
 //
 // NOTE: needs the standard library alone; see state.hpp.

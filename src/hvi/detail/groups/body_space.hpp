@@ -38,7 +38,7 @@ struct BodySpace {
         return Positions(coordinates + 9 * rotations, Number(0));
     }
 
-    /// Of a Vector what belongs to rotation r.
+    /// The three numbers of a Vector that belong to rotation r.
     [[nodiscard]] Vector3<Number> part(const Vector& v, std::size_t r) const {
         const std::size_t k = coordinates + 3 * r;
         return {v[k], v[k + 1], v[k + 2]};

@@ -34,7 +34,7 @@ struct ChartSpace {
     static void set_zero(Vector& v) { v = {}; }
     [[nodiscard]] static Positions no_positions() { return Positions{}; }
 
-    /// Of a Vector what belongs to rotation r.
+    /// The three numbers of a Vector that belong to rotation r.
     [[nodiscard]] static Vector3<Number> part(const Vector& v, std::size_t r) {
         return {v[n + 3 * r], v[n + 3 * r + 1], v[n + 3 * r + 2]};
     }

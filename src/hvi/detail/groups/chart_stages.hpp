@@ -204,7 +204,7 @@ public:
         }
     }
 
-    /// What the rounding of component k of the stages is to be compared with: of a rotation all of
+    /// Size that the rounding of component k of the stages is compared with: of a rotation all of
     /// its entries, and all of its angular momentum.
     [[nodiscard]] Scalar size_q(std::size_t k) const {
         const bool is_flat = k < Space::coordinates;

@@ -1,4 +1,4 @@
-// What a stepper asks of a user's class and of its vectors.
+// Requirements of steppers on a user's class and on its vectors.
 // SPDX-License-Identifier: MIT
 //
 // NOTE: needs the standard library alone; see state.hpp.
