@@ -5,7 +5,7 @@
 
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
-#include "generator/emit/system/loop_code.hpp"
+#include "generator/emit/system/class_functions.hpp"
 #include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/rotation_code.hpp"
 #include "generator/emit/text/names.hpp"

@@ -152,6 +152,11 @@ std::string_view library(const SceneWishes& wishes) {
     return wishes.float128 ? "hvi::math" : "std";
 }
 
+std::string_view vector_type(const System& system) {
+    if (!system.is_written_out()) { return "std::vector<Number>"; }
+    return rotations_of(system) == 0 ? "Numbers" : "typename Space::Vector";
+}
+
 bool calls_more_math(const System& system, const SceneWishes& wishes) {
     for (Node node = 0; node < system.graph.size(); ++node) {
         const Computation& computation = system.graph.at(node);

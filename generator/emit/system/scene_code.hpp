@@ -48,8 +48,8 @@ void check_members(const WrittenOutScene& scene, const SceneWishes& wishes);
 /// `struct Parameters`, with numbers, tables and sizes of the scene as defaults.
 [[nodiscard]] std::string parameters_text(const System& system);
 
-/// The constant of a System that tells whether its K is diagonal.
-[[nodiscard]] std::string mass_text(const VelocityStep& form);
+/// Type of vectors of the class.
+[[nodiscard]] std::string_view vector_type(const System& system);
 
 /// `struct System`: what a stepper with this step needs of H, as straight-line code, or with loops
 /// where there are no evaluations without.
