@@ -18,41 +18,18 @@ bool takes_second(const Step& step) {
     return step.iteration() != nullptr && step.iteration()->takes_newton();
 }
 
-/// Whether Newton's method for positions goes by products.
-bool takes_products(const Step& step) {
-    const auto* velocities = std::get_if<VelocityStep>(&step.form);
-    return velocities != nullptr && velocities->hessian == HessianForm::products;
+std::vector<std::string> joined(std::vector<std::string> first,
+                                const std::vector<std::string>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
 }
 
-/// Whether a step adds up products with second derivatives that are not zero.
-bool adds_products(const System& system, const Step& step) {
-    const bool are_pairs = std::holds_alternative<PairStep>(step.form);
-    if (!takes_second(step) || !(are_pairs || takes_products(step))) { return false; }
-    const std::vector<SystemSum>& products = std::get<HessianOfSums>(system.second).products;
-    return std::any_of(products.begin(), products.end(),
-                       [&](const SystemSum& sum) { return are_pairs || !sum.by_q.empty(); });
-}
-
-/// Names of targets q[0], q[1], ..., p[0], ...
-std::vector<std::string> both(std::string_view q, std::size_t count_of_q, std::string_view p,
-                              std::size_t count_of_p) {
-    std::vector<std::string> result = components(q, count_of_q);
-    for (std::string& target : components(p, count_of_p)) { result.push_back(std::move(target)); }
-    return result;
-}
-
-/// Derivatives by q, or by conjugates.
-std::vector<AccessSlope> SystemSum::*slopes(bool by_q) {
-    return by_q ? &SystemSum::by_q : &SystemSum::by_conjugates;
-}
-
-std::vector<const SystemSum*> having(std::vector<AccessSlope> SystemSum::*slopes,
-                                     const std::vector<SystemSum>& sums) {
-    std::vector<const SystemSum*> result;
-    for (const SystemSum& sum : sums) {
-        if (!(sum.*slopes).empty()) { result.push_back(&sum); }
-    }
-    return result;
+/// Names of nodes as components of a vector.
+NodeNames named(const std::vector<Node>& nodes, std::string_view letter) {
+    const std::vector<std::string> all = components(letter, nodes.size());
+    NodeNames names;
+    for (std::size_t k = 0; k < nodes.size(); ++k) { names[nodes[k]] = all[k]; }
+    return names;
 }
 
 class ClassFunctions {
@@ -74,27 +51,27 @@ public:
         if (std::holds_alternative<TabulatedStep>(step_.form)) {
             add_quadratic();
         } else {
-            add_derivatives();
+            add_gradients();
+            add_inverse_mass();
+            add_kick_of_stage();
+            add_shared();
+            add_constant_terms();
+            add_second();
+            add_tangents();
         }
         for (const ClassValue& value : values_of_class(system_, wishes_)) {
             list_.add(value.name, {true, true, value.has_time}, value_of(*value.sums)).returns =
                 "Scalar";
         }
-        add_begin();
+        if (evaluations_ == nullptr) {
+            add_begin_of_families();
+        } else if (!system_.initial.empty()) {
+            add_begin();
+        }
         return std::move(list_).all();
     }
 
 private:
-    void add_derivatives() {
-        add_gradients();
-        add_inverse_mass();
-        add_kick_of_stage();
-        add_shared();
-        add_constant_terms();
-        add_second();
-        add_tangents();
-    }
-
     [[nodiscard]] FunctionBody value_of(const std::vector<SystemSum>& sums) const {
         if (evaluations_ == nullptr) { return ValueOfSums{&sums}; }
         return StraightCode{kernel(system_.graph, {sums.front().value})};
@@ -105,18 +82,17 @@ private:
     void add_sizes() {
         for (std::size_t k = 0; k < system_.totals.size(); ++k) { add_total(k); }
         const std::string_view conjugates = rotations_of(system_) > 0 ? "degrees_" : "size_";
-        list_.add({"size",
-                   {},
-                   OneLine{fmt::format("return {};", conjugates)},
-                   "Degrees of freedom.",
-                   "std::size_t"});
-        SystemFunction& fits = list_.add(
-            "fits", {},
-            Statements{
-                {fmt::format("return fits_ && q.size() == size_ && p.size() == {};", conjugates)}});
-        fits.returns = "bool";
-        fits.doc = "Whether vectors have the size of the system, and all that sums look at is "
-                   "there: lists may be too short.";
+        list_
+            .add("size", nothing, OneLine{fmt::format("return {};", conjugates)}, {},
+                 "Degrees of freedom.")
+            .returns = "std::size_t";
+        const std::string fits =
+            fmt::format("return fits_ && q.size() == size_ && p.size() == {};", conjugates);
+        list_
+            .add("fits", {}, Statements{{fits}}, {},
+                 "Whether vectors have the size of the system, and all that sums look at is "
+                 "there: lists may be too short.")
+            .returns = "bool";
         if (system_.sites) { add_sites(*system_.sites); }
     }
 
@@ -125,32 +101,30 @@ private:
         std::vector<Argument> arguments = {{"const Scalar* q", false}, {"const Scalar* p", false}};
         if (has_time(system_, k)) { arguments.push_back({"Scalar t", false}); }
         arguments.push_back({"const Scalar* totals", false});
-        list_.add({fmt::format("total_{}", k + 1), std::move(arguments), TotalOfSums{&total.sums},
-                   system_.graph.at(total.node).name, "Scalar"});
+        list_
+            .add(fmt::format("total_{}", k + 1), nothing, TotalOfSums{&total.sums},
+                 std::move(arguments), system_.graph.at(total.node).name)
+            .returns = "Scalar";
     }
 
     void add_sites(const Sites& sites) {
+        const Argument q{"const Scalar* q", false}, p{"const V (&p)[components]", false};
         const Argument place{"Place e", false}, site{"const Site& k", false};
-        list_.add({"sites", {}, SiteRanges{}, "", "hvi::detail::Sites<dimension>"});
-        const auto add = [&](std::string name, const char* array, const std::vector<Scaled>& values,
-                             std::string doc) {
-            SystemFunction& function =
-                list_.add({std::move(name),
-                           {{array, false}, place, site, {"V (&out)[components]"}},
-                           ValuesOfSites{&values},
-                           std::move(doc)});
+        const Argument out{"V (&out)[components]"};
+        const auto add_inlined = [&](std::string name, const std::vector<Scaled>& values,
+                                     const Argument& array, std::string doc) {
+            SystemFunction& function = list_.add(std::move(name), nothing, ValuesOfSites{&values},
+                                                 {array, place, site, out}, std::move(doc));
             function.parameters = "class V";
             function.is_inlined = true;
         };
-        add("force", "const Scalar* q", sites.forces,
-            "dU/dq of the sites e, e + 1, ... that V stands for, where all their neighbours are; "
-            "the first has the indices k.");
-        list_.add({"force_at_edge",
-                   {{"const Scalar* q", false}, {"Place"}, site, {"Scalar (&out)[components]"}},
-                   ForceAtEdge{},
-                   "The same of any site."});
-        add("velocity", "const V (&p)[components]", sites.velocities,
-            "dT/dp of sites with the momenta p.");
+        list_.add("sites", nothing, SiteRanges{}).returns = "hvi::detail::Sites<dimension>";
+        add_inlined("force", sites.forces, q,
+                    "dU/dq of the sites e, e + 1, ... that V stands for, where all their "
+                    "neighbours are; the first has the indices k.");
+        list_.add("force_at_edge", nothing, ForceAtEdge{},
+                  {q, {"Place"}, site, {"Scalar (&out)[components]"}}, "The same of any site.");
+        add_inlined("velocity", sites.velocities, p, "dT/dp of sites with the momenta p.");
     }
 
     // ---- first derivatives ----
@@ -182,11 +156,9 @@ private:
                                                   by_q ? "gather" : "velocities", letter);
             return list_.add(name, takes, Statements{{sweep}}, {{"Vector& out"}});
         }
-        std::vector<const SystemSum*> sums;
-        for (const SystemSum& sum : system_.sums) { sums.push_back(&sum); }
-        return list_.add_scattered(
-            {name, "add_by_" + letter, slopes(by_q), {{"q", takes.q}, {"p", takes.p}}, takes.time},
-            sums);
+        const Scatter::Arrays arrays = {{"q", takes.q}, {"p", takes.p}};
+        return list_.add_scattered({name, "add_by_" + letter, by_q, arrays, takes.time},
+                                   system_.sums, Numbers::of_all);
     }
 
     /// dH/dq and dH/dp at once.
@@ -195,10 +167,10 @@ private:
         const std::string by_q = fmt::format("d{}dq", system_.function_letter());
         const std::string by_p =
             fmt::format("d{}d{}", system_.function_letter(), system_.conjugate_letter());
+        StraightCode code{kernel, joined(components(by_q, n), components(by_p, n))};
         list_
-            .add_of_lanes("gradient", of_q_, {kernel, both(by_q, n, by_p, n)},
-                          {{fmt::format("{}& {}", list_.vector(), by_q)},
-                           {fmt::format("{}& {}", list_.vector(), by_p)}})
+            .add_of_lanes("gradient", of_q_, std::move(code),
+                          {{list_.reference(by_q)}, {list_.reference(by_p)}})
             .is_counted = counts_;
     }
 
@@ -220,9 +192,8 @@ private:
         const std::vector<std::string> out = components("out", system_.degrees_of_freedom());
         const std::vector<std::string> kept = components("at", gradients.shared.size());
         const Takes takes{true, true, step_.depends_on_time()};
-        StraightCode by_q{*evaluations_->shared, out}, by_p{gradients.by_conjugates_at_q, out};
-        by_q.targets.insert(by_q.targets.end(), kept.begin(), kept.end());
-        for (std::size_t k = 0; k < kept.size(); ++k) { by_p.names[gradients.shared[k]] = kept[k]; }
+        StraightCode by_q{*evaluations_->shared, joined(out, kept)};
+        StraightCode by_p{gradients.by_conjugates_at_q, out, named(gradients.shared, "at")};
         SystemFunction& force =
             list_.add_of_lanes("dHdq", takes, std::move(by_q), {{"Values& out"}, {"Values& at"}});
         force.is_counted = counts_;
@@ -242,8 +213,8 @@ private:
         Statements kick{{force, "hvi::detail::scale(s.Lp[j], -s.hb[j]);", "s.drift(*this, j);"}};
         if (system_.sites) { kick.lines = {"hvi::detail::kick_stage(*this, s, j);"}; }
         SystemFunction& function =
-            list_.add({"kick_stage", std::move(arguments), std::move(kick),
-                       "Lp_j = -h b_j dH/dq(Q_j) and W_j = h d2H/dp2 Lp_j."});
+            list_.add("kick_stage", nothing, std::move(kick), std::move(arguments),
+                      "Lp_j = -h b_j dH/dq(Q_j) and W_j = h d2H/dp2 Lp_j.");
         function.parameters = "class Stages";
         function.is_counted = counts_ && system_.sites;
     }
@@ -255,10 +226,8 @@ private:
             if (!evaluations_->inverse_mass) { return; }
             list_.add_slope("inverse_mass", {false, true}, *evaluations_->inverse_mass);
         } else if (std::holds_alternative<VelocityStep>(step_.form)) {
-            list_.add({"inverse_mass",
-                       {{"const Vector& v"}, {"Vector& out"}},
-                       OneLine{"dHdp(v, out);"},
-                       "d2H/dp2 v, which is constant."});
+            list_.add("inverse_mass", nothing, OneLine{"dHdp(v, out);"},
+                      {{"const Vector& v"}, {"Vector& out"}}, "d2H/dp2 v, which is constant.");
         }
     }
 
@@ -272,9 +241,9 @@ private:
         }
         if (!evaluations_->constant) { return; }
         const auto& [qq, mixed, conjugates] = *evaluations_->constant;
-        list_.add_block("constant_d2Hdq2", {false, false}, qq);
-        list_.add_block("constant_d2Hdqdp", {false, false}, mixed);
-        list_.add_block("constant_d2Hdp2", {false, false}, conjugates);
+        list_.add_block("constant_d2Hdq2", nothing, qq);
+        list_.add_block("constant_d2Hdqdp", nothing, mixed);
+        list_.add_block("constant_d2Hdp2", nothing, conjugates);
     }
 
     void add_second() {
@@ -291,44 +260,36 @@ private:
 
     void add_second_of_sums() {
         if (!takes_second(step_)) { return; }
+        const HessianOfSums& second = std::get<HessianOfSums>(system_.second);
+        const auto* velocities = std::get_if<VelocityStep>(&step_.form);
         if (std::holds_alternative<PairStep>(step_.form)) {
-            add_rows(true);
-            add_rows(false);
-        } else if (takes_products(step_)) {
-            const HessianOfSums& second = std::get<HessianOfSums>(system_.second);
+            add_rows(second.products, true);
+            add_rows(second.products, false);
+        } else if (velocities != nullptr && velocities->hessian == HessianForm::products) {
+            const Scatter::Arrays arrays = {{"q", true}, {"way", true}};
+            list_.add_scattered(
+                {"d2Hdq2", "add_product", true, arrays, has_time_, "out = d2H/dq2 way."},
+                second.products, Numbers::of_these);
+        } else if (velocities != nullptr) {
             list_
-                .add_scattered({"d2Hdq2",
-                                "add_product",
-                                &SystemSum::by_q,
-                                {{"q", true}, {"way", true}},
-                                has_time_},
-                               having(&SystemSum::by_q, second.products))
-                .doc = "out = d2H/dq2 way.";
-        } else if (std::holds_alternative<VelocityStep>(step_.form)) {
-            SystemFunction& function =
-                list_.add("d2Hdq2", {true, false, has_time_},
-                          EntriesOfSums{&std::get<HessianOfSums>(system_.second).entries},
-                          {{"Matrix& out", false}});
-            function.parameters = "class Matrix";
-            function.doc = "Adds the entries i, j of d2H/dq2 by out.add(i, j, value).";
+                .add("d2Hdq2", {true, false, has_time_}, EntriesOfSums{&second.entries},
+                     {{"Matrix& out", false}},
+                     "Adds the entries i, j of d2H/dq2 by out.add(i, j, value).")
+                .parameters = "class Matrix";
         }
     }
 
     /// Rows of d2H times a vector, where stages have positions and momenta.
-    void add_rows(bool by_q) {
+    void add_rows(const std::vector<SystemSum>& products, bool by_q) {
         const std::string letter = by_q ? "q" : "p";
         const Takes& takes = by_q ? of_q_ : of_p_;
-        const HessianOfSums& second = std::get<HessianOfSums>(system_.second);
-        list_
-            .add_scattered({"d2Hd" + letter,
-                            "add_product_by_" + letter,
-                            slopes(by_q),
-                            {{"q", takes.q}, {"p", takes.p}, {"way", takes.q}, {"way_p", takes.p}},
-                            takes.time},
-                           having(slopes(by_q), second.products))
-            .doc = fmt::format("Rows by {} of d2H times a vector: way of positions, way_p of "
-                               "momenta.",
-                               letter);
+        const Scatter::Arrays arrays = {
+            {"q", takes.q}, {"p", takes.p}, {"way", takes.q}, {"way_p", takes.p}};
+        const std::string doc =
+            "Rows by " + letter + " of d2H times a vector: way of positions, way_p of momenta.";
+        list_.add_scattered(
+            {"d2Hd" + letter, "add_product_by_" + letter, by_q, arrays, takes.time, doc}, products,
+            Numbers::of_these);
     }
 
     /// dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
@@ -338,12 +299,9 @@ private:
         const std::vector<Node>& direction = system_.structure.direction;
         const std::vector<std::string> out = components("out", direction.size());
         const std::vector<std::string> kept = components("at", tangents.kept.size());
-        StraightCode slope{tangents.slope, out}, along{tangents.along, out};
-        slope.targets.insert(slope.targets.end(), kept.begin(), kept.end());
-        for (std::size_t k = 0; k < direction.size(); ++k) {
-            along.names[direction[k]] = fmt::format("v[{}]", k);
-        }
-        for (std::size_t k = 0; k < kept.size(); ++k) { along.names[tangents.kept[k]] = kept[k]; }
+        StraightCode slope{tangents.slope, joined(out, kept)};
+        StraightCode along{tangents.along, out, named(direction, "v")};
+        along.names.merge(named(tangents.kept, "at"));
         const Argument v{"const Vector& v", uses_any(along.kernel, direction)};
         list_
             .add("dHdq", {true, false, has_time_}, std::move(slope),
@@ -377,39 +335,32 @@ private:
         code.kernel = kernel(system_.graph, std::move(results));
         const Argument out{fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n),
                            !code.targets.empty()};
-        list_.add("quadratic", {false, false}, std::move(code), {out});
+        list_.add("quadratic", nothing, std::move(code), {out});
     }
 
     // ---- where the scene begins ----
 
-    void add_begin() {
-        if (evaluations_ == nullptr) {
-            std::vector<Argument> arguments = {{"Vector& q_of"}, {"Vector& p_of"}};
-            if (begins_in_file(system_)) {
-                arguments.insert(arguments.begin(), {"const Parameters& parameters"});
-            }
-            list_.add({"begin", std::move(arguments), StartOfFamilies{},
-                       "Where the scene begins; empty where lists do not fit."});
-        } else if (!system_.initial.empty()) {
-            add_straight_begin();
+    void add_begin_of_families() {
+        std::vector<Argument> arguments = {{"Vector& q_of"}, {"Vector& p_of"}};
+        if (begins_in_file(system_)) {
+            arguments.insert(arguments.begin(), {"const Parameters& parameters"});
         }
+        list_.add("begin", nothing, StartOfFamilies{}, std::move(arguments),
+                  "Where the scene begins; empty where lists do not fit.");
     }
 
-    void add_straight_begin() {
+    void add_begin() {
         StraightCode code{kernel_of_inputs(system_.graph, start_of(system_))};
         code.has_parameters = true;
-        const NodeNames names = parameter_names(system_);
-        const bool uses_parameters = std::any_of(code.kernel.given.begin(), code.kernel.given.end(),
-                                                 [&](Node node) { return names.count(node) != 0; });
+        std::vector<Node> parameters;
+        for (const auto& [node, name] : parameter_names(system_)) { parameters.push_back(node); }
+        const bool uses_parameters = uses_any(code.kernel, parameters);
         const std::string p(1, system_.conjugate_letter());
-        code.targets =
-            both("q", coordinate_nodes(system_).size(), p, conjugate_nodes(system_).size());
-        const std::string_view places = rotations_of(system_) == 0 ? "Vector" : "Positions";
-        list_.add({"begin",
-                   {{"const Parameters& parameters", uses_parameters},
-                    {fmt::format("{}& q", places)},
-                    {"Vector& " + p}},
-                   std::move(code)});
+        code.targets = joined(components("q", coordinate_nodes(system_).size()),
+                              components(p, conjugate_nodes(system_).size()));
+        const std::string q = rotations_of(system_) == 0 ? "Vector& q" : "Positions& q";
+        list_.add("begin", nothing, std::move(code),
+                  {{"const Parameters& parameters", uses_parameters}, {q}, {"Vector& " + p}});
     }
 
     const System& system_;
@@ -433,8 +384,15 @@ bool counts_evaluations(const SceneWishes& wishes, const Step& step) {
     return wishes.evaluations && step.layout != Layout::sites;
 }
 
-bool scatters(const System& system, const Step& step) {
-    return !system.sites || adds_products(system, step);
+std::vector<const SystemSum*> scattered_sums(const std::vector<SystemFunction>& functions) {
+    std::vector<const SystemSum*> result;
+    for (const SystemFunction& function : functions) {
+        const auto* body = std::get_if<BodyOfSums>(&function.body);
+        if (body == nullptr) { continue; }
+        const auto* derivatives = std::get_if<DerivativesOfSum>(body);
+        if (derivatives != nullptr) { result.push_back(derivatives->sum); }
+    }
+    return result;
 }
 
 }  // namespace hvi::gen

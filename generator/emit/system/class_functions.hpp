@@ -20,7 +20,8 @@ namespace hvi::gen {
 /// Whether evaluations are counted by System.
 [[nodiscard]] bool counts_evaluations(const SceneWishes& wishes, const Step& step);
 
-/// Whether something is scattered: added where it belongs, one summand after the other.
-[[nodiscard]] bool scatters(const System& system, const Step& step);
+/// Sums that are scattered: added where they belong, one summand after the other.
+[[nodiscard]] std::vector<const SystemSum*>
+scattered_sums(const std::vector<SystemFunction>& functions);
 
 }  // namespace hvi::gen

@@ -34,16 +34,12 @@ std::vector<std::string> components(std::string_view letter, std::size_t count) 
     return names;
 }
 
-SystemFunction& FunctionList::add(SystemFunction function) {
-    functions_.push_back(std::move(function));
-    return functions_.back();
-}
-
 SystemFunction& FunctionList::add(std::string name, Takes takes, FunctionBody body,
-                                  std::vector<Argument> others) {
+                                  std::vector<Argument> others, std::string doc) {
     std::vector<Argument> arguments = variables(takes, body);
     std::move(others.begin(), others.end(), std::back_inserter(arguments));
-    return add({std::move(name), std::move(arguments), std::move(body)});
+    functions_.push_back({std::move(name), std::move(arguments), std::move(body), std::move(doc)});
+    return functions_.back();
 }
 
 std::vector<Argument> FunctionList::variables(Takes takes, const FunctionBody& body) const {
@@ -88,7 +84,7 @@ SystemFunction& FunctionList::add_of_lanes(std::string name, Takes takes, Straig
 SystemFunction& FunctionList::add_slope(std::string name, Takes takes, const Kernel& kernel) {
     const std::size_t n = system_.degrees_of_freedom();
     return add_of_lanes(std::move(name), takes, {kernel, components("out", n)},
-                        {{fmt::format("{}& out", vector())}});
+                        {{reference("out")}});
 }
 
 void FunctionList::add_block(std::string name, Takes takes,
@@ -104,26 +100,26 @@ void FunctionList::add_block(std::string name, Takes takes,
 }
 
 SystemFunction& FunctionList::add_scattered(const Scatter& scatter,
-                                            const std::vector<const SystemSum*>& sums) {
-    SystemFunction whole{scatter.name, {}, {}};
+                                            const std::vector<SystemSum>& sums, Numbers numbers) {
     std::vector<std::string> names, passed;
+    std::vector<Argument> arguments;
     for (const auto& [array, is_argument] : scatter.arrays) {
         names.push_back(array);
         passed.push_back(is_argument ? array + ".data()" : "nullptr");
-        if (is_argument) { whole.arguments.push_back({"const Vector& " + array, false}); }
+        if (is_argument) { arguments.push_back({"const Vector& " + array, false}); }
     }
-    if (scatter.has_time) { whole.arguments.push_back({"Scalar t", false}); }
-    whole.arguments.push_back({"Vector& out"});
+    if (scatter.has_time) { arguments.push_back({"Scalar t", false}); }
+    arguments.push_back({"Vector& out"});
     ScatteredSums all{{}, fmt::format("{}", fmt::join(passed, ", "))};
     for (std::size_t s = 0; s < sums.size(); ++s) {
-        const std::vector<AccessSlope>& slopes = sums[s]->*scatter.slopes;
+        const auto& slopes = scatter.by_q ? sums[s].by_q : sums[s].by_conjugates;
         if (slopes.empty()) { continue; }
-        all.sums.push_back({fmt::format("{}_{}", scatter.each, s + 1), sums[s], &slopes, names,
-                            scatter.has_time, needs_totals(system_, values(slopes))});
+        const std::size_t number = numbers == Numbers::of_all ? s : all.sums.size();
+        all.sums.push_back({fmt::format("{}_{}", scatter.each, number + 1), &sums[s], &slopes,
+                            names, scatter.has_time, needs_totals(system_, values(slopes))});
         add_derivatives(all.sums.back());
     }
-    whole.body = std::move(all);
-    return add(std::move(whole));
+    return add(scatter.name, nothing, std::move(all), std::move(arguments), scatter.doc);
 }
 
 void FunctionList::add_derivatives(const DerivativesOfSum& derivatives) {
@@ -137,7 +133,7 @@ void FunctionList::add_derivatives(const DerivativesOfSum& derivatives) {
     const std::size_t loops = derivatives.sum->loops.size();
     if (loops > 0) { arguments.insert(arguments.end(), {{"Place from"}, {"Place to"}}); }
     if (loops > 1) { arguments.push_back({"Place stride"}); }
-    functions_.push_back({derivatives.name, std::move(arguments), derivatives});
+    add(derivatives.name, nothing, derivatives, std::move(arguments));
 }
 
 }  // namespace hvi::gen

@@ -19,13 +19,21 @@ struct Takes {
     bool q = true, p = true, time = false;
 };
 
+inline constexpr Takes nothing{false, false};
+
 /// Derivatives of sums that are added up.
 struct Scatter {
+    using Arrays = std::vector<std::pair<std::string, bool>>;  ///< and whether each is an argument
     std::string name, each;  ///< of the function, and of those for one sum up to their number
-    std::vector<AccessSlope> SystemSum::*slopes;
-    std::vector<std::pair<std::string, bool>> arrays;  ///< and whether each is an argument
-    bool has_time;                                     ///< another argument
+    bool by_q;               ///< or by conjugates
+    Arrays arrays;
+    bool has_time;  ///< another argument
+    std::string doc = {};
 };
+
+/// How functions of single sums are numbered: by their place among all sums, or among those that
+/// have such derivatives.
+enum class Numbers { of_all, of_these };
 
 [[nodiscard]] bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes);
 
@@ -39,8 +47,7 @@ public:
 
     /// Adds a function of variables, and of `others`.
     SystemFunction& add(std::string name, Takes takes, FunctionBody body,
-                        std::vector<Argument> others = {});
-    SystemFunction& add(SystemFunction function);
+                        std::vector<Argument> others = {}, std::string doc = "");
 
     /// Adds code that takes lanes where a step has some.
     SystemFunction& add_of_lanes(std::string name, Takes takes, StraightCode code,
@@ -53,12 +60,12 @@ public:
     void add_block(std::string name, Takes takes, const std::optional<BlockKernel>& block);
 
     /// Adds a function of sums, after one for each of them that has such derivatives.
-    SystemFunction& add_scattered(const Scatter& scatter,
-                                  const std::vector<const SystemSum*>& sums);
+    SystemFunction& add_scattered(const Scatter& scatter, const std::vector<SystemSum>& sums,
+                                  Numbers numbers);
 
-    /// Type of the vectors that add_of_lanes() takes.
-    [[nodiscard]] std::string_view vector() const {
-        return step_.has_lanes() ? "Values" : "Vector";
+    /// An argument of add_of_lanes(), `Values& out` or `Vector& out`.
+    [[nodiscard]] std::string reference(const std::string& name) const {
+        return (step_.has_lanes() ? "Values& " : "Vector& ") + name;
     }
 
     [[nodiscard]] std::vector<SystemFunction> all() && { return std::move(functions_); }

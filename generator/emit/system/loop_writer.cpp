@@ -108,6 +108,15 @@ void LoopWriter::open_loop(Writer& writer, const Loop& loop) const {
                 names_.whole(loop.range.last));
 }
 
+void LoopWriter::open_loops(Writer& writer, const std::vector<Loop>& loops) const {
+    if (loops.empty()) { writer.open("{{"); }
+    for (const Loop& loop : loops) { open_loop(writer, loop); }
+}
+
+void LoopWriter::close_loops(Writer& writer, const std::vector<Loop>& loops) {
+    for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
+}
+
 /// What a sum does at one place, where it goes one by one.
 void LoopWriter::write_body(Writer& writer, const SystemSum& sum,
                             const std::vector<AccessSlope>& slopes) {
@@ -285,8 +294,7 @@ void LoopWriter::write_entries(Writer& writer, const SumEntries& entries) {
     std::vector<Scaled> results;
     for (const SumEntry& entry : entries.entries) { results.push_back(entry.value); }
     const Kernel values = kernel(system_.graph, results);
-    if (entries.loops.empty()) { writer.open("{{"); }
-    for (const Loop& loop : entries.loops) { open_loop(writer, loop); }
+    open_loops(writer, entries.loops);
     const NodeNames given = load(writer, entries.accesses, values, entries.loops);
     const auto texts = write_code(writer, system_.graph, values, given, "hvi::math");
     for (std::size_t k = 0; k < texts.size(); ++k) {
@@ -294,17 +302,14 @@ void LoopWriter::write_entries(Writer& writer, const SumEntries& entries) {
         writer.line("out.add({}, {}, Scalar({}));", names_.place(system_.accesses[entry.row]),
                     names_.place(system_.accesses[entry.column]), texts[k]);
     }
-    for (std::size_t l = 0; l < std::max<std::size_t>(entries.loops.size(), 1); ++l) {
-        writer.close();
-    }
+    close_loops(writer, entries.loops);
 }
 
 void LoopWriter::write_total(Writer& writer, const SystemSum& sum) {
     const bool in_lanes = goes_in_lanes(sum);
-    const std::size_t outer = sum.loops.size() - (in_lanes ? 1 : 0);
+    const std::vector<Loop> outer(sum.loops.begin(), sum.loops.end() - (in_lanes ? 1 : 0));
     const Kernel value = kernel(system_.graph, {sum.value});
-    if (outer == 0) { writer.open("{{"); }
-    for (std::size_t l = 0; l < outer; ++l) { open_loop(writer, sum.loops[l]); }
+    open_loops(writer, outer);
     if (!in_lanes) {
         const NodeNames given = load(writer, sum.accesses, value, sum.loops);
         const auto results = write_code(writer, system_.graph, value, given, "hvi::math");
@@ -320,7 +325,7 @@ void LoopWriter::write_total(Writer& writer, const SystemSum& sum) {
                     });
         writer.line("total.add(inner.sum());");
     }
-    for (std::size_t l = 0; l < std::max<std::size_t>(outer, 1); ++l) { writer.close(); }
+    close_loops(writer, outer);
 }
 
 }  // namespace hvi::gen

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/emit/system/class_function.hpp"
-#include "generator/emit/system/loop_names.hpp"
+#include "generator/emit/system/class_names.hpp"
 #include "generator/emit/text/text.hpp"
 #include "generator/lower/loop_structure.hpp"
 
@@ -27,7 +27,7 @@ namespace hvi::gen {
 /// all elements stand in a row or stay.
 class LoopWriter {
 public:
-    LoopWriter(const System& system, LoopNames& names) : system_(system), names_(names) {}
+    LoopWriter(const System& system, ClassNames& names) : system_(system), names_(names) {}
 
     void write(Writer& writer, const BodyOfSums& body) {
         std::visit([&](const auto& sums) { write(writer, sums); }, body);
@@ -38,9 +38,11 @@ public:
     [[nodiscard]] NodeNames load(Writer& writer, const std::vector<std::size_t>& accesses,
                                  const Kernel& kernel, const std::vector<Loop>& loops);
 
-    void open_loop(Writer& writer, const Loop& loop) const;
+    /// Opens loops, or a block where there are none, and closes them.
+    void open_loops(Writer& writer, const std::vector<Loop>& loops) const;
+    static void close_loops(Writer& writer, const std::vector<Loop>& loops);
 
-    [[nodiscard]] LoopNames& names() { return names_; }
+    [[nodiscard]] ClassNames& names() { return names_; }
     [[nodiscard]] const System& system() const { return system_; }
 
 private:
@@ -73,13 +75,14 @@ private:
     void write_entries(Writer& writer, const SumEntries& entries);
     void write_body(Writer& writer, const SystemSum& sum, const std::vector<AccessSlope>& slopes);
     void write_lanes(Writer& writer, const SystemSum& sum, const std::vector<AccessSlope>& slopes);
+    void open_loop(Writer& writer, const Loop& loop) const;
     [[nodiscard]] bool goes_in_lanes(const SystemSum& sum) const;
     [[nodiscard]] bool depends(std::size_t access, const std::string& index) const;
     /// Names the indices of loops, the time and totals.
     void name_numbers(NodeNames& locals, const std::vector<Loop>& loops) const;
 
     const System& system_;
-    LoopNames& names_;
+    ClassNames& names_;
 };
 
 }  // namespace hvi::gen

@@ -67,15 +67,13 @@ std::string SiteWriter::place(const SiteAccess& seen) const {
         }
         return text;
     }
-    std::string text = name + "_at_";
+    std::vector<std::string> indices;
     for (std::size_t i = 0; i < d; ++i) {
         const std::string offset = names_.whole(seen.offset[i]);
-        const std::string index =
-            seen.of[i] ? fmt::format("k[{}] + {}", *seen.of[i], offset) : offset;
-        text += i + 1 == d ? fmt::format(" + ({})", index)
-                           : fmt::format(" + ({}) * {}_step_{}_", index, name, i + 1);
+        indices.push_back(seen.of[i] ? fmt::format("(k[{}] + {})", *seen.of[i], offset)
+                                     : "(" + offset + ")");
     }
-    return text;
+    return ClassNames::place(family, indices);
 }
 
 /// Loads what forces or velocities look at.

@@ -30,7 +30,7 @@ private:
 
     const Sites& sites_;
     LoopWriter& loops_;
-    LoopNames& names_;
+    ClassNames& names_;
 };
 
 }  // namespace hvi::gen

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "generator/emit/system/class_functions.hpp"
 #include "generator/emit/system/element_conditions.hpp"
 
 namespace hvi::gen {
@@ -23,12 +22,6 @@ std::vector<const SystemFamily*> all_families(const System& system) {
 
 }  // namespace
 
-bool SizeMembers::has_chunks() const {
-    return scatters(system_, step_) &&
-           std::any_of(system_.sums.begin(), system_.sums.end(),
-                       [](const SystemSum& sum) { return sum.loops.size() > 1; });
-}
-
 std::vector<std::string> SizeMembers::initialised() const {
     std::vector<std::string> members;
     for (const SystemSize& size : system_.sizes) {
@@ -37,6 +30,7 @@ std::vector<std::string> SizeMembers::initialised() const {
     for (const SystemTable& table : system_.tables) {
         members.push_back(fmt::format("{0}_values_(parameters.{0})", member_of(table.family.name)));
     }
+    if (has_chunks_) { members.emplace_back("team_(threads)"); }
     return members;
 }
 
@@ -106,7 +100,7 @@ void SizeMembers::write_data(Writer& writer) const {
         writer.line("mutable Vector by_entries_{{}};  // dH/dq, and by the entries of rotations");
     }
     if (system_.sites) { writer.line("Place count_ = 0;  // of sites"); }
-    if (has_chunks()) {
+    if (has_chunks_) {
         writer.line("mutable hvi::detail::Team team_;");
         writer.line("mutable Vector memory_{{}};  // of chunks");
     }

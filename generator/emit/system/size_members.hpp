@@ -6,23 +6,25 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/emit/system/loop_names.hpp"
+#include "generator/emit/system/class_names.hpp"
 #include "generator/emit/text/text.hpp"
-#include "generator/ir/step.hpp"
 
 namespace hvi::gen {
 
 /// Writes members of System, and what its constructor does with them.
 class SizeMembers {
 public:
-    SizeMembers(const System& system, const Step& step, const LoopNames& names)
-        : system_(system), step_(step), names_(names) {}
+    /// `has_chunks`: sums are cut into chunks, for threads.
+    SizeMembers(const System& system, const ClassNames& names, bool has_chunks)
+        : system_(system), names_(names), has_chunks_(has_chunks) {}
 
-    /// Members that are copies of parameters, `N_(parameters.N)`.
+    /// Members that arguments make, `N_(parameters.N)`.
     [[nodiscard]] std::vector<std::string> initialised() const;
 
-    /// Whether sums over pairs are cut into chunks, for threads.
-    [[nodiscard]] bool has_chunks() const;
+    /// Argument of the constructor beside parameters.
+    [[nodiscard]] std::string_view threads() const {
+        return has_chunks_ ? ", unsigned threads = 1" : ", unsigned /*threads*/ = 1";
+    }
 
     void write_setup(Writer& writer) const;
     void write_data(Writer& writer) const;
@@ -32,8 +34,8 @@ private:
     void write_fits(Writer& writer) const;
 
     const System& system_;
-    const Step& step_;
-    const LoopNames& names_;
+    const ClassNames& names_;
+    bool has_chunks_;
 };
 
 }  // namespace hvi::gen

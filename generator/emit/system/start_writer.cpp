@@ -34,88 +34,48 @@ void StartWriter::write(Writer& writer, const StartOfFamilies& /*body*/) {
 void StartWriter::write_start(Writer& writer, const SystemFamily& family, std::string_view array,
                               const SystemStart& start) {
     if (const auto* list = std::get_if<SystemStart::List>(&start.values)) {
-        write_list(writer, family, array, *list);
-    } else if (const auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
-        write_rule(writer, family, array, *rule);
+        write_values(writer, family, array, {{}, list->values, list->accesses});
     } else if (const auto* points = std::get_if<SystemStart::Points>(&start.values)) {
-        write_points(writer, family, array, *points);
+        write_values(writer, family, array, *points);
+    } else if (const auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
+        write_values(writer, family, array, {rule->indices, {rule->value}, rule->accesses});
     } else {
         writer.line("std::copy(parameters.{0}.begin(), parameters.{0}.end(), {1} + {2});",
-                    member_of(family.name), array, first_place(family));
+                    member_of(family.name), array, place(family, {}));
     }
 }
 
-/// Where the element with these indices is.
+/// Where the element with these indices is, each of the others the first.
 std::string StartWriter::place(const SystemFamily& family,
                                const std::vector<std::string>& indices) const {
-    const std::string name = member_of(family.name);
-    std::string text = name + "_at_";
-    for (std::size_t d = 0; d < indices.size(); ++d) {
-        const bool is_last = d + 1 == indices.size();
-        text += is_last ? fmt::format(" + {}", indices[d])
-                        : fmt::format(" + {} * {}_step_{}_", indices[d], name, d + 1);
+    std::vector<std::string> all;
+    for (const std::string& index : indices) { all.push_back(names_.index(index)); }
+    for (std::size_t d = indices.size(); d < family.ranges.size(); ++d) {
+        all.push_back("(" + names_.whole(family.ranges[d].first) + ")");
     }
-    return text;
+    return ClassNames::place(family, all);
 }
 
-std::string StartWriter::first_place(const SystemFamily& family) const {
-    std::vector<std::string> first;
-    for (const LoopRange& range : family.ranges) {
-        first.push_back("(" + names_.whole(range.first) + ")");
-    }
-    return place(family, first);
-}
-
-void StartWriter::write_list(Writer& writer, const SystemFamily& family, std::string_view array,
-                             const SystemStart::List& list) {
-    const Kernel all = kernel(graph_, list.values);
-    writer.open("{{");
-    const NodeNames given = loops_.load(writer, list.accesses, all, {});
-    const auto results = write_code(writer, graph_, all, given, "hvi::math");
-    writer.open("const Scalar values[] = {{");
-    for (const std::string& result : results) { writer.line("{},", result); }
-    writer.close("};");
-    writer.line("hvi::detail::put(values, {} + {});", array, first_place(family)).close();
-}
-
-/// NOTE: the numbers of a point stand in a row.
-void StartWriter::write_points(Writer& writer, const SystemFamily& family, std::string_view array,
+/// NOTE: the numbers of a point stand in a row, and so do those of a list.
+void StartWriter::write_values(Writer& writer, const SystemFamily& family, std::string_view array,
                                const SystemStart::Points& points) {
     std::vector<Loop> loops;
-    std::vector<std::string> first;
-    for (std::size_t d = 0; d < family.ranges.size(); ++d) {
-        const bool is_of_body = d < points.indices.size();
-        if (is_of_body) { loops.push_back({points.indices[d], family.ranges[d]}); }
-        first.push_back(is_of_body ? names_.index(points.indices[d])
-                                   : "(" + names_.whole(family.ranges[d].first) + ")");
+    for (std::size_t d = 0; d < points.indices.size(); ++d) {
+        loops.push_back({points.indices[d], family.ranges[d]});
     }
-    if (loops.empty()) { writer.open("{{"); }
-    for (const Loop& loop : loops) { loops_.open_loop(writer, loop); }
+    loops_.open_loops(writer, loops);
     const Kernel all = kernel(graph_, points.values);
     const NodeNames given = loops_.load(writer, points.accesses, all, loops);
     const auto results = write_code(writer, graph_, all, given, "hvi::math");
-    writer.open("const Scalar values[] = {{");
-    for (const std::string& result : results) { writer.line("{},", result); }
-    writer.close("};");
-    writer.line("hvi::detail::put(values, {} + {});", array, place(family, first));
-    for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
-}
-
-void StartWriter::write_rule(Writer& writer, const SystemFamily& family, std::string_view array,
-                             const SystemStart::Rule& rule) {
-    std::vector<Loop> loops;
-    std::vector<std::string> indices;
-    for (std::size_t d = 0; d < rule.indices.size(); ++d) {
-        loops.push_back({rule.indices[d], family.ranges[d]});
-        indices.push_back(names_.index(rule.indices[d]));
+    const std::string first = place(family, points.indices);
+    if (points.indices.size() == family.ranges.size()) {
+        writer.line("{}[{}] = {};", array, first, results.front());
+    } else {
+        writer.open("const Scalar values[] = {{");
+        for (const std::string& result : results) { writer.line("{},", result); }
+        writer.close("};").line("hvi::detail::put(values, {} + {});", array, first);
     }
-    if (loops.empty()) { writer.open("{{"); }
-    for (const Loop& loop : loops) { loops_.open_loop(writer, loop); }
-    const Kernel value = kernel(graph_, {rule.value});
-    const NodeNames given = loops_.load(writer, rule.accesses, value, loops);
-    const auto results = write_code(writer, graph_, value, given, "hvi::math");
-    writer.line("{}[{}] = {};", array, place(family, indices), results.front());
-    for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
+    LoopWriter::close_loops(writer, loops);
 }
 
 }  // namespace hvi::gen

@@ -22,18 +22,13 @@ private:
     /// Gives the elements of a family their values in `array`.
     void write_start(Writer& writer, const SystemFamily& family, std::string_view array,
                      const SystemStart& start);
-    void write_list(Writer& writer, const SystemFamily& family, std::string_view array,
-                    const SystemStart::List& list);
-    void write_points(Writer& writer, const SystemFamily& family, std::string_view array,
+    void write_values(Writer& writer, const SystemFamily& family, std::string_view array,
                       const SystemStart::Points& points);
-    void write_rule(Writer& writer, const SystemFamily& family, std::string_view array,
-                    const SystemStart::Rule& rule);
     [[nodiscard]] std::string place(const SystemFamily& family,
                                     const std::vector<std::string>& indices) const;
-    [[nodiscard]] std::string first_place(const SystemFamily& family) const;
 
     LoopWriter& loops_;
-    LoopNames& names_;
+    ClassNames& names_;
     const Graph& graph_;
 };
 

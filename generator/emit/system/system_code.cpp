@@ -14,20 +14,6 @@ namespace hvi::gen {
 
 namespace {
 
-/// The names of variables in functions.
-NodeNames variable_names(const System& system) {
-    NodeNames names;
-    const auto add = [&](const std::vector<Node>& nodes, char letter) {
-        for (std::size_t k = 0; k < nodes.size(); ++k) {
-            names[nodes[k]] = fmt::format("{}[{}]", letter, k);
-        }
-    };
-    add(coordinate_nodes(system), 'q');
-    add(conjugate_nodes(system), system.conjugate_letter());
-    if (system.time) { names[*system.time] = "t"; }
-    return names;
-}
-
 void mirror(Writer& writer, std::size_t n) {
     writer.open("for (std::size_t i = 1; i < {}; ++i) {{", n);
     writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
@@ -75,6 +61,13 @@ std::string signature(const SystemFunction& function) {
                        fmt::join(arguments, ", "), is_static ? "" : " const");
 }
 
+/// Whether sums over pairs are cut into chunks.
+bool has_chunks(const std::vector<SystemFunction>& functions) {
+    const std::vector<const SystemSum*> sums = scattered_sums(functions);
+    return std::any_of(sums.begin(), sums.end(),
+                       [](const SystemSum* sum) { return sum->loops.size() > 1; });
+}
+
 /// Writes the class: its functions as listed, and what these need.
 class ClassWriter {
 public:
@@ -89,7 +82,7 @@ public:
           functions_(functions_of_class(system, wishes, step, evaluations)),
           names_(system),
           loops_(system, names_),
-          sizes_(system, step, names_) {}
+          sizes_(system, names_, has_chunks(functions_)) {}
 
     [[nodiscard]] std::string text() {
         // NOTE: the constructor comes last, as it computes what the others need.
@@ -140,8 +133,8 @@ private:
     // ---- bodies ----
 
     void write_body(Writer& writer, const StraightCode& code) {
-        NodeNames locals = variable_names(system_);
-        for (const auto& [node, name] : code.names) { locals[node] = name; }
+        NodeNames locals = code.names;
+        locals.merge(variable_names(system_));
         const NodeNames names = code.has_parameters ? names_.given_inputs(code.kernel)
                                                     : names_.given(code.kernel, locals);
         const auto results = write_code(writer, system_.graph, code.kernel, names,
@@ -195,17 +188,16 @@ private:
             sizes_.write_setup(body);
         }
         names_.write_setup(body, library_);
-        std::string head =
-            (has_loops_ ? "explicit System(" : "constexpr explicit System(") +
-            text_of({"const Parameters& parameters", names_.uses_inputs() || !members.empty()});
-        if (has_loops_) {
-            head += sizes_.has_chunks() ? ", unsigned threads = 1" : ", unsigned /*threads*/ = 1";
-            if (sizes_.has_chunks()) { members.emplace_back("team_(threads)"); }
-        }
+        const bool has_tables = has_loops_ && !(system_.sizes.empty() && system_.tables.empty());
+        const std::string arguments =
+            text_of({"const Parameters& parameters", names_.uses_inputs() || has_tables});
+        const std::string head =
+            fmt::format("{}explicit System({}{})", has_loops_ ? "" : "constexpr ", arguments,
+                        has_loops_ ? sizes_.threads() : "");
         if (members.empty()) {
-            writer.open("{}) {{", head);
+            writer.open("{} {{", head);
         } else {
-            writer.line("{})", head).open("    : {} {{", fmt::join(members, ", "));
+            writer.line("{}", head).open("    : {} {{", fmt::join(members, ", "));
         }
         writer.insert(body.str()).close();
     }
@@ -227,7 +219,7 @@ private:
     bool has_loops_, counts_;
     std::string_view library_;  ///< of functions that take no lanes
     std::vector<SystemFunction> functions_;
-    LoopNames names_;
+    ClassNames names_;
     LoopWriter loops_;
     SizeMembers sizes_;
 };
