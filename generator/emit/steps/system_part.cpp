@@ -5,7 +5,6 @@
 
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
-#include "generator/emit/system/class_includes.hpp"
 #include "generator/emit/system/rotation_code.hpp"
 #include "generator/emit/text/names.hpp"
 

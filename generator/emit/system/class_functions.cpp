@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/system/class_functions.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "generator/emit/system/class_values.hpp"
@@ -18,8 +17,8 @@ bool takes_second(const Step& step) {
     return step.iteration() != nullptr && step.iteration()->takes_newton();
 }
 
-std::vector<std::string> joined(std::vector<std::string> first,
-                                const std::vector<std::string>& second) {
+std::vector<std::string> followed_by(std::vector<std::string> first,
+                                     const std::vector<std::string>& second) {
     first.insert(first.end(), second.begin(), second.end());
     return first;
 }
@@ -83,7 +82,7 @@ private:
         for (std::size_t k = 0; k < system_.totals.size(); ++k) { add_total(k); }
         const std::string_view conjugates = rotations_of(system_) > 0 ? "degrees_" : "size_";
         list_
-            .add("size", nothing, OneLine{fmt::format("return {};", conjugates)}, {},
+            .add("size", no_variables, OneLine{fmt::format("return {};", conjugates)}, {},
                  "Degrees of freedom.")
             .returns = "std::size_t";
         const std::string fits =
@@ -102,7 +101,7 @@ private:
         if (has_time(system_, k)) { arguments.push_back({"Scalar t", false}); }
         arguments.push_back({"const Scalar* totals", false});
         list_
-            .add(fmt::format("total_{}", k + 1), nothing, TotalOfSums{&total.sums},
+            .add(fmt::format("total_{}", k + 1), no_variables, TotalOfSums{&total.sums},
                  std::move(arguments), system_.graph.at(total.node).name)
             .returns = "Scalar";
     }
@@ -113,16 +112,17 @@ private:
         const Argument out{"V (&out)[components]"};
         const auto add_inlined = [&](std::string name, const std::vector<Scaled>& values,
                                      const Argument& array, std::string doc) {
-            SystemFunction& function = list_.add(std::move(name), nothing, ValuesOfSites{&values},
-                                                 {array, place, site, out}, std::move(doc));
+            SystemFunction& function =
+                list_.add(std::move(name), no_variables, ValuesOfSites{&values},
+                          {array, place, site, out}, std::move(doc));
             function.parameters = "class V";
             function.is_inlined = true;
         };
-        list_.add("sites", nothing, SiteRanges{}).returns = "hvi::detail::Sites<dimension>";
+        list_.add("sites", no_variables, SiteRanges{}).returns = "hvi::detail::Sites<dimension>";
         add_inlined("force", sites.forces, q,
                     "dU/dq of the sites e, e + 1, ... that V stands for, where all their "
                     "neighbours are; the first has the indices k.");
-        list_.add("force_at_edge", nothing, ForceAtEdge{},
+        list_.add("force_at_edge", no_variables, ForceAtEdge{},
                   {q, {"Place"}, site, {"Scalar (&out)[components]"}}, "The same of any site.");
         add_inlined("velocity", sites.velocities, p, "dT/dp of sites with the momenta p.");
     }
@@ -167,7 +167,7 @@ private:
         const std::string by_q = fmt::format("d{}dq", system_.function_letter());
         const std::string by_p =
             fmt::format("d{}d{}", system_.function_letter(), system_.conjugate_letter());
-        StraightCode code{kernel, joined(components(by_q, n), components(by_p, n))};
+        StraightCode code{kernel, followed_by(components(by_q, n), components(by_p, n))};
         list_
             .add_of_lanes("gradient", of_q_, std::move(code),
                           {{list_.reference(by_q)}, {list_.reference(by_p)}})
@@ -192,7 +192,7 @@ private:
         const std::vector<std::string> out = components("out", system_.degrees_of_freedom());
         const std::vector<std::string> kept = components("at", gradients.shared.size());
         const Takes takes{true, true, step_.depends_on_time()};
-        StraightCode by_q{*evaluations_->shared, joined(out, kept)};
+        StraightCode by_q{*evaluations_->shared, followed_by(out, kept)};
         StraightCode by_p{gradients.by_conjugates_at_q, out, named(gradients.shared, "at")};
         SystemFunction& force =
             list_.add_of_lanes("dHdq", takes, std::move(by_q), {{"Values& out"}, {"Values& at"}});
@@ -213,7 +213,7 @@ private:
         Statements kick{{force, "hvi::detail::scale(s.Lp[j], -s.hb[j]);", "s.drift(*this, j);"}};
         if (system_.sites) { kick.lines = {"hvi::detail::kick_stage(*this, s, j);"}; }
         SystemFunction& function =
-            list_.add("kick_stage", nothing, std::move(kick), std::move(arguments),
+            list_.add("kick_stage", no_variables, std::move(kick), std::move(arguments),
                       "Lp_j = -h b_j dH/dq(Q_j) and W_j = h d2H/dp2 Lp_j.");
         function.parameters = "class Stages";
         function.is_counted = counts_ && system_.sites;
@@ -226,7 +226,7 @@ private:
             if (!evaluations_->inverse_mass) { return; }
             list_.add_slope("inverse_mass", {false, true}, *evaluations_->inverse_mass);
         } else if (std::holds_alternative<VelocityStep>(step_.form)) {
-            list_.add("inverse_mass", nothing, OneLine{"dHdp(v, out);"},
+            list_.add("inverse_mass", no_variables, OneLine{"dHdp(v, out);"},
                       {{"const Vector& v"}, {"Vector& out"}}, "d2H/dp2 v, which is constant.");
         }
     }
@@ -241,9 +241,9 @@ private:
         }
         if (!evaluations_->constant) { return; }
         const auto& [qq, mixed, conjugates] = *evaluations_->constant;
-        list_.add_block("constant_d2Hdq2", nothing, qq);
-        list_.add_block("constant_d2Hdqdp", nothing, mixed);
-        list_.add_block("constant_d2Hdp2", nothing, conjugates);
+        list_.add_block("constant_d2Hdq2", no_variables, qq);
+        list_.add_block("constant_d2Hdqdp", no_variables, mixed);
+        list_.add_block("constant_d2Hdp2", no_variables, conjugates);
     }
 
     void add_second() {
@@ -299,7 +299,7 @@ private:
         const std::vector<Node>& direction = system_.structure.direction;
         const std::vector<std::string> out = components("out", direction.size());
         const std::vector<std::string> kept = components("at", tangents.kept.size());
-        StraightCode slope{tangents.slope, joined(out, kept)};
+        StraightCode slope{tangents.slope, followed_by(out, kept)};
         StraightCode along{tangents.along, out, named(direction, "v")};
         along.names.merge(named(tangents.kept, "at"));
         const Argument v{"const Vector& v", uses_any(along.kernel, direction)};
@@ -335,7 +335,7 @@ private:
         code.kernel = kernel(system_.graph, std::move(results));
         const Argument out{fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n),
                            !code.targets.empty()};
-        list_.add("quadratic", nothing, std::move(code), {out});
+        list_.add("quadratic", no_variables, std::move(code), {out});
     }
 
     // ---- where the scene begins ----
@@ -345,7 +345,7 @@ private:
         if (begins_in_file(system_)) {
             arguments.insert(arguments.begin(), {"const Parameters& parameters"});
         }
-        list_.add("begin", nothing, StartOfFamilies{}, std::move(arguments),
+        list_.add("begin", no_variables, StartOfFamilies{}, std::move(arguments),
                   "Where the scene begins; empty where lists do not fit.");
     }
 
@@ -356,10 +356,10 @@ private:
         for (const auto& [node, name] : parameter_names(system_)) { parameters.push_back(node); }
         const bool uses_parameters = uses_any(code.kernel, parameters);
         const std::string p(1, system_.conjugate_letter());
-        code.targets = joined(components("q", coordinate_nodes(system_).size()),
-                              components(p, conjugate_nodes(system_).size()));
+        code.targets = followed_by(components("q", coordinate_nodes(system_).size()),
+                                   components(p, conjugate_nodes(system_).size()));
         const std::string q = rotations_of(system_) == 0 ? "Vector& q" : "Positions& q";
-        list_.add("begin", nothing, std::move(code),
+        list_.add("begin", no_variables, std::move(code),
                   {{"const Parameters& parameters", uses_parameters}, {q}, {"Vector& " + p}});
     }
 

@@ -8,7 +8,6 @@
 
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/names.hpp"
-#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 

@@ -119,7 +119,7 @@ SystemFunction& FunctionList::add_scattered(const Scatter& scatter,
                             names, scatter.has_time, needs_totals(system_, values(slopes))});
         add_derivatives(all.sums.back());
     }
-    return add(scatter.name, nothing, std::move(all), std::move(arguments), scatter.doc);
+    return add(scatter.name, no_variables, std::move(all), std::move(arguments), scatter.doc);
 }
 
 void FunctionList::add_derivatives(const DerivativesOfSum& derivatives) {
@@ -133,7 +133,7 @@ void FunctionList::add_derivatives(const DerivativesOfSum& derivatives) {
     const std::size_t loops = derivatives.sum->loops.size();
     if (loops > 0) { arguments.insert(arguments.end(), {{"Place from"}, {"Place to"}}); }
     if (loops > 1) { arguments.push_back({"Place stride"}); }
-    add(derivatives.name, nothing, derivatives, std::move(arguments));
+    add(derivatives.name, no_variables, derivatives, std::move(arguments));
 }
 
 }  // namespace hvi::gen

@@ -19,7 +19,7 @@ struct Takes {
     bool q = true, p = true, time = false;
 };
 
-inline constexpr Takes nothing{false, false};
+inline constexpr Takes no_variables{false, false};
 
 /// Derivatives of sums that are added up.
 struct Scatter {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/system/scene_code.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 
 #include "generator/emit/system/class_values.hpp"

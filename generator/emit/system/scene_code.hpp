@@ -61,6 +61,10 @@ enum class StateVectors {
 [[nodiscard]] std::string system_text(const System& system, const SceneWishes& wishes,
                                       const Step& step, const Evaluations* evaluations);
 
+/// Lines of #include for that.
+[[nodiscard]] std::string includes_of_class(const System& system, const SceneWishes& wishes,
+                                            const Step& step, const Evaluations* evaluations);
+
 /// `static State initial(...)`, and the members that are asked for.
 [[nodiscard]] std::string scene_members_text(const System& system, const SceneWishes& wishes,
                                              const Step& step);

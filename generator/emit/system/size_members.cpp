@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/emit/system/element_conditions.hpp"
 
 namespace hvi::gen {
