@@ -58,7 +58,7 @@ using Roles = unsigned;
 inline constexpr Roles of_state =
     static_cast<Roles>(Role::coordinate) | static_cast<Roles>(Role::conjugate);
 
-/// Of what changes along a motion.
+/// Roles of inputs that change along a motion.
 inline constexpr Roles of_motion = of_state | static_cast<Roles>(Role::time);
 
 /// Whether something depends on variables, so that it is computed at every evaluation.

@@ -33,14 +33,15 @@ bool mentions(const Expression& expression, const std::string& name) {
 
 constexpr long most_terms = 16;
 
-/// How many terms a sum with numbers for bounds has; more than the most of any other.
+/// Counts the terms of a sum with numbers for bounds; more than the most of any other sum.
 long count_of_terms(const Expression& sum) {
     const auto first = affine_form(sum.arguments[0]), last = affine_form(sum.arguments[1]);
     if (!first || !last || !first->is_number() || !last->is_number()) { return most_terms + 1; }
     return std::clamp(last->constant - first->constant + 1, 0L, most_terms + 1);
 }
 
-/// The same of an expression, whose sums within sums are written out too.
+/// Counts the terms of the largest sum of an expression, whose sums within sums are written out
+/// too.
 long count_of_all_terms(const Expression& expression) {
     long most = 1;
     for (const Expression& argument : expression.arguments) {

@@ -18,7 +18,7 @@ struct LoweredScene {
     UnrollDecision unrolling;
     std::optional<WrittenOutScene> written;  ///< where sums are written out
     System system;
-    GradientKernels gradients;  ///< the same
+    GradientKernels gradients;  ///< where sums are written out
 
     [[nodiscard]] Place place() const { return whole(scene.function.source); }  ///< of H or L
 };

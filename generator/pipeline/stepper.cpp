@@ -79,8 +79,8 @@ SceneWishes members_of(const StepperWishes& wishes) {
             .action = wishes.action};
 }
 
-/// What the class of the scene has. NOTE: with loops the energy and invariants are members of every
-/// one.
+/// Members of the class of the scene. NOTE: with loops the energy and invariants are among those of
+/// every one.
 SceneWishes members_of(const StepperWishes& wishes, const LoweredScene& scene) {
     SceneWishes members = members_of(wishes);
     if (!scene.written) { members.energy = members.invariants = true; }

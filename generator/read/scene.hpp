@@ -59,7 +59,7 @@ struct ValueRule {
 /// A parameter of `--hamiltonian` that has no value yet.
 struct NoValue {};
 
-/// What a name, or a name with an index, stands for.
+/// Meaning of a name, or of a name with an index.
 struct IndexedValue {
     std::string name;  ///< without an index
     std::variant<IndexedExpression, ValueList, ValueRule, ValueFile, RotationValue, NoValue> value;
@@ -88,7 +88,7 @@ struct Definition {
     Place place;  ///< of the name
 };
 
-/// What [run] asks for.
+/// Wishes of [run].
 struct IndexedRun {
     std::shared_ptr<const Source> method;
     std::optional<NamedIndexed> step, until;
@@ -125,14 +125,14 @@ struct Scene {
 /// Throws InputError where the scene has rotations. `what` is what is not built for these.
 void refuse_rotations(const Scene& scene, std::string_view what);
 
-/// Its name, or where it has none what the command line has for it.
+/// Name of the scene, or where it has none what the command line has for it.
 [[nodiscard]] const std::string& title(const Scene& scene);
 
 /// The scene in a TOML file of at most 1 MiB, as CONTRACT.md has it. Throws InputError with the
 /// line of the file.
 [[nodiscard]] Scene scene_from_file(const std::filesystem::path& path);
 
-/// The same for the text of such a file; the source's name is that of the file.
+/// Reads the text of such a file; the source's name is that of the file.
 [[nodiscard]] Scene scene_from_toml(const Source& file);
 
 /// The H of `--hamiltonian`, as hamiltonian_from_text() reads it, with the values that it needs for

@@ -1,4 +1,4 @@
-// What words of a scene mean, and where they may stand.
+// Meanings of words of a scene, and where they may stand.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace hvi::gen {
 
-/// What may stand in an expression besides parameters, pi and e.
+/// Words that may stand in an expression besides parameters, pi and e.
 struct SceneRules {
     std::string_view subject;  ///< what messages call it
     bool variables = false;

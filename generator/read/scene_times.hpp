@@ -10,12 +10,12 @@
 
 namespace hvi::gen {
 
-/// What [run] says of times, and the parameters that times can be made of.
+/// Times of [run], and the parameters that times can be made of.
 struct SceneTimes {
     std::vector<Parameter> parameters;  ///< without those whose values stand in files
     WholeNumbers sizes;
     std::optional<NamedExpression> step;   ///< of parameters, pi and e
-    std::optional<NamedExpression> until;  ///< the same
+    std::optional<NamedExpression> until;  ///< as `step`
     std::optional<Place> place;            ///< of the word that names the scene
 };
 

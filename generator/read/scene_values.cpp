@@ -105,7 +105,7 @@ WholeNumbers indices_of_body(const IndexedValue& value, const RotationValue& rot
     return known;
 }
 
-/// Of R, or of all rotations R[1], R[2], ..., or of one of them.
+/// Adds the values of R, or of all rotations R[1], R[2], ..., or of one of them.
 void SceneValues::add_rotation(const IndexedValue& value, const RotationValue& rotation) {
     bool is_known = false;
     for (const RotationNames& names : variables_.rotations) {
@@ -128,7 +128,7 @@ bool SceneValues::is_momentum_of_body(const std::string& name) const {
                        [&](const RotationNames& names) { return names.momentum == name; });
 }
 
-/// Its three components, of a list.
+/// Adds the three components of an angular momentum, from a list.
 void SceneValues::add_momentum_of_body(const IndexedValue& value) {
     const std::vector<std::string> components = components_of(value.name);
     const auto* list = std::get_if<ValueList>(&value.value);

@@ -30,9 +30,10 @@ struct VectorField {
     Place place;                              ///< of the name
 };
 
-/// What a scene says of its motion, checked as far as words go: every symbol is a variable, a
-/// parameter, pi, e, or, in H, L and [exact], the time t; names are free and differ. Its variables
-/// are coordinates, and momenta where it has a Hamiltonian, velocities where it has a Lagrangian.
+/// Statements of a scene about its motion, checked as far as words go: every symbol is a variable,
+/// a parameter, pi, e, or, in H, L and [exact], the time t; names are free and differ. Its
+/// variables are coordinates, and momenta where it has a Hamiltonian, velocities where it has a
+/// Lagrangian.
 struct WrittenOutScene {
     std::string name, description;                    ///< as the scene has them
     std::variant<Hamiltonian, Lagrangian> mechanics;  ///< with the values of fixed parameters
@@ -42,7 +43,7 @@ struct WrittenOutScene {
     std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
     std::vector<VectorField> fields;       ///< of [symmetries], in the order of the file
     std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
-    std::vector<NamedExpression> exact;    ///< the same, as functions of t; or empty
+    std::vector<NamedExpression> exact;    ///< as `initial`, as functions of t; or empty
 };
 
 /// The scene with all sums written out, names with indices as so many names, definitions put in,
@@ -52,7 +53,7 @@ struct WrittenOutScene {
 /// most_degrees_of_freedom.
 [[nodiscard]] WrittenOutScene unrolled(const Scene& scene, const std::string& why = "");
 
-/// Its H or L.
+/// H or L of the scene.
 [[nodiscard]] const MechanicalFunction& function_of(const WrittenOutScene& scene);
 [[nodiscard]] MechanicalFunction& function_of(WrittenOutScene& scene);
 

@@ -13,6 +13,7 @@
 #include <large/bodies_yoshida.hpp>
 #include <large/bodies_yoshida_out.hpp>
 #include <large/rotors.hpp>
+#include <large/water.hpp>
 
 namespace {
 
@@ -110,6 +111,19 @@ TEST_CASE("a thousand bodies keep what the scene says") {
     CHECK(std::abs(rotors.J_1(x) - J_1) < 1e-12);
     CHECK(std::abs(rotors.J_3(x) - J_3) < 1e-12);
     CHECK(distance_from_rotations(x.q, 0) < 1e-14);
+}
+
+TEST_CASE("molecules keep momentum and angular momentum") {
+    Water::Parameters parameters;
+    parameters.N = 8;
+    Water water(parameters);
+    auto x = Water::initial(parameters);
+    const double energy = water.energy(x), J_2 = water.J_2(x);
+    for (int step = 0; step < 50; ++step) { REQUIRE(water.step(x, 0.001).ok()); }
+    CHECK(std::abs(water.energy(x) - energy) < 1e-5 * std::abs(energy));
+    CHECK(std::abs(water.J_2(x) - J_2) < 1e-11);
+    CHECK(std::abs(water.P_1(x)) < 1e-11);
+    CHECK(distance_from_rotations(x.q, 3 * 8) < 1e-14);
 }
 
 TEST_CASE("a step that cannot be made leaves bodies where they are") {

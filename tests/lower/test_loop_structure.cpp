@@ -28,9 +28,9 @@ m = [1, 2]
     return system_of(scene_from_toml(Source{"chain.toml", text}));
 }
 
-constexpr const char* springs = " + sum(i=1..N-1, (q[i+1] - q[i])^2)";
+constexpr const char* row_of_springs_energy = " + sum(i=1..N-1, (q[i+1] - q[i])^2)";
 
-Structure with_kinetic(const std::string& T) { return chain(T + springs).structure; }
+Structure with_kinetic(const std::string& T) { return chain(T + row_of_springs_energy).structure; }
 
 }  // namespace
 

@@ -110,11 +110,11 @@ void ClassNames::write_data(Writer& writer) const {
     for (std::size_t k = 0; k < members_.size(); ++k) { writer.line("Scalar c{}_ = 0;", k + 1); }
 }
 
-/// NOTE: other names in the code are q, p, way, way_p, totals, out, e, k, V, h, x and t1, t2, ...,
-/// or end in an underscore.
+/// NOTE: other names in the code are q, p, way, way_p, totals, out, e, k, V, h, x, t1, t2, ... and
+/// the tables b, c, m and n of a stepper, or end in an underscore.
 std::string ClassNames::index(const std::string& name) const {
     const bool is_free =
-        name.size() == 1 && std::string("abcdfgijlmnorsuvwyz").find(name) != std::string::npos;
+        name.size() == 1 && std::string("adfgijlorsuvwyz").find(name) != std::string::npos;
     return is_free ? name : "index_" + name;
 }
 

@@ -219,7 +219,9 @@ private:
             for (auto& value : s.Lq[i]) { look(value); }
             for (auto& value : s.Lp[i]) { look(value); }
         }
-        for (std::size_t k = Stages::coordinates; k < Stages::degrees_of_freedom; ++k) { look(s.pi_end[k]); }
+        for (std::size_t k = Stages::coordinates; k < Stages::degrees_of_freedom; ++k) {
+            look(s.pi_end[k]);
+        }
         return count;
     }
 
