@@ -5,7 +5,6 @@
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
-#include "generator/emit/system/loop_code.hpp"
 #include "generator/emit/system/loop_files.hpp"
 #include "generator/ir/equal.hpp"
 #include "src/hvi/version.hpp"

@@ -5,8 +5,6 @@
 
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
-#include "generator/emit/system/loop_code.hpp"
-#include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/rotation_code.hpp"
 #include "generator/emit/text/names.hpp"
 
@@ -84,16 +82,16 @@ std::string_view numbers(const SceneWishes& wishes) {
 /// The scene, its method and its numbers.
 std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& options) {
     const System& scene = *options.system;
-    const bool is_any_size = !scene.is_written_out();
+    const StateVectors vectors = vectors_of(scene);
+    const bool is_any_size = vectors == StateVectors::any_size;
     std::string method = provenance.name;
     if (method.empty()) {
         method = is_any_size ? "a method of its own" : "a method of its own basis and nodes";
     }
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     std::string_view states;
-    if (is_any_size) {
-        states = " States hold std::vector.";
-    } else if (rotations_of(scene) == 0) {
+    if (is_any_size) { states = " States hold std::vector."; }
+    if (vectors == StateVectors::numbers) {
         states = " States hold Numbers: arrays, or vectors of Eigen of fixed size.";
     }
     Writer writer(0);
@@ -123,18 +121,18 @@ std::string solver_type(const Step& step) {
 /// Vectors, and what else there is by their container.
 std::string vector_types(const System& system) {
     Writer writer(1);
-    if (!system.is_written_out()) {
-        writer.line("using Vector = std::vector<Number>;").line("using Place = std::ptrdiff_t;");
+    const StateVectors vectors = vectors_of(system);
+    if (vectors == StateVectors::bodies) {
+        writer.line("using Space = hvi::detail::ChartSpace<Number, {}, {}>;",
+                    flat_coordinates(system), rotations_of(system));
+    }
+    writer.line("using Vector = {};", vector_type(system));
+    if (vectors == StateVectors::bodies) { writer.blank().insert(bodies_text(system)); }
+    if (vectors == StateVectors::any_size) {
+        writer.line("using Place = std::ptrdiff_t;");
         if (rotations_of(system) > 0) {
             writer.line("using Space = hvi::detail::BodySpace<Number>;");
         }
-    } else if (rotations_of(system) == 0) {
-        writer.line("using Vector = Numbers;");
-    } else {
-        writer.line("using Space = hvi::detail::ChartSpace<Number, {}, {}>;",
-                    flat_coordinates(system), rotations_of(system));
-        writer.line("using Vector = typename Space::Vector;");
-        writer.blank().insert(bodies_text(system));
     }
     return writer.str();
 }
@@ -201,13 +199,8 @@ std::string condition_on_numbers(const SceneWishes& wishes) {
     return writer.str();
 }
 
-/// Whether vectors are of any type of a fixed size.
-bool takes_vectors(const System& system) {
-    return system.is_written_out() && rotations_of(system) == 0;
-}
-
 std::string conditions_for_scene(const System& system, const SceneWishes& wishes) {
-    if (!takes_vectors(system)) { return condition_on_numbers(wishes); }
+    if (vectors_of(system) != StateVectors::numbers) { return condition_on_numbers(wishes); }
     Writer writer(1);
     writer.insert(condition_on_numbers(wishes));
     writer.line("static_assert(hvi::detail::is_fixed_vector<Numbers, Number, {}>(),",
@@ -218,52 +211,21 @@ std::string conditions_for_scene(const System& system, const SceneWishes& wishes
     return writer.str();
 }
 
-std::string include_of_arrays(const Step& step, const EmitOptions& options) {
-    std::string text = "#include <array>\n#include <cmath>";
-    if (options.wishes.evaluations) { text += "\n#include <cstdint>"; }
-    // NOTE: explicit steppers have it as a part of their own.
-    if (!step.is_explicit() && calls_more_math(*options.system, options.wishes)) {
-        text += "\n#include <hvi/detail/numbers/more_math.hpp>";
-    }
-    if (step.has_lanes() && calls_lane_functions(*options.system)) {
-        text += "\n#include <hvi/detail/lanes/lane_functions.hpp>";
-    }
-    return text;
-}
-
-/// NOTE: explicit steppers include of hvi what they have in copies too.
-std::string include_of_loops(const System& system, const Step& step) {
-    std::string text = "#include <algorithm>\n#include <array>\n#include <cstdint>\n"
-                       "#include <limits>\n#include <type_traits>\n#include <vector>\n\n"
-                       "#include <hvi/detail/coefficients/rounded.hpp>\n"
-                       "#include <hvi/detail/lanes/lane_functions.hpp>\n"
-                       "#include <hvi/detail/loops/along.hpp>\n"
-                       "#include <hvi/detail/loops/ranges.hpp>\n";
-    text += include_of_files(system);
-    if (scatters(system, step)) { text += "#include <hvi/detail/loops/chunks.hpp>\n"; }
-    if (system.sites) { text += "#include <hvi/detail/loops/sites.hpp>\n"; }
-    if (step.layout == Layout::components) {
-        text += "#include <hvi/detail/loops/stage_sweeps.hpp>\n";
-    }
-    return text;
-}
-
 SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitOptions& options) {
     const System& system = *options.system;
     SystemPart part;
-    part.include = own_includes(system.own_headers) + (system.is_written_out()
-                                                           ? include_of_arrays(step, options)
-                                                           : include_of_loops(system, step));
+    part.include = own_includes(system.own_headers) +
+                   includes_of_class(system, options.wishes, step, options.evaluations);
     part.purpose = purpose_for_scene(provenance, options);
     part.class_name = "Basic" + options.class_name;
-    part.head = takes_vectors(system) ? fmt::format("template <class Number, class Numbers = "
-                                                    "std::array<Number, {}>>",
-                                                    system.degrees_of_freedom())
-                                      : "template <class Number>";
+    part.head = "template <class Number>";
+    if (vectors_of(system) == StateVectors::numbers) {
+        part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>",
+                                system.degrees_of_freedom());
+    }
     part.condition = conditions_for_scene(system, options.wishes);
     part.types = types_for_scene(step, options);
-    const bool has_members = system.is_written_out() && rotations_of(system) > 0;
-    part.state = has_members ? "Bodies" : state_type(step);
+    part.state = vectors_of(system) == StateVectors::bodies ? "Bodies" : state_type(step);
     part.construct = constructors_for_scene(step, options, part.class_name);
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;

@@ -28,7 +28,7 @@ AffineForm extreme(const ElementIndex& index, const std::vector<Loop>& loops, En
 
 class Conditions {
 public:
-    Conditions(const System& system, const LoopNames& names) : system_(system), names_(names) {
+    Conditions(const System& system, const ClassNames& names) : system_(system), names_(names) {
         for (const SystemSize& size : system.sizes) { sizes_[size.name] = size.value; }
     }
 
@@ -67,14 +67,14 @@ private:
     }
 
     const System& system_;
-    const LoopNames& names_;
+    const ClassNames& names_;
     std::map<std::string, long> sizes_;
     std::set<std::string> all_;
 };
 
 }  // namespace
 
-std::set<std::string> conditions_of_sums(const System& system, const LoopNames& names) {
+std::set<std::string> conditions_of_sums(const System& system, const ClassNames& names) {
     Conditions conditions(system, names);
     const auto add_all = [&](const std::vector<SystemSum>& sums) {
         for (const SystemSum& sum : sums) { conditions.add(sum.accesses, sum.loops); }
@@ -85,7 +85,7 @@ std::set<std::string> conditions_of_sums(const System& system, const LoopNames& 
     return std::move(conditions).all();
 }
 
-std::set<std::string> conditions_of_starts(const System& system, const LoopNames& names) {
+std::set<std::string> conditions_of_starts(const System& system, const ClassNames& names) {
     Conditions conditions(system, names);
     std::set<std::string> lengths;
     const std::size_t count = system.coordinates.size();

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "generator/emit/system/loop_names.hpp"
+#include "generator/emit/system/class_names.hpp"
 #include "generator/ir/system.hpp"
 
 namespace hvi::gen {
@@ -14,10 +14,10 @@ namespace hvi::gen {
 /// that hold for the sizes of the scene. What holds for all sizes is left out, and so is what
 /// bounds of each loop alone do not show: element_ranges has looked at these for the scene's sizes.
 [[nodiscard]] std::set<std::string> conditions_of_sums(const System& system,
-                                                       const LoopNames& names);
+                                                       const ClassNames& names);
 
 /// The same of what initial values are made of.
 [[nodiscard]] std::set<std::string> conditions_of_starts(const System& system,
-                                                         const LoopNames& names);
+                                                         const ClassNames& names);
 
 }  // namespace hvi::gen

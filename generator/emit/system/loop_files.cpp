@@ -93,7 +93,7 @@ void write_reading(Writer& writer, const System& system) {
 
 bool begins_in_file(const System& system) { return !starts_in_files(system).empty(); }
 
-void write_conditions_of_files(Writer& writer, const System& system, const LoopNames& names) {
+void write_conditions_of_files(Writer& writer, const System& system, const ClassNames& names) {
     for (const NumbersMember& start : starts_in_files(system)) {
         writer.open("if (static_cast<Place>(parameters.{}.size()) != {}) {{",
                     member_of(start.family->name), names.count(*start.family));

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "generator/emit/system/loop_names.hpp"
+#include "generator/emit/system/class_names.hpp"
 #include "generator/emit/text/text.hpp"
 #include "generator/ir/system.hpp"
 
@@ -21,7 +21,7 @@ void write_reading(Writer& writer, const System& system);
 
 /// `if (...) { return; }` where a file has not as many numbers as there are variables that begin
 /// there.
-void write_conditions_of_files(Writer& writer, const System& system, const LoopNames& names);
+void write_conditions_of_files(Writer& writer, const System& system, const ClassNames& names);
 
 /// What reads them, as #include; empty where there are none.
 [[nodiscard]] std::string include_of_files(const System& system);

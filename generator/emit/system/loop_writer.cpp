@@ -27,6 +27,26 @@ std::vector<Scaled> values(const std::vector<AccessSlope>& slopes) {
     return result;
 }
 
+std::vector<bool> needed_totals(const System& system, std::vector<Scaled> values) {
+    std::vector<bool> needed(system.totals.size(), false);
+    for (std::size_t k = needed.size(); k-- > 0;) {
+        const SystemTotal& total = system.totals[k];
+        needed[k] = kernel(system.graph, values).uses[total.node] != 0;
+        if (!needed[k]) { continue; }
+        for (const SystemSum& sum : total.sums) { values.push_back(sum.value); }
+    }
+    return needed;
+}
+
+bool needs_totals(const System& system, const std::vector<Scaled>& values) {
+    const std::vector<bool> needed = needed_totals(system, values);
+    return std::find(needed.begin(), needed.end(), true) != needed.end();
+}
+
+bool has_time(const System& system, std::size_t total) {
+    return has(system.graph.at(system.totals[total].node).roles, Role::time);
+}
+
 bool LoopWriter::depends(std::size_t access, const std::string& index) const {
     const std::vector<ElementIndex>& indices = system_.accesses[access].indices;
     return std::any_of(indices.begin(), indices.end(), [&](const ElementIndex& each) {
@@ -86,6 +106,15 @@ void LoopWriter::open_loop(Writer& writer, const Loop& loop) const {
     const std::string i = names_.index(loop.index);
     writer.open("for (Place {0} = {1}; {0} <= {2}; ++{0}) {{", i, names_.whole(loop.range.first),
                 names_.whole(loop.range.last));
+}
+
+void LoopWriter::open_loops(Writer& writer, const std::vector<Loop>& loops) const {
+    if (loops.empty()) { writer.open("{{"); }
+    for (const Loop& loop : loops) { open_loop(writer, loop); }
+}
+
+void LoopWriter::close_loops(Writer& writer, const std::vector<Loop>& loops) {
+    for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
 }
 
 /// What a sum does at one place, where it goes one by one.
@@ -171,22 +200,11 @@ void LoopWriter::write_lanes(Writer& writer, const SystemSum& sum,
     }
 }
 
-void LoopWriter::write_derivatives(Writer& writer, const SumDerivatives& function) {
-    const SystemSum& sum = *function.sum;
-    const std::vector<AccessSlope>& slopes = *function.slopes;
+void LoopWriter::write(Writer& writer, const DerivativesOfSum& body) {
+    const SystemSum& sum = *body.sum;
+    const std::vector<AccessSlope>& slopes = *body.slopes;
     const bool in_lanes = goes_in_lanes(sum);
     const bool is_only_loop = sum.loops.size() == 1;
-    const std::string_view range = sum.loops.empty() ? ""
-                                   : is_only_loop    ? ", Place from, Place to"
-                                                     : ", Place from, Place to, Place stride";
-    writer.open("void {}([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* {}, "
-                "{}{}{}Scalar* out{}) const {{",
-                function.name, function.other,
-                function.has_ways ? "[[maybe_unused]] const Scalar* way, [[maybe_unused]] const "
-                                    "Scalar* way_p, "
-                                  : "",
-                function.has_time ? "[[maybe_unused]] Scalar t, " : "",
-                function.has_totals ? "const Scalar* totals, " : "", range);
     if (sum.loops.empty()) {
         write_body(writer, sum, slopes);
     } else if (in_lanes && is_only_loop) {
@@ -204,16 +222,13 @@ void LoopWriter::write_derivatives(Writer& writer, const SumDerivatives& functio
         }
         for (std::size_t l = 0; l < inner; ++l) { writer.close(); }
     }
-    writer.close();
 }
 
-void LoopWriter::call_derivatives(Writer& writer, const SumDerivatives& function,
-                                  std::string_view q, std::string_view other) {
+void LoopWriter::call(Writer& writer, const DerivativesOfSum& function, std::string_view arrays) {
     const std::string& name = function.name;
     const SystemSum& sum = *function.sum;
-    const std::string arguments =
-        fmt::format("{}, {}{}{}", q, other, function.has_time ? ", t" : "",
-                    function.has_totals ? ", totals" : "");
+    const std::string arguments = fmt::format("{}{}{}", arrays, function.has_time ? ", t" : "",
+                                              function.has_totals ? ", totals" : "");
     if (sum.loops.empty()) {
         writer.line("{}({}, out.data());", name, arguments);
         return;
@@ -231,58 +246,55 @@ void LoopWriter::call_derivatives(Writer& writer, const SumDerivatives& function
     writer.line("{}({}, to_out, from, to, stride);", name, arguments).close("});");
 }
 
-std::vector<bool> LoopWriter::needed_totals(std::vector<Scaled> values) const {
-    std::vector<bool> needed(system_.totals.size(), false);
-    for (std::size_t k = needed.size(); k-- > 0;) {
-        const SystemTotal& total = system_.totals[k];
-        needed[k] = kernel(system_.graph, values).uses[total.node] != 0;
-        if (!needed[k]) { continue; }
-        for (const SystemSum& sum : total.sums) { values.push_back(sum.value); }
+void LoopWriter::write(Writer& writer, const ScatteredSums& body) {
+    writer.line("std::fill(out.begin(), out.end(), Scalar(0));");
+    std::vector<Scaled> slopes;
+    for (const DerivativesOfSum& each : body.sums) {
+        for (const Scaled& slope : values(*each.slopes)) { slopes.push_back(slope); }
     }
-    return needed;
+    sum_totals(writer, slopes, body.arrays);
+    for (const DerivativesOfSum& each : body.sums) { call(writer, each, body.arrays); }
 }
 
-bool LoopWriter::has_time(std::size_t total) const {
-    return has(system_.graph.at(system_.totals[total].node).roles, Role::time);
-}
-
-bool LoopWriter::needs_totals(const std::vector<Scaled>& values) const {
-    const std::vector<bool> needed = needed_totals(values);
-    return std::find(needed.begin(), needed.end(), true) != needed.end();
-}
-
-void LoopWriter::sum_totals(Writer& writer, const std::vector<Scaled>& values, std::string_view q,
-                            std::string_view p) const {
-    const std::vector<bool> needed = needed_totals(values);
+void LoopWriter::sum_totals(Writer& writer, const std::vector<Scaled>& values,
+                            std::string_view arrays) const {
+    const std::vector<bool> needed = needed_totals(system_, values);
     if (std::find(needed.begin(), needed.end(), true) == needed.end()) { return; }
     writer.line("Scalar totals[{}] = {{}};", needed.size());
     for (std::size_t k = 0; k < needed.size(); ++k) {
         if (!needed[k]) { continue; }
-        writer.line("totals[{}] = total_{}({}, {}{}, totals);", k, k + 1, q, p,
-                    has_time(k) ? ", t" : "");
+        writer.line("totals[{}] = total_{}({}{}, totals);", k, k + 1, arrays,
+                    has_time(system_, k) ? ", t" : "");
     }
 }
 
-void LoopWriter::write_totals(Writer& writer) {
-    for (std::size_t k = 0; k < system_.totals.size(); ++k) {
-        const SystemTotal& total = system_.totals[k];
-        writer.comment(system_.graph.at(total.node).name, "/// ");
-        writer.open("[[nodiscard]] Scalar total_{}([[maybe_unused]] const Scalar* q, "
-                    "[[maybe_unused]] const Scalar* p{}, [[maybe_unused]] const Scalar* totals) "
-                    "const {{",
-                    k + 1, has_time(k) ? ", [[maybe_unused]] Scalar t" : "");
-        writer.line("hvi::detail::CompensatedTotal<Scalar> total;");
-        for (const SystemSum& sum : total.sums) { write_total(writer, sum); }
-        writer.line("return total.sum();").close().blank();
+void LoopWriter::write(Writer& writer, const TotalOfSums& body) {
+    writer.line("hvi::detail::CompensatedTotal<Scalar> total;");
+    for (const SystemSum& sum : *body.sums) { write_total(writer, sum); }
+    writer.line("return total.sum();");
+}
+
+void LoopWriter::write(Writer& writer, const ValueOfSums& body) {
+    writer.line("if (!fits(q_of, p_of)) {{ return std::numeric_limits<Scalar>::quiet_NaN(); }}");
+    for (const char array : {'q', 'p'}) {
+        writer.line("[[maybe_unused]] const Scalar* const {0} = {0}_of.data();", array);
     }
+    std::vector<Scaled> values;
+    for (const SystemSum& sum : *body.sums) { values.push_back(sum.value); }
+    sum_totals(writer, values, "q, p");
+    write(writer, TotalOfSums{body.sums});
+}
+
+void LoopWriter::write(Writer& writer, const EntriesOfSums& body) {
+    writer.line("[[maybe_unused]] const Scalar* const q = q_of.data();");
+    for (const SumEntries& entries : *body.sums) { write_entries(writer, entries); }
 }
 
 void LoopWriter::write_entries(Writer& writer, const SumEntries& entries) {
     std::vector<Scaled> results;
     for (const SumEntry& entry : entries.entries) { results.push_back(entry.value); }
     const Kernel values = kernel(system_.graph, results);
-    if (entries.loops.empty()) { writer.open("{{"); }
-    for (const Loop& loop : entries.loops) { open_loop(writer, loop); }
+    open_loops(writer, entries.loops);
     const NodeNames given = load(writer, entries.accesses, values, entries.loops);
     const auto texts = write_code(writer, system_.graph, values, given, "hvi::math");
     for (std::size_t k = 0; k < texts.size(); ++k) {
@@ -290,17 +302,14 @@ void LoopWriter::write_entries(Writer& writer, const SumEntries& entries) {
         writer.line("out.add({}, {}, Scalar({}));", names_.place(system_.accesses[entry.row]),
                     names_.place(system_.accesses[entry.column]), texts[k]);
     }
-    for (std::size_t l = 0; l < std::max<std::size_t>(entries.loops.size(), 1); ++l) {
-        writer.close();
-    }
+    close_loops(writer, entries.loops);
 }
 
 void LoopWriter::write_total(Writer& writer, const SystemSum& sum) {
     const bool in_lanes = goes_in_lanes(sum);
-    const std::size_t outer = sum.loops.size() - (in_lanes ? 1 : 0);
+    const std::vector<Loop> outer(sum.loops.begin(), sum.loops.end() - (in_lanes ? 1 : 0));
     const Kernel value = kernel(system_.graph, {sum.value});
-    if (outer == 0) { writer.open("{{"); }
-    for (std::size_t l = 0; l < outer; ++l) { open_loop(writer, sum.loops[l]); }
+    open_loops(writer, outer);
     if (!in_lanes) {
         const NodeNames given = load(writer, sum.accesses, value, sum.loops);
         const auto results = write_code(writer, system_.graph, value, given, "hvi::math");
@@ -316,94 +325,7 @@ void LoopWriter::write_total(Writer& writer, const SystemSum& sum) {
                     });
         writer.line("total.add(inner.sum());");
     }
-    for (std::size_t l = 0; l < std::max<std::size_t>(outer, 1); ++l) { writer.close(); }
-}
-
-void LoopWriter::write_start(Writer& writer, const SystemFamily& family, std::string_view array,
-                             const SystemStart& start) {
-    if (const auto* list = std::get_if<SystemStart::List>(&start.values)) {
-        write_list(writer, family, array, *list);
-    } else if (const auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
-        write_rule(writer, family, array, *rule);
-    } else if (const auto* points = std::get_if<SystemStart::Points>(&start.values)) {
-        write_points(writer, family, array, *points);
-    } else {
-        writer.line("std::copy(parameters.{0}.begin(), parameters.{0}.end(), {1} + {2});",
-                    member_of(family.name), array, first_place(family));
-    }
-}
-
-/// Where the element with these indices is.
-std::string LoopWriter::place(const SystemFamily& family,
-                              const std::vector<std::string>& indices) const {
-    const std::string name = member_of(family.name);
-    std::string text = name + "_at_";
-    for (std::size_t d = 0; d < indices.size(); ++d) {
-        const bool is_last = d + 1 == indices.size();
-        text += is_last ? fmt::format(" + {}", indices[d])
-                        : fmt::format(" + {} * {}_step_{}_", indices[d], name, d + 1);
-    }
-    return text;
-}
-
-std::string LoopWriter::first_place(const SystemFamily& family) const {
-    std::vector<std::string> first;
-    for (const LoopRange& range : family.ranges) {
-        first.push_back("(" + names_.whole(range.first) + ")");
-    }
-    return place(family, first);
-}
-
-void LoopWriter::write_list(Writer& writer, const SystemFamily& family, std::string_view array,
-                            const SystemStart::List& list) {
-    const Kernel all = kernel(system_.graph, list.values);
-    writer.open("{{");
-    const NodeNames given = load(writer, list.accesses, all, {});
-    const auto results = write_code(writer, system_.graph, all, given, "hvi::math");
-    writer.open("const Scalar values[] = {{");
-    for (const std::string& result : results) { writer.line("{},", result); }
-    writer.close("};");
-    writer.line("hvi::detail::put(values, {} + {});", array, first_place(family)).close();
-}
-
-/// NOTE: the numbers of a point stand in a row.
-void LoopWriter::write_points(Writer& writer, const SystemFamily& family, std::string_view array,
-                              const SystemStart::Points& points) {
-    std::vector<Loop> loops;
-    std::vector<std::string> first;
-    for (std::size_t d = 0; d < family.ranges.size(); ++d) {
-        const bool is_of_body = d < points.indices.size();
-        if (is_of_body) { loops.push_back({points.indices[d], family.ranges[d]}); }
-        first.push_back(is_of_body ? names_.index(points.indices[d])
-                                   : "(" + names_.whole(family.ranges[d].first) + ")");
-    }
-    if (loops.empty()) { writer.open("{{"); }
-    for (const Loop& loop : loops) { open_loop(writer, loop); }
-    const Kernel all = kernel(system_.graph, points.values);
-    const NodeNames given = load(writer, points.accesses, all, loops);
-    const auto results = write_code(writer, system_.graph, all, given, "hvi::math");
-    writer.open("const Scalar values[] = {{");
-    for (const std::string& result : results) { writer.line("{},", result); }
-    writer.close("};");
-    writer.line("hvi::detail::put(values, {} + {});", array, place(family, first));
-    for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
-}
-
-void LoopWriter::write_rule(Writer& writer, const SystemFamily& family, std::string_view array,
-                            const SystemStart::Rule& rule) {
-    std::vector<Loop> loops;
-    std::vector<std::string> indices;
-    for (std::size_t d = 0; d < rule.indices.size(); ++d) {
-        loops.push_back({rule.indices[d], family.ranges[d]});
-        indices.push_back(names_.index(rule.indices[d]));
-    }
-    if (loops.empty()) { writer.open("{{"); }
-    for (const Loop& loop : loops) { open_loop(writer, loop); }
-    const Kernel value = kernel(system_.graph, {rule.value});
-    const NodeNames given = load(writer, rule.accesses, value, loops);
-    const auto results = write_code(writer, system_.graph, value, given, "hvi::math");
-    writer.line("{}[{}] = {};", array, place(family, indices), results.front());
-    for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
+    close_loops(writer, outer);
 }
 
 }  // namespace hvi::gen

@@ -72,12 +72,16 @@ void write_structs(Writer& writer, const System& system, const RotationMembers& 
                    "/// ");
     writer.open("struct Placement {{");
     if (n > 0) { writer.line("std::array<Scalar, {}> q{{}};", n); }
-    for (const Member& member : members.rotations) { declare(writer, member, 9, identity); }
+    for (const Member& member : members.rotations) {
+        declare(writer, member, rotations_of_space.point, identity);
+    }
     writer.close("};").blank();
     writer.comment("A placement with momenta p, and angular momenta in the bodies.", "/// ");
     writer.open("struct Bodies : Placement {{");
     if (n > 0) { writer.line("std::array<Scalar, {}> p{{}};", n); }
-    for (const Member& member : members.momenta) { declare(writer, member, 3, "0, 0, 0"); }
+    for (const Member& member : members.momenta) {
+        declare(writer, member, angular_momenta.point, "0, 0, 0");
+    }
     if (system.time) { writer.line("Scalar t = 0;"); }
     writer.close("};").blank();
 }
@@ -99,10 +103,10 @@ void write_copies(Writer& writer, const System& system, const RotationMembers& m
     };
     const std::string_view q = with_momenta ? "at.q" : "q", p = "at.p";
     if (n > 0) { copy(n, "x.q[k]", fmt::format("{}[k]", q)); }
-    copy_all(members.each_rotation, 9, q);
+    copy_all(members.each_rotation, rotations_of_space.point, q);
     if (!with_momenta) { return; }
     if (n > 0) { copy(n, "x.p[k]", fmt::format("{}[k]", p)); }
-    copy_all(members.each_momentum, 3, p);
+    copy_all(members.each_momentum, angular_momenta.point, p);
 }
 
 }  // namespace

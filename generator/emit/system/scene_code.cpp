@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/system/scene_code.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 
 #include "generator/emit/system/class_values.hpp"
@@ -68,61 +66,60 @@ std::string_view state_of_one(const Step& step) {
     return step.layout == Layout::trajectories ? "Trajectory" : "State";
 }
 
-/// What H and invariants take of a state x.
-struct StateArguments {
-    std::string before;  ///< a line, or nothing
-    std::string variables;
+/// States x in members of the stepper.
+struct StateForm {
+    std::string variables;                        ///< that functions of System take
+    std::vector<std::string> start;               ///< from the declaration of x to its return
+    std::string before = {};                      ///< a line before `variables`, or nothing
+    std::string_view constant = {};               ///< before `start`
+    std::string_view empty = {}, no_number = {};  ///< when x is empty, and values are no numbers
 };
 
-StateArguments arguments_of(const System& system) {
-    if (system.is_written_out() && rotations_of(system) > 0) {
-        return {"const hvi::detail::ChartState<Space> at = flat(x);", "at.q, at.p"};
+StateForm form_of(const System& system, std::string_view state) {
+    const std::string x = fmt::format("{} x;", state);
+    switch (vectors_of(system)) {
+    case StateVectors::any_size:
+        return {.variables = "x.q, x.p",
+                .start = {x, fmt::format("System(parameters).begin({}x.q, x.p);",
+                                         begins_in_file(system) ? "parameters, " : "")},
+                .empty = "; empty where a list does not fit its sizes",
+                .no_number = "; not a number where x does not have the system's size"};
+    case StateVectors::bodies:
+        return {.variables = "at.q, at.p",
+                .start = {"hvi::detail::ChartState<Space> at;",
+                          "System::begin(parameters, at.q, at.p);", x, "set(x, at);"},
+                .before = "const hvi::detail::ChartState<Space> at = flat(x);"};
+    case StateVectors::numbers: break;
     }
-    return {"", system.side == Side::lagrangian ? "x.q, velocity(x)" : "x.q, x.p"};
+    if (system.side == Side::hamiltonian) {
+        return {.variables = "x.q, x.p",
+                .start = {x, "System::begin(parameters, x.q, x.p);"},
+                .constant = "constexpr "};
+    }
+    return {.variables = "x.q, velocity(x)",
+            .start = {x, "Vector v{};", "System::begin(parameters, x.q, v);",
+                      fmt::format("System(parameters).dLdv(x.q, v{}, x.p);",
+                                  system.time ? ", x.t" : "")}};
 }
 
-void write_member(Writer& writer, std::string_view doc, std::string_view state,
-                  std::string_view name, const StateArguments& arguments,
-                  std::string_view time = "") {
-    writer.comment(doc, "/// ");
-    writer.open("[[nodiscard]] Scalar {}(const {}& x) const {{", name, state)
-        .insert(arguments.before)
-        .line("return system_.{}({}{});", name, arguments.variables, time)
+void write_member(Writer& writer, const ClassValue& value, std::string_view state,
+                  const StateForm& form) {
+    writer.comment(value.about + std::string(form.no_number), "/// ");
+    writer.open("[[nodiscard]] Scalar {}(const {}& x) const {{", value.name, state)
+        .insert(form.before)
+        .line("return system_.{}({}{});", value.name, form.variables, value.has_time ? ", x.t" : "")
         .close()
         .blank();
 }
 
-/// The lines between the declaration of a state x and its return.
-std::vector<std::string> lines_of_start(const System& system, std::string_view state) {
-    const std::string x = fmt::format("{} x;", state);
-    if (!system.is_written_out()) {
-        return {x, fmt::format("System(parameters).begin({}x.q, x.p);",
-                               begins_in_file(system) ? "parameters, " : "")};
-    }
-    if (rotations_of(system) > 0) {
-        return {"hvi::detail::ChartState<Space> at;", "System::begin(parameters, at.q, at.p);", x,
-                "set(x, at);"};
-    }
-    if (system.side == Side::lagrangian) {
-        return {x, "Vector v{};", "System::begin(parameters, x.q, v);",
-                fmt::format("System(parameters).dLdv(x.q, v{}, x.p);", system.time ? ", x.t" : "")};
-    }
-    return {x, "System::begin(parameters, x.q, x.p);"};
-}
-
-void write_initial(Writer& writer, const System& system, std::string_view state) {
-    const bool is_any_size = !system.is_written_out();
-    const bool is_constant =
-        !is_any_size && rotations_of(system) == 0 && system.side == Side::hamiltonian;
-    const std::string_view constant = is_constant ? "constexpr " : "";
-    writer.line("/// Where the scene begins{}.",
-                is_any_size ? "; empty where a list does not fit its sizes" : "");
-    writer.open("[[nodiscard]] static {}{} initial(const Parameters& parameters) {{", constant,
+void write_initial(Writer& writer, std::string_view state, const StateForm& form) {
+    writer.line("/// Where the scene begins{}.", form.empty);
+    writer.open("[[nodiscard]] static {}{} initial(const Parameters& parameters) {{", form.constant,
                 state);
-    for (const std::string& line : lines_of_start(system, state)) { writer.line("{}", line); }
+    for (const std::string& line : form.start) { writer.line("{}", line); }
     writer.line("return x;").close();
     writer.line("[[nodiscard]] static {}{} initial() {{ return initial(Parameters{{}}); }}",
-                constant, state);
+                form.constant, state);
     writer.blank();
 }
 
@@ -152,6 +149,21 @@ std::string_view library(const SceneWishes& wishes) {
     return wishes.float128 ? "hvi::math" : "std";
 }
 
+StateVectors vectors_of(const System& system) {
+    if (!system.is_written_out()) { return StateVectors::any_size; }
+    return rotations_of(system) == 0 ? StateVectors::numbers : StateVectors::bodies;
+}
+
+std::string_view vector_type(const System& system) {
+    switch (vectors_of(system)) {
+    case StateVectors::numbers: return "Numbers";
+    case StateVectors::bodies: return "typename Space::Vector";
+    case StateVectors::any_size: return "std::vector<Number>";
+    }
+    HVI_CHECK(false);
+    return {};
+}
+
 bool calls_more_math(const System& system, const SceneWishes& wishes) {
     for (Node node = 0; node < system.graph.size(); ++node) {
         const Computation& computation = system.graph.at(node);
@@ -160,20 +172,6 @@ bool calls_more_math(const System& system, const SceneWishes& wishes) {
         if (function == nullptr) { continue; }
         const bool is_of_runtime = wishes.float128 || !function->is_smooth();
         if (is_of_runtime && function->runtime == Runtime::more_math) { return true; }
-    }
-    return false;
-}
-
-bool calls_lane_functions(const System& system) {
-    constexpr std::string_view without_library[] = {"sin", "cos", "tan"};
-    for (Node node = 0; node < system.graph.size(); ++node) {
-        const Computation& computation = system.graph.at(node);
-        if (computation.operation != Operation::call) { continue; }
-        const Function* const function = find_function(computation.name);
-        const bool is_needed = function != nullptr && function->nature == Nature::analytic &&
-                               std::count(std::begin(without_library), std::end(without_library),
-                                          computation.name) == 0;
-        if (is_needed) { return true; }
     }
     return false;
 }
@@ -203,7 +201,7 @@ NodeNames parameter_names(const System& system) {
 std::string parameters_text(const System& system) {
     Writer writer(1);
     writer.line("/// As the scene has them.").open("struct Parameters {{");
-    if (!system.is_written_out()) {
+    if (vectors_of(system) == StateVectors::any_size) {
         for (const SystemSize& size : system.sizes) {
             writer.line("Place {} = {};", member_name(size.name), size.value);
         }
@@ -218,19 +216,15 @@ std::string parameters_text(const System& system) {
 
 std::string scene_members_text(const System& system, const SceneWishes& wishes, const Step& step) {
     const std::string_view state = state_of_one(step);
-    const bool has_velocities = system.side == Side::lagrangian;
-    const StateArguments arguments = arguments_of(system);
-    const std::string_view unless_it_fits =
-        system.is_written_out() ? "" : "; not a number where x does not have the system's size";
-    const auto doc = [&](const std::string& text) { return text + std::string(unless_it_fits); };
+    const StateForm form = form_of(system, state);
     Writer writer(1);
     write_reading(writer, system);
-    if (!system.initial.empty()) { write_initial(writer, system, state); }
-    if (has_velocities || system.is_transformed) { write_velocity(writer, system, state); }
+    if (!system.initial.empty()) { write_initial(writer, state, form); }
+    if (system.side == Side::lagrangian || system.is_transformed) {
+        write_velocity(writer, system, state);
+    }
     for (const ClassValue& value : values_of_class(system, wishes)) {
-        if (value.about.empty()) { continue; }
-        write_member(writer, doc(value.about), state, value.name, arguments,
-                     value.has_time ? ", x.t" : "");
+        if (!value.about.empty()) { write_member(writer, value, state, form); }
     }
     if (wishes.evaluations) {
         writer.line("/// How often d{}/dq was evaluated, at one stage each time.",

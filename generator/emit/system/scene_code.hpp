@@ -29,9 +29,6 @@ struct SceneWishes {
 /// The namespace of the functions that it calls: `std`, or that of src/hvi/detail/numbers/math.hpp.
 [[nodiscard]] std::string_view library(const SceneWishes& wishes);
 
-/// Whether H calls what src/hvi/detail/lanes/lane_functions.hpp has, which others need not include.
-[[nodiscard]] bool calls_lane_functions(const System& system);
-
 /// Whether H calls what src/hvi/detail/numbers/more_math.hpp has.
 [[nodiscard]] bool calls_more_math(const System& system, const SceneWishes& wishes);
 
@@ -48,13 +45,25 @@ void check_members(const WrittenOutScene& scene, const SceneWishes& wishes);
 /// `struct Parameters`, with numbers, tables and sizes of the scene as defaults.
 [[nodiscard]] std::string parameters_text(const System& system);
 
-/// The constant of a System that tells whether its K is diagonal.
-[[nodiscard]] std::string mass_text(const VelocityStep& form);
+/// Vectors that states of a scene hold.
+enum class StateVectors {
+    numbers,   ///< of a type that a user chooses, with as many as there are degrees of freedom
+    bodies,    ///< members that are called as the scene calls coordinates and rotations
+    any_size,  ///< std::vector
+};
+[[nodiscard]] StateVectors vectors_of(const System& system);
+
+/// Type of vectors of the class.
+[[nodiscard]] std::string_view vector_type(const System& system);
 
 /// `struct System`: what a stepper with this step needs of H, as straight-line code, or with loops
 /// where there are no evaluations without.
 [[nodiscard]] std::string system_text(const System& system, const SceneWishes& wishes,
                                       const Step& step, const Evaluations* evaluations);
+
+/// Lines of #include for that.
+[[nodiscard]] std::string includes_of_class(const System& system, const SceneWishes& wishes,
+                                            const Step& step, const Evaluations* evaluations);
 
 /// `static State initial(...)`, and the members that are asked for.
 [[nodiscard]] std::string scene_members_text(const System& system, const SceneWishes& wishes,

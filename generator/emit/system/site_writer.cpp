@@ -25,17 +25,7 @@ void write_site_types(Writer& writer, const Sites& sites) {
     writer.line("static constexpr Site reach = {{{{{}}}}};", fmt::join(sites.reach, ", "));
 }
 
-void SiteWriter::write(Writer& writer) {
-    write_sites(writer);
-    writer.blank();
-    write_force(writer);
-    writer.blank();
-    write_edge(writer);
-    writer.blank();
-    write_velocity(writer);
-}
-
-void SiteWriter::write_sites(Writer& writer) const {
+void SiteWriter::write(Writer& writer, const SiteRanges& /*body*/) {
     std::vector<std::string> first, end, inside_first, inside_end;
     const auto extreme = [&](std::string_view which, const std::vector<AffineForm>& forms,
                              const AffineForm& more) {
@@ -53,10 +43,8 @@ void SiteWriter::write_sites(Writer& writer) const {
         inside_first.push_back(extreme("max", sites_.inside[d].firsts, {}));
         inside_end.push_back(extreme("min", sites_.inside[d].lasts, one));
     }
-    writer.open("[[nodiscard]] hvi::detail::Sites<dimension> sites() const {{");
     writer.line("return {{{{{{{{{}}}}}, {{{{{}}}}}}},", joined(first), joined(end));
     writer.line("        {{{{{{{}}}}}, {{{{{}}}}}}}}};", joined(inside_first), joined(inside_end));
-    writer.close();
 }
 
 /// Of an element that a site sees, from the number e of the site on.
@@ -79,15 +67,13 @@ std::string SiteWriter::place(const SiteAccess& seen) const {
         }
         return text;
     }
-    std::string text = name + "_at_";
+    std::vector<std::string> indices;
     for (std::size_t i = 0; i < d; ++i) {
         const std::string offset = names_.whole(seen.offset[i]);
-        const std::string index =
-            seen.of[i] ? fmt::format("k[{}] + {}", *seen.of[i], offset) : offset;
-        text += i + 1 == d ? fmt::format(" + ({})", index)
-                           : fmt::format(" + ({}) * {}_step_{}_", index, name, i + 1);
+        indices.push_back(seen.of[i] ? fmt::format("(k[{}] + {})", *seen.of[i], offset)
+                                     : "(" + offset + ")");
     }
-    return text;
+    return ClassNames::place(family, indices);
 }
 
 /// Loads what forces or velocities look at.
@@ -119,26 +105,14 @@ NodeNames SiteWriter::locals(Writer& writer, const Kernel& kernel) {
     return names_.given(kernel, names);
 }
 
-/// One for each component, to `out`.
-void SiteWriter::write_results(Writer& writer, const Kernel& kernel) {
-    const NodeNames names = locals(writer, kernel);
-    const auto results = write_code(writer, loops_.system().graph, kernel, names, "hvi::math", "V");
+void SiteWriter::write(Writer& writer, const ValuesOfSites& body) {
+    const Graph& graph = loops_.system().graph;
+    const Kernel values = kernel(graph, *body.values);
+    const NodeNames names = locals(writer, values);
+    const auto results = write_code(writer, graph, values, names, "hvi::math", "V");
     for (std::size_t c = 0; c < results.size(); ++c) {
         writer.line("out[{}] = V({});", c, results[c]);
     }
-}
-
-void SiteWriter::write_force(Writer& writer) {
-    const Kernel forces = kernel(loops_.system().graph, sites_.forces);
-    writer.comment("dU/dq of the sites e, e + 1, ... that V stands for, where all their "
-                   "neighbours are; the first has the indices k.",
-                   "/// ");
-    writer.line("template <class V>");
-    writer.open(
-        "HVI_INLINE_IN_LANES void force([[maybe_unused]] const Scalar* q, "
-        "[[maybe_unused]] Place e, [[maybe_unused]] const Site& k, V (&out)[components]) const {{");
-    write_results(writer, forces);
-    writer.close();
 }
 
 void SiteWriter::write_edge_term(Writer& writer, const SiteTerm& term) {
@@ -176,25 +150,9 @@ void SiteWriter::write_edge_term(Writer& writer, const SiteTerm& term) {
     writer.close();
 }
 
-void SiteWriter::write_edge(Writer& writer) {
-    writer.line("/// Adds up dH/dq at a site that may be at an edge.");
-    writer.open("void force_at_edge([[maybe_unused]] const Scalar* q, Place, "
-                "[[maybe_unused]] const Site& k, Scalar "
-                "(&out)[components]) const {{");
+void SiteWriter::write(Writer& writer, const ForceAtEdge& /*body*/) {
     writer.line("for (Scalar& each : out) {{ each = 0; }}");
     for (const SiteTerm& term : sites_.terms) { write_edge_term(writer, term); }
-    writer.close();
-}
-
-void SiteWriter::write_velocity(Writer& writer) {
-    const Kernel velocities = kernel(loops_.system().graph, sites_.velocities);
-    writer.line("/// dT/dp of sites with the momenta p.");
-    writer.line("template <class V>");
-    writer.open(
-        "HVI_INLINE_IN_LANES void velocity([[maybe_unused]] const V (&p)[components], "
-        "[[maybe_unused]] Place e, [[maybe_unused]] const Site& k, V (&out)[components]) const {{");
-    write_results(writer, velocities);
-    writer.close();
 }
 
 }  // namespace hvi::gen

@@ -10,27 +10,27 @@ namespace hvi::gen {
 /// What is known of the sites when the header is compiled.
 void write_site_types(Writer& writer, const Sites& sites);
 
-/// Writes what src/hvi/detail/loops/sites.hpp asks of a system.
+/// Writes bodies of functions that src/hvi/detail/loops/sites.hpp asks of a system.
 class SiteWriter {
 public:
     SiteWriter(const Sites& sites, LoopWriter& loops)
         : sites_(sites), loops_(loops), names_(loops.names()) {}
 
-    void write(Writer& writer);
+    void write(Writer& writer, const BodyOfSites& body) {
+        std::visit([&](const auto& sites) { write(writer, sites); }, body);
+    }
 
 private:
-    void write_sites(Writer& writer) const;
-    void write_results(Writer& writer, const Kernel& kernel);
-    void write_force(Writer& writer);
-    void write_edge(Writer& writer);
+    void write(Writer& writer, const SiteRanges& body);
+    void write(Writer& writer, const ValuesOfSites& body);
+    void write(Writer& writer, const ForceAtEdge& body);
     void write_edge_term(Writer& writer, const SiteTerm& term);
-    void write_velocity(Writer& writer);
     [[nodiscard]] NodeNames locals(Writer& writer, const Kernel& kernel);
     [[nodiscard]] std::string place(const SiteAccess& access) const;
 
     const Sites& sites_;
     LoopWriter& loops_;
-    LoopNames& names_;
+    ClassNames& names_;
 };
 
 }  // namespace hvi::gen

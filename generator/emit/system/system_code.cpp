@@ -1,369 +1,72 @@
-// The class System of a scene.
+// The class System of a scene, and the headers that it needs.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-#include <set>
+#include <fmt/ranges.h>
 
-#include "generator/emit/system/class_values.hpp"
-#include "generator/emit/system/given_names.hpp"
-#include "generator/emit/system/loop_code.hpp"
+#include <algorithm>
+#include <iterator>
+
+#include "generator/emit/system/class_functions.hpp"
+#include "generator/emit/system/loop_files.hpp"
 #include "generator/emit/system/scene_code.hpp"
-#include "generator/emit/text/names.hpp"
+#include "generator/emit/system/site_writer.hpp"
+#include "generator/emit/system/size_members.hpp"
+#include "generator/emit/system/start_writer.hpp"
+#include "generator/expr/functions.hpp"
 
 namespace hvi::gen {
 
 namespace {
-
-using Results = std::vector<Scaled>;
-
-/// The template parameter that vectors are of.
-constexpr std::string_view vector_type(bool are_lanes) { return are_lanes ? "Values" : "Vector"; }
-
-/// The names of variables in functions.
-NodeNames variable_names(const System& system) {
-    NodeNames names;
-    const auto add = [&](const std::vector<Node>& nodes, char letter) {
-        for (std::size_t k = 0; k < nodes.size(); ++k) {
-            names[nodes[k]] = fmt::format("{}[{}]", letter, k);
-        }
-    };
-    add(coordinate_nodes(system), 'q');
-    add(conjugate_nodes(system), system.conjugate_letter());
-    if (system.time) { names[*system.time] = "t"; }
-    return names;
-}
-
-/// A function of (q, p), or of one of them; on the Lagrangian side of (q, v).
-struct SystemFunction {
-    std::string name;
-    std::vector<std::string> targets;  ///< of the results; empty where the only one is returned
-    Kernel kernel;
-    bool has_q = true, has_p = true;  ///< among its arguments
-    std::string out = {};             ///< its last argument, if any
-    bool is_matrix = false;           ///< of a type that a caller chooses
-    bool has_time = false;            ///< among its arguments, before that
-    bool is_mirrored = false;         ///< out is a matrix of which the lower half is computed
-    NodeNames names = {};             ///< of what it alone is given
-    bool has_forces = false;          ///< dH/dq at a stage
-    bool is_counted = false;          ///< each call
-    bool takes_lanes = false;         ///< as well as numbers
-    bool is_inlined = false;          ///< wherever it is called
-};
-
-bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes) {
-    return std::any_of(nodes.begin(), nodes.end(),
-                       [&](Node node) { return kernel.uses[node] != 0; });
-}
-
-/// `const Vector& q`, marked where the function does not look at it.
-std::string argument(bool is_used, std::string_view type_and_name) {
-    return fmt::format("{}{}", is_used ? "" : "[[maybe_unused]] ", type_and_name);
-}
-
-std::vector<std::string> components(std::string_view letter, std::size_t count) {
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < count; ++k) { names.push_back(fmt::format("{}[{}]", letter, k)); }
-    return names;
-}
-
-SystemFunction hessian(std::string name, const BlockKernel& block) {
-    SystemFunction function;
-    function.name = std::move(name);
-    function.out = "Matrix& out";
-    function.is_matrix = true;
-    for (const auto& [row, column] : block.places) {
-        function.targets.push_back(fmt::format("out({}, {})", row, column));
-        function.is_mirrored = function.is_mirrored || (block.is_symmetric && row != column);
-    }
-    function.kernel = block.kernel;
-    return function;
-}
-
-/// Without what a separable H does not look at.
-SystemFunction of_positions(SystemFunction function, const Step& step) {
-    function.has_p = !step.is_separable();
-    function.has_time = step.depends_on_time();
-    return function;
-}
-
-SystemFunction of_momenta(SystemFunction function, const Step& step) {
-    function.has_q = !step.is_separable();
-    function.has_time = step.depends_on_time() && !step.is_separable();
-    return function;
-}
-
-/// Adds what iterations evaluate beside slopes.
-void add_second_derivatives(std::vector<SystemFunction>& functions, const SecondDerivatives& second,
-                            const System& system, const Step& step) {
-    const auto name = [&](std::string_view variables) {
-        std::string text = fmt::format("d2{}{}", system.function_letter(), variables);
-        std::replace(text.begin(), text.end(), 'p', system.conjugate_letter());
-        return text;
-    };
-    if (second.qq) { functions.push_back(of_positions(hessian(name("dq2"), *second.qq), step)); }
-    if (second.mixed) {
-        functions.push_back(of_momenta(hessian(name("dqdp"), *second.mixed), step));
-    }
-    if (second.conjugates) {
-        functions.push_back(of_momenta(hessian(name("dp2"), *second.conjugates), step));
-    }
-}
-
-/// Adds constant terms of second derivatives, as functions of nothing.
-void add_constant_terms(std::vector<SystemFunction>& functions, const SecondDerivatives& constant) {
-    const auto add = [&](std::string name, const std::optional<BlockKernel>& block) {
-        if (!block) { return; }
-        functions.push_back(hessian(std::move(name), *block));
-        functions.back().has_q = functions.back().has_p = false;
-    };
-    add("constant_d2Hdq2", constant.qq);
-    add("constant_d2Hdqdp", constant.mixed);
-    add("constant_d2Hdp2", constant.conjugates);
-}
-
-/// Adds dH/dq that keeps what it shares with qq v, the tangent at q, and qq v that takes it.
-void add_tangents(std::vector<SystemFunction>& functions, const Tangents& tangents,
-                  const System& system) {
-    const std::vector<Node>& direction = system.structure.direction;
-    const std::vector<std::string> out = components("out", direction.size());
-    const std::vector<std::string> kept = components("at", tangents.kept.size());
-    SystemFunction along{"d2Hdq2", out, tangents.along, true, false};
-    SystemFunction slope{"dHdq", out, tangents.slope, true, false};
-    slope.has_forces = true;
-    slope.has_time = system.time.has_value();
-    slope.targets.insert(slope.targets.end(), kept.begin(), kept.end());
-    for (std::size_t k = 0; k < direction.size(); ++k) {
-        along.names[direction[k]] = fmt::format("v[{}]", k);
-    }
-    for (std::size_t k = 0; k < kept.size(); ++k) { along.names[tangents.kept[k]] = kept[k]; }
-    slope.out = "Vector& out, " + argument(!kept.empty(), "Tangent& at");
-    along.out = argument(!kept.empty(), "const Tangent& at") + ", " +
-                argument(uses_any(along.kernel, direction), "const Vector& v") + ", Vector& out";
-    functions.push_back(std::move(slope));
-    functions.push_back(std::move(along));
-}
-
-/// Adds dH/dq that keeps what dH/dp at the same q takes of it, and that dH/dp.
-void add_shared(std::vector<SystemFunction>& functions, const Kernel& by_q_and_shared,
-                const GradientKernels& gradients, const System& system, const Step& step) {
-    const std::vector<std::string> out = components("out", system.degrees_of_freedom());
-    const std::vector<std::string> kept = components("at", gradients.shared.size());
-    SystemFunction by_q{"dHdq", out, by_q_and_shared, true, true, "Values& out, Values& at"};
-    by_q.has_forces = true;
-    SystemFunction by_p{"dHdp", out,  gradients.by_conjugates_at_q,
-                        true,   true, "const Values& at, Values& out"};
-    by_q.targets.insert(by_q.targets.end(), kept.begin(), kept.end());
-    for (std::size_t k = 0; k < kept.size(); ++k) { by_p.names[gradients.shared[k]] = kept[k]; }
-    for (SystemFunction* function : {&by_q, &by_p}) {
-        function->has_time = step.depends_on_time();
-        function->takes_lanes = true;
-        functions.push_back(std::move(*function));
-    }
-}
-
-/// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
-/// there is much, the call does not matter; and of several sin inlined into a loop the constants
-/// are kept in registers, which are then wanted for other things.
-bool is_inlined(const Kernel& kernel, const Step& step) {
-    constexpr std::size_t small = 32;
-    const std::size_t most_calls = step.layout == Layout::stages ? 1 : 0;
-    return step.has_lanes() && kernel.counts.calls <= most_calls && kernel.nodes.size() <= small;
-}
-
-SystemFunction of_lanes(SystemFunction function, const Step& step) {
-    function.takes_lanes = step.has_lanes();
-    function.is_inlined = is_inlined(function.kernel, step);
-    return function;
-}
-
-/// A function of one result for each degree of freedom, of lanes where a step has some.
-SystemFunction slope(const System& system, const Step& step, std::string name,
-                     const Kernel& kernel) {
-    SystemFunction function;
-    function.name = std::move(name);
-    function.targets = components("out", system.degrees_of_freedom());
-    function.kernel = kernel;
-    function.out = fmt::format("{}& out", vector_type(step.has_lanes()));
-    return of_lanes(std::move(function), step);
-}
-
-/// `dHdq`, or another derivative.
-std::string first_derivative(const System& system, char variable) {
-    return fmt::format("d{}d{}", system.function_letter(), variable);
-}
-
-/// dH/dq and dH/dp.
-SystemFunction both_gradients(const System& system, const Step& step, const Kernel& kernel) {
-    const std::size_t n = system.degrees_of_freedom();
-    const std::string by_q = first_derivative(system, 'q');
-    const std::string by_p = first_derivative(system, system.conjugate_letter());
-    SystemFunction function = slope(system, step, "gradient", kernel);
-    function.targets = components(by_q, n);
-    for (std::string& target : components(by_p, n)) {
-        function.targets.push_back(std::move(target));
-    }
-    function.out = fmt::format("{0}& {1}, {0}& {2}", vector_type(step.has_lanes()), by_q, by_p);
-    function.has_forces = true;
-    return of_positions(std::move(function), step);
-}
-
-/// What steps evaluate.
-std::vector<SystemFunction> slopes(const System& system, const Step& step,
-                                   const Evaluations& evaluations) {
-    std::vector<SystemFunction> result;
-    if (step.slopes == Slopes::joint) {
-        result.push_back(both_gradients(system, step, evaluations.gradients.joint));
-    } else {
-        const GradientKernels& gradients = evaluations.gradients;
-        result.push_back(of_positions(slope(system, step, "dHdq", gradients.by_q), step));
-        result.back().has_forces = true;
-        result.push_back(of_momenta(slope(system, step, "dHdp", gradients.by_conjugates), step));
-    }
-    if (system.side == Side::lagrangian) {
-        result.push_back(
-            of_momenta(slope(system, step, "dLdv", evaluations.gradients.by_conjugates), step));
-    }
-    if (evaluations.inverse_mass) {
-        result.push_back(slope(system, step, "inverse_mass", *evaluations.inverse_mass));
-        result.back().has_q = false;
-    }
-    if (evaluations.shared) {
-        add_shared(result, *evaluations.shared, evaluations.gradients, system, step);
-    }
-    if (evaluations.stiffness) {
-        SystemFunction function{"stiffness", {}, *evaluations.stiffness, false, false};
-        function.targets = components("out", evaluations.stiffness->results.size());
-        function.out = fmt::format("std::array<Scalar, {}>& out", function.targets.size());
-        result.push_back(std::move(function));
-    }
-    if (evaluations.constant) { add_constant_terms(result, *evaluations.constant); }
-    if (evaluations.second) { add_second_derivatives(result, *evaluations.second, system, step); }
-    if (evaluations.tangents) { add_tangents(result, *evaluations.tangents, system); }
-    return result;
-}
-
-/// The constants of a quadratic H that are not zero.
-SystemFunction quadratic(const System& system) {
-    const Structure& found = system.structure;
-    const Hessian& second = hessian_of(system);
-    const std::size_t n = system.degrees_of_freedom();
-    SystemFunction function{"quadratic", {}, {}, false, false};
-    function.out = fmt::format("hvi::detail::Quadratic<Scalar, {}>& H", n);
-    Results results;
-    const auto add = [&](std::string target, const Scaled& value) {
-        if (value.is_zero()) { return; }
-        function.targets.push_back(std::move(target));
-        results.push_back(value);
-    };
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            add(fmt::format("H.qq[{}][{}]", i, j), second.qq[i][j]);
-            add(fmt::format("H.qp[{}][{}]", i, j), second.mixed[i][j]);
-            add(fmt::format("H.pp[{}][{}]", i, j), second.conjugates[i][j]);
-        }
-        add(fmt::format("H.by_q[{}]", i), found.by_q[i]);
-        add(fmt::format("H.by_p[{}]", i), found.by_p[i]);
-    }
-    function.kernel = kernel(system.graph, std::move(results));
-    return function;
-}
-
-std::vector<SystemFunction> functions(const System& system, const SceneWishes& wishes,
-                                      const Step& step, const Evaluations& evaluations) {
-    const bool is_map = std::holds_alternative<TabulatedStep>(step.form);
-    std::vector<SystemFunction> result =
-        is_map ? std::vector<SystemFunction>{quadratic(system)} : slopes(system, step, evaluations);
-    for (SystemFunction& function : result) {
-        function.is_counted = wishes.evaluations && function.has_forces;
-    }
-    for (const ClassValue& value : values_of_class(system, wishes)) {
-        SystemFunction function;
-        function.name = value.name;
-        function.kernel = kernel(system.graph, {value.sums->front().value});
-        function.has_time = value.has_time;
-        result.push_back(std::move(function));
-    }
-    return result;
-}
 
 void mirror(Writer& writer, std::size_t n) {
     writer.open("for (std::size_t i = 1; i < {}; ++i) {{", n);
     writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
 }
 
-void write(Writer& writer, const System& system, GivenNames& given, const SystemFunction& function,
-           std::string_view library) {
-    NodeNames locals = variable_names(system);
-    for (const auto& [node, name] : function.names) { locals[node] = name; }
-    std::vector<std::string> arguments;
-    const std::string_view vector = vector_type(function.takes_lanes);
-    if (function.has_q) {
-        arguments.push_back(
-            argument(uses_any(function.kernel, coordinate_nodes(system)),
-                     fmt::format("const {}& q", rotations_of(system) == 0 ? vector : "Positions")));
+/// Whether H calls what src/hvi/detail/lanes/lane_functions.hpp has, which others need not include.
+bool calls_lane_functions(const System& system) {
+    constexpr std::string_view without_library[] = {"sin", "cos", "tan"};
+    for (Node node = 0; node < system.graph.size(); ++node) {
+        const Computation& computation = system.graph.at(node);
+        if (computation.operation != Operation::call) { continue; }
+        const Function* const function = find_function(computation.name);
+        const bool is_needed = function != nullptr && function->nature == Nature::analytic &&
+                               std::count(std::begin(without_library), std::end(without_library),
+                                          computation.name) == 0;
+        if (is_needed) { return true; }
     }
-    if (function.has_p) {
-        arguments.push_back(
-            argument(uses_any(function.kernel, conjugate_nodes(system)),
-                     fmt::format("const {}& {}", vector, system.conjugate_letter())));
-    }
-    if (function.has_time) {
-        arguments.push_back(
-            argument(uses_any(function.kernel, {*system.time}),
-                     function.takes_lanes ? "const hvi::detail::ScalarOf<Values>& t" : "Scalar t"));
-    }
-    if (!function.out.empty()) {
-        arguments.push_back(argument(!function.targets.empty(), function.out));
-    }
-    if (function.is_matrix) { writer.line("template <class Matrix>"); }
-    if (function.takes_lanes) {
-        writer.line("template <class Values, class Value = hvi::detail::ScalarOf<Values>>");
-    }
-    const bool is_value = function.out.empty();
-    const std::string_view attribute = is_value              ? "[[nodiscard]] "
-                                       : function.is_inlined ? "HVI_INLINE_IN_LANES "
-                                                             : "";
-    writer.open("{}constexpr {} {}({}) const {{", attribute, is_value ? "Scalar" : "void",
-                function.name, fmt::join(arguments, ", "));
-    if (function.is_counted) {
-        writer.line("evaluations += {};",
-                    function.takes_lanes ? "hvi::detail::lane_count<Value>" : "1");
-    }
-    const NodeNames names = given.given(function.kernel, locals);
-    const auto results = write_code(writer, system.graph, function.kernel, names,
-                                    function.takes_lanes ? "hvi::math" : library,
-                                    function.takes_lanes ? "Value" : "Scalar");
-    if (is_value) { writer.line("return {};", results.front()); }
-    for (std::size_t k = 0; k < function.targets.size(); ++k) {
-        writer.line("{} = {};", function.targets[k], results[k]);
-    }
-    if (function.is_mirrored) { mirror(writer, system.degrees_of_freedom()); }
-    writer.close();
+    return false;
 }
 
-void write_constructor(Writer& writer, GivenNames& given, std::string_view library) {
-    writer.open("constexpr explicit System({}) {{",
-                argument(given.uses_inputs(), "const Parameters& parameters"));
-    given.write_setup(writer, library);
-    writer.close();
+std::string include_of_arrays(const System& system, const Step& step, const SceneWishes& wishes) {
+    std::string text = "#include <array>\n#include <cmath>";
+    if (wishes.evaluations) { text += "\n#include <cstdint>"; }
+    // NOTE: explicit steppers have it as a part of their own.
+    if (!step.is_explicit() && calls_more_math(system, wishes)) {
+        text += "\n#include <hvi/detail/numbers/more_math.hpp>";
+    }
+    if (step.has_lanes() && calls_lane_functions(system)) {
+        text += "\n#include <hvi/detail/lanes/lane_functions.hpp>";
+    }
+    return text;
 }
 
-void write_begin(Writer& writer, const System& system, GivenNames& given, const Kernel& initial,
-                 std::string_view library) {
-    const char p = system.conjugate_letter();
-    const NodeNames parameters = parameter_names(system);
-    const bool uses_parameters =
-        std::any_of(initial.given.begin(), initial.given.end(),
-                    [&](Node node) { return parameters.count(node) != 0; });
-    writer.open("static constexpr void begin({}, {}& q, Vector& {}) {{",
-                argument(uses_parameters, "const Parameters& parameters"),
-                rotations_of(system) == 0 ? "Vector" : "Positions", p);
-    const auto results =
-        write_code(writer, system.graph, initial, given.given_inputs(initial), library);
-    const std::size_t n = coordinate_nodes(system).size();
-    for (std::size_t k = 0; k < results.size(); ++k) {
-        writer.line("{}[{}] = {};", k < n ? 'q' : p, k < n ? k : k - n, results[k]);
+/// NOTE: explicit steppers include of hvi what they have in copies too.
+std::string include_of_loops(const System& system, const SceneWishes& wishes, const Step& step) {
+    std::string text = "#include <algorithm>\n#include <array>\n#include <cstdint>\n"
+                       "#include <limits>\n#include <type_traits>\n#include <vector>\n\n"
+                       "#include <hvi/detail/coefficients/rounded.hpp>\n"
+                       "#include <hvi/detail/lanes/lane_functions.hpp>\n"
+                       "#include <hvi/detail/loops/along.hpp>\n"
+                       "#include <hvi/detail/loops/ranges.hpp>\n";
+    text += include_of_files(system);
+    if (!scattered_sums(functions_of_class(system, wishes, step, nullptr)).empty()) {
+        text += "#include <hvi/detail/loops/chunks.hpp>\n";
     }
-    writer.close();
+    if (system.sites) { text += "#include <hvi/detail/loops/sites.hpp>\n"; }
+    if (step.layout == Layout::components) {
+        text += "#include <hvi/detail/loops/stage_sweeps.hpp>\n";
+    }
+    return text;
 }
 
 /// The names of families, one after the other.
@@ -373,78 +76,215 @@ std::string names_of(const std::vector<SystemFamily>& families) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// H, and what variables it is of.
 std::string about(const System& system) {
+    const std::string written = to_text(system.expression);
+    if (system.is_transformed) { return "H = p v - L, where L = " + written; }
+    if (!system.is_written_out()) { return "H = " + written; }
     if (rotations_of(system) > 0) {
         return fmt::format(
             "H = {}, where q is ({}) and p is ({}); D, the part of dH/dq that "
             "belongs to a rotation R, is the derivative of H(R exp(hat eta)) by eta.",
-            to_text(system.expression), names_of(system.coordinates), names_of(system.conjugates));
+            written, names_of(system.coordinates), names_of(system.conjugates));
     }
     return fmt::format("{} = {}, where q is ({}) and {} is ({}).", system.function_letter(),
-                       to_text(system.expression), names_of(system.coordinates),
-                       system.conjugate_letter(), names_of(system.conjugates));
+                       written, names_of(system.coordinates), system.conjugate_letter(),
+                       names_of(system.conjugates));
 }
 
-/// Coordinates, then momenta or velocities, where the scene begins.
-Kernel initial_values(const System& system) {
-    return kernel_of_inputs(system.graph, start_of(system));
+/// `const Vector& q`, marked where it may not be looked at.
+std::string text_of(const Argument& argument) {
+    return (argument.is_used ? "" : "[[maybe_unused]] ") + argument.text;
 }
 
-std::string straight_system_text(const System& system, const SceneWishes& wishes, const Step& step,
-                                 const Evaluations& evaluations) {
-    const std::vector<SystemFunction> all = functions(system, wishes, step, evaluations);
-    GivenNames given(system.graph, parameter_names(system));
-    // NOTE: the constructor computes what functions need, and constants of both have names.
-    Writer body(2);
-    for (const SystemFunction& function : all) {
-        if (&function != &all.front()) { body.blank(); }
-        write(body, system, given, function, library(wishes));
-    }
-    Writer constructor(2);
-    write_constructor(constructor, given, library(wishes));
-    if (!system.initial.empty()) {
-        body.blank();
-        write_begin(body, system, given, initial_values(system), library(wishes));
+/// The line of a function up to its body.
+std::string signature(const SystemFunction& function) {
+    const auto* code = std::get_if<StraightCode>(&function.body);
+    const bool is_static = code != nullptr && code->has_parameters;
+    std::vector<std::string> arguments;
+    for (const Argument& each : function.arguments) { arguments.push_back(text_of(each)); }
+    const std::string_view attribute = function.returns != "void" ? "[[nodiscard]] "
+                                       : function.is_inlined      ? "HVI_INLINE_IN_LANES "
+                                                                  : "";
+    return fmt::format("{}{}{}{} {}({}){}", attribute, is_static ? "static " : "",
+                       code != nullptr ? "constexpr " : "", function.returns, function.name,
+                       fmt::join(arguments, ", "), is_static ? "" : " const");
+}
+
+/// Whether sums over pairs are cut into chunks.
+bool has_chunks(const std::vector<SystemFunction>& functions) {
+    const std::vector<const SystemSum*> sums = scattered_sums(functions);
+    return std::any_of(sums.begin(), sums.end(),
+                       [](const SystemSum* sum) { return sum->loops.size() > 1; });
+}
+
+/// Writes the class: its functions as listed, and what these need.
+class ClassWriter {
+public:
+    ClassWriter(const System& system, const SceneWishes& wishes, const Step& step,
+                const Evaluations* evaluations)
+        : system_(system),
+          step_(step),
+          evaluations_(evaluations),
+          has_loops_(evaluations == nullptr),
+          counts_(counts_evaluations(wishes, step)),
+          library_(has_loops_ ? "hvi::math" : library(wishes)),
+          functions_(functions_of_class(system, wishes, step, evaluations)),
+          names_(system),
+          loops_(system, names_),
+          sizes_(system, names_, has_chunks(functions_)) {}
+
+    [[nodiscard]] std::string text() {
+        // NOTE: the constructor comes last, as it computes what the others need.
+        Writer functions(2);
+        for (const SystemFunction& function : functions_) {
+            if (&function != &functions_.front()) { functions.blank(); }
+            write(functions, function);
+        }
+        Writer writer(1);
+        writer.comment(about(system_), "/// ").open("struct System {{");
+        write_types(writer);
+        writer.blank();
+        write_constructor(writer);
+        writer.blank().insert(functions.str());
+        write_data(writer);
+        return writer.close("};").str();
     }
 
-    Writer writer(1);
-    writer.comment(about(system), "/// ");
-    writer.open("struct System {{");
-    if (rotations_of(system) == 0) {
-        writer.line("using Vector = Numbers;");
-    } else {
-        writer.line("using Vector = typename Space::Vector;");
-        writer.line("using Positions = typename Space::Positions;");
+private:
+    void write(Writer& writer, const SystemFunction& function) {
+        if (!function.doc.empty()) { writer.comment(function.doc, "/// "); }
+        if (!function.parameters.empty()) { writer.line("template <{}>", function.parameters); }
+        std::visit([&](const auto& body) { write_whole(writer, function, body); }, function.body);
     }
-    if (evaluations.tangents) {
-        // NOTE: an array of none would do, were it not that compilers warn of it.
-        writer.line("using Tangent = std::array<Scalar, {}>;",
-                    std::max<std::size_t>(1, evaluations.tangents->kept.size()));
+
+    static void write_whole(Writer& writer, const SystemFunction& function, const OneLine& body) {
+        writer.line("{} {{ {} }}", signature(function), body.statement);
     }
-    if (const auto* form = std::get_if<VelocityStep>(&step.form)) {
-        writer.line("{}", mass_text(*form));
+
+    template <class Body>
+    void write_whole(Writer& writer, const SystemFunction& function, const Body& body) {
+        writer.open("{} {{", signature(function));
+        if (function.is_counted) { write_count(writer, function.body); }
+        write_body(writer, body);
+        writer.close();
     }
-    writer.blank().insert(constructor.str()).blank().insert(body.str());
-    if (wishes.evaluations) {
-        writer.blank().line("mutable std::int64_t evaluations = 0;  // of dH/dq");
+
+    static void write_count(Writer& writer, const FunctionBody& body) {
+        const auto* code = std::get_if<StraightCode>(&body);
+        if (code == nullptr) {
+            writer.line("++evaluations;");
+        } else {
+            writer.line("evaluations += {};",
+                        code->takes_lanes ? "hvi::detail::lane_count<Value>" : "1");
+        }
     }
-    Writer data(2);
-    given.write_data(data);
-    if (!data.str().empty()) { writer.blank().insert(data.str()); }
-    return writer.close("};").str();
-}
+
+    // ---- bodies ----
+
+    void write_body(Writer& writer, const StraightCode& code) {
+        NodeNames locals = code.names;
+        locals.merge(variable_names(system_));
+        const NodeNames names = code.has_parameters ? names_.given_inputs(code.kernel)
+                                                    : names_.given(code.kernel, locals);
+        const auto results = write_code(writer, system_.graph, code.kernel, names,
+                                        code.takes_lanes ? "hvi::math" : library_,
+                                        code.takes_lanes ? "Value" : "Scalar");
+        if (code.targets.empty() && !results.empty()) {
+            writer.line("return {};", results.front());
+        }
+        for (std::size_t k = 0; k < code.targets.size(); ++k) {
+            writer.line("{} = {};", code.targets[k], results[k]);
+        }
+        if (code.is_mirrored) { mirror(writer, system_.degrees_of_freedom()); }
+    }
+
+    static void write_body(Writer& writer, const Statements& body) {
+        for (const std::string& line : body.lines) { writer.line("{}", line); }
+    }
+
+    void write_body(Writer& writer, const StartOfFamilies& body) {
+        StartWriter(loops_).write(writer, body);
+    }
+    void write_body(Writer& writer, const BodyOfSites& body) {
+        SiteWriter(*system_.sites, loops_).write(writer, body);
+    }
+    void write_body(Writer& writer, const BodyOfSums& body) { loops_.write(writer, body); }
+
+    // ---- the rest of the class ----
+
+    void write_types(Writer& writer) const {
+        if (has_loops_) { writer.line("using Scalar = Number;"); }
+        writer.line("using Vector = {};", vector_type(system_));
+        if (!has_loops_ && rotations_of(system_) > 0) {
+            writer.line("using Positions = typename Space::Positions;");
+        }
+        if (system_.sites) { write_site_types(writer, *system_.sites); }
+        if (!has_loops_ && evaluations_->tangents) {
+            // NOTE: an array of none would do, were it not that compilers warn of it.
+            writer.line("using Tangent = std::array<Scalar, {}>;",
+                        std::max<std::size_t>(1, evaluations_->tangents->kept.size()));
+        }
+        if (const auto* form = std::get_if<VelocityStep>(&step_.form)) {
+            writer.line("static constexpr bool has_diagonal_mass = {};", form->has_diagonal_mass);
+        }
+    }
+
+    void write_constructor(Writer& writer) {
+        Writer body(2);
+        std::vector<std::string> members;
+        if (has_loops_) {
+            members = sizes_.initialised();
+            sizes_.write_setup(body);
+        }
+        names_.write_setup(body, library_);
+        const bool has_tables = has_loops_ && !(system_.sizes.empty() && system_.tables.empty());
+        const std::string arguments =
+            text_of({"const Parameters& parameters", names_.uses_inputs() || has_tables});
+        const std::string head =
+            fmt::format("{}explicit System({}{})", has_loops_ ? "" : "constexpr ", arguments,
+                        has_loops_ ? sizes_.threads() : "");
+        if (members.empty()) {
+            writer.open("{} {{", head);
+        } else {
+            writer.line("{}", head).open("    : {} {{", fmt::join(members, ", "));
+        }
+        writer.insert(body.str()).close();
+    }
+
+    void write_data(Writer& writer) const {
+        Writer data(2);
+        names_.write_data(data);
+        if (has_loops_) { sizes_.write_data(data); }
+        if (counts_) {
+            (has_loops_ ? data : writer.blank())
+                .line("mutable std::int64_t evaluations = 0;  // of dH/dq");
+        }
+        if (!data.str().empty()) { writer.blank().insert(data.str()); }
+    }
+
+    const System& system_;
+    const Step& step_;
+    const Evaluations* evaluations_;
+    bool has_loops_, counts_;
+    std::string_view library_;  ///< of functions that take no lanes
+    std::vector<SystemFunction> functions_;
+    ClassNames names_;
+    LoopWriter loops_;
+    SizeMembers sizes_;
+};
 
 }  // namespace
 
-std::string mass_text(const VelocityStep& form) {
-    return fmt::format("static constexpr bool has_diagonal_mass = {};",
-                       form.has_diagonal_mass ? "true" : "false");
+std::string includes_of_class(const System& system, const SceneWishes& wishes, const Step& step,
+                              const Evaluations* evaluations) {
+    return evaluations != nullptr ? include_of_arrays(system, step, wishes)
+                                  : include_of_loops(system, wishes, step);
 }
 
 std::string system_text(const System& system, const SceneWishes& wishes, const Step& step,
                         const Evaluations* evaluations) {
-    return evaluations != nullptr ? straight_system_text(system, wishes, step, *evaluations)
-                                  : loop_system_text(system, wishes, step);
+    return ClassWriter(system, wishes, step, evaluations).text();
 }
 
 }  // namespace hvi::gen

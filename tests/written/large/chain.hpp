@@ -134,7 +134,7 @@ public:
             out[0] = V(t7);
         }
 
-        /// Adds up dH/dq at a site that may be at an edge.
+        /// Force on any site.
         void force_at_edge([[maybe_unused]] const Scalar* q, Place, [[maybe_unused]] const Site& k,
             Scalar (&out)[components]) const {
             for (Scalar& each : out) { each = 0; }

@@ -81,6 +81,7 @@ public:
     struct System {
         using Scalar = Number;
         using Vector = std::vector<Number>;
+        static constexpr bool has_diagonal_mass = true;
 
         explicit System(const Parameters& parameters, unsigned /*threads*/ = 1)
             : N_(parameters.N) {
@@ -179,8 +180,6 @@ public:
             std::fill(out.begin(), out.end(), Scalar(0));
             add_by_p_1(nullptr, p.data(), out.data(), 1, N_ + 1);
         }
-
-        static constexpr bool has_diagonal_mass = true;
 
         /// d2H/dp2 v, which is constant.
         void inverse_mass(const Vector& v, Vector& out) const { dHdp(v, out); }

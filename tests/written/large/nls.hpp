@@ -147,8 +147,6 @@ public:
             add_by_p_3(q.data(), p.data(), out.data(), 1, N_);
         }
 
-        // Rows of d2H times a vector: way of positions, way_p of momenta.
-
         void add_product_by_q_1([[maybe_unused]] const Scalar* q, [[maybe_unused]] const Scalar* p,
             [[maybe_unused]] const Scalar* way, [[maybe_unused]] const Scalar* way_p, Scalar* out,
             Place from, Place to) const {
@@ -178,6 +176,7 @@ public:
             });
         }
 
+        /// Rows by q of d2H times a vector: way of positions, way_p of momenta.
         void d2Hdq([[maybe_unused]] const Vector& q, [[maybe_unused]] const Vector& p,
             [[maybe_unused]] const Vector& way, [[maybe_unused]] const Vector& way_p, Vector& out)
             const {
@@ -215,6 +214,7 @@ public:
             });
         }
 
+        /// Rows by p of d2H times a vector: way of positions, way_p of momenta.
         void d2Hdp([[maybe_unused]] const Vector& q, [[maybe_unused]] const Vector& p,
             [[maybe_unused]] const Vector& way, [[maybe_unused]] const Vector& way_p, Vector& out)
             const {

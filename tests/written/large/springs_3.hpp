@@ -90,6 +90,7 @@ public:
         static constexpr std::size_t components = 1;
         using Site = hvi::detail::Site<dimension>;
         static constexpr Site reach = {{1}};
+        static constexpr bool has_diagonal_mass = true;
 
         explicit System(const Parameters& parameters, unsigned /*threads*/ = 1)
             : N_(parameters.N) {
@@ -129,7 +130,7 @@ public:
             out[0] = V(c1_ * (a1 - a2) + c1_ * (a1 - a3));
         }
 
-        /// Adds up dH/dq at a site that may be at an edge.
+        /// Force on any site.
         void force_at_edge([[maybe_unused]] const Scalar* q, Place, [[maybe_unused]] const Site& k,
             Scalar (&out)[components]) const {
             for (Scalar& each : out) { each = 0; }
@@ -177,8 +178,6 @@ public:
         void dHdp(const Vector& p, Vector& out) const {
             hvi::detail::velocities(*this, p.data(), out.data());
         }
-
-        static constexpr bool has_diagonal_mass = true;
 
         /// d2H/dp2 v, which is constant.
         void inverse_mass(const Vector& v, Vector& out) const { dHdp(v, out); }

@@ -119,7 +119,7 @@ public:
             out[0] = V(-Scalar(10.0) * (t1 * (Scalar(1.0) - t1) - t2 * (Scalar(1.0) - t2)));
         }
 
-        /// Adds up dH/dq at a site that may be at an edge.
+        /// Force on any site.
         void force_at_edge([[maybe_unused]] const Scalar* q, Place, [[maybe_unused]] const Site& k,
             Scalar (&out)[components]) const {
             for (Scalar& each : out) { each = 0; }

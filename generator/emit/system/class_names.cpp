@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/system/class_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "generator/emit/system/scene_code.hpp"
+#include "generator/emit/text/names.hpp"
+
+namespace hvi::gen {
+
+std::string member_of(const std::string& name) { return member_name(name); }
+
+namespace {
+
+/// The names of parameters and sizes, in the constructor.
+NodeNames inputs_of(const System& system) {
+    NodeNames names = parameter_names(system);
+    for (Node node = 0; node < system.graph.size(); ++node) {
+        const Computation& computation = system.graph.at(node);
+        const bool is_size =
+            computation.operation == Operation::input &&
+            std::any_of(system.sizes.begin(), system.sizes.end(),
+                        [&](const SystemSize& size) { return size.name == computation.name; });
+        if (!is_size) { continue; }
+        names[node] =
+            fmt::format("static_cast<Scalar>(parameters.{})", member_of(computation.name));
+    }
+    return names;
+}
+
+}  // namespace
+
+NodeNames variable_names(const System& system) {
+    NodeNames names;
+    const auto add = [&](const std::vector<Node>& nodes, char letter) {
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            names[nodes[k]] = fmt::format("{}[{}]", letter, k);
+        }
+    };
+    add(coordinate_nodes(system), 'q');
+    add(conjugate_nodes(system), system.conjugate_letter());
+    if (system.time) { names[*system.time] = "t"; }
+    return names;
+}
+
+ClassNames::ClassNames(const System& system)
+    : system_(system), graph_(system.graph), inputs_(inputs_of(system)) {}
+
+void ClassNames::name_constants(const Kernel& kernel) {
+    for (const Node node : kernel.given) {
+        const bool is_constant = graph_.at(node).operation == Operation::constant;
+        if (!is_constant || graph_.is_number({{1, 1}, node}) || names_.count(node) != 0) {
+            continue;
+        }
+        constants_.push_back(node);
+        names_[node] = fmt::format("k{}", constants_.size());
+    }
+}
+
+NodeNames ClassNames::given(const Kernel& kernel, const NodeNames& locals) {
+    name_constants(kernel);
+    NodeNames result = locals;
+    for (const Node node : kernel.given) {
+        if (graph_.is_number({{1, 1}, node}) || locals.count(node) != 0) { continue; }
+        if (names_.count(node) == 0) {
+            members_.push_back(node);
+            names_[node] = fmt::format("c{}_", members_.size());
+        }
+        result[node] = names_.at(node);
+    }
+    return result;
+}
+
+NodeNames ClassNames::given_inputs(const Kernel& kernel) {
+    name_constants(kernel);
+    NodeNames result = inputs_;
+    for (const Node node : constants_) { result[node] = names_.at(node); }
+    return result;
+}
+
+Kernel ClassNames::setup() const {
+    std::vector<Scaled> results;
+    for (const Node node : members_) { results.push_back({{1, 1}, node}); }
+    return kernel_of_inputs(graph_, results);
+}
+
+bool ClassNames::uses_inputs() const {
+    const Kernel all = setup();
+    return std::any_of(all.given.begin(), all.given.end(),
+                       [&](Node node) { return inputs_.count(node) != 0; });
+}
+
+void ClassNames::write_setup(Writer& writer, std::string_view library) {
+    const Kernel all = setup();
+    const auto results = write_code(writer, graph_, all, given_inputs(all), library);
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        writer.line("c{}_ = {};", k + 1, results[k]);
+    }
+}
+
+void ClassNames::write_data(Writer& writer) const {
+    for (std::size_t k = 0; k < constants_.size(); ++k) {
+        const Expression& value = graph_.at(constants_[k]).constant;
+        writer.line("static constexpr Scalar k{} = {};  // {}", k + 1, initializer(value),
+                    to_text(value));
+    }
+    for (std::size_t k = 0; k < members_.size(); ++k) { writer.line("Scalar c{}_ = 0;", k + 1); }
+}
+
+/// NOTE: other names in the code are q, p, way, way_p, totals, out, e, k, V, h, x, t1, t2, ... and
+/// the tables b, c, m and n of a stepper, or end in an underscore.
+std::string ClassNames::index(const std::string& name) const {
+    const bool is_free =
+        name.size() == 1 && std::string("adfgijlorsuvwyz").find(name) != std::string::npos;
+    return is_free ? name : "index_" + name;
+}
+
+std::string ClassNames::whole(const AffineForm& form) const {
+    std::string text;
+    const auto add = [&](bool is_negative, const std::string& size) {
+        text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
+        text += size;
+    };
+    for (const auto& [name, coefficient] : form.coefficients) {
+        const bool is_size =
+            std::any_of(system_.sizes.begin(), system_.sizes.end(),
+                        [&, &known = name](const SystemSize& size) { return size.name == known; });
+        const std::string called = is_size ? member_of(name) + "_" : index(name);
+        const long size = std::labs(coefficient);
+        add(coefficient < 0, size == 1 ? called : fmt::format("{} * {}", size, called));
+    }
+    if (form.constant != 0 || text.empty()) {
+        add(form.constant < 0, std::to_string(std::labs(form.constant)));
+    }
+    return text;
+}
+
+std::string ClassNames::count(const LoopRange& range) const {
+    return fmt::format("hvi::detail::count_of({}, {})", whole(range.first), whole(range.last));
+}
+
+std::string ClassNames::count(const SystemFamily& family) const {
+    std::string text;
+    for (const LoopRange& range : family.ranges) {
+        text += (text.empty() ? "" : " * ") + count(range);
+    }
+    return text.empty() ? "1" : text;
+}
+
+std::string ClassNames::place(const SystemFamily& family, const std::vector<std::string>& indices) {
+    const std::string name = member_of(family.name);
+    std::string text = name + "_at_";
+    for (std::size_t d = 0; d < indices.size(); ++d) {
+        text += " + " + indices[d];
+        if (d + 1 < indices.size()) { text += fmt::format(" * {}_step_{}_", name, d + 1); }
+    }
+    return text;
+}
+
+std::string ClassNames::place(const Access& access) const {
+    std::vector<std::string> indices;
+    for (const auto& [form, modulus, offset] : access.indices) {
+        std::string index = whole(form);
+        if (modulus) {
+            index = fmt::format("hvi::detail::remainder({}, {})", index, whole(*modulus));
+            if (offset != AffineForm{}) { index += " + (" + whole(offset) + ")"; }
+        }
+        indices.push_back("(" + index + ")");
+    }
+    return place(system_.family(access), indices);
+}
+
+std::string ClassNames::array(const Access& access) const {
+    switch (access.kind) {
+    case FamilyKind::coordinate: return "q";
+    case FamilyKind::conjugate: return "p";
+    case FamilyKind::direction: return "way";
+    case FamilyKind::direction_of_conjugate: return "way_p";
+    case FamilyKind::table:
+    case FamilyKind::turn: break;
+    }
+    return member_of(system_.family(access).name) + "_values_.data()";
+}
+
+}  // namespace hvi::gen
