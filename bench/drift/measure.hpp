@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <driver/flat.hpp>
+#include <hvi/detail/trajectories/flat.hpp>
 #include <hvi/ensemble.hpp>
 
 namespace drift {
@@ -59,7 +59,7 @@ auto neighbour(int start) {
             numbers[k] *= 1 + by * start * static_cast<double>(k % different + 1);
         }
     };
-    if constexpr (hvi::driver::HasFlat<Stepper>::value) {
+    if constexpr (hvi::detail::HasFlat<Stepper>::value) {
         auto at = Stepper::flat(x);
         move(at.p, 1e-3, 3);
         Stepper::set(x, at);
@@ -76,7 +76,7 @@ class Energy {
 public:
     template <class State>
     long double operator()(const State& x) {
-        if constexpr (hvi::driver::HasFlat<Stepper>::value) {
+        if constexpr (hvi::detail::HasFlat<Stepper>::value) {
             auto at = Fine::flat(x_);
             copy(Stepper::flat(x), at);
             Fine::set(x_, at);

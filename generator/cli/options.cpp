@@ -184,6 +184,19 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     return options;
 }
 
+ModuleOptions module_options(const Words& words, const CommandLine& line) {
+    ModuleOptions options;
+    options.method = method_beside_scene(words);
+    options.system.scene = words.value("SCENE");
+    if (!options.system.scene) refuse_without_scene(line);
+    options.wishes = wishes_of(words);
+    options.system.sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
+    options.name = words.value("--name");
+    static_cast<void>(words.choice<Language>("--language"));  // refuses what is to come
+    if (const auto directory = output_option(words)) options.output = *directory;
+    return options;
+}
+
 bool is_file(ReportItem item) {
     using enum ReportItem;
     return item == html || item == json || item == csv || item == svg;
@@ -291,8 +304,8 @@ Request request(const CLI::App& parsed, const CommandLine& line) {
     case Command::cache: return CacheOptions{words.has("--clear")};
     case Command::completions: return completions_options(words, line);
     case Command::manual: return ManualOptions{output_option(words)};
-    case Command::ensemble:
-    case Command::module: break;  // to come
+    case Command::module: return module_options(words, line);
+    case Command::ensemble: break;  // to come
     }
     HVI_CHECK(false);
     return Information{};

@@ -75,6 +75,14 @@ struct RunOptions {
     std::optional<std::filesystem::path> output;  ///< a directory
 };
 
+struct ModuleOptions {
+    MethodOptions method;  ///< empty where the scene is to name it
+    SystemOptions system;  ///< a scene
+    StepperWishes wishes;  ///< solver, lanes, sums and composition alone
+    Given name;            ///< what functions and files begin with; else that of the scene
+    std::filesystem::path output = ".";  ///< a directory
+};
+
 struct ReportOptions {
     std::vector<Given> scenes;   ///< names or files
     MethodOptions method;        ///< empty where `methods` are all
@@ -134,9 +142,10 @@ struct Information {
     std::string text;
 };
 
-using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
-                             RunOptions, ReportOptions, SymmetriesOptions, ListOptions,
-                             CacheOptions, CompletionsOptions, ManualOptions, Information>;
+using Request =
+    std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions, RunOptions,
+                 ModuleOptions, ReportOptions, SymmetriesOptions, ListOptions, CacheOptions,
+                 CompletionsOptions, ManualOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

@@ -31,7 +31,7 @@ Names values(const OptionEntry& option) {
     switch (option.value) {
     case Value::choice:
     case Value::choices:
-        for (const Choice& choice : option.choices) names.emplace_back(choice.name);
+        for (const std::string_view name : built(option.choices)) names.emplace_back(name);
         return names;
     case Value::method:
     case Value::methods: return names_of_methods();

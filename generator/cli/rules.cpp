@@ -9,10 +9,6 @@ namespace hvi::gen {
 
 namespace {
 
-[[noreturn]] void refuse_to_come(std::string_view name, const Place& place) {
-    throw InputError(fmt::format("{} is to come", name), place, "it is planned, and not built yet");
-}
-
 void check_built(const Words& words) {
     for (const OptionEntry* option : options_of(words.command(), State::to_come))
         if (words.has(option->name)) refuse_to_come(option->name, words.place(option->name));

@@ -71,17 +71,21 @@ std::optional<double> Words::fraction(std::string_view option) const {
     return number;
 }
 
+void refuse_to_come(std::string_view name, const Place& place) {
+    throw InputError(std::string(name) + " is to come", place, "it is planned, and not built yet");
+}
+
 const Choice* Words::chosen_of(std::string_view option, const Given& text) const {
     if (!text) return nullptr;
     const OptionEntry& entry = option_of(command_, option);
-    std::vector<std::string_view> names;
     for (const Choice& choice : entry.choices) {
-        if (choice.name == text->text) return &choice;
-        names.push_back(choice.name);
+        if (choice.name != text->text) continue;
+        if (choice.state == State::to_come) refuse_to_come(choice.name, whole(text));
+        return &choice;
     }
-    throw InputError("no such value of " + std::string(option) + ": `" + text->text + "`",
-                     whole(text),
-                     did_you_mean(text->text, names, "one of " + names_of(entry.choices)));
+    throw InputError(
+        "no such value of " + std::string(option) + ": `" + text->text + "`", whole(text),
+        did_you_mean(text->text, built(entry.choices), "one of " + names_of(entry.choices)));
 }
 
 std::vector<Given> list_items(const Given& list) {

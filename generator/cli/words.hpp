@@ -20,6 +20,9 @@ namespace hvi::gen {
 /// that of the list. Throws InputError where one is missing.
 [[nodiscard]] std::vector<Given> list_items(const Given& list);
 
+/// Throws InputError for what is announced.
+[[noreturn]] void refuse_to_come(std::string_view name, const Place& place);
+
 /// A command with the words that CLI11 gave to its options. What reads a value throws InputError
 /// for words that are not what the row of the option asks for. Precondition of all that take an
 /// option: it is one of the command.

@@ -36,6 +36,9 @@ enum class Stage {
     step,     ///< what is solved, evaluated and kept, and why
 };
 
+/// Languages that a module is called from.
+enum class Language { c, python };
+
 enum class Shell { bash, zsh, fish };
 
 }  // namespace hvi::gen

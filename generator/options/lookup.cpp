@@ -58,11 +58,19 @@ std::vector<const OptionEntry*> not_beside(const OptionEntry& option, Command co
     return others;
 }
 
+std::vector<std::string_view> built(std::span<const Choice> choices) {
+    std::vector<std::string_view> names;
+    for (const Choice& choice : choices)
+        if (choice.state == State::built) names.push_back(choice.name);
+    return names;
+}
+
 std::string names_of(std::span<const Choice> choices) {
+    const std::vector<std::string_view> names = built(choices);
     std::string text;
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (i > 0) text += i + 1 < choices.size() ? ", " : " or ";
-        text += choices[i].name;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
+        text += names[i];
     }
     return text;
 }

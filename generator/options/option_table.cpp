@@ -27,18 +27,18 @@ constexpr std::array commands = {
     CommandEntry{symmetries, "symmetries", "SCENE", "Affine symmetries and their momentum maps"},
     CommandEntry{ensemble, "ensemble", "SCENE [METHOD]", "Run many trajectories on all cores",
                  State::to_come},
-    CommandEntry{module, "module", "SCENE [METHOD]", "Write a module for Python or C",
-                 State::to_come},
+    CommandEntry{module, "module", "[METHOD] SCENE", "Write a stepper for C, and what calls C"},
     CommandEntry{list, "list", "[TOPIC]", "Print what can be named"},
     CommandEntry{cache, "cache", "", "Show the compiled programs that are kept, or remove them"},
     CommandEntry{completions, "completions", "SHELL", "Print what completes words in a shell"},
     CommandEntry{manual, "manual", "", "Print the man page"},
 };
 
-constexpr Commands every{tableau,    check, stepper, scheme,      run,   report,
-                         symmetries, list,  cache,   completions, manual};
-constexpr Commands with_method{tableau, check, stepper, scheme, run, report};
-constexpr Commands with_parameters{tableau, check, stepper, scheme, run, report, symmetries};
+constexpr Commands every{tableau, check,      stepper, scheme, run,         module,
+                         report,  symmetries, list,    cache,  completions, manual};
+constexpr Commands with_method{tableau, check, stepper, scheme, run, module, report};
+constexpr Commands with_parameters{tableau, check,  stepper, scheme,
+                                   run,     module, report,  symmetries};
 constexpr Commands with_hamiltonian{check, stepper, scheme, symmetries};
 
 constexpr std::array tableau_formats = {
@@ -59,6 +59,8 @@ constexpr std::array lanes_of_one = {choice("auto", Lanes::automatic),
                                      choice("stages", Lanes::stages), choice("none", Lanes::none)};
 constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes", Unroll::yes),
                                 choice("no", Unroll::no)};
+constexpr std::array languages = {choice("c", Language::c),
+                                  choice("python", Language::python, State::to_come)};
 constexpr std::array run_files = {choice("table", RunFile::table),
                                   choice("picture", RunFile::picture),
                                   choice("summary", RunFile::summary)};
@@ -81,7 +83,7 @@ constexpr Relation a_system{"SCENE|--hamiltonian"};
 
 constexpr std::array table = {
     OptionEntry{.name = "SCENE",
-                .of = {check, stepper, scheme, run, symmetries},
+                .of = {check, stepper, scheme, run, module, symmetries},
                 .value = Value::scene,
                 .placeholder = "SCENE",
                 .help = "A scene by name (`hvi-gen list scenes`), or in TOML",
@@ -189,7 +191,7 @@ constexpr std::array table = {
                           .help = "the solver of a header for any H is an argument of its class"},
                 .wish = &StepperWishes::solver},
     OptionEntry{.name = "--solver",
-                .of = {run},
+                .of = {run, module},
                 .value = Value::choice,
                 .placeholder = "SOLVER",
                 .choices = solvers,
@@ -205,7 +207,7 @@ constexpr std::array table = {
                           .help = "the class of a user computes one gradient at a time"},
                 .wish = &StepperWishes::lanes},
     OptionEntry{.name = "--lanes",
-                .of = {run},
+                .of = {run, module},
                 .value = Value::choice,
                 .placeholder = "LANES",
                 .choices = lanes_of_one,
@@ -227,14 +229,14 @@ constexpr std::array table = {
                 .needs = {.others = "SCENE"},
                 .wish = &StepperWishes::unroll},
     OptionEntry{.name = "--unroll",
-                .of = {run, report},
+                .of = {run, module, report},
                 .value = Value::choice,
                 .placeholder = "UNROLL",
                 .choices = unrolls,
                 .help = "Whether sums are written out, or stay loops",
                 .wish = &StepperWishes::unroll},
     OptionEntry{.name = "--compose",
-                .of = {stepper, run},
+                .of = {stepper, run, module},
                 .value = Value::composition,
                 .placeholder = "NAME",
                 .help = "Of higher order: yoshida:4, ..., kahan-li:8",
@@ -277,6 +279,17 @@ constexpr std::array table = {
                 .placeholder = "NAME",
                 .help = "Name of the class",
                 .wish = &StepperWishes::class_name},
+    OptionEntry{.name = "--name",
+                .of = {module},
+                .value = Value::text,
+                .placeholder = "NAME",
+                .help = "What its functions and files begin with (the scene)"},
+    OptionEntry{.name = "--language",
+                .of = {module},
+                .value = Value::choice,
+                .placeholder = "LANGUAGE",
+                .choices = languages,
+                .help = "Of those who call it (c)"},
     OptionEntry{
         .name = "--accuracy",
         .of = {stepper, run},
@@ -474,6 +487,12 @@ constexpr std::array table = {
                 .value = Value::directory,
                 .placeholder = "DIR",
                 .help = "Write to this directory (SCENE-METHOD)"},
+    OptionEntry{.name = "--output",
+                .abbreviation = "-o",
+                .of = {module},
+                .value = Value::directory,
+                .placeholder = "DIR",
+                .help = "Write to this directory (the present one)"},
     OptionEntry{.name = "--output",
                 .abbreviation = "-o",
                 .of = {report},

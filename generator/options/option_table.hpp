@@ -83,11 +83,12 @@ enum class Value {
 struct Choice {
     std::string_view name;
     int value;
+    State state = State::built;
 };
 
 template <class Enumeration>
-constexpr Choice choice(std::string_view name, Enumeration value) {
-    return {name, static_cast<int>(value)};
+constexpr Choice choice(std::string_view name, Enumeration value, State state = State::built) {
+    return {name, static_cast<int>(value), state};
 }
 
 struct WholeRange {
@@ -154,6 +155,8 @@ struct OptionEntry {
 
 /// `text, json or latex`
 [[nodiscard]] std::string names_of(std::span<const Choice> choices);
+/// Names of those that are built.
+[[nodiscard]] std::vector<std::string_view> built(std::span<const Choice> choices);
 
 /// The help of an option, with its choices.
 [[nodiscard]] std::string help_of(const OptionEntry& option);
@@ -165,6 +168,7 @@ struct OptionEntry {
 [[nodiscard]] std::string spoken(std::string_view name);
 
 /// The options of `hvi-gen stepper` that wish the same: ` --compose yoshida:4 --energy`.
-[[nodiscard]] std::string options_for(const StepperWishes& wishes);
+[[nodiscard]] std::string options_for(const StepperWishes& wishes,
+                                      Command command = Command::stepper);
 
 }  // namespace hvi::gen

@@ -51,9 +51,9 @@ struct Quotation {
 
 }  // namespace
 
-std::string options_for(const StepperWishes& wishes) {
+std::string options_for(const StepperWishes& wishes, Command command) {
     std::string text;
-    for (const OptionEntry* option : options_of(Command::stepper))
+    for (const OptionEntry* option : options_of(command))
         text += std::visit(Quotation{*option, wishes}, option->wish);
     return text;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/stepper.hpp"
 
+#include <fmt/format.h>
+
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
@@ -171,6 +173,15 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
             return scene_stepper(wished, lowered_written_out(scene, std::move(written), why),
                                  wishes);
         });
+}
+
+void check_parameter_of_method(const SceneStepper& stepper) {
+    if (!stepper.step.from_parameter) return;
+    const std::string& name = stepper.step.from_parameter->numbers.parameter;
+    for (const SystemParameter& parameter : stepper.system.parameters)
+        if (parameter.name == name) return;
+    throw InputError(fmt::format("the parameter `{}` of the method has no value", name),
+                     stepper.method.place, fmt::format("give it one: --param {}=1", name));
 }
 
 }  // namespace hvi::gen

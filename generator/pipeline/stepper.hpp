@@ -68,4 +68,7 @@ struct SceneStepper {
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
                                          const StepperWishes& wishes);
 
+/// Throws InputError where a parameter of the method has no value, and is none of the scene.
+void check_parameter_of_method(const SceneStepper& stepper);
+
 }  // namespace hvi::gen

@@ -95,7 +95,7 @@ std::vector<NameBox> boxes_of_momenta(const System& system) {
 }  // namespace
 
 RunSubject run_subject(const SceneStepper& stepper) {
-    check_simulation(stepper);
+    check_parameter_of_method(stepper);
     const System& system = stepper.system;
     RunSubject subject{.scene = system.name,
                        .description = system.description,
@@ -109,15 +109,6 @@ RunSubject run_subject(const SceneStepper& stepper) {
                        .program = simulation_program(stepper)};
     for (const SystemSize& size : system.sizes) subject.sizes[size.name] = size.value;
     return subject;
-}
-
-void check_simulation(const SceneStepper& stepper) {
-    if (!stepper.step.from_parameter) return;
-    const std::string& name = stepper.step.from_parameter->numbers.parameter;
-    for (const SystemParameter& parameter : stepper.system.parameters)
-        if (parameter.name == name) return;
-    throw InputError(fmt::format("the parameter `{}` of the method has no value", name),
-                     stepper.method.place, fmt::format("give it one: --param {}=1", name));
 }
 
 StepperWishes simulation_wishes(Solver solver, std::optional<Composition> composition) {

@@ -82,9 +82,6 @@ struct TableWishes {
 [[nodiscard]] StepperWishes simulation_wishes(Solver solver,
                                               std::optional<Composition> composition = {});
 
-/// Throws InputError where a parameter of the method is left without a value.
-void check_simulation(const SceneStepper& stepper);
-
 /// The program that run_simulation() starts. Precondition: `stepper` is made as wished for, and
 /// checked.
 [[nodiscard]] ProgramText simulation_program(const SceneStepper& stepper);

@@ -43,7 +43,7 @@ Contender contender(Builds& builds, const StudiedMethod& method, const LoweredSc
                     Solver solver) {
     const SceneStepper stepper =
         scene_stepper(method, scene, simulation_wishes(solver, method.composition));
-    check_simulation(stepper);
+    check_parameter_of_method(stepper);
     const std::optional<StageCorrections>& corrections = stepper.step.corrections;
     return {stepper.method.title(), method.order, builds.order(simulation_program(stepper)),
             corrections ? std::optional(corrections->costs) : std::nullopt};

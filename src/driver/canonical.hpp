@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <driver/dual.hpp>
-#include <driver/flat.hpp>
+#include <hvi/detail/trajectories/flat.hpp>
 
 namespace hvi::driver {
 
@@ -30,7 +30,7 @@ struct CanonicalParts {
 
     /// Makes the state the one that all are differentiated by.
     static void begin(State& x) {
-        if constexpr (HasFlat<Stepper>::value) {
+        if constexpr (detail::HasFlat<Stepper>::value) {
             auto at = Stepper::flat(x);
             for (std::size_t k = 0; k < flat_ones(); ++k) { make_variable(at, k); }
             for (std::size_t r = 0; r < rotations(); ++r) { begin_rotation(at, r); }
@@ -43,7 +43,7 @@ struct CanonicalParts {
     /// Those of q and of p.
     [[nodiscard]] static std::pair<Parts, Parts> of(const State& x) {
         std::pair<Parts, Parts> parts{};
-        const auto& at = flat<Stepper>(x);
+        const auto& at = detail::flat<Stepper>(x);
         for (std::size_t i = 0; i < 2 * n; ++i) {
             for (std::size_t k = 0; k < flat_ones(); ++k) {
                 parts.first[k][i] = at.q[k].by[i];
@@ -64,7 +64,7 @@ struct CanonicalParts {
 
 private:
     static constexpr std::size_t rotations() {
-        if constexpr (HasFlat<Stepper>::value) {
+        if constexpr (detail::HasFlat<Stepper>::value) {
             return Stepper::Space::rotations;
         } else {
             return 0;

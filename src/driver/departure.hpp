@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <driver/flat.hpp>
+#include <hvi/detail/trajectories/flat.hpp>
 
 namespace hvi::driver {
 
@@ -69,11 +69,11 @@ public:
     void see(const Stepper& stepper, const typename Stepper::State& x,
              const Invariants<Problem>& invariants) {
         if constexpr (is_there) {
-            std::vector<double> at_rest = numbers<Stepper>(x);
-            const auto momenta = static_cast<std::ptrdiff_t>(flat<Stepper>(x).q.size());
+            std::vector<double> at_rest = detail::numbers<Stepper>(x);
+            const auto momenta = static_cast<std::ptrdiff_t>(detail::flat<Stepper>(x).q.size());
             std::fill(at_rest.begin() + momenta, at_rest.end(), 0.0);
             auto y = x;
-            set_numbers<Stepper>(y, at_rest);
+            detail::read_numbers<Stepper>(y, at_rest.data());
             const double energy = invariants.values()[0];
             const double size = std::abs(energy - Problem::values(stepper, y)[0]);
             if (!std::isfinite(size)) { return; }

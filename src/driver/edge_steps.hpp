@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <driver/answer.hpp>
-#include <driver/flat.hpp>
+#include <hvi/detail/trajectories/flat.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
@@ -33,7 +33,7 @@ struct EdgeWords {
 
     /// False where this is not what they are.
     [[nodiscard]] bool read(const std::vector<std::string_view>& words) {
-        std::vector<double> state = numbers<Stepper>(x);
+        std::vector<double> state = detail::numbers<Stepper>(x);
         if (words.size() < 2 || !driver::read(words[0], h) || !driver::read(words[1], steps)) {
             return false;
         }
@@ -46,7 +46,7 @@ struct EdgeWords {
                 values.push_back(value);
             }
         }
-        set_numbers<Stepper>(x, state);
+        detail::read_numbers<Stepper>(x, state.data());
         return steps >= 0 && (words.size() == 2 || words.size() >= 2 + state.size());
     }
 };
@@ -65,15 +65,15 @@ public:
     explicit EdgeSteps(const EdgeWords<Problem>& words)
         : stepper_(Problem::stepper(words.values)),
           x_(words.x),
-          largest_(numbers<Stepper>(x_).size()),
+          largest_(detail::numbers<Stepper>(x_).size()),
           energy_(stepper_.energy(x_)) {}
 
     /// Until one fails.
     void take(double h, std::int64_t steps) {
         for (std::int64_t i = 0; i < steps && status_.ok(); ++i) {
-            const std::vector<double> before = numbers<Stepper>(x_);
+            const std::vector<double> before = detail::numbers<Stepper>(x_);
             status_ = stepper_.step(x_, h);
-            const std::vector<double> now = numbers<Stepper>(x_);
+            const std::vector<double> now = detail::numbers<Stepper>(x_);
             is_untouched_ = same_bits(before, now);
             iterations_ += status_.iterations;
             taken_ += status_.ok() ? 1 : 0;
@@ -91,7 +91,7 @@ public:
         say("untouched", static_cast<std::int64_t>(is_untouched_));
         say("energy_error", energy_error_);
         tell("largest", largest_);
-        tell("end", numbers<Stepper>(x_));
+        tell("end", detail::numbers<Stepper>(x_));
     }
 
 private:
@@ -137,7 +137,9 @@ template <class Problem>
 int start(const std::vector<std::string_view>& words) {
     if (!words.empty()) { return 2; }
     const auto x = Problem::initial();
-    for (const double number : numbers<typename Problem::Stepper>(x)) { say("start", number); }
+    for (const double number : detail::numbers<typename Problem::Stepper>(x)) {
+        say("start", number);
+    }
     return 0;
 }
 

@@ -12,7 +12,7 @@
 #include <driver/answer.hpp>
 #include <driver/cost.hpp>
 #include <driver/departure.hpp>
-#include <driver/flat.hpp>
+#include <hvi/detail/trajectories/flat.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
@@ -24,8 +24,8 @@ void tell_velocity(const State& x, double h) {
     State y = x;
     const double shorter = h / (1 << 20);
     static_cast<void>(stepper.step(y, shorter));
-    const auto& from = flat<typename Problem::Stepper>(x);
-    const auto& to = flat<typename Problem::Stepper>(y);
+    const auto& from = detail::flat<typename Problem::Stepper>(x);
+    const auto& to = detail::flat<typename Problem::Stepper>(y);
     const auto tell = [&](const auto& a, const auto& b) {
         for (std::size_t k = 0; k < a.size(); ++k) { say("velocity", (b[k] - a[k]) / shorter); }
     };
@@ -55,7 +55,7 @@ int measure(const std::vector<std::string_view>& words) {
         invariants.see(stepper, x);
     }
     outcome.evaluations = stepper.evaluations();
-    tell(outcome, invariants, flat<typename Problem::Stepper>(x));
+    tell(outcome, invariants, detail::flat<typename Problem::Stepper>(x));
     tell_velocity<Problem>(x, h);
     if (!outcome.ok() || seconds <= 0) { return 0; }
     tell_time(seconds, [&] {

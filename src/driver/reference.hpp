@@ -12,8 +12,8 @@
 #include <utility>
 
 #include <driver/answer.hpp>
-#include <driver/flat.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/trajectories/flat.hpp>
 #include <hvi/detail/trajectories/take.hpp>
 #include <hvi/state.hpp>
 
@@ -92,8 +92,8 @@ private:
                 size += v[k] * v[k];
             }
         };
-        const auto& first = flat<Stepper>(a);
-        const auto& second = flat<Stepper>(b);
+        const auto& first = detail::flat<Stepper>(a);
+        const auto& second = detail::flat<Stepper>(b);
         look(first.q, second.q);
         look(first.p, second.p);
         return std::sqrt(static_cast<double>(size > 0 ? sum / size : sum));
@@ -123,7 +123,7 @@ int reference(int argc, char** argv) {
     say("bits", static_cast<std::int64_t>(detail::bits<typename Stepper::Scalar>));
     say("error", found.error);
     if (!found.end) { return 0; }
-    const auto& end = flat<Stepper>(*found.end);
+    const auto& end = detail::flat<Stepper>(*found.end);
     for (const auto& q : end.q) { say("end", static_cast<double>(q)); }
     for (const auto& p : end.p) { say("end", static_cast<double>(p)); }
     return 0;

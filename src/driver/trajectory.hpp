@@ -18,8 +18,8 @@
 #include <driver/answer.hpp>
 #include <driver/columns.hpp>
 #include <driver/departure.hpp>
-#include <driver/flat.hpp>
 #include <driver/table.hpp>
+#include <hvi/detail/trajectories/flat.hpp>
 #include <hvi/detail/trajectories/take.hpp>
 #include <hvi/integrate.hpp>
 #include <hvi/state.hpp>
@@ -113,7 +113,7 @@ public:
     /// One more table, a row in `every` steps. False where there are no such columns: see Rows.
     [[nodiscard]] bool add(std::int64_t every, std::string_view columns, const char* path) {
         tables_.emplace_back(every, path);
-        const auto& x = flat<Stepper>(x_);
+        const auto& x = detail::flat<Stepper>(x_);
         return tables_.back().choose(columns, x.q.size() + x.p.size() + invariants_.count);
     }
 
@@ -160,7 +160,7 @@ private:
 
     void write(bool is_end) {
         if (tables_.front().has_row(taken_)) { motion_.see(stepper_, x_, invariants_); }
-        const auto& x = flat<Stepper>(x_);
+        const auto& x = detail::flat<Stepper>(x_);
         for (Rows& table : tables_) {
             table.see(taken_, is_end, static_cast<double>(taken_) * h_,
                       [&](std::size_t number) { return value(x, number); });
@@ -178,7 +178,7 @@ private:
     /// Says the number of a variable that begins with no finite number, where that is why no step
     /// is made.
     void tell_unfit() const {
-        const auto& x = flat<Stepper>(x_);
+        const auto& x = detail::flat<Stepper>(x_);
         const std::size_t count = x.q.size() + x.p.size();
         std::size_t number = 0;
         while (number < count && std::isfinite(value(x, number))) { ++number; }

@@ -20,7 +20,9 @@
 
 #include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
+#include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin_rule.hpp"
+#include "generator/module/module.hpp"
 #include "generator/render/render.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/simulate/simulation.hpp"
@@ -159,8 +161,23 @@ void carry_out(const RunOptions& options) {
     const Watched watched = watch(both.scene, options.system.sums);
     const SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
     static_cast<void>(watched.statements(keeping_facts(stepper.method.base)));
-    check_simulation(stepper);
+    check_parameter_of_method(stepper);
     check_header(stepper.header);
+}
+
+/// Up to where files are written.
+void carry_out(const ModuleOptions& options) {
+    if (options.name) check_module_name(options.name->text, whole(options.name));
+    const MethodAndScene both = read_scene(options.method, options.system);
+    const std::string name = options.name ? options.name->text : module_name(both.scene.name);
+    const SceneStepper stepper =
+        scene_stepper(both.method, both.scene, module_wishes(options.wishes, name));
+    check_parameter_of_method(stepper);
+    check_header(stepper.header);
+    const CModule module = c_module(stepper, name, "hvi-gen module");
+    const std::string step = "int " + name + "_step(";
+    require(module.header.find(step) != std::string::npos, "a module without its step");
+    require(module.source.find(step) != std::string::npos, "a module without its step");
 }
 
 void carry_out(const ReportOptions&) {}

@@ -43,7 +43,7 @@ option: --method~<named> | --method=<named> | <key>~<value> | <key>=<value> | <f
 key: --method | --basis | --nodes | --weights | --method-file | --param | --format | --digits
     | -o | --output | --tableau | --max-order | --plot | --hamiltonian | --coordinates | --momenta
     | --solver | --lanes | --compose | --accuracy | --until | --name | --step | --only | --methods
-    | --steps | --times | --checkpoint
+    | --steps | --times | --checkpoint | --language
 flag: --separable | --energy | --invariants | --evaluations | --dense | --action | --float128
     | --explain
     | --generating | --peers | --edges | --tangent | --help | --version | -h | -- | - | -o | --method

@@ -8,8 +8,8 @@
 #include <cstring>
 
 #include <catch2/catch.hpp>
-#include <driver/flat.hpp>
 #include <hvi/detail/groups/space.hpp>
+#include <hvi/detail/trajectories/flat.hpp>
 #include <hvi/state.hpp>
 
 namespace groups {
@@ -30,8 +30,8 @@ typename Stepper::State end(double time, int count) {
 /// Of all numbers of two states, whatever steppers they are of.
 template <class Stepper, class Other>
 double distance(const typename Stepper::State& x, const typename Other::State& y) {
-    const auto a = hvi::driver::numbers<Stepper>(x);
-    const auto b = hvi::driver::numbers<Other>(y);
+    const auto a = hvi::detail::numbers<Stepper>(x);
+    const auto b = hvi::detail::numbers<Other>(y);
     REQUIRE(a.size() == b.size());
     double largest = 0;
     for (std::size_t k = 0; k < a.size(); ++k) {
@@ -42,8 +42,8 @@ double distance(const typename Stepper::State& x, const typename Other::State& y
 
 template <class Stepper>
 bool same_bits(const typename Stepper::State& x, const typename Stepper::State& y) {
-    const auto a = hvi::driver::numbers<Stepper>(x);
-    const auto b = hvi::driver::numbers<Stepper>(y);
+    const auto a = hvi::detail::numbers<Stepper>(x);
+    const auto b = hvi::detail::numbers<Stepper>(y);
     return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 

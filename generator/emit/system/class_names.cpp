@@ -33,6 +33,24 @@ NodeNames inputs_of(const System& system) {
 
 }  // namespace
 
+std::string whole_number(const AffineForm& form,
+                         const std::function<std::string(const std::string&)>& called) {
+    std::string text;
+    const auto add = [&](bool is_negative, const std::string& size) {
+        text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
+        text += size;
+    };
+    for (const auto& [name, coefficient] : form.coefficients) {
+        const long size = std::labs(coefficient);
+        const std::string text_of_name = called(name);
+        add(coefficient < 0, size == 1 ? text_of_name : fmt::format("{} * {}", size, text_of_name));
+    }
+    if (form.constant != 0 || text.empty()) {
+        add(form.constant < 0, std::to_string(std::labs(form.constant)));
+    }
+    return text;
+}
+
 NodeNames variable_names(const System& system) {
     NodeNames names;
     const auto add = [&](const std::vector<Node>& nodes, char letter) {
@@ -119,23 +137,11 @@ std::string ClassNames::index(const std::string& name) const {
 }
 
 std::string ClassNames::whole(const AffineForm& form) const {
-    std::string text;
-    const auto add = [&](bool is_negative, const std::string& size) {
-        text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
-        text += size;
-    };
-    for (const auto& [name, coefficient] : form.coefficients) {
-        const bool is_size =
-            std::any_of(system_.sizes.begin(), system_.sizes.end(),
-                        [&, &known = name](const SystemSize& size) { return size.name == known; });
-        const std::string called = is_size ? member_of(name) + "_" : index(name);
-        const long size = std::labs(coefficient);
-        add(coefficient < 0, size == 1 ? called : fmt::format("{} * {}", size, called));
-    }
-    if (form.constant != 0 || text.empty()) {
-        add(form.constant < 0, std::to_string(std::labs(form.constant)));
-    }
-    return text;
+    return whole_number(form, [&](const std::string& name) {
+        const bool is_size = std::any_of(system_.sizes.begin(), system_.sizes.end(),
+                                         [&](const SystemSize& size) { return size.name == name; });
+        return is_size ? member_of(name) + "_" : index(name);
+    });
 }
 
 std::string ClassNames::count(const LoopRange& range) const {

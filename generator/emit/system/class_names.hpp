@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,11 @@ private:
     NodeNames names_;   ///< of constants and members
     std::vector<Node> members_, constants_;
 };
+
+/// A whole number of sizes and indices in C++, as a factor of another where it is one; `called`
+/// gives the names of these.
+[[nodiscard]] std::string
+whole_number(const AffineForm& form, const std::function<std::string(const std::string&)>& called);
 
 /// Names of variables that are numbers of vectors, `q[0]`, and of the time.
 [[nodiscard]] NodeNames variable_names(const System& system);

@@ -140,6 +140,19 @@ bool is_reserved(std::string_view name) {
            (name.size() > 1 && name[0] == '_' && is_upper(name[1]));
 }
 
+/// What begins the names of C functions cannot be called like: headers of C, in whose place NAME.h
+/// would be found, and NAME where NAME_create() is there already.
+constexpr std::array<std::string_view, 35> taken_by_c{
+    "assert", "complex", "ctype",   "errno",  "fenv",      "float",  "inttypes", "iso646", "limits",
+    "locale", "math",    "setjmp",  "signal", "stdalign",  "stdarg", "stdbit",   "stddef", "stdint",
+    "stdio",  "stdlib",  "stdbool", "string", "tgmath",    "time",   "threads",  "uchar",  "wchar",
+    "wctype", "pthread", "timer",   "memory", "semaphore", "unistd", "poll",     "glob",
+};
+
+bool is_taken_by_c(std::string_view name) {
+    return std::find(taken_by_c.begin(), taken_by_c.end(), name) != taken_by_c.end();
+}
+
 bool is_keyword(std::string_view name) {
     static_assert(std::is_sorted(keywords.begin(), keywords.end()));
     return std::binary_search(keywords.begin(), keywords.end(), name);
@@ -212,6 +225,30 @@ std::string file_name(std::string_view method) {
     std::string name;
     for (const char c : method) { name += is_word(c) ? c : '_'; }
     return (name.empty() ? "stepper" : name) + ".hpp";
+}
+
+std::string module_name(std::string_view scene) {
+    std::string name;
+    for (const char c : scene) {
+        if (is_word(c)) {
+            name += c;
+        } else if (!name.empty() && name.back() != '_') {
+            name += '_';
+        }
+    }
+    while (!name.empty() && name.back() == '_') { name.pop_back(); }
+    return is_identifier(name) && !is_taken_by_c(name) ? name : "scene_" + name;
+}
+
+void check_module_name(std::string_view name, const std::optional<Place>& place) {
+    constexpr auto help = "an identifier like kepler, of letters, digits and single underscores";
+    if (!is_identifier(name) || name.front() == '_' || name.back() == '_') {
+        refuse(name, "cannot begin the names of C functions", place, help);
+    }
+    if (is_reserved(name)) { refuse(name, "begins names that C++ reserves", place, help); }
+    if (is_taken_by_c(name)) {
+        refuse(name, "is a header of C, or begins the names of its functions", place, help);
+    }
 }
 
 void check_class_name(std::string_view name, const std::optional<Place>& place) {

@@ -17,6 +17,13 @@ namespace hvi::gen {
 /// `gauss:2` -> `gauss_2.hpp`, `stormer-verlet` -> `stormer_verlet.hpp`, `stepper.hpp`.
 [[nodiscard]] std::string file_name(std::string_view method);
 
+/// `fpu-chain` -> `fpu_chain`: what functions and files of the C module of a scene begin with.
+[[nodiscard]] std::string module_name(std::string_view scene);
+
+/// Throws InputError, pointing at `place`, unless `name` may begin the names of functions of C: an
+/// identifier, not reserved, and neither a header of C nor what its own functions begin with.
+void check_module_name(std::string_view name, const std::optional<Place>& place);
+
 /// Throws InputError, pointing at `place`, unless `name` may be the name of a class in C++: an
 /// identifier, no keyword, not reserved, no macro, and none of the names that the header itself
 /// uses.

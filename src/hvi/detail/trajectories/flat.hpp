@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace hvi::driver {
+namespace hvi::detail {
 
 template <class Stepper, class = void>
 struct HasFlat : std::false_type {};
@@ -27,22 +26,21 @@ template <class Stepper>
     }
 }
 
-/// All of them in one list.
+/// Writes them one after the other; returns their end.
 template <class Stepper>
-[[nodiscard]] std::vector<double> numbers(const typename Stepper::State& x) {
+double* write_numbers(const typename Stepper::State& x, double* out) {
     const auto& at = flat<Stepper>(x);
-    std::vector<double> all(at.q.begin(), at.q.end());
-    all.insert(all.end(), at.p.begin(), at.p.end());
-    return all;
+    for (const auto& value : at.q) { *out++ = static_cast<double>(value); }
+    for (const auto& value : at.p) { *out++ = static_cast<double>(value); }
+    return out;
 }
 
-/// Sets x to these. Precondition: there are as many as numbers(x) are.
+/// Sets x to these, of which there are as many as it has; returns their end.
 template <class Stepper>
-void set_numbers(typename Stepper::State& x, const std::vector<double>& all) {
+const double* read_numbers(typename Stepper::State& x, const double* all) {
     const auto copy = [&](auto& at) {
-        const auto middle = all.begin() + static_cast<std::ptrdiff_t>(at.q.size());
-        std::copy(all.begin(), middle, at.q.begin());
-        std::copy(middle, all.end(), at.p.begin());
+        for (auto& value : at.q) { value = *all++; }
+        for (auto& value : at.p) { value = *all++; }
     };
     if constexpr (HasFlat<Stepper>::value) {
         auto at = Stepper::flat(x);
@@ -51,6 +49,16 @@ void set_numbers(typename Stepper::State& x, const std::vector<double>& all) {
     } else {
         copy(x);
     }
+    return all;
 }
 
-}  // namespace hvi::driver
+/// All of them in one list.
+template <class Stepper>
+[[nodiscard]] std::vector<double> numbers(const typename Stepper::State& x) {
+    const auto& at = flat<Stepper>(x);
+    std::vector<double> all(at.q.size() + at.p.size());
+    write_numbers<Stepper>(x, all.data());
+    return all;
+}
+
+}  // namespace hvi::detail
