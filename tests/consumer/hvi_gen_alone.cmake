@@ -1,7 +1,7 @@
 # All that is installed with hvi-gen is written when that target alone is built, as ./dev demo does.
 # SPDX-License-Identifier: GPL-2.0-or-later
 
-file(GLOB_RECURSE scripts "${BUILD}/cmake_install.cmake" "${BUILD}/generator/cmake_install.cmake")
+file(GLOB scripts "${BUILD}/cmake_install.cmake" "${BUILD}/generator/cmake_install.cmake")
 set(installed)
 foreach(script IN LISTS scripts)
     file(STRINGS "${script}" lines REGEX "/help/")
