@@ -8,10 +8,12 @@ case " $* " in
     *) exec c++ "$@" ;;
 esac
 options=
+linking=
 libraries=
 for word in "$@"; do
     case $word in
         main.cpp | -o | program) ;;
+        -shared) linking="$linking $word" ;;
         -l*) libraries="$libraries $word" ;;
         *) options="$options $word" ;;
     esac
@@ -21,5 +23,5 @@ export CCACHE_SLOPPINESS=include_file_mtime,include_file_ctime,time_macros
 # shellcheck disable=SC2086 # these are words
 ccache c++ $options -c main.cpp -o main.o
 # shellcheck disable=SC2086
-c++ main.o -o program $libraries
+c++ $linking main.o -o program $libraries
 rm main.o

@@ -286,7 +286,8 @@ void run(const ReportOptions& options) {
     const InterruptionsHeld held;
     Builds builds(find_compiler());
     const Compiler& compiler = builds.compiler();
-    Report report{this_machine(), joined(compiler.command) + " " + joined(compiler_options()),
+    Report report{this_machine(),
+                  joined(compiler.command) + " " + joined(compiler_options(Artifact::program)),
                   compiler.version};
     const fs::path directory = options.output.value_or("report");
     try {

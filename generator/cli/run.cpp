@@ -237,7 +237,7 @@ std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& o
     return {};
 }
 
-Simulation simulate(const fs::path& program, const RunSubject& subject, const Steps& steps,
+Simulation simulate(const Target& program, const RunSubject& subject, const Steps& steps,
                     const RunTables& tables) {
     Bar bar;
     Pace pace(static_cast<double>(steps.count), "steps");
@@ -340,7 +340,7 @@ void run(const RunOptions& options) {
     note_left_out(steps);
 
     Builds builds(find_compiler());
-    const fs::path program = built(builds.order(subject.program));
+    const Target program = subject.program.target(builds.order(subject.program.text));
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     Results results(directory);
     const RunTables tables = wished_tables(subject, steps, options, columns, results);

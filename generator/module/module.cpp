@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "generator/emit/steps/emit.hpp"
 #include "generator/emit/system/class_names.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/emit/text/names.hpp"
@@ -123,6 +124,7 @@ std::string setting(const System& system) {
     for (const SystemParameter& parameter : system.parameters) {
         writer.line("reader.number({});", names.at(parameter.node));
     }
+    if (!system.tables.empty()) { writer.line("if (reader.is_at_end()) {{ return; }}"); }
     std::size_t left = system.tables.size();
     for (const SystemTable& table : system.tables) {
         const std::string count = are_equally_long(system.tables)
@@ -220,9 +222,10 @@ std::string about(const SceneStepper& stepper) {
     return writer.str();
 }
 
+constexpr std::string_view once = "#pragma once\n";
+
 /// NOTE: the header is a part of another file, which is not included.
 std::string without_once(const std::string& header) {
-    constexpr std::string_view once = "#pragma once\n";
     const std::size_t begin = header.find(once);
     HVI_CHECK(begin != std::string::npos);
     return header.substr(0, begin) + header.substr(begin + once.size());
@@ -246,33 +249,86 @@ StepperWishes module_wishes(StepperWishes wishes, const std::string& name) {
     return wishes;
 }
 
-CModule c_module(const SceneStepper& stepper, const std::string& name, const std::string& command) {
+namespace {
+
+/// What both kinds of modules say of their stepper, of which `text` is that of the class.
+Holes stepper_holes(const System& system, const std::string& class_name, const std::string& text) {
+    return {{"stepper", text},
+            {"class", class_name},
+            {"defaults", defaults(system)},
+            {"threads", has_sizes(system) ? ", threads" : ""},
+            {"set", setting(system)},
+            {"count", std::to_string(system.invariants.size())},
+            {"values", values(system)}};
+}
+
+std::string source_of(const SceneStepper& stepper, const std::string& name,
+                      const std::string& command) {
     const System& system = stepper.system;
-    const std::vector<SystemFamily> q = coordinates(system), p = momenta(system);
     std::vector<std::string> invariants;
     for (const SystemValue& each : system.invariants) { invariants.push_back(each.name); }
-    CModule result;
-    result.header =
-        fill("module.h.in", {{"command", comment(command)},
-                             {"about", about(stepper)},
-                             {"name", name},
-                             {"guard", "HVI_MODULE_" + name},
-                             {"parameters", comment_lines(described_parameters(system))},
-                             {"state", comment_lines(described_state(system))},
-                             {"example", with_ranges({q.front().name})},
-                             {"invariants", comment_lines(described_invariants(system))}});
-    result.source = fill("module.cpp.in", {{"command", comment(command)},
-                                           {"name", name},
-                                           {"stepper", without_once(stepper.header)},
-                                           {"class", stepper.class_name},
-                                           {"defaults", defaults(system)},
-                                           {"threads", has_sizes(system) ? ", threads" : ""},
-                                           {"set", setting(system)},
-                                           {"parameters", names_of_parameters(system)},
-                                           {"coordinates", lines(q)},
-                                           {"momenta", lines(p)},
-                                           {"invariants", lines(families(invariants))},
-                                           {"values", values(system)}});
+    Holes holes = stepper_holes(system, stepper.class_name, without_once(stepper.header));
+    holes.merge(Holes{{"command", comment(command)},
+                      {"name", name},
+                      {"parameters", names_of_parameters(system)},
+                      {"coordinates", lines(coordinates(system))},
+                      {"momenta", lines(momenta(system))},
+                      {"invariants", lines(families(invariants))}});
+    return fill("module.cpp.in", holes);
+}
+
+/// The system with other values in their places.
+System without_values(System system) {
+    for (SystemParameter& parameter : system.parameters) { parameter.value = {}; }
+    for (SystemSize& size : system.sizes) { size.value = 1; }
+    return system;
+}
+
+/// NOTE: what stands above is for people who read the header.
+std::string code_of(const std::string& header) { return header.substr(header.find(once)); }
+
+}  // namespace
+
+CModule c_module(const SceneStepper& stepper, const std::string& name, const std::string& command) {
+    const System& system = stepper.system;
+    const std::string example = coordinates(system).front().name;
+    return {fill("module.h.in", {{"command", comment(command)},
+                                 {"about", about(stepper)},
+                                 {"name", name},
+                                 {"guard", "HVI_MODULE_" + name},
+                                 {"parameters", comment_lines(described_parameters(system))},
+                                 {"state", comment_lines(described_state(system))},
+                                 {"example", example},
+                                 {"invariants", comment_lines(described_invariants(system))}}),
+            source_of(stepper, name, command)};
+}
+
+std::string driven_module(const SceneStepper& stepper) {
+    const System system = without_values(stepper.system);
+    const std::string header =
+        emit(stepper.method, stepper.step,
+             {.class_name = stepper.class_name,
+              .command = "",
+              .system = &system,
+              .wishes = stepper.members,
+              .evaluations = stepper.evaluations ? &*stepper.evaluations : nullptr});
+    return fill("driven.cpp.in",
+                stepper_holes(system, stepper.class_name, without_once(code_of(header))));
+}
+
+std::vector<double> driven_parameters(const System& system) {
+    std::vector<double> result;
+    if (has_sizes(system)) {
+        for (const SystemSize& size : system.sizes) {
+            result.push_back(static_cast<double>(size.value));
+        }
+    }
+    for (const SystemParameter& parameter : system.parameters) {
+        constexpr std::size_t of_double = 1;
+        const std::optional<Dyadic> value = rounded_value(parameter.value)[of_double];
+        HVI_CHECK(value.has_value());  // or the header of the stepper could not be written
+        result.push_back(value->to_double());
+    }
     return result;
 }
 

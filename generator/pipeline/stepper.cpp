@@ -135,7 +135,7 @@ SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, const Lowe
             std::move(step),   std::move(evaluations),
             std::move(name),   std::move(command),
             std::move(header), scene.scene.own.headers,
-            scene.unrolling};
+            scene.unrolling,   std::move(members)};
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 
+#include "generator/emit/system/scene_code.hpp"
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/one_step_method.hpp"
 #include "generator/options/wishes.hpp"
@@ -50,6 +51,7 @@ struct SceneStepper {
     std::string header;
     std::vector<OwnHeader> own_headers;  ///< that it needs
     UnrollDecision unrolling = {};
+    SceneWishes members = {};  ///< of its class
 };
 
 /// A stepper of the scene. The command line `hvi-gen stepper ...` that writes the same header is

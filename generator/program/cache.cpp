@@ -41,7 +41,7 @@ std::string key_of(const Compiler& compiler, const ProgramText& text, const File
     std::string key = "program and key\n" + compiler.version + "\n" + machine.processor + "\n" +
                       machine.extensions;
     for (const std::string& word : compiler.command) key += "\n" + word;
-    for (const std::string& word : compiler_options()) key += "\n" + word;
+    for (const std::string& word : compiler_options(text.artifact)) key += "\n" + word;
     for (const std::string& library : text.libraries) key += "\n-l" + library;
     for (const auto& [name, content] : files)
         key.append("\n").append(name).append("\n").append(content);
@@ -120,13 +120,13 @@ private:
 
 /// In the directory, without what it was made of.
 void make_program(const Compiler& compiler, const fs::path& directory, const Files& files,
-                  const std::vector<std::string>& libraries) {
+                  const ProgramText& text) {
     const FreshDirectory sources(directory, "of");
     for (const auto& [name, content] : files) {
         make_private_directories((sources.path() / name).parent_path());
         write_file(sources.path() / name, content);
     }
-    compile(compiler, sources.path(), libraries);
+    compile(compiler, sources.path(), text.libraries, text.artifact);
     std::error_code error;
     fs::rename(sources.path() / "program", directory / "program", error);
     if (error)
@@ -148,7 +148,7 @@ fs::path built_program(const CacheDirectory& cache, const Compiler& compiler,
     if (entry.is_there()) warn(entry.program().string() + " is damaged, and compiled again");
 
     const FreshDirectory workshop(cache.path(), "new");
-    make_program(compiler, workshop.path(), files, text.libraries);
+    make_program(compiler, workshop.path(), files, text);
     entry.take(workshop.path());
     return entry.program();
 }

@@ -12,12 +12,13 @@
 
 namespace hvi::gen {
 
-/// A program as text. Besides its own headers it may include the runtime, <hvi/...>, and the
-/// drivers, <driver/...>.
+/// A program or library as text. Besides its own headers it may include the runtime, <hvi/...>, and
+/// the drivers, <driver/...>.
 struct ProgramText {
     std::string main;
     std::map<std::string, std::string> headers;  ///< by the names under which it includes them
     std::vector<std::string> libraries = {};     ///< that it is linked with: `gsl`
+    Artifact artifact = Artifact::program;
 
     friend bool operator==(const ProgramText&, const ProgramText&) = default;
 };

@@ -62,15 +62,17 @@ Compiler find_compiler() {
                            help_on_compilers);
 }
 
-const std::vector<std::string>& compiler_options() {
-    static const std::vector<std::string> options{"-std=c++17", "-O3", "-march=native", "-I."};
+std::vector<std::string> compiler_options(Artifact artifact) {
+    std::vector<std::string> options{"-std=c++17", "-O3", "-march=native", "-I."};
+    if (artifact == Artifact::library) options.insert(options.end(), {"-shared", "-fPIC"});
     return options;
 }
 
 void compile(const Compiler& compiler, const std::filesystem::path& directory,
-             const std::vector<std::string>& libraries) {
+             const std::vector<std::string>& libraries, Artifact artifact) {
     std::vector<std::string> words = compiler.command;
-    words.insert(words.end(), compiler_options().begin(), compiler_options().end());
+    const std::vector<std::string> options = compiler_options(artifact);
+    words.insert(words.end(), options.begin(), options.end());
     words.insert(words.end(), {"main.cpp", "-o", "program"});
     for (const std::string& library : libraries) words.push_back("-l" + library);
     const ChildResult result = run_child(words, directory);

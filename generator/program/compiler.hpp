@@ -16,13 +16,16 @@ struct Compiler {
 /// Throws EnvironmentError where there is none.
 [[nodiscard]] Compiler find_compiler();
 
-/// What programs are compiled with: as users do who care for speed.
-[[nodiscard]] const std::vector<std::string>& compiler_options();
+/// What the compiler makes.
+enum class Artifact { program, library };
 
-/// Makes of `main.cpp` in the directory, which may include what lies there, the program `program`
-/// beside it, linked with the libraries. Throws EnvironmentError with the first error of the
-/// compiler, and where there is no program then.
+/// What is compiled with: as users do who care for speed.
+[[nodiscard]] std::vector<std::string> compiler_options(Artifact artifact);
+
+/// Makes of `main.cpp` in the directory, which may include what lies there, the file `program`
+/// beside it, linked with the libraries: a program, or a library that programs load. Throws
+/// EnvironmentError with the first error of the compiler, and where there is no such file then.
 void compile(const Compiler& compiler, const std::filesystem::path& directory,
-             const std::vector<std::string>& libraries = {});
+             const std::vector<std::string>& libraries = {}, Artifact artifact = Artifact::program);
 
 }  // namespace hvi::gen

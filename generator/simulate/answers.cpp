@@ -5,6 +5,7 @@
 
 #include <charconv>
 
+#include "generator/drive/words.hpp"
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/progress.hpp"
@@ -17,6 +18,23 @@ namespace {
 constexpr int cannot_write = 3;
 constexpr int out_of_memory = 4;
 constexpr int cannot_read = 5;
+
+/// The words that start it.
+std::vector<std::string> command_of(const Target& target, const std::vector<std::string>& words) {
+    std::vector<std::string> line;
+    if (!target.module) {
+        line = {target.file.string()};
+    } else {
+        const auto& [directory, parameters, looks_at_rows] = *target.module;
+        line = {"/proc/self/exe", drive_word, std::filesystem::absolute(target.file).string(),
+                std::filesystem::absolute("." / directory).string(),
+                std::to_string(parameters.size())};
+        for (const double value : parameters) line.push_back(fmt::format("{}", value));
+        if (looks_at_rows) line.emplace_back(rows_word);
+    }
+    line.insert(line.end(), words.begin(), words.end());
+    return line;
+}
 
 }  // namespace
 
@@ -68,16 +86,16 @@ EnvironmentError Answers::unexpected(const std::string& what) const {
                                         program_.parent_path().string()));
 }
 
-Answers ask(const std::filesystem::path& program, std::vector<std::string> words,
+Answers ask(const Target& target, const std::vector<std::string>& words,
             const std::filesystem::path& file, const std::function<void(double)>& on_progress) {
     constexpr std::string_view progress = "progress ";
     const Progress::Stage stage("running");
-    words.insert(words.begin(), program.string());
-    if (!file.empty()) words.push_back(file.string());
-    Answers answers(program);
-    const ChildResult ended = run_child(words, ".", [&](std::string_view line) {
+    std::vector<std::string> command = command_of(target, words);
+    if (!file.empty()) command.push_back(file.string());
+    Answers answers(target.file);
+    const ChildResult ended = run_child(command, ".", [&](std::string_view line) {
         if (!line.starts_with(progress)) return answers.hear(line);
-        Answers of_progress(program);
+        Answers of_progress(target.file);
         of_progress.hear(line);
         const double part = of_progress.number("progress");
         if (!(part >= 0 && part <= 1)) throw answers.unexpected(fmt::format("it says `{}`", line));

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,10 +45,23 @@ private:
     std::map<std::string, std::vector<std::string>> values_;
 };
 
+/// A compiled program, or a library, which hvi-gen itself runs in another process.
+struct Target {
+    /// Of a library.
+    struct Module {
+        std::filesystem::path directory;  ///< of the scene
+        std::vector<double> parameters;
+        bool looks_at_rows = false;  ///< alone: values of a state cost as much as a step does
+    };
+
+    std::filesystem::path file;
+    std::optional<Module> module = {};
+};
+
 /// Calls a compiled driver with these words and hears it out; `on_progress` gets the part that is
 /// done as often as the driver says. Throws EnvironmentError where it did not end well, could not
 /// write `file`, or said what is no answer, and Interruption.
-[[nodiscard]] Answers ask(const std::filesystem::path& program, std::vector<std::string> words,
+[[nodiscard]] Answers ask(const Target& target, const std::vector<std::string>& words,
                           const std::filesystem::path& file = {},
                           const std::function<void(double)>& on_progress = nullptr);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/emit/text/names.hpp"
+#include "generator/module/module.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -27,8 +28,13 @@ std::string quoted(const std::vector<std::string>& names) {
 std::string values(const std::vector<std::string>& conserved) {
     std::vector<std::string> items;
     for (const std::string& name : conserved)
-        items.push_back(fmt::format("stepper.{}(x)", member_name(name)));
-    return lines(items);
+        items.push_back(fmt::format("*out++ = stepper.{}(x);", member_name(name)));
+    return fmt::format("{}", fmt::join(items, "\n"));
+}
+
+void add(ProgramText& program, const std::vector<OwnHeader>& own) {
+    for (const OwnHeader& header : own)
+        program.headers.emplace("scene/" + header.path, header.text);
 }
 
 /// NOTE: where the user has headers, that of the stepper stands with them in a directory of their
@@ -38,9 +44,18 @@ ProgramText program_around(const std::string& stepper, const std::vector<OwnHead
     const std::string name = own.empty() ? "stepper.hpp" : "scene/~stepper.hpp";
     holes.emplace("header", name);
     ProgramText program{fill(main, holes), {{name, stepper}}, std::move(libraries)};
-    for (const OwnHeader& header : own)
-        program.headers.emplace("scene/" + header.path, header.text);
+    add(program, own);
     return program;
+}
+
+/// NOTE: as above.
+ProgramText module_text(const std::string& source, const std::vector<OwnHeader>& own) {
+    ProgramText text{.main = source, .headers = {}, .artifact = Artifact::library};
+    if (own.empty()) return text;
+    text.main = "#include \"scene/~module.cpp\"\n";
+    text.headers.emplace("scene/~module.cpp", source);
+    add(text, own);
+    return text;
 }
 
 }  // namespace
@@ -131,15 +146,15 @@ std::string parameters_of(const SceneStepper& stepper) {
 
 }  // namespace
 
-ProgramText simulation_program(const SceneStepper& stepper) {
-    const bool is_any_size = stepper.step.container == Container::vectors;
-    return driver_program(stepper, is_any_size ? Driver{"large_main", "large_main"} : Driver{});
+SimulationProgram simulation_program(const SceneStepper& stepper) {
+    return {module_text(driven_module(stepper), stepper.own_headers),
+            {stepper.system.directory, driven_parameters(stepper.system),
+             stepper.step.container == Container::vectors}};
 }
 
 ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
     const System& system = stepper.system;
     const std::vector<std::string> conserved = conserved_names(system);
-    const bool is_any_size = stepper.step.container == Container::vectors;
     const auto fact = [](bool is_true) { return std::string(is_true ? "true" : "false"); };
     return program_around(stepper, "driver.cpp.in",
                           {{"driver", driver.header},
@@ -148,8 +163,6 @@ ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {
                            {"invariants", quoted(conserved)},
                            {"count", std::to_string(conserved.size())},
                            {"parameters", parameters_of(stepper)},
-                           // NOTE: as many as there are processors.
-                           {"threads", is_any_size ? ", 0" : ""},
                            {"values", values(conserved)},
                            {"separable", fact(stepper.step.is_separable())},
                            {"joint", fact(stepper.step.slopes == Slopes::joint)},
@@ -170,15 +183,15 @@ ProgramText reference_program(const SceneStepper& stepper) {
          {"number", stepper.own_headers.empty() ? "hvi::math::Widest" : "long double"}});
 }
 
-ReferenceSolution find_reference(const std::filesystem::path& program, double until,
-                                 std::int64_t count, double wanted, double seconds) {
+ReferenceSolution find_reference(const Target& program, double until, std::int64_t count,
+                                 double wanted, double seconds) {
     const Answers answers = ask(program, {fmt::format("{}", until), std::to_string(count),
                                           fmt::format("{}", wanted), fmt::format("{}", seconds)});
     return {static_cast<int>(answers.integer("bits")), answers.number("error"),
             answers.numbers("end")};
 }
 
-std::optional<WrittenReference> write_reference(const std::filesystem::path& program,
+std::optional<WrittenReference> write_reference(const Target& program,
                                                 const std::filesystem::path& file, double until,
                                                 std::int64_t count, double wanted, double seconds) {
     const Answers answers = ask(program,
@@ -189,12 +202,12 @@ std::optional<WrittenReference> write_reference(const std::filesystem::path& pro
     return WrittenReference{static_cast<int>(answers.integer("bits")), answers.number("error")};
 }
 
-void write_start(const std::filesystem::path& program, const std::filesystem::path& file) {
+void write_start(const Target& program, const std::filesystem::path& file) {
     static_cast<void>(ask(program, {}, file));
 }
 namespace {
 
-Answers ask_for_tables(const std::filesystem::path& program, const Steps& steps,
+Answers ask_for_tables(const Target& program, const Steps& steps,
                        const std::vector<TableWishes>& tables,
                        const std::function<void(double)>& on_progress) {
     std::vector<std::string> words{"trajectory", fmt::format("{}", steps.size),
@@ -210,8 +223,8 @@ Answers ask_for_tables(const std::filesystem::path& program, const Steps& steps,
 
 }  // namespace
 
-Simulation run_simulation(const std::filesystem::path& program, const RunSubject& subject,
-                          const Steps& steps, const std::vector<TableWishes>& tables,
+Simulation run_simulation(const Target& program, const RunSubject& subject, const Steps& steps,
+                          const std::vector<TableWishes>& tables,
                           const std::function<void(double)>& on_progress) {
     const Answers answers = ask_for_tables(program, steps, tables, on_progress);
     Simulation run{answers.text("status"),
@@ -234,20 +247,20 @@ Simulation run_simulation(const std::filesystem::path& program, const RunSubject
     return run;
 }
 
-Measurement measure(const std::filesystem::path& program, const Steps& steps, double seconds) {
+Measurement measure(const Target& program, const Steps& steps, double seconds) {
     return measurement(ask(program, {"measure", fmt::format("{}", steps.size),
                                      std::to_string(steps.count), fmt::format("{}", seconds)}));
 }
 
-Measurement measure(const std::filesystem::path& program, const Steps& steps, double seconds,
-                    double until, const std::filesystem::path& reference) {
+Measurement measure(const Target& program, const Steps& steps, double seconds, double until,
+                    const std::filesystem::path& reference) {
     return measurement(ask(program,
                            {"measure", fmt::format("{}", steps.size), std::to_string(steps.count),
                             fmt::format("{}", seconds), fmt::format("{}", until)},
                            reference));
 }
 
-double pace(const std::filesystem::path& program, const Steps& steps) {
+double pace(const Target& program, const Steps& steps) {
     return ask(program, {"pace", fmt::format("{}", steps.size), std::to_string(steps.count)})
         .number("seconds_of_step");
 }
@@ -273,7 +286,7 @@ Measurement measurement(const Answers& answers) {
     return result;
 }
 
-DepartureSamples sample_departures(const std::filesystem::path& program, const Steps& steps,
+DepartureSamples sample_departures(const Target& program, const Steps& steps,
                                    std::int64_t samples) {
     return departure_samples(ask(program, {"departures", fmt::format("{}", steps.size),
                                            std::to_string(steps.count), std::to_string(samples)}));

@@ -13,6 +13,7 @@
 
 #include "generator/emit/text/text.hpp"
 #include "generator/pipeline/stepper.hpp"
+#include "generator/program/builds.hpp"
 #include "generator/program/cache.hpp"
 #include "generator/read/table_columns.hpp"
 #include "generator/scene/step_count.hpp"
@@ -43,6 +44,15 @@ struct Simulation {
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
 
+/// What is compiled for a scene and a method, and what goes to it as data.
+struct SimulationProgram {
+    ProgramText text;
+    Target::Module module;
+
+    /// It, compiled. Throws what the Build does.
+    [[nodiscard]] Target target(const Build& build) const { return {built(build), module}; }
+};
+
 /// What a run is of, whatever its stepper looks like.
 struct RunSubject {
     std::string scene, description;
@@ -52,7 +62,7 @@ struct RunSubject {
     std::vector<NameBox> coordinates, momenta;
     std::vector<std::string> conserved;  ///< the energy, where H has no time, and invariants
     WholeNumbers sizes;
-    ProgramText program;  ///< that run_simulation() starts
+    SimulationProgram program;  ///< that run_simulation() starts
 };
 
 /// Precondition: the stepper is made as simulation_wishes() are. Throws InputError where a
@@ -84,12 +94,12 @@ struct TableWishes {
 
 /// The program that run_simulation() starts. Precondition: `stepper` is made as wished for, and
 /// checked.
-[[nodiscard]] ProgramText simulation_program(const SceneStepper& stepper);
+[[nodiscard]] SimulationProgram simulation_program(const SceneStepper& stepper);
 
 /// What a compiled program does with a scene.
 struct Driver {
-    std::string header = "main";              ///< of src/driver, which has
-    std::string main = "main";                ///< this function, below hvi::driver
+    std::string header;                       ///< of src/driver, which has
+    std::string main;                         ///< this function, below hvi::driver
     std::vector<std::string> libraries = {};  ///< that it is linked with
 };
 
@@ -110,7 +120,7 @@ struct ReferenceSolution {
 
 /// Halves steps, of which there are so many at first, until the end moves by no more than `wanted`,
 /// or for so many seconds. Throws as ask() does.
-[[nodiscard]] ReferenceSolution find_reference(const std::filesystem::path& program, double until,
+[[nodiscard]] ReferenceSolution find_reference(const Target& program, double until,
                                                std::int64_t count, double wanted, double seconds);
 
 /// What is known of a solution whose end is in a file.
@@ -121,19 +131,18 @@ struct WrittenReference {
 
 /// As find_reference() does, but that the end is written into a file, where there is one, and that
 /// the steps at first are as large as the time asks for. Throws as ask() does.
-[[nodiscard]] std::optional<WrittenReference> write_reference(const std::filesystem::path& program,
+[[nodiscard]] std::optional<WrittenReference> write_reference(const Target& program,
                                                               const std::filesystem::path& file,
                                                               double until, std::int64_t count,
                                                               double wanted, double seconds);
 
 /// Writes where the scene begins into the file. Throws as ask() does.
-void write_start(const std::filesystem::path& program, const std::filesystem::path& file);
+void write_start(const Target& program, const std::filesystem::path& file);
 
 /// Runs the compiled program, which writes the tables, at least one. `on_progress` gets the part of
 /// it that is done. Throws as ask() does.
-[[nodiscard]] Simulation run_simulation(const std::filesystem::path& program,
-                                        const RunSubject& subject, const Steps& steps,
-                                        const std::vector<TableWishes>& tables,
+[[nodiscard]] Simulation run_simulation(const Target& program, const RunSubject& subject,
+                                        const Steps& steps, const std::vector<TableWishes>& tables,
                                         const std::function<void(double)>& on_progress);
 
 /// Where the last good step of a run ended.
@@ -167,17 +176,15 @@ struct Measurement {
 
 /// Runs the compiled program once, and again for timing over so many seconds, at least three times;
 /// never for 0. Throws as ask() does.
-[[nodiscard]] Measurement measure(const std::filesystem::path& program, const Steps& steps,
-                                  double seconds);
+[[nodiscard]] Measurement measure(const Target& program, const Steps& steps, double seconds);
 
 /// The same of a scene of any size, whose end is compared with that in a file, of the time `until`.
-[[nodiscard]] Measurement measure(const std::filesystem::path& program, const Steps& steps,
-                                  double seconds, double until,
-                                  const std::filesystem::path& reference);
+[[nodiscard]] Measurement measure(const Target& program, const Steps& steps, double seconds,
+                                  double until, const std::filesystem::path& reference);
 
 /// Seconds of a step of that size of a scene of any size, over so many steps at most; 0 where none
 /// can be taken. Throws as ask() does.
-[[nodiscard]] double pace(const std::filesystem::path& program, const Steps& steps);
+[[nodiscard]] double pace(const Target& program, const Steps& steps);
 
 /// The largest departures of what is conserved, in parts of a run.
 struct DepartureSamples {
@@ -189,7 +196,7 @@ struct DepartureSamples {
 [[nodiscard]] DepartureSamples departure_samples(const Answers& answers);
 
 /// Ends where the run does. Throws as ask() does.
-[[nodiscard]] DepartureSamples sample_departures(const std::filesystem::path& program,
-                                                 const Steps& steps, std::int64_t samples);
+[[nodiscard]] DepartureSamples sample_departures(const Target& program, const Steps& steps,
+                                                 std::int64_t samples);
 
 }  // namespace hvi::gen

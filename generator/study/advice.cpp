@@ -369,7 +369,7 @@ Advice advice_with_loops(Builds& builds, const LoweredScene& scene, const Advice
         refuse_reference(scene.scene.name, course.reference.error);
     std::vector<MeasureSteps> measures;
     for (const Contender& contender : adviser.contenders())
-        measures.push_back(large.measured(contender.build));
+        measures.push_back(large.measured(contender));
     return std::move(adviser).with_race(course, wishes.accuracy, measures, deadline);
 }
 

@@ -45,13 +45,15 @@ Contender contender(Builds& builds, const StudiedMethod& method, const LoweredSc
         scene_stepper(method, scene, simulation_wishes(solver, method.composition));
     check_parameter_of_method(stepper);
     const std::optional<StageCorrections>& corrections = stepper.step.corrections;
-    return {stepper.method.title(), method.order, builds.order(simulation_program(stepper)),
+    SimulationProgram program = simulation_program(stepper);
+    Build build = builds.order(program.text);
+    return {stepper.method.title(), method.order, std::move(build), std::move(program),
             corrections ? std::optional(corrections->costs) : std::nullopt};
 }
 
 MeasureSteps measured(const Contender& contender, double until) {
-    return [build = contender.build, until](std::int64_t count, double seconds) {
-        return measure(built(build), {until / static_cast<double>(count), count}, seconds);
+    return [contender, until](std::int64_t count, double seconds) {
+        return measure(contender.target(), {until / static_cast<double>(count), count}, seconds);
     };
 }
 
@@ -67,7 +69,7 @@ Reference reference(const Build& build, const WrittenOutScene& scene, double unt
     // Of so high an order, larger steps than the scene's may do.
     const std::int64_t begin = std::max<std::int64_t>(1, count / 16);
     if (has_exact_states(scene)) return {"exact", 0, exact_state(scene, until)};
-    const ReferenceSolution found = find_reference(built(build), until, begin, wanted, seconds);
+    const ReferenceSolution found = find_reference({built(build)}, until, begin, wanted, seconds);
     if (found.state.empty())
         throw MathError(
             fmt::format("there is no reference solution: {} in {} bits does not come to "

@@ -10,6 +10,7 @@
 #include "generator/ir/step.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/read/written_out_scene.hpp"
+#include "generator/simulate/simulation.hpp"
 #include "generator/study/work.hpp"
 
 namespace hvi::gen {
@@ -27,7 +28,11 @@ struct Contender {
     std::string title;
     int order;
     Build build;
+    SimulationProgram program;
     std::optional<SolverCosts> costs = {};  ///< of the ways to solve for its stages
+
+    /// What runs it. Throws what the Build does.
+    [[nodiscard]] Target target() const { return program.target(build); }
 };
 
 /// Throws what scene_stepper() does.

@@ -84,10 +84,10 @@ LargeReference::LargeReference(Builds& builds, const Scene& scene, double until)
 
 Reference LargeReference::compute(std::int64_t count, double seconds) const {
     if (method_.empty()) {
-        write_start(built(build_), file_);
+        write_start({built(build_)}, file_);
         return {"exact", 0, {}};
     }
-    const auto found = write_reference(built(build_), file_, until_, count, enough, seconds);
+    const auto found = write_reference({built(build_)}, file_, until_, count, enough, seconds);
     if (!found)
         throw MathError(fmt::format("there is no reference solution: {} does not come to the end "
                                     "in {:.3g} s",
@@ -96,10 +96,10 @@ Reference LargeReference::compute(std::int64_t count, double seconds) const {
     return {fmt::format("{} in {} bits", method_, found->bits), found->error, {}};
 }
 
-MeasureSteps LargeReference::measured(const Build& build) const {
-    return [build, until = until_, file = file_](std::int64_t count, double seconds) {
-        return measure(built(build), {until / static_cast<double>(count), count}, seconds, until,
-                       file);
+MeasureSteps LargeReference::measured(const Contender& contender) const {
+    return [contender, until = until_, file = file_](std::int64_t count, double seconds) {
+        return measure(contender.target(), {until / static_cast<double>(count), count}, seconds,
+                       until, file);
     };
 }
 

@@ -8,6 +8,7 @@
 #include "generator/program/builds.hpp"
 #include "generator/program/private_directory.hpp"
 #include "generator/read/scene.hpp"
+#include "generator/study/contender.hpp"
 #include "generator/study/curves.hpp"
 #include "generator/study/work.hpp"
 
@@ -26,8 +27,8 @@ public:
     /// own steps. Throws MathError where no run comes to the end, and as ask() does.
     [[nodiscard]] Reference compute(std::int64_t count, double seconds = 30) const;
 
-    /// Measures runs of a compiled program. Precondition: compute().
-    [[nodiscard]] MeasureSteps measured(const Build& build) const;
+    /// Measures runs of a method. Precondition: compute().
+    [[nodiscard]] MeasureSteps measured(const Contender& contender) const;
 
 private:
     double until_;

@@ -73,7 +73,7 @@ WorkCurve curve(const Contender& contender, const Course& course, const MeasureS
     curve.points = work_points(course, measure);
     curve.departures = departures(course, curve.points, [&](const WorkPoint& point) {
         const Steps steps{course.until / static_cast<double>(point.steps), point.steps};
-        return sample_departures(built(contender.build), steps, departure_parts);
+        return sample_departures(contender.target(), steps, departure_parts);
     });
     return curve;
 }
@@ -82,7 +82,7 @@ WorkCurve curve(const Contender& contender, const Course& course, const MeasureS
 std::int64_t affordable(const Contender& contender, const Course& course) {
     const auto count = static_cast<double>(course.first_count);
     const Steps steps{course.until / count, std::min<std::int64_t>(course.first_count, 8)};
-    const double each = pace(built(contender.build), steps);
+    const double each = pace(contender.target(), steps);
     if (each * count <= course.longest_run) return course.first_count;
     return std::max<std::int64_t>(1, std::llround(course.longest_run / each));
 }
@@ -179,7 +179,7 @@ void study_with_loops(Builds& builds, const LoweredScene& scene, double until,
         Course course{report.reference, until, first_count, wishes.steps};
         course.longest_run = longest_of_large_search;
         course.first_count = affordable(contender, course);
-        study.run(contender, course, all->reference.measured(contender.build));
+        study.run(contender, course, all->reference.measured(contender));
     }
     study.run_again();
 }

@@ -1,7 +1,7 @@
 // What a run costs: what is said of it, and how long it takes.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp.
+// For `Problem` see departure.hpp.
 #pragma once
 
 #include <algorithm>

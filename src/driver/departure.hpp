@@ -1,9 +1,11 @@
 // What a run should keep, and how well it does.
 // SPDX-License-Identifier: MIT
+//
+// `Problem` names its Stepper and has static members stepper() and initial(), which make one and
+// its first state, invariants(), a list of names, and values(stepper, x, out), which writes them.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,38 +31,37 @@ struct Departure {
 template <class Problem>
 class Invariants {
 public:
-    static constexpr std::size_t count = Problem::invariants.size();
-
     /// Precondition: `x` is where the run begins.
     template <class Stepper, class State>
-    Invariants(const Stepper& stepper, const State& x) : values_(values(stepper, x)) {
-        for (std::size_t i = 0; i < count; ++i) { departures_[i].start = values_[i]; }
+    Invariants(const Stepper& stepper, const State& x)
+        : values_(Problem::invariants().size()), departures_(values_.size()) {
+        compute(stepper, x);
+        for (std::size_t i = 0; i < values_.size(); ++i) { departures_[i].start = values_[i]; }
     }
 
     template <class Stepper, class State>
     void see(const Stepper& stepper, const State& x) {
-        values_ = values(stepper, x);
-        for (std::size_t i = 0; i < count; ++i) { departures_[i].see(values_[i]); }
+        compute(stepper, x);
+        for (std::size_t i = 0; i < values_.size(); ++i) { departures_[i].see(values_[i]); }
     }
 
-    [[nodiscard]] const std::array<double, count>& values() const { return values_; }
-    [[nodiscard]] const std::array<Departure, count>& departures() const { return departures_; }
+    [[nodiscard]] const std::vector<double>& values() const { return values_; }
+    [[nodiscard]] const std::vector<Departure>& departures() const { return departures_; }
 
 private:
     /// NOTE: a sum with 0, so that none of them is -0.
     template <class Stepper, class State>
-    [[nodiscard]] static std::array<double, count> values(const Stepper& stepper, const State& x) {
-        std::array<double, count> result = Problem::values(stepper, x);
-        for (double& value : result) { value += 0.0; }
-        return result;
+    void compute(const Stepper& stepper, const State& x) {
+        Problem::values(stepper, x, values_.data());
+        for (double& value : values_) { value += 0.0; }
     }
 
-    std::array<double, count> values_;
-    std::array<Departure, count> departures_{};
+    std::vector<double> values_;
+    std::vector<Departure> departures_;
 };
 
 /// How much of the energy is in the motion: the mean size of H(q, p) - H(q, 0) over places of a run
-/// where both are finite. Without an energy among the invariants it is 0.
+/// where both are finite. Without an energy, the first of the invariants, it is 0.
 template <class Problem>
 class EnergyOfMotion {
 public:
@@ -68,18 +69,19 @@ public:
     template <class Stepper>
     void see(const Stepper& stepper, const typename Stepper::State& x,
              const Invariants<Problem>& invariants) {
-        if constexpr (is_there) {
-            std::vector<double> at_rest = detail::numbers<Stepper>(x);
-            const auto momenta = static_cast<std::ptrdiff_t>(detail::flat<Stepper>(x).q.size());
-            std::fill(at_rest.begin() + momenta, at_rest.end(), 0.0);
-            auto y = x;
-            detail::read_numbers<Stepper>(y, at_rest.data());
-            const double energy = invariants.values()[0];
-            const double size = std::abs(energy - Problem::values(stepper, y)[0]);
-            if (!std::isfinite(size)) { return; }
-            sum_ += size;
-            ++count_;
-        }
+        if (!is_there_) { return; }
+        std::vector<double> at_rest = detail::numbers<Stepper>(x);
+        const auto momenta = static_cast<std::ptrdiff_t>(detail::flat<Stepper>(x).q.size());
+        std::fill(at_rest.begin() + momenta, at_rest.end(), 0.0);
+        auto y = x;
+        detail::read_numbers<Stepper>(y, at_rest.data());
+        const double energy = invariants.values()[0];
+        std::vector<double> values(invariants.values().size());
+        Problem::values(stepper, y, values.data());
+        const double size = std::abs(energy - values[0]);
+        if (!std::isfinite(size)) { return; }
+        sum_ += size;
+        ++count_;
     }
 
     [[nodiscard]] double mean() const {
@@ -87,14 +89,8 @@ public:
     }
 
 private:
-    static constexpr bool is_there = [] {
-        if constexpr (Problem::invariants.size() == 0) {
-            return false;
-        } else {
-            return std::string_view(Problem::invariants[0]) == "energy";
-        }
-    }();
-
+    bool is_there_ = !Problem::invariants().empty() &&
+                     std::string_view(*Problem::invariants().begin()) == "energy";
     double sum_ = 0;
     std::int64_t count_ = 0;
 };

@@ -1,11 +1,10 @@
 // How what a run should keep departs over time.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp.
+// For `Problem` see departure.hpp.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +42,7 @@ public:
 private:
     double until_;
     std::int64_t parts_, next_ = 1;
-    std::array<double, Invariants<Problem>::count> largest_{};
+    std::vector<double> largest_ = std::vector<double>(Problem::invariants().size());
 };
 
 /// The command `departures H STEPS SAMPLES`: a run with so many samples. As for trajectory().

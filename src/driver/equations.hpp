@@ -1,8 +1,8 @@
 // The canonical equations of a scene, as libraries for any dy/dt = f(y, t) take them.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp. Its Stepper is one with Newton's method, whose System has the second
-// derivatives of H, or of L.
+// For `Problem` see departure.hpp. Its Stepper is one with Newton's method, whose System has the
+// second derivatives of H, or of L.
 #pragma once
 
 #include <algorithm>

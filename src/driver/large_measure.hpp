@@ -1,7 +1,7 @@
 // Where a run of a scene of any size ends, what it costs, and how long it takes.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp.
+// For `Problem` see departure.hpp.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // A solution that runs of a scene of any size are measured against.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp; its Stepper computes in numbers with more digits than double.
+// For `Problem` see departure.hpp; its Stepper computes in numbers with more digits than double.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <cstdio>
 
 #include <driver/answer.hpp>
-#include <driver/large_main.hpp>
+#include <driver/guarded.hpp>
 #include <driver/reference.hpp>
 #include <driver/state_file.hpp>
 #include <driver/trajectory.hpp>

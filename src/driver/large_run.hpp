@@ -1,7 +1,7 @@
 // A run of a scene of any size, whose invariants are looked at now and then.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp.
+// For `Problem` see departure.hpp.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Where a run ends, what it costs, and how long it takes.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp.
+// For `Problem` see departure.hpp.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,7 @@
 #include <driver/cost.hpp>
 #include <driver/departure.hpp>
 #include <hvi/detail/trajectories/flat.hpp>
+#include <hvi/detail/trajectories/take.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::driver {
@@ -60,10 +61,7 @@ int measure(const std::vector<std::string_view>& words) {
     if (!outcome.ok() || seconds <= 0) { return 0; }
     tell_time(seconds, [&] {
         return [stepper = Problem::stepper(), x = Problem::initial(), h, steps]() mutable {
-            for (std::int64_t i = 0; i < steps; ++i) {
-                if (!stepper.step(x, h).ok()) { return false; }
-            }
-            return true;
+            return detail::take(stepper, x, h, steps).ok();
         };
     });
     return 0;

@@ -1,7 +1,7 @@
 // A step as one would write it down at first, to compare others with.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp. Its Stepper is one for Equations.
+// For `Problem` see departure.hpp. Its Stepper is one for Equations.
 #pragma once
 
 #include <algorithm>

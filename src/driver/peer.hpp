@@ -1,7 +1,7 @@
 // Integrators of other libraries on a scene, measured as steppers are.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp. A Peer is made of PeerWishes, and has members
+// For `Problem` see departure.hpp. A Peer is made of PeerWishes, and has members
 //
 //     Outcome run(watch);    from the start to the end; watch(q, p, t) sees where it comes to, with
 //                            pointers to the coordinates and to the momenta

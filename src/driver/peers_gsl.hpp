@@ -1,7 +1,7 @@
 // Integrators of the GNU Scientific Library.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp, for what a peer is, peer.hpp.
+// For `Problem` see departure.hpp, for what a peer is, peer.hpp.
 #pragma once
 
 #include <gsl/gsl_errno.h>

@@ -1,7 +1,7 @@
 // Integrators of Boost.Odeint.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp, for what a peer is, peer.hpp.
+// For `Problem` see departure.hpp, for what a peer is, peer.hpp.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // A stepper's way from its initial data: a table of states, and what became of the invariants.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see main.hpp.
+// For `Problem` see departure.hpp.
 #pragma once
 
 #include <algorithm>
@@ -114,7 +114,8 @@ public:
     [[nodiscard]] bool add(std::int64_t every, std::string_view columns, const char* path) {
         tables_.emplace_back(every, path);
         const auto& x = detail::flat<Stepper>(x_);
-        return tables_.back().choose(columns, x.q.size() + x.p.size() + invariants_.count);
+        return tables_.back().choose(columns,
+                                     x.q.size() + x.p.size() + invariants_.values().size());
     }
 
     /// Says what became of it. False where a table could not be written. Precondition: there is

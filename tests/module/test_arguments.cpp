@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <string>
@@ -63,6 +64,12 @@ TEST_CASE("sizes and lists are parameters too") {
     CHECK(energy == Approx(9 / 14.0 + 16 / 22.0 + 3 * 5 / 2.0 - 2 - 77 / std::sqrt(1.25)));
 }
 
+TEST_CASE("lists may be left out") {
+    const Module<masses_stepper> some(FUNCTIONS_OF(masses), {40, 3, 0.5});
+    CHECK(masses_dof(some.handle) == 40);
+    CHECK(masses_size_of_name(some.handle, masses_parameter, 3) == 70);
+}
+
 TEST_CASE("parameters that cannot be are refused") {
     const auto kepler = FUNCTIONS_OF(kepler);
     CHECK(refusal(kepler, {1}) == "there are not as many parameters as that");
@@ -77,17 +84,24 @@ TEST_CASE("parameters that cannot be are refused") {
     }
     const auto masses = FUNCTIONS_OF(masses);
     CHECK(refusal(masses, {3, 3}) == "there are not as many parameters as that");
+    CHECK(refusal(masses, {3, 3, 0.5, 1}) == "a list of the scene does not fit these sizes");
     CHECK(refusal(masses, {3, 3, 0.5, 7, 11}) == "a list of the scene does not fit these sizes");
     CHECK(refusal(masses, {1e9, 3, 0.5, 7, 11}) == "a list of the scene does not fit these sizes");
 }
 
 TEST_CASE("numbers in files are found from a directory") {
     filed_stepper* handle = nullptr;
-    const int status = filed_create_with("/nowhere", 1, nullptr, 0, &handle);
+    char message[100] = "";
+    int status = filed_create_with("/nowhere", 1, nullptr, 0, &handle, message, sizeof message);
     CHECK(filed_status_text(status) ==
           std::string("a file with numbers of the scene cannot be read"));
+    CHECK(std::string(message).find("/nowhere/filed.csv") != std::string::npos);
+    // As much of it as there is room for.
+    status = filed_create_with("/nowhere", 1, nullptr, 0, &handle, message, 8);
+    CHECK(status != 0);
+    CHECK(std::strlen(message) == 7);
     CHECK(handle == nullptr);
-    REQUIRE(filed_create_with(HVI_LARGE_SCENES, 2, nullptr, 0, &handle) == 0);
+    REQUIRE(filed_create_with(HVI_LARGE_SCENES, 2, nullptr, 0, &handle, nullptr, 0) == 0);
     std::vector<double> x(filed_size(handle));
     REQUIRE(x.size() == 600);
     REQUIRE(filed_initial(handle, x.data()) == 0);

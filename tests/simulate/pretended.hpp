@@ -1,4 +1,5 @@
-// A compiler that makes in no time a program of shell, which answers as it is told.
+// A compiler that makes in no time a module which runs a script of shell, and answers as it is
+// told.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -24,7 +25,8 @@ public:
               "#!/bin/sh\n[ \"$1\" = --version ] && echo pretended 1.0 && exit 0\n"
               "echo >> '" +
                   (directory / "compilations").string() + "'\n" + compilation +
-                  "\ncat > program << 'END'\n#!/bin/sh\n" + program + "\nEND\nchmod +x program\n");
+                  "\ncp '" HVI_PRETENDED_MODULE "' program\n");
+        write(directory / "program.sh", program + "\n");
         std::filesystem::permissions(directory / "cxx", std::filesystem::perms::owner_all);
         write(directory / "scene.toml", "hamiltonian = \"(p^2 + q^2)/2\"\n"
                                         "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
@@ -36,7 +38,7 @@ public:
     /// Runs the line, in which $run is the scene's run.
     [[nodiscard]] Outcome run(const std::string& line) const {
         return shell("export CXX=\"$PWD/cxx\" TMPDIR=\"$PWD/temporary\" "
-                     "XDG_CACHE_HOME=\"$PWD/cache\"; "
+                     "XDG_CACHE_HOME=\"$PWD/cache\" HVI_PRETENDED=\"$PWD/program.sh\"; "
                      "run=\"$hvi_gen run scene.toml --only summary\"; " +
                          line,
                      directory.path());

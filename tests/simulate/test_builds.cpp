@@ -1,5 +1,6 @@
 // Programs that are compiled side by side.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,20 @@ TEST_CASE("a program that cannot be compiled does not hinder the others") {
 }
 
 TEST_CASE("what nobody waits for is forgotten") {
+    const hvi::test::Directory directory;
+    const std::string count = (directory / "count").string(), script = (directory / "cxx").string();
+    hvi::test::write(count, "");
+    hvi::test::write(script, "#!/bin/sh\n[ \"$1\" = --version ] || echo >> '" + count + "'\nexec " +
+                                 hvi::test::compiler_of_tests() + " \"$@\"\n");
+    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
     hvi::test::use_cache();
-    Builds builds(find_compiler());
-    for (int i = 0; i < 100; ++i)
-        static_cast<void>(builds.order(program("std::puts(\"left " + std::to_string(i) + "\");")));
+    constexpr std::size_t ordered = 100;
+    {
+        Builds builds({{script}, "counted"});
+        for (std::size_t i = 0; i < ordered; ++i)
+            static_cast<void>(
+                builds.order(program("std::puts(\"left " + std::to_string(i) + "\");")));
+    }
+    // What is being compiled then comes to its end, and nothing else begins.
+    CHECK(hvi::test::lines_of(hvi::test::contents(count)).size() < ordered / 2);
 }

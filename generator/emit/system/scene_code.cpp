@@ -176,14 +176,17 @@ bool calls_more_math(const System& system, const SceneWishes& wishes) {
     return false;
 }
 
-std::string initializer(const Expression& expression) {
+Rounded rounded_value(const Expression& expression) {
     // NOTE: read again, so that an error points into a text that stands for the number alone.
-    const std::string name = to_text(expression);
-    const auto text = std::make_shared<const Source>(Source{"number", name});
-    const Rounded value = on_new_ground([&](const Ground& ground) {
+    const auto text = std::make_shared<const Source>(Source{"number", to_text(expression)});
+    return on_new_ground([&](const Ground& ground) {
         return nearest(evaluate_number(parse_expression(text), text, ground));
     });
-    return qualified_initializer(Constant{name, value, name});
+}
+
+std::string initializer(const Expression& expression) {
+    const std::string name = to_text(expression);
+    return qualified_initializer(Constant{name, rounded_value(expression), name});
 }
 
 NodeNames parameter_names(const System& system) {

@@ -9,6 +9,7 @@
 
 #include "generator/emit/system/kernel_code.hpp"
 #include "generator/exact/methods/curve.hpp"
+#include "generator/exact/numbers/formats.hpp"
 #include "generator/ir/step.hpp"
 #include "generator/ir/system.hpp"
 #include "generator/plan/evaluations.hpp"
@@ -68,6 +69,9 @@ enum class StateVectors {
 /// `static State initial(...)`, and the members that are asked for.
 [[nodiscard]] std::string scene_members_text(const System& system, const SceneWishes& wishes,
                                              const Step& step);
+
+/// The value of an expression without symbols. Throws as evaluate_number() does.
+[[nodiscard]] Rounded rounded_value(const Expression& expression);
 
 /// The value of an expression without symbols as a Scalar is initialised with it. Throws as
 /// evaluate_number() and initializer() do.

@@ -14,7 +14,6 @@ enum class Answer : int {
     null_pointer = 102,
     wrong_count = 103,
     wrong_parameter = 104,
-    no_start = 105,
     unknown_column = 106,
     too_few_rows = 107,
     no_rows = 108,
@@ -41,7 +40,6 @@ enum class Answer : int {
     case Answer::wrong_count: return "there are not as many parameters as that";
     case Answer::wrong_parameter:
         return "a parameter is no finite number, or a size that is no positive whole number";
-    case Answer::no_start: return "the scene does not say where it begins";
     case Answer::unknown_column: return "there is no such column";
     case Answer::too_few_rows: return "the buffer has fewer rows than steps would fill";
     case Answer::no_rows: return "every is 0, and there is a buffer";

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace hvi::detail {
 
@@ -29,15 +28,18 @@ public:
         if (are_right_) { parameter = static_cast<std::ptrdiff_t>(value); }
     }
 
+    /// Whether nothing is left, so that lists stay as they are.
+    [[nodiscard]] bool is_at_end() const { return read_ == count_; }
+
     /// A list of so many numbers.
-    template <class Scalar>
-    void list(std::vector<Scalar>& parameter, std::size_t size) {
+    template <class List>
+    void list(List& parameter, std::size_t size) {
         if (size > count_ - read_) {
             has_enough_ = false;
             return;
         }
         parameter.resize(size);
-        for (Scalar& each : parameter) { number(each); }
+        for (auto& each : parameter) { number(each); }
     }
 
     /// How many each of these lists has that are equally long, where nothing else follows.

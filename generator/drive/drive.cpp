@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/drive/drive.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <driver/departures.hpp>
+#include <driver/guarded.hpp>
+#include <driver/large_measure.hpp>
+#include <driver/measure.hpp>
+#include <driver/trajectory.hpp>
+
+#include "generator/drive/module.hpp"
+#include "generator/drive/words.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The module that the process is started for. NOTE: drivers ask a type, not an object.
+std::unique_ptr<const Module> module_of_process;
+
+/// The problem of src/driver/departure.hpp that it is.
+struct ModuleProblem {
+    using Stepper = ModuleStepper;
+
+    static Stepper stepper() { return Stepper(*module_of_process); }
+    static Stepper::State initial() { return stepper().initial(); }
+    static const std::vector<std::string>& invariants() {
+        static const std::vector<std::string> names = stepper().conserved();
+        return names;
+    }
+    static void values(const Stepper& stepper, const Stepper::State& x, double* out) {
+        stepper.values(x, out);
+    }
+};
+
+/// The start of a module, and the words after it; empty where these are none.
+struct Line {
+    ModuleStart start;
+    std::vector<std::string_view> command;
+};
+
+std::optional<Line> read_line(const std::vector<std::string_view>& words) {
+    constexpr std::size_t before_parameters = 3;
+    std::int64_t count = 0;
+    if (words.size() < before_parameters || !driver::read(words[2], count) || count < 0) return {};
+    const std::size_t end = before_parameters + static_cast<std::size_t>(count);
+    if (words.size() <= end) return {};
+    Line line{{std::string(words[0]), std::string(words[1]), {}}, {}};
+    for (std::size_t k = before_parameters; k < end; ++k)
+        if (!driver::read(words[k], line.start.parameters.emplace_back())) return {};
+    line.command.assign(words.begin() + static_cast<std::ptrdiff_t>(end), words.end());
+    return line;
+}
+
+int run(std::string_view command, const std::vector<std::string_view>& words) {
+    if (command == "trajectory") return driver::trajectory<ModuleProblem>(words);
+    if (command == "measure") return driver::measure<ModuleProblem>(words);
+    if (command == "departures") return driver::departures<ModuleProblem>(words);
+    return 2;
+}
+
+/// NOTE: of large scenes.
+int run_by_rows(std::string_view command, const std::vector<std::string_view>& words) {
+    if (command == "trajectory")
+        return driver::trajectory<ModuleProblem, driver::Watch::rows>(words);
+    if (command == "measure") return driver::large_measure<ModuleProblem>(words);
+    if (command == "departures") return driver::large_departures<ModuleProblem>(words);
+    if (command == "pace") return driver::large_pace<ModuleProblem>(words);
+    return 2;
+}
+
+}  // namespace
+
+int drive(const std::vector<std::string_view>& words) {
+    std::optional<Line> line = read_line(words);
+    if (!line) return 2;
+    return driver::guarded([&] {
+        module_of_process = std::make_unique<const Module>(std::move(line->start));
+        auto& rest = line->command;
+        const bool by_rows = rest.front() == rows_word;
+        if (by_rows) rest.erase(rest.begin());
+        if (rest.empty()) return 2;
+        const std::string_view command = rest.front();
+        rest.erase(rest.begin());
+        return by_rows ? run_by_rows(command, rest) : run(command, rest);
+    });
+}
+
+}  // namespace hvi::gen

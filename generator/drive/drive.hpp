@@ -1,0 +1,14 @@
+// What hvi-gen does in a process of its own: steps of a compiled module.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace hvi::gen {
+
+/// Runs the command of a line that begins with drive_word, and returns the exit status that
+/// simulate/answers.cpp expects. Answers are lines of standard output: src/driver/answer.hpp.
+[[nodiscard]] int drive(const std::vector<std::string_view>& words);
+
+}  // namespace hvi::gen

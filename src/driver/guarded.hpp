@@ -1,0 +1,26 @@
+// The end of a program that has not enough memory, or whose files cannot be read.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <new>
+#include <stdexcept>
+
+#include <driver/answer.hpp>
+
+namespace hvi::driver {
+
+/// What a program ends with that has not enough memory, or of whose files one cannot be read.
+inline constexpr int out_of_memory = 4, cannot_read = 5;
+
+/// Runs it, and says what becomes of it where that throws.
+template <class Work>
+int guarded(Work work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) { return out_of_memory; } catch (const std::runtime_error& e) {
+        say("unreadable", e.what());
+        return cannot_read;
+    }
+}
+
+}  // namespace hvi::driver

@@ -1,0 +1,91 @@
+// A module that hvi-gen compiles and drives itself: as little as its steps need.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <new>
+
+#include <hvi/detail/module/driven_functions.hpp>
+#include <hvi/detail/module/instance.hpp>
+
+namespace hvi::detail {
+
+/// What the functions of a driven module do. `Problem` is as in instance.hpp.
+template <class Problem>
+class Driven {
+public:
+    [[nodiscard]] static constexpr DrivenFunctions functions() {
+        return {driven_version, create, destroy, sizes, counts, begin, take, energy, invariants};
+    }
+
+private:
+    using Of = Instance<Problem>;
+
+    static const Of& of(const void* instance) { return *static_cast<const Of*>(instance); }
+
+    static DrivenAnswer create(const char* directory, unsigned threads, const double* values,
+                               std::size_t count, void** made, char* message, std::size_t room) {
+        try {
+            typename Of::Parameters parameters = Problem::parameters(directory);
+            ParameterReader reader(values, count);
+            Problem::set(parameters, reader);
+            if (!reader.are_right() || !reader.is_count_right()) {
+                say("these are not the parameters of the scene", message, room);
+                return DrivenAnswer::failed;
+            }
+            *made = new Of(static_cast<typename Of::Parameters&&>(parameters), threads);
+            return DrivenAnswer::ok;
+        } catch (const std::bad_alloc&) {
+            return DrivenAnswer::out_of_memory;
+        } catch (const std::exception& error) {
+            say(error.what(), message, room);
+            return DrivenAnswer::failed;
+        }
+    }
+
+    static void say(const char* text, char* message, std::size_t room) {
+        std::size_t k = 0;
+        for (; text[k] != '\0' && k + 1 < room; ++k) { message[k] = text[k]; }
+        message[k] = '\0';
+    }
+
+    static void destroy(void* instance) { delete static_cast<Of*>(instance); }
+
+    static DrivenSizes sizes(const void* instance) {
+        return {of(instance).coordinates(), of(instance).momenta(), Of::has_time,
+                Problem::invariant_count};
+    }
+
+    static DrivenCounts counts(const void* instance) {
+        return {of(instance).steps(), of(instance).iterations(),
+                static_cast<std::int64_t>(of(instance).stepper().evaluations())};
+    }
+
+    static void begin(const void* instance, double* state) { of(instance).begin(state); }
+
+    static int take(void* instance, double* state, double h, std::int64_t steps) {
+        Of& stepper = *static_cast<Of*>(instance);
+        try {
+            stepper.read(state);
+            const Run run = stepper.take(h, steps);
+            stepper.write(state);
+            return static_cast<int>(run.status.code());
+        } catch (const std::bad_alloc&) { return driven_out_of_memory; }
+    }
+
+    static double energy(const void* instance, const double* state) {
+        return of(instance).at(state, [](const auto& stepper, const auto& x) {
+            return static_cast<double>(stepper.energy(x));
+        });
+    }
+
+    static void invariants(const void* instance, const double* state, double* values) {
+        of(instance).at(state, [&](const auto& stepper, const auto& x) {
+            Problem::values(stepper, x, values);
+        });
+    }
+};
+
+}  // namespace hvi::detail

@@ -1,0 +1,45 @@
+// The functions of a module that hvi-gen compiles and drives itself.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hvi::detail {
+
+/// Version of these functions: hvi-gen takes no module of another one.
+inline constexpr int driven_version = 1;
+
+inline constexpr int driven_out_of_memory = -1;
+
+enum class DrivenAnswer : int { ok, out_of_memory, failed };
+
+/// Numbers of a state, whether the time follows them, and invariants of the scene.
+struct DrivenSizes {
+    std::size_t coordinates, momenta;
+    bool has_time;
+    std::size_t invariants;
+};
+
+struct DrivenCounts {
+    std::int64_t steps, iterations, evaluations;
+};
+
+/// What a module has, as its symbol hvi_scene. Steppers are pointers to nothing; states are
+/// coordinates, momenta, and the time where the function depends on it.
+struct DrivenFunctions {
+    int version;
+    /// Makes a stepper; else `message` is why not, in `room` characters.
+    DrivenAnswer (*create)(const char* directory, unsigned threads, const double* parameters,
+                           std::size_t count, void** made, char* message, std::size_t room);
+    void (*destroy)(void* stepper);
+    DrivenSizes (*sizes)(const void* stepper);
+    DrivenCounts (*counts)(const void* stepper);
+    void (*begin)(const void* stepper, double* state);
+    /// Takes steps until one fails: the code of its Status, or driven_out_of_memory.
+    int (*take)(void* stepper, double* state, double h, std::int64_t steps);
+    double (*energy)(const void* stepper, const double* state);
+    void (*invariants)(const void* stepper, const double* state, double* values);
+};
+
+}  // namespace hvi::detail
