@@ -66,10 +66,11 @@ ModuleStepper::State ModuleStepper::initial() const {
     return x;
 }
 
-Run ModuleStepper::advance(State& x, double h, std::int64_t steps) {
+template <class Take>
+Run ModuleStepper::advanced(State& x, Take take) {
     std::vector<double> all = numbers(x);
     const detail::DrivenCounts before = call_->counts(stepper_.get());
-    const int code = call_->take(stepper_.get(), all.data(), h, steps);
+    const int code = take(all.data());
     if (code == detail::driven_out_of_memory) throw std::bad_alloc();
     const detail::DrivenCounts after = call_->counts(stepper_.get());
     Run run;
@@ -78,6 +79,17 @@ Run ModuleStepper::advance(State& x, double h, std::int64_t steps) {
     run.status = Status(static_cast<Status::Code>(code), static_cast<int>(run.iterations));
     set(x, all);
     return run;
+}
+
+Run ModuleStepper::advance(State& x, double h, std::int64_t steps) {
+    return advanced(x, [&](double* all) { return call_->take(stepper_.get(), all, h, steps); });
+}
+
+Run ModuleStepper::follow(State& x, double h, std::int64_t steps,
+                          std::vector<detail::Departure>& departures) {
+    return advanced(x, [&](double* all) {
+        return call_->follow(stepper_.get(), all, h, steps, departures.data());
+    });
 }
 
 std::int64_t ModuleStepper::evaluations() const {

@@ -50,6 +50,9 @@ public:
     [[nodiscard]] Status step(State& x, double h) { return advance(x, h, 1).status; }
     /// Throws std::bad_alloc.
     [[nodiscard]] Run advance(State& x, double h, std::int64_t steps);
+    /// Takes steps as advance() does, and looks after each at what is conserved().
+    [[nodiscard]] Run follow(State& x, double h, std::int64_t steps,
+                             std::vector<detail::Departure>& departures);
     [[nodiscard]] std::int64_t evaluations() const;
 
     /// What a run is to keep: the energy, where H does not depend on the time, and the invariants
@@ -64,6 +67,9 @@ private:
         void operator()(void* stepper) const { destroy(stepper); }
     };
 
+    /// What take(numbers) does to a state.
+    template <class Take>
+    [[nodiscard]] Run advanced(State& x, Take take);
     [[nodiscard]] static std::vector<double> numbers(const State& x);
     void set(State& x, const std::vector<double>& numbers) const;
 

@@ -33,7 +33,7 @@ void tell(const Outcome& outcome, const Invariants<Problem>& invariants) {
     say("steps", outcome.steps);
     say("iterations", outcome.iterations);
     say("evaluations", outcome.evaluations);
-    for (const Departure& departure : invariants.departures()) {
+    for (const detail::Departure& departure : invariants.departures()) {
         say("largest", departure.largest);
     }
 }

@@ -10,22 +10,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include <hvi/detail/module/departure.hpp>
 #include <hvi/detail/trajectories/flat.hpp>
+#include <hvi/integrate.hpp>
 
 namespace hvi::driver {
 
-/// How far a quantity has departed from what it was at the start.
-struct Departure {
-    double start = 0, largest = 0, last = 0;
-
-    void see(double value) {
-        last = value - start;
-        // NOTE: so that what is no number counts as large.
-        if (!(std::abs(last) <= largest)) { largest = std::abs(last); }
-    }
-};
+/// Whether a stepper looks at departures itself, which is quicker.
+template <class Stepper, class = void>
+struct Follows : std::false_type {};
+template <class Stepper>
+struct Follows<Stepper, std::void_t<decltype(std::declval<Stepper&>().follow(
+                            std::declval<typename Stepper::State&>(), 0.0, std::int64_t(1),
+                            std::declval<std::vector<detail::Departure>&>()))>> : std::true_type {};
 
 /// The invariants of `Problem` over a run.
 template <class Problem>
@@ -39,6 +40,25 @@ public:
         for (std::size_t i = 0; i < values_.size(); ++i) { departures_[i].start = values_[i]; }
     }
 
+    /// Takes steps until one fails, and looks at the state after each.
+    template <class Stepper, class State>
+    Run take(Stepper& stepper, State& x, double h, std::int64_t steps) {
+        Run run;
+        if constexpr (Follows<Stepper>::value) {
+            run = stepper.follow(x, h, steps, departures_);
+            compute(stepper, x);
+        } else {
+            while (run.steps < steps && run.ok()) {
+                run.status = stepper.step(x, h);
+                run.iterations += run.status.iterations;
+                if (!run.ok()) { break; }
+                ++run.steps;
+                see(stepper, x);
+            }
+        }
+        return run;
+    }
+
     template <class Stepper, class State>
     void see(const Stepper& stepper, const State& x) {
         compute(stepper, x);
@@ -46,7 +66,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
-    [[nodiscard]] const std::vector<Departure>& departures() const { return departures_; }
+    [[nodiscard]] const std::vector<detail::Departure>& departures() const { return departures_; }
 
 private:
     /// NOTE: a sum with 0, so that none of them is -0.
@@ -57,7 +77,7 @@ private:
     }
 
     std::vector<double> values_;
-    std::vector<Departure> departures_;
+    std::vector<detail::Departure> departures_;
 };
 
 /// How much of the energy is in the motion: the mean size of H(q, p) - H(q, 0) over places of a run

@@ -48,13 +48,10 @@ int measure(const std::vector<std::string_view>& words) {
     auto x = Problem::initial();
     Invariants<Problem> invariants(stepper, x);
     Outcome outcome;
-    while (outcome.steps < steps && outcome.ok()) {
-        const Status status = stepper.step(x, h);
-        outcome.iterations += status.iterations;
-        outcome.steps += status.ok() ? 1 : 0;
-        outcome.status = status.message();
-        invariants.see(stepper, x);
-    }
+    const Run run = invariants.take(stepper, x, h, steps);
+    outcome.steps = run.steps;
+    outcome.iterations = run.iterations;
+    outcome.status = run.status.message();
     outcome.evaluations = stepper.evaluations();
     tell(outcome, invariants, detail::flat<typename Problem::Stepper>(x));
     tell_velocity<Problem>(x, h);

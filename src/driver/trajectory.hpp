@@ -137,14 +137,24 @@ private:
     void advance() {
         std::int64_t ahead = steps_ - taken_;
         for (const Rows& table : tables_) { ahead = std::min(ahead, table.ahead(taken_)); }
-        const Run run = detail::take(stepper_, x_, h_, watch == Watch::rows ? ahead : 1);
+        const Run run = take(ahead);
         status_ = run.status;
         iterations_ += run.iterations;
         taken_ += run.steps;
         if (run.steps == 0) { return; }
-        invariants_.see(stepper_, x_);
         write(false);
         if (tables_.front().has_row(taken_)) { tell_progress(); }
+    }
+
+    /// Looks at invariants after each step, or at the end.
+    [[nodiscard]] Run take(std::int64_t steps) {
+        if constexpr (watch == Watch::steps) {
+            return invariants_.take(stepper_, x_, h_, steps);
+        } else {
+            const Run run = detail::take(stepper_, x_, h_, steps);
+            if (run.steps > 0) { invariants_.see(stepper_, x_); }
+            return run;
+        }
     }
 
     [[nodiscard]] bool are_good() const {
@@ -193,7 +203,7 @@ private:
         say("rows", tables_.front().count());
         say("iterations", iterations_);
         say("evaluations", static_cast<std::int64_t>(stepper_.evaluations()));
-        for (const Departure& departure : invariants_.departures()) {
+        for (const detail::Departure& departure : invariants_.departures()) {
             say("start", departure.start);
             say("largest", departure.largest);
             say("last", departure.last);

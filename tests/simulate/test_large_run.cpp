@@ -14,6 +14,13 @@ using namespace hvi::test;
 
 namespace {
 
+// NOTE: sanitizers end a process that asks for too much memory, where operator new would throw.
+#ifdef __has_feature
+constexpr bool is_sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool is_sanitized = false;
+#endif
+
 /// Free particles that begin as a file says.
 const std::string particles = R"toml(coordinates = "x[1..N]"
 momenta     = "p[1..N]"
@@ -130,7 +137,8 @@ TEST_CASE("a state for which there is no memory: status 3, and nothing is left")
     const Directory directory;
     const Outcome outcome = run_plane(directory, plane("0", 1000000));  // eight terabytes each
     CHECK(outcome.status == 3);
-    CHECK(outcome.err.find("error: there is not enough memory for the run") == 0);
+    if (!is_sanitized)
+        CHECK(outcome.err.find("error: there is not enough memory for the run") == 0);
     CHECK(directory.names() == std::vector<std::string>{"plane.toml"});
 }
 

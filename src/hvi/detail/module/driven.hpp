@@ -17,7 +17,8 @@ template <class Problem>
 class Driven {
 public:
     [[nodiscard]] static constexpr DrivenFunctions functions() {
-        return {driven_version, create, destroy, sizes, counts, begin, take, energy, invariants};
+        return {driven_version, create, destroy, sizes,  counts,
+                begin,          take,   follow,  energy, invariants};
     }
 
 private:
@@ -66,13 +67,42 @@ private:
     static void begin(const void* instance, double* state) { of(instance).begin(state); }
 
     static int take(void* instance, double* state, double h, std::int64_t steps) {
+        return advance(instance, state, [&](Of& stepper) { return stepper.take(h, steps); });
+    }
+
+    static int follow(void* instance, double* state, double h, std::int64_t steps,
+                      Departure* departures) {
+        return advance(instance, state, [&](Of& stepper) {
+            Run run;
+            for (std::int64_t k = 0; k < steps && run.ok(); ++k) {
+                run = stepper.take(h, 1);
+                if (run.ok()) { see(stepper, departures); }
+            }
+            return run;
+        });
+    }
+
+    /// The code of the status of what f takes.
+    template <class F>
+    static int advance(void* instance, double* state, F&& f) {
         Of& stepper = *static_cast<Of*>(instance);
         try {
             stepper.read(state);
-            const Run run = stepper.take(h, steps);
+            const Run run = f(stepper);
             stepper.write(state);
             return static_cast<int>(run.status.code());
         } catch (const std::bad_alloc&) { return driven_out_of_memory; }
+    }
+
+    static void see(const Of& at, Departure* departures) {
+        if constexpr (!Of::has_time) {
+            departures++->see(static_cast<double>(at.stepper().energy(at.state())));
+        }
+        if constexpr (Problem::invariant_count > 0) {
+            double values[Problem::invariant_count];
+            Problem::values(at.stepper(), at.state(), values);
+            for (const double value : values) { departures++->see(value); }
+        }
     }
 
     static double energy(const void* instance, const double* state) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <hvi/detail/module/departure.hpp>
+
 namespace hvi::detail {
 
 /// Version of these functions: hvi-gen takes no module of another one.
@@ -38,6 +40,10 @@ struct DrivenFunctions {
     void (*begin)(const void* stepper, double* state);
     /// Takes steps until one fails: the code of its Status, or driven_out_of_memory.
     int (*take)(void* stepper, double* state, double h, std::int64_t steps);
+    /// Takes steps as take() does, and looks after each at the energy, where the function does not
+    /// depend on the time, and at the invariants.
+    int (*follow)(void* stepper, double* state, double h, std::int64_t steps,
+                  Departure* departures);
     double (*energy)(const void* stepper, const double* state);
     void (*invariants)(const void* stepper, const double* state, double* values);
 };
