@@ -22,7 +22,7 @@ namespace {
 /// The module that the process is started for. NOTE: drivers ask a type, not an object.
 std::unique_ptr<const Module> module_of_process;
 
-/// The problem of src/driver/departure.hpp that it is.
+/// The module as a Problem of src/driver/departure.hpp.
 struct ModuleProblem {
     using Stepper = ModuleStepper;
 
@@ -63,7 +63,7 @@ int run(std::string_view command, const std::vector<std::string_view>& words) {
     return 2;
 }
 
-/// NOTE: of large scenes.
+/// Runs a command that looks at invariants where rows are written.
 int run_by_rows(std::string_view command, const std::vector<std::string_view>& words) {
     if (command == "trajectory")
         return driver::trajectory<ModuleProblem, driver::Watch::rows>(words);

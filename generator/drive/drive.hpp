@@ -1,4 +1,4 @@
-// What hvi-gen does in a process of its own: steps of a compiled module.
+// Steps of a compiled module, which hvi-gen takes in a process of its own.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

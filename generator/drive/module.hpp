@@ -13,7 +13,7 @@
 
 namespace hvi::gen {
 
-/// What makes steppers of a module.
+/// Words that make steppers of a module.
 struct ModuleStart {
     std::string path;       ///< of the library
     std::string directory;  ///< of the scene, whose files are found from there
@@ -55,7 +55,7 @@ public:
                              std::vector<detail::Departure>& departures);
     [[nodiscard]] std::int64_t evaluations() const;
 
-    /// What a run is to keep: the energy, where H does not depend on the time, and the invariants
+    /// Names of what a run is to keep: the energy, where H does not depend on the time, and the invariants
     /// of the scene, whose names do not matter here.
     [[nodiscard]] std::vector<std::string> conserved() const;
     /// Writes their values.
@@ -67,7 +67,7 @@ private:
         void operator()(void* stepper) const { destroy(stepper); }
     };
 
-    /// What take(numbers) does to a state.
+    /// Advances the state by take(numbers).
     template <class Take>
     [[nodiscard]] Run advanced(State& x, Take take);
     [[nodiscard]] static std::vector<double> numbers(const State& x);

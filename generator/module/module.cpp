@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -70,14 +71,6 @@ std::vector<SystemFamily> momenta(const System& system) {
     return families(is_lagrangian ? system.momenta : names_of(system, conjugate_nodes(system)));
 }
 
-/// `{"m", hvi::detail::range_of(parameters.m, 1)},`: a list is as long as it was given.
-std::string named_list(const SystemTable& table) {
-    const std::string member = member_of(table.family.name);
-    return fmt::format("{{{}, hvi::detail::range_of(parameters.{}, {})}},",
-                       text_literal(table.family.name), member,
-                       whole(table.family.ranges.front().first));
-}
-
 std::string lines(const std::vector<SystemFamily>& families) {
     Writer writer(3);
     for (const SystemFamily& family : families) { writer.line("{}", named_numbers(family)); }
@@ -85,55 +78,6 @@ std::string lines(const std::vector<SystemFamily>& families) {
 }
 
 bool has_sizes(const System& system) { return vectors_of(system) == StateVectors::any_size; }
-
-/// Names of parameters in their order, as initialisers.
-std::string names_of_parameters(const System& system) {
-    Writer writer(3);
-    if (has_sizes(system)) {
-        for (const SystemSize& size : system.sizes) {
-            writer.line("{}", named_numbers({size.name}));
-        }
-    }
-    for (const SystemParameter& parameter : system.parameters) {
-        writer.line("{}", named_numbers({parameter.name}));
-    }
-    for (const SystemTable& table : system.tables) {
-        const bool has_one_index = table.family.ranges.size() == 1;
-        writer.line("{}", has_one_index ? named_list(table) : named_numbers(table.family));
-    }
-    return writer.str();
-}
-
-/// Whether lists have one index, and as many values as each other: then they may have more or less.
-bool are_equally_long(const std::vector<SystemTable>& tables) {
-    return std::all_of(tables.begin(), tables.end(), [&](const SystemTable& table) {
-        return table.family.ranges.size() == 1 &&
-               element_count(table.family, {}) == element_count(tables.front().family, {});
-    });
-}
-
-/// Statements that read parameters in the order of parameters().
-std::string setting(const System& system) {
-    Writer writer(2);
-    if (has_sizes(system)) {
-        for (const SystemSize& size : system.sizes) {
-            writer.line("reader.size(parameters.{});", member_of(size.name));
-        }
-    }
-    const NodeNames names = parameter_names(system);
-    for (const SystemParameter& parameter : system.parameters) {
-        writer.line("reader.number({});", names.at(parameter.node));
-    }
-    if (!system.tables.empty()) { writer.line("if (reader.is_at_end()) {{ return; }}"); }
-    std::size_t left = system.tables.size();
-    for (const SystemTable& table : system.tables) {
-        const std::string count = are_equally_long(system.tables)
-                                      ? fmt::format("reader.share({})", left--)
-                                      : std::to_string(element_count(table.family, {}));
-        writer.line("reader.list(parameters.{}, {});", member_of(table.family.name), count);
-    }
-    return writer.str();
-}
 
 std::string values(const System& system) {
     Writer writer(2);
@@ -180,18 +124,86 @@ std::string default_of(const SystemTable& table) {
     return text;
 }
 
-std::vector<std::string> described_parameters(const System& system) {
-    std::vector<std::string> items;
+/// A parameter of a module in the three places where its text has it.
+struct ModuleParameter {
+    std::string reading;      ///< the statement that gives it a value
+    std::string name;         ///< and its ranges, as an initialiser
+    std::string description;  ///< with its default
+};
+
+/// Whether lists have one index, and as many values as each other: then they may have more or less.
+bool are_equally_long(const std::vector<SystemTable>& tables) {
+    return std::all_of(tables.begin(), tables.end(), [&](const SystemTable& table) {
+        return table.family.ranges.size() == 1 &&
+               element_count(table.family, {}) == element_count(tables.front().family, {});
+    });
+}
+
+/// A list, after which there are so many of `tables`. Where it has one index it is as long as it is
+/// given: `{"m", hvi::detail::range_of(parameters.m, 1)},`.
+ModuleParameter list(const SystemTable& table, const std::vector<SystemTable>& tables,
+                     std::size_t after) {
+    const std::string member = "parameters." + member_of(table.family.name);
+    const std::string count = are_equally_long(tables)
+                                  ? fmt::format("reader.share({})", after + 1)
+                                  : std::to_string(element_count(table.family, {}));
+    std::string name = named_numbers(table.family);
+    if (table.family.ranges.size() == 1) {
+        name =
+            fmt::format("{{{}, hvi::detail::range_of({}, {})}},", text_literal(table.family.name),
+                        member, whole(table.family.ranges.front().first));
+    }
+    return {fmt::format("reader.list({}, {});", member, count), std::move(name),
+            fmt::format("{} = {}", with_ranges(table.family), default_of(table))};
+}
+
+/// Parameters in their order: sizes, numbers, lists.
+std::vector<ModuleParameter> parameters(const System& system) {
+    std::vector<ModuleParameter> result;
     if (has_sizes(system)) {
         for (const SystemSize& size : system.sizes) {
-            items.push_back(fmt::format("{} = {}", size.name, size.value));
+            result.push_back({fmt::format("reader.size(parameters.{});", member_of(size.name)),
+                              named_numbers({size.name}),
+                              fmt::format("{} = {}", size.name, size.value)});
         }
     }
+    const NodeNames names = parameter_names(system);
     for (const SystemParameter& parameter : system.parameters) {
-        items.push_back(fmt::format("{} = {}", parameter.name, to_text(parameter.value)));
+        result.push_back({fmt::format("reader.number({});", names.at(parameter.node)),
+                          named_numbers({parameter.name}),
+                          fmt::format("{} = {}", parameter.name, to_text(parameter.value))});
     }
-    for (const SystemTable& table : system.tables) {
-        items.push_back(fmt::format("{} = {}", with_ranges(table.family), default_of(table)));
+    for (std::size_t k = 0; k < system.tables.size(); ++k) {
+        const std::size_t after = system.tables.size() - k - 1;
+        result.push_back(list(system.tables[k], system.tables, after));
+    }
+    return result;
+}
+
+/// Statements that read parameters. NOTE: lists at the end may be left out together.
+std::string setting(const System& system) {
+    Writer writer(2);
+    const std::vector<ModuleParameter> all = parameters(system);
+    const std::size_t first_list = all.size() - system.tables.size();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (k == first_list) { writer.line("if (reader.is_at_end()) {{ return; }}"); }
+        writer.line("{}", all[k].reading);
+    }
+    return writer.str();
+}
+
+std::string names_of_parameters(const System& system) {
+    Writer writer(3);
+    for (const ModuleParameter& parameter : parameters(system)) {
+        writer.line("{}", parameter.name);
+    }
+    return writer.str();
+}
+
+std::vector<std::string> described_parameters(const System& system) {
+    std::vector<std::string> items;
+    for (const ModuleParameter& parameter : parameters(system)) {
+        items.push_back(parameter.description);
     }
     if (items.empty()) { items.emplace_back("(the scene has none)"); }
     return items;
@@ -251,7 +263,7 @@ StepperWishes module_wishes(StepperWishes wishes, const std::string& name) {
 
 namespace {
 
-/// What both kinds of modules say of their stepper, of which `text` is that of the class.
+/// Holes that both kinds of modules have for their stepper; `text` is that of its class.
 Holes stepper_holes(const System& system, const std::string& class_name, const std::string& text) {
     return {{"stepper", text},
             {"class", class_name},

@@ -16,7 +16,7 @@ struct Compiler {
 /// Throws EnvironmentError where there is none.
 [[nodiscard]] Compiler find_compiler();
 
-/// What the compiler makes.
+/// Kinds of files that the compiler makes.
 enum class Artifact { program, library };
 
 /// What is compiled with: as users do who care for speed.

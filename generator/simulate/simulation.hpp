@@ -44,12 +44,12 @@ struct Simulation {
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
 
-/// What is compiled for a scene and a method, and what goes to it as data.
+/// A module for a scene and a method as text, and the data that go to it.
 struct SimulationProgram {
     ProgramText text;
     Target::Module module;
 
-    /// It, compiled. Throws what the Build does.
+    /// The compiled module with its data. Throws what the Build does.
     [[nodiscard]] Target target(const Build& build) const { return {built(build), module}; }
 };
 

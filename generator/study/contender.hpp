@@ -31,7 +31,7 @@ struct Contender {
     SimulationProgram program;
     std::optional<SolverCosts> costs = {};  ///< of the ways to solve for its stages
 
-    /// What runs it. Throws what the Build does.
+    /// The compiled module with its data. Throws what the Build does.
     [[nodiscard]] Target target() const { return program.target(build); }
 };
 

@@ -9,7 +9,7 @@
 
 namespace hvi::driver {
 
-/// What a program ends with that has not enough memory, or of whose files one cannot be read.
+/// Exit statuses where there is not enough memory, and where a file cannot be read.
 inline constexpr int out_of_memory = 4, cannot_read = 5;
 
 /// Runs it, and says what becomes of it where that throws.

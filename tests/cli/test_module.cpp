@@ -1,4 +1,4 @@
-// What `hvi-gen module` writes, and what it refuses.
+// Files and refusals of `hvi-gen module`.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
@@ -26,7 +26,7 @@ TEST_CASE("a module is two files, whose names are printed") {
         text_has(header, "\nint kepler_step(kepler_stepper* handle, double* state, double h);\n"));
     CHECK(text_has(header, "\n//     mu = 1\n//     ecc = 3/5\n"));
 
-    // The same again, byte for byte, also over what is there.
+    // A second call writes the same bytes over these files.
     const std::string source = contents(directory / "new/ones/kepler.cpp");
     CHECK(hvi_gen({"module", "kepler", "-o", "new/ones"}, directory.path()).status == 0);
     CHECK(contents(directory / "new/ones/kepler.cpp") == source);

@@ -81,7 +81,7 @@ TEST_CASE("a copy goes on as its original would, and a stepper that is reset as 
     REQUIRE(kepler_step(first.handle, z.data(), h) == 0);
     REQUIRE(kepler_step(other.handle, fresh.data(), h) == 0);
     CHECK(same_bits(z, fresh));
-    // What is forgotten shows in the last bits: else this tests nothing.
+    // The last bits show what is forgotten: else this tests nothing.
     CHECK_FALSE(same_bits(x, z));
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("a step that cannot be taken leaves every bit, and ends a run with the
           std::string::npos);
     CHECK(same_bits(at_sun, before));
 
-    // Of a comet that falls into the sun some rows are written.
+    // A comet that falls into the sun has rows of the steps before.
     std::vector<double> falling = {1, 0, -0.5, 0}, table(400 * 5, -7.0);
     std::size_t written = 0;
     CHECK(kepler_integrate(planet.handle, falling.data(), 0, 0.02, 400, 1, nullptr, table.data(),

@@ -61,6 +61,6 @@ TEST_CASE("what nobody waits for is forgotten") {
             static_cast<void>(
                 builds.order(program("std::puts(\"left " + std::to_string(i) + "\");")));
     }
-    // What is being compiled then comes to its end, and nothing else begins.
+    // Compilations that have begun come to their end, and no other begins.
     CHECK(hvi::test::lines_of(hvi::test::contents(count)).size() < ordered / 2);
 }

@@ -1,4 +1,4 @@
-// The list of what a generated class System computes.
+// The list of functions of a generated class System.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a function of a module returns: 0, why a step was not taken, or which argument is wrong.
+// Statuses of C functions of a module: 0, why a step was not taken, or which argument is wrong.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -24,10 +24,10 @@ enum class Answer : int {
     failed = 113,
 };
 
-/// A step's Status as a number, and back.
+/// The number of a step's Status.
 [[nodiscard]] constexpr int number_of(Status::Code code) { return static_cast<int>(code); }
 
-/// One line without a full stop, of any number.
+/// A line about any number, without a full stop.
 [[nodiscard]] constexpr const char* text_of_answer(int answer) {
     constexpr int codes = number_of(Status::Code::outside_chart);
     if (answer >= 0 && answer <= codes) {

@@ -1,4 +1,4 @@
-// What becomes of a quantity that a run should keep.
+// Departures of quantities that a run should keep.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,7 +8,8 @@ namespace hvi::detail {
 struct Departure {
     double start = 0, largest = 0, last = 0;
 
-    /// NOTE: a sum with 0, so that none is -0; and what is no number counts as large.
+    /// Compares a value with the start. NOTE: 0 is added so that none is -0; what is no number
+    /// counts as large.
     void see(double value) {
         last = value + 0.0 - start;
         const double size = last < 0 ? -last : last;

@@ -12,7 +12,7 @@
 
 namespace hvi::detail {
 
-/// What the functions of a driven module do. `Problem` is as in instance.hpp.
+/// Functions of a driven module. `Problem` is as in instance.hpp.
 template <class Problem>
 class Driven {
 public:
@@ -82,7 +82,7 @@ private:
         });
     }
 
-    /// The code of the status of what f takes.
+    /// Takes the steps of f(stepper) from `state`: the code of its status.
     template <class F>
     static int advance(void* instance, double* state, F&& f) {
         Of& stepper = *static_cast<Of*>(instance);

@@ -27,7 +27,7 @@ struct DrivenCounts {
     std::int64_t steps, iterations, evaluations;
 };
 
-/// What a module has, as its symbol hvi_scene. Steppers are pointers to nothing; states are
+/// Functions of a module, which it has as its symbol hvi_scene. Steppers are pointers to nothing; states are
 /// coordinates, momenta, and the time where the function depends on it.
 struct DrivenFunctions {
     int version;

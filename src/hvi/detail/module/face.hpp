@@ -1,4 +1,4 @@
-// What the C functions of a module do.
+// C functions of a module, as static members of a class.
 // SPDX-License-Identifier: MIT
 //
 // `Problem` is as in instance.hpp, and has more static members: coordinates(parameters),

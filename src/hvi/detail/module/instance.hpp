@@ -23,7 +23,7 @@ struct HasTime : std::false_type {};
 template <class State>
 struct HasTime<State, std::void_t<decltype(std::declval<State&>().t)>> : std::true_type {};
 
-/// What a module is known by, and what it keeps from one step to the next.
+/// A stepper with its parameters, and what it keeps from one step to the next.
 template <class Problem>
 class Instance {
 public:
