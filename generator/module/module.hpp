@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "generator/pipeline/stepper.hpp"
 
@@ -21,13 +20,5 @@ struct CModule {
 /// module_wishes(), and `name` passes check_module_name().
 [[nodiscard]] CModule c_module(const SceneStepper& stepper, const std::string& name,
                                const std::string& command);
-
-/// The source of a module that hvi-gen drives itself: src/hvi/detail/module/driven.hpp. Its text
-/// does not depend on values of parameters and on sizes, so that what is compiled for one of them
-/// serves all. Precondition: as of c_module().
-[[nodiscard]] std::string driven_module(const SceneStepper& stepper);
-
-/// Values of sizes, then of parameters, as such a module takes them; lists stay in it.
-[[nodiscard]] std::vector<double> driven_parameters(const System& system);
 
 }  // namespace hvi::gen

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "generator/emit/text/names.hpp"
-#include "generator/module/module.hpp"
+#include "generator/module/driven.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -147,8 +147,9 @@ std::string parameters_of(const SceneStepper& stepper) {
 }  // namespace
 
 SimulationProgram simulation_program(const SceneStepper& stepper) {
-    return {module_text(driven_module(stepper), stepper.own_headers),
-            {stepper.system.directory, driven_parameters(stepper.system),
+    DrivenModule driven = driven_module(stepper);
+    return {module_text(driven.source, stepper.own_headers),
+            {stepper.system.directory, std::move(driven.numbers),
              stepper.step.container == Container::vectors}};
 }
 

@@ -92,6 +92,46 @@ TEST_CASE("a scene with other values in it starts no compiler") {
     CHECK(contents(compiler.directory / "report/times.csv") != times);
 }
 
+TEST_CASE("another start starts no compiler") {
+    const CountedCompiler compiler;
+    const auto first_row = [&](const std::string& x) {
+        write(compiler.directory / "two.toml",
+              "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\nparameters = {a = 2}\n"
+              "hamiltonian = \"(px^2 + py^2)/2 + a*x^2*y^2/2\"\n"
+              "[initial]\nx = \"" +
+                  x + "\"\ny = \"a/3\"\npx = 0\npy = \"sin(pi*a)\"\n");
+        const Outcome run =
+            compiler.run("hvi-gen run two.toml -o out --method stormer-verlet "
+                         "--step 0.1 --until 0.1 --no-symmetries --columns x,y,px,py --only table");
+        INFO(run.err);
+        REQUIRE(run.status == 0);
+        return lines_of(contents(compiler.directory / "out/trajectory.csv")).at(1);
+    };
+    // Correctly rounded: sin(2 pi) is 0, which of the double 2 pi is -2.4e-16.
+    CHECK(first_row("1/3") == "0,0.3333333333333333,0.6666666666666666,0,0");
+    CHECK(first_row("sqrt(a)") == "0,1.4142135623730951,0.6666666666666666,0,0");
+    CHECK(compiler.compilations() == 1);
+}
+
+TEST_CASE("other values of a list start no compiler") {
+    const CountedCompiler compiler;
+    const auto first_row = [&](const std::string& masses) {
+        write(compiler.directory / "free.toml",
+              "coordinates = [\"x[1..3]\"]\nmomenta = [\"p[1..3]\"]\nparameters = {m = " + masses +
+                  "}\nhamiltonian = \"sum(i=1..3, p[i]^2/(2*m[i]) + x[i]^4)\"\n"
+                  "[initial]\n\"x[i]\" = 0\n\"p[i]\" = 1\n");
+        const Outcome run =
+            compiler.run("hvi-gen run free.toml -o out --method stormer-verlet --unroll no "
+                         "--step 1/2 --until 1/2 --columns energy --only table");
+        INFO(run.err);
+        REQUIRE(run.status == 0);
+        return lines_of(contents(compiler.directory / "out/trajectory.csv")).at(1);
+    };
+    CHECK(first_row("[1, 2, 4]") == "0,0.875");
+    CHECK(first_row("[\"1/2\", 1, 1]") == "0,2");
+    CHECK(compiler.compilations() == 1);
+}
+
 TEST_CASE("what is no module is refused") {
     use_cache();
     const Directory directory;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/module/driven.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "generator/emit/steps/emit.hpp"
+#include "generator/emit/system/scene_code.hpp"
+#include "generator/module/start_parameters.hpp"
+#include "generator/module/stepper_part.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Whether a module takes the values of all lists, as far as the command line has room. NOTE: it
+/// takes all or none, and files it reads itself.
+bool are_lists_numbers(const System& system) {
+    constexpr std::size_t most = 2000;
+    std::size_t count = 0;
+    for (const SystemTable& table : system.tables) {
+        const auto* values = std::get_if<std::vector<Expression>>(&table.values);
+        if (values == nullptr) { return false; }
+        count += values->size();
+    }
+    return count <= most;
+}
+
+/// The system with other values in their places.
+System without_values(System system) {
+    for (SystemParameter& parameter : system.parameters) { parameter.value = {}; }
+    for (SystemSize& size : system.sizes) { size.value = 1; }
+    if (are_lists_numbers(system)) {
+        for (SystemTable& table : system.tables) {
+            for (Expression& value : std::get<std::vector<Expression>>(table.values)) {
+                value = {};
+            }
+        }
+    }
+    return system;
+}
+
+/// NOTE: what stands above is for people who read the header.
+std::string code_of(const std::string& header) {
+    return header.substr(header.find("#pragma once"));
+}
+
+double value_of_number(const Expression& expression) {
+    constexpr std::size_t of_double = 1;
+    const std::optional<Dyadic> value = rounded_value(expression)[of_double];
+    HVI_CHECK(value.has_value());  // or the header of the stepper could not be written
+    return value->to_double();
+}
+
+/// Values of sizes, then of parameters, in their order.
+std::vector<double> values_of_numbers(const System& system) {
+    std::vector<double> result;
+    if (has_sizes(system)) {
+        for (const SystemSize& size : system.sizes) {
+            result.push_back(static_cast<double>(size.value));
+        }
+    }
+    for (const SystemParameter& parameter : system.parameters) {
+        result.push_back(value_of_number(parameter.value));
+    }
+    return result;
+}
+
+/// Values of lists, one after the other; none where some of them stay in the source.
+std::vector<double> values_of_lists(const System& system) {
+    std::vector<double> result;
+    if (!are_lists_numbers(system)) { return result; }
+    for (const SystemTable& table : system.tables) {
+        for (const Expression& value : std::get<std::vector<Expression>>(table.values)) {
+            result.push_back(value_of_number(value));
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+DrivenModule driven_module(const SceneStepper& stepper) {
+    StartParameters start = with_start_parameters(stepper.system);
+    std::vector<double> numbers = values_of_numbers(stepper.system);
+    const std::vector<double> lists = values_of_lists(stepper.system);
+    numbers.insert(numbers.end(), start.values.begin(), start.values.end());
+    numbers.insert(numbers.end(), lists.begin(), lists.end());
+    const System system = without_values(std::move(start.system));
+    const std::string header =
+        emit(stepper.method, stepper.step,
+             {.class_name = stepper.class_name,
+              .command = "",
+              .system = &system,
+              .wishes = stepper.members,
+              .evaluations = stepper.evaluations ? &*stepper.evaluations : nullptr});
+    return {fill("driven.cpp.in",
+                 stepper_holes(system, stepper.class_name, without_once(code_of(header)))),
+            std::move(numbers)};
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,25 @@
+// A stepper of a scene as a module that hvi-gen compiles and drives itself.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/pipeline/stepper.hpp"
+
+namespace hvi::gen {
+
+/// A source, for src/hvi/detail/module/driven.hpp, and the numbers that its steppers are made of.
+/// The source depends neither on values of parameters, nor on sizes, nor on where the scene begins,
+/// so that what is compiled for one of them serves all.
+struct DrivenModule {
+    std::string source;
+    std::vector<double> numbers;  ///< sizes, parameters, starting values, lists
+};
+
+/// Writes the module. Starting values stay in the source where they depend on indices or files, or
+/// on functions of the user's own, lists where one is in a file, and both where there are
+/// thousands. Precondition: `stepper` is made with module_wishes().
+[[nodiscard]] DrivenModule driven_module(const SceneStepper& stepper);
+
+}  // namespace hvi::gen
