@@ -340,7 +340,7 @@ void run(const RunOptions& options) {
     note_left_out(steps);
 
     Builds builds(find_compiler());
-    const Target program = subject.program.target(builds.order(subject.program.text));
+    const Target program = subject.program.order(builds).target();
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     Results results(directory);
     const RunTables tables = wished_tables(subject, steps, options, columns, results);

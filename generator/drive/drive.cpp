@@ -44,12 +44,13 @@ struct Line {
 };
 
 std::optional<Line> read_line(const std::vector<std::string_view>& words) {
-    constexpr std::size_t before_parameters = 3;
+    constexpr std::size_t before_parameters = 4;
     std::int64_t count = 0;
-    if (words.size() < before_parameters || !driver::read(words[2], count) || count < 0) return {};
+    if (words.size() < before_parameters || !driver::read(words[3], count) || count < 0) return {};
     const std::size_t end = before_parameters + static_cast<std::size_t>(count);
     if (words.size() <= end) return {};
-    Line line{{std::string(words[0]), std::string(words[1]), {}}, {}};
+    const std::string solvers(words[1] == no_solvers ? "" : words[1]);
+    Line line{{std::string(words[0]), solvers, std::string(words[2]), {}}, {}};
     for (std::size_t k = before_parameters; k < end; ++k)
         if (!driver::read(words[k], line.start.parameters.emplace_back())) return {};
     line.command.assign(words.begin() + static_cast<std::ptrdiff_t>(end), words.end());
@@ -73,21 +74,25 @@ int run_by_rows(std::string_view command, const std::vector<std::string_view>& w
     return 2;
 }
 
+int run(Line line) {
+    module_of_process = std::make_unique<const Module>(std::move(line.start));
+    std::vector<std::string_view>& rest = line.command;
+    const bool by_rows = rest.front() == rows_word;
+    if (by_rows) rest.erase(rest.begin());
+    if (rest.empty()) return 2;
+    const std::string_view command = rest.front();
+    rest.erase(rest.begin());
+    return by_rows ? run_by_rows(command, rest) : run(command, rest);
+}
+
 }  // namespace
 
 int drive(const std::vector<std::string_view>& words) {
     std::optional<Line> line = read_line(words);
     if (!line) return 2;
-    return driver::guarded([&] {
-        module_of_process = std::make_unique<const Module>(std::move(line->start));
-        auto& rest = line->command;
-        const bool by_rows = rest.front() == rows_word;
-        if (by_rows) rest.erase(rest.begin());
-        if (rest.empty()) return 2;
-        const std::string_view command = rest.front();
-        rest.erase(rest.begin());
-        return by_rows ? run_by_rows(command, rest) : run(command, rest);
-    });
+    try {
+        return driver::guarded([&] { return run(std::move(*line)); });
+    } catch (const detail::SolverIsApart&) { return solver_is_apart; }
 }
 
 }  // namespace hvi::gen

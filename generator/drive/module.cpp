@@ -16,11 +16,11 @@ void* made(const Module& module) {
     constexpr std::size_t most_of_message = 4096;
     // NOTE: as many as there are processors.
     constexpr unsigned threads = 0;
-    const auto& [path, directory, parameters] = module.start();
+    const std::vector<double>& parameters = module.start().parameters;
     void* stepper = nullptr;
     std::string message(most_of_message, '\0');
-    switch (module.call().create(directory.c_str(), threads, parameters.data(), parameters.size(),
-                                 &stepper, message.data(), message.size())) {
+    switch (module.call().create(module.start().directory.c_str(), threads, parameters.data(),
+                                 parameters.size(), &stepper, message.data(), message.size())) {
     case detail::DrivenAnswer::ok: return stepper;
     case detail::DrivenAnswer::out_of_memory: throw std::bad_alloc();
     case detail::DrivenAnswer::failed: break;
@@ -28,14 +28,24 @@ void* made(const Module& module) {
     throw std::runtime_error(message.c_str());
 }
 
+/// The functions of a library of this version, which stays loaded.
+template <class Functions>
+const Functions* functions(const std::string& path, const char* symbol) {
+    void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) throw std::runtime_error(::dlerror());
+    const auto* const found = static_cast<const Functions*>(::dlsym(library, symbol));
+    if (found == nullptr || found->version != detail::driven_version)
+        throw std::runtime_error(path + " is no module of this version of hvi");
+    return found;
+}
+
 }  // namespace
 
-Module::Module(ModuleStart start) : start_(std::move(start)) {
-    void* const library = ::dlopen(start_.path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) throw std::runtime_error(::dlerror());
-    call_ = static_cast<const detail::DrivenFunctions*>(::dlsym(library, "hvi_scene"));
-    if (call_ == nullptr || call_->version != detail::driven_version)
-        throw std::runtime_error(start_.path + " is no module of this version of hvi");
+Module::Module(ModuleStart start)
+    : start_(std::move(start)),
+      call_(functions<detail::DrivenFunctions>(start_.path, "hvi_scene")) {
+    if (start_.solvers.empty()) return;
+    call_->take_solvers(functions<detail::SolverFunctions>(start_.solvers, "hvi_solvers")->find);
 }
 
 ModuleStepper::ModuleStepper(const Module& module)
@@ -72,6 +82,7 @@ Run ModuleStepper::advanced(State& x, Take take) {
     const detail::DrivenCounts before = call_->counts(stepper_.get());
     const int code = take(all.data());
     if (code == detail::driven_out_of_memory) throw std::bad_alloc();
+    if (code == detail::driven_solver_is_apart) throw detail::SolverIsApart();
     const detail::DrivenCounts after = call_->counts(stepper_.get());
     Run run;
     run.steps = after.steps - before.steps;

@@ -16,6 +16,7 @@ namespace hvi::gen {
 /// Words that make steppers of a module.
 struct ModuleStart {
     std::string path;       ///< of the library
+    std::string solvers;    ///< path of the library of its solvers; or empty
     std::string directory;  ///< of the scene, whose files are found from there
     std::vector<double> parameters;
 };
@@ -48,15 +49,15 @@ public:
     [[nodiscard]] State initial() const;
 
     [[nodiscard]] Status step(State& x, double h) { return advance(x, h, 1).status; }
-    /// Throws std::bad_alloc.
+    /// Throws std::bad_alloc, and SolverIsApart.
     [[nodiscard]] Run advance(State& x, double h, std::int64_t steps);
     /// Takes steps as advance() does, and looks after each at what is conserved().
     [[nodiscard]] Run follow(State& x, double h, std::int64_t steps,
                              std::vector<detail::Departure>& departures);
     [[nodiscard]] std::int64_t evaluations() const;
 
-    /// Names of what a run is to keep: the energy, where H does not depend on the time, and the invariants
-    /// of the scene, whose names do not matter here.
+    /// Names of what a run is to keep: the energy, where H does not depend on the time, and the
+    /// invariants of the scene, whose names do not matter here.
     [[nodiscard]] std::vector<std::string> conserved() const;
     /// Writes their values.
     void values(const State& x, double* out) const;

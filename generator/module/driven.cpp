@@ -81,6 +81,25 @@ std::vector<double> values_of_lists(const System& system) {
     return result;
 }
 
+/// The text of the class, for a compiler.
+std::string class_text(const SceneStepper& stepper, const System& system, SeldomSolvers seldom) {
+    const std::string header =
+        emit(stepper.method, stepper.step,
+             {.class_name = stepper.class_name,
+              .command = "",
+              .system = &system,
+              .wishes = stepper.members,
+              .evaluations = stepper.evaluations ? &*stepper.evaluations : nullptr,
+              .seldom = seldom});
+    return without_once(code_of(header));
+}
+
+/// NOTE: g++ takes three quarters of its time for <cmath> to read Bessel functions and the like,
+/// which steppers do not call. A header of the user's may.
+std::string skipped(const SceneStepper& stepper) {
+    return stepper.own_headers.empty() ? "#define _GLIBCXX_BITS_SPECFUN_H 1" : "";
+}
+
 }  // namespace
 
 DrivenModule driven_module(const SceneStepper& stepper) {
@@ -90,16 +109,25 @@ DrivenModule driven_module(const SceneStepper& stepper) {
     numbers.insert(numbers.end(), start.values.begin(), start.values.end());
     numbers.insert(numbers.end(), lists.begin(), lists.end());
     const System system = without_values(std::move(start.system));
-    const std::string header =
-        emit(stepper.method, stepper.step,
-             {.class_name = stepper.class_name,
-              .command = "",
-              .system = &system,
-              .wishes = stepper.members,
-              .evaluations = stepper.evaluations ? &*stepper.evaluations : nullptr});
-    return {fill("driven.cpp.in",
-                 stepper_holes(system, stepper.class_name, without_once(code_of(header)))),
-            std::move(numbers)};
+    DrivenModule module;
+    module.numbers = std::move(numbers);
+    const std::string& name = stepper.class_name;
+    const std::string skip = skipped(stepper);
+    const auto source = [&](SeldomSolvers seldom) {
+        Holes holes = stepper_holes(system, name, class_text(stepper, system, seldom));
+        holes.emplace("skip", skip);
+        return fill("driven.cpp.in", holes);
+    };
+    if (!has_seldom_solvers(stepper.step)) {
+        module.source = source(SeldomSolvers::within);
+        return module;
+    }
+    module.source = source(SeldomSolvers::apart);
+    module.solvers =
+        fill("solvers.cpp.in", {{"skip", skip},
+                                {"stepper", class_text(stepper, system, SeldomSolvers::alone)},
+                                {"class", name}});
+    return module;
 }
 
 }  // namespace hvi::gen

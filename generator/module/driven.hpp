@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,13 @@
 namespace hvi::gen {
 
 /// A source, for src/hvi/detail/module/driven.hpp, and the numbers that its steppers are made of.
-/// The source depends neither on values of parameters, nor on sizes, nor on where the scene begins,
-/// so that what is compiled for one of them serves all.
+/// Solvers that steps seldom call are a library of their own. The sources depend neither on values
+/// of parameters, nor on sizes, nor on where the scene begins, so that what is compiled for one of
+/// them serves all.
 struct DrivenModule {
     std::string source;
-    std::vector<double> numbers;  ///< sizes, parameters, starting values, lists
+    std::optional<std::string> solvers;  ///< the source of these
+    std::vector<double> numbers;         ///< sizes, parameters, starting values, lists
 };
 
 /// Writes the module. Starting values stay in the source where they depend on indices or files, or

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -40,6 +41,11 @@ public:
     /// The same for the same text. Order all of them before the first is waited for.
     [[nodiscard]] Build order(const ProgramText& text);
 
+    /// Where it is, if it was compiled before.
+    [[nodiscard]] std::optional<std::filesystem::path> kept(const ProgramText& text) const {
+        return kept_program(cache_, compiler_, text);
+    }
+
 private:
     using Task = std::packaged_task<std::filesystem::path()>;
 
@@ -53,6 +59,25 @@ private:
     bool end_ = false;
     std::condition_variable changed_;
     std::vector<std::thread> workers_;  ///< last: they use the members above
+};
+
+/// A program that is compiled when it is first called for.
+class LateBuild {
+public:
+    /// Precondition: `builds` live longer.
+    LateBuild(Builds& builds, ProgramText text)
+        : builds_(&builds), text_(std::move(text)), file_(builds_->kept(text_)) {}
+
+    /// Where it is, if it is compiled.
+    [[nodiscard]] const std::optional<std::filesystem::path>& file() const { return file_; }
+
+    /// Compiles it, and says so. Throws what its Build does.
+    void compile() { file_ = built(builds_->order(text_)); }
+
+private:
+    Builds* builds_;
+    ProgramText text_;
+    std::optional<std::filesystem::path> file_;
 };
 
 }  // namespace hvi::gen

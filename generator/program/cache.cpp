@@ -136,6 +136,15 @@ void make_program(const Compiler& compiler, const fs::path& directory, const Fil
 
 }  // namespace
 
+std::optional<fs::path> kept_program(const CacheDirectory& cache, const Compiler& compiler,
+                                     const ProgramText& text) {
+    const std::string key = key_of(compiler, text, files_of(text));
+    const Entry entry(cache.path() / hash(key), key);
+    if (!entry.is_sound()) return {};
+    mark_used(entry.directory());
+    return entry.program();
+}
+
 fs::path built_program(const CacheDirectory& cache, const Compiler& compiler,
                        const ProgramText& text) {
     const Files files = files_of(text);

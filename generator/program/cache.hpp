@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,9 @@ struct ProgramText {
 /// with different texts, and several processes.
 [[nodiscard]] std::filesystem::path
 built_program(const CacheDirectory& cache, const Compiler& compiler, const ProgramText& text);
+
+/// The same where it is compiled already.
+[[nodiscard]] std::optional<std::filesystem::path>
+kept_program(const CacheDirectory& cache, const Compiler& compiler, const ProgramText& text);
 
 }  // namespace hvi::gen

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <utility>
 
 #include "generator/drive/words.hpp"
 #include "generator/support/child.hpp"
@@ -25,8 +26,11 @@ std::vector<std::string> command_of(const Target& target, const std::vector<std:
     if (!target.module) {
         line = {target.file.string()};
     } else {
-        const auto& [directory, parameters, looks_at_rows] = *target.module;
-        line = {"/proc/self/exe", drive_word, std::filesystem::absolute(target.file).string(),
+        const auto& [directory, parameters, looks_at_rows, solvers] = *target.module;
+        line = {"/proc/self/exe",
+                drive_word,
+                std::filesystem::absolute(target.file).string(),
+                solvers && solvers->file() ? solvers->file()->string() : no_solvers,
                 std::filesystem::absolute("." / directory).string(),
                 std::to_string(parameters.size())};
         for (const double value : parameters) line.push_back(fmt::format("{}", value));
@@ -86,14 +90,21 @@ EnvironmentError Answers::unexpected(const std::string& what) const {
                                         program_.parent_path().string()));
 }
 
-Answers ask(const Target& target, const std::vector<std::string>& words,
-            const std::filesystem::path& file, const std::function<void(double)>& on_progress) {
+namespace {
+
+/// What a program said, and how it ended.
+struct Heard {
+    Answers answers;
+    ChildResult ended;
+};
+
+Heard heard(const Target& target, const std::vector<std::string>& words,
+            const std::function<void(double)>& on_progress) {
     constexpr std::string_view progress = "progress ";
     const Progress::Stage stage("running");
-    std::vector<std::string> command = command_of(target, words);
-    if (!file.empty()) command.push_back(file.string());
+    const std::vector<std::string> command = command_of(target, words);
     Answers answers(target.file);
-    const ChildResult ended = run_child(command, ".", [&](std::string_view line) {
+    ChildResult ended = run_child(command, ".", [&](std::string_view line) {
         if (!line.starts_with(progress)) return answers.hear(line);
         Answers of_progress(target.file);
         of_progress.hear(line);
@@ -101,6 +112,21 @@ Answers ask(const Target& target, const std::vector<std::string>& words,
         if (!(part >= 0 && part <= 1)) throw answers.unexpected(fmt::format("it says `{}`", line));
         if (on_progress) on_progress(part);
     });
+    return {std::move(answers), std::move(ended)};
+}
+
+}  // namespace
+
+Answers ask(const Target& target, const std::vector<std::string>& words,
+            const std::filesystem::path& file, const std::function<void(double)>& on_progress) {
+    std::vector<std::string> all = words;
+    if (!file.empty()) all.push_back(file.string());
+    Heard last = heard(target, all, on_progress);
+    if (last.ended.status == solver_is_apart && target.module && target.module->solvers) {
+        target.module->solvers->compile();
+        last = heard(target, all, on_progress);
+    }
+    const auto& [answers, ended] = last;
     if (ended.status == cannot_write && !file.empty())
         throw EnvironmentError("cannot write " + file.string());
     if (ended.status == out_of_memory)
@@ -110,7 +136,7 @@ Answers ask(const Target& target, const std::vector<std::string>& words,
         throw EnvironmentError(
             fmt::format("a compiled program was ended by signal {}", ended.status - 128));
     if (!ended.ok()) throw answers.unexpected(fmt::format("it ends with status {}", ended.status));
-    return answers;
+    return std::move(last.answers);
 }
 
 }  // namespace hvi::gen

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "generator/program/builds.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -52,15 +54,17 @@ struct Target {
         std::filesystem::path directory;  ///< of the scene
         std::vector<double> parameters;
         bool looks_at_rows = false;  ///< alone: values of a state cost as much as a step does
+        std::shared_ptr<LateBuild> solvers = {};  ///< that its steps seldom call; or none
     };
 
     std::filesystem::path file;
     std::optional<Module> module = {};
 };
 
-/// Calls a compiled driver with these words and hears it out; `on_progress` gets the part that is
-/// done as often as the driver says. Throws EnvironmentError where it did not end well, could not
-/// write `file`, or said what is no answer, and Interruption.
+/// Calls a compiled driver with these words, once more where solvers had to be compiled for it, and
+/// hears it out; `on_progress` gets the part that is done as often as the driver says. Throws
+/// EnvironmentError where it did not end well, could not write `file`, or said what is no answer,
+/// and Interruption.
 [[nodiscard]] Answers ask(const Target& target, const std::vector<std::string>& words,
                           const std::filesystem::path& file = {},
                           const std::function<void(double)>& on_progress = nullptr);

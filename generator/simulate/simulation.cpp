@@ -146,9 +146,17 @@ std::string parameters_of(const SceneStepper& stepper) {
 
 }  // namespace
 
+ModuleBuild SimulationProgram::order(Builds& builds) const {
+    Target::Module started = module;
+    if (solvers) started.solvers = std::make_shared<LateBuild>(builds, *solvers);
+    return {builds.order(text), std::move(started)};
+}
+
 SimulationProgram simulation_program(const SceneStepper& stepper) {
     DrivenModule driven = driven_module(stepper);
-    return {module_text(driven.source, stepper.own_headers),
+    const std::vector<OwnHeader>& own = stepper.own_headers;
+    return {module_text(driven.source, own),
+            driven.solvers ? std::optional(module_text(*driven.solvers, own)) : std::nullopt,
             {stepper.system.directory, std::move(driven.numbers),
              stepper.step.container == Container::vectors}};
 }

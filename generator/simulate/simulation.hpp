@@ -44,13 +44,23 @@ struct Simulation {
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
 
+/// A module that is being compiled, and the data that go to it.
+struct ModuleBuild {
+    Build build;
+    Target::Module module;
+
+    /// Throws what the Build does.
+    [[nodiscard]] Target target() const { return {built(build), module}; }
+};
+
 /// A module for a scene and a method as text, and the data that go to it.
 struct SimulationProgram {
     ProgramText text;
+    std::optional<ProgramText> solvers;  ///< that its steps seldom call
     Target::Module module;
 
-    /// The compiled module with its data. Throws what the Build does.
-    [[nodiscard]] Target target(const Build& build) const { return {built(build), module}; }
+    /// Throws as Builds do. Precondition: they live longer.
+    [[nodiscard]] ModuleBuild order(Builds& builds) const;
 };
 
 /// What a run is of, whatever its stepper looks like.

@@ -45,15 +45,14 @@ Contender contender(Builds& builds, const StudiedMethod& method, const LoweredSc
         scene_stepper(method, scene, simulation_wishes(solver, method.composition));
     check_parameter_of_method(stepper);
     const std::optional<StageCorrections>& corrections = stepper.step.corrections;
-    SimulationProgram program = simulation_program(stepper);
-    Build build = builds.order(program.text);
-    return {stepper.method.title(), method.order, std::move(build), std::move(program),
+    return {stepper.method.title(), method.order, simulation_program(stepper).order(builds),
             corrections ? std::optional(corrections->costs) : std::nullopt};
 }
 
 MeasureSteps measured(const Contender& contender, double until) {
     return [contender, until](std::int64_t count, double seconds) {
-        return measure(contender.target(), {until / static_cast<double>(count), count}, seconds);
+        return measure(contender.module.target(), {until / static_cast<double>(count), count},
+                       seconds);
     };
 }
 

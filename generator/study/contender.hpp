@@ -27,12 +27,8 @@ struct StudiedMethod : ExactMethod {
 struct Contender {
     std::string title;
     int order;
-    Build build;
-    SimulationProgram program;
+    ModuleBuild module;
     std::optional<SolverCosts> costs = {};  ///< of the ways to solve for its stages
-
-    /// The compiled module with its data. Throws what the Build does.
-    [[nodiscard]] Target target() const { return program.target(build); }
 };
 
 /// Throws what scene_stepper() does.

@@ -98,8 +98,8 @@ Reference LargeReference::compute(std::int64_t count, double seconds) const {
 
 MeasureSteps LargeReference::measured(const Contender& contender) const {
     return [contender, until = until_, file = file_](std::int64_t count, double seconds) {
-        return measure(contender.target(), {until / static_cast<double>(count), count}, seconds,
-                       until, file);
+        return measure(contender.module.target(), {until / static_cast<double>(count), count},
+                       seconds, until, file);
     };
 }
 

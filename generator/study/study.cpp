@@ -34,7 +34,7 @@ struct Programs {
 
     void wait() const {
         if (reference.valid()) static_cast<void>(built(reference));
-        for (const Contender& contender : contenders) static_cast<void>(built(contender.build));
+        for (const Contender& contender : contenders) static_cast<void>(built(contender.module.build));
         for (const Team& team : teams) static_cast<void>(built(team.build));
     }
 };
@@ -64,7 +64,7 @@ struct LargePrograms {
 
     void wait() const {
         reference.wait();
-        for (const Contender& contender : contenders) static_cast<void>(built(contender.build));
+        for (const Contender& contender : contenders) static_cast<void>(built(contender.module.build));
     }
 };
 
@@ -73,7 +73,7 @@ WorkCurve curve(const Contender& contender, const Course& course, const MeasureS
     curve.points = work_points(course, measure);
     curve.departures = departures(course, curve.points, [&](const WorkPoint& point) {
         const Steps steps{course.until / static_cast<double>(point.steps), point.steps};
-        return sample_departures(contender.target(), steps, departure_parts);
+        return sample_departures(contender.module.target(), steps, departure_parts);
     });
     return curve;
 }
@@ -82,7 +82,7 @@ WorkCurve curve(const Contender& contender, const Course& course, const MeasureS
 std::int64_t affordable(const Contender& contender, const Course& course) {
     const auto count = static_cast<double>(course.first_count);
     const Steps steps{course.until / count, std::min<std::int64_t>(course.first_count, 8)};
-    const double each = pace(contender.target(), steps);
+    const double each = pace(contender.module.target(), steps);
     if (each * count <= course.longest_run) return course.first_count;
     return std::max<std::int64_t>(1, std::llround(course.longest_run / each));
 }

@@ -132,6 +132,27 @@ TEST_CASE("other values of a list start no compiler") {
     CHECK(compiler.compilations() == 1);
 }
 
+TEST_CASE("solvers are compiled when a step calls for them") {
+    const CountedCompiler compiler;
+    const auto run = [&](const std::string& words) {
+        const Outcome outcome = compiler.run("hvi-gen run kepler -o out --method gauss:4 " + words);
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        return lines_of(contents(compiler.directory / "out/trajectory.csv"));
+    };
+    run("--step 1/50");
+    CHECK(compiler.compilations() == 1);
+    // Around the pericentre fixed points do not contract, and Newton's method goes on.
+    const auto large = run("--step 7/10 --until 70");
+    CHECK(compiler.compilations() == 2);
+    REQUIRE(large.size() == 102);
+    CHECK(run("--step 7/10 --until 70 --param ecc=1/2").size() == 102);
+    CHECK(compiler.compilations() == 2);
+    CHECK(run("--step 7/10 --until 70") == large);
+    run("--step 1/50 --solver fixed-point");
+    CHECK(compiler.compilations() == 3);
+}
+
 TEST_CASE("what is no module is refused") {
     use_cache();
     const Directory directory;
@@ -144,16 +165,17 @@ TEST_CASE("what is no module is refused") {
     const std::vector<std::vector<std::string>> no_lines = {
         {},
         {"text.so"},
-        {"text.so", "."},
-        {"text.so", ".", "0"},
-        {"text.so", ".", "-1", "measure"},
-        {"text.so", ".", "two", "1", "2", "measure"},
-        {"text.so", ".", "2", "1", "x", "measure"},
-        {"text.so", ".", "2", "1", "measure"},
-        {"text.so", ".", "99999999999999999", "measure"}};
+        {"text.so", "-"},
+        {"text.so", "-", "."},
+        {"text.so", "-", ".", "0"},
+        {"text.so", "-", ".", "-1", "measure"},
+        {"text.so", "-", ".", "two", "1", "2", "measure"},
+        {"text.so", "-", ".", "2", "1", "x", "measure"},
+        {"text.so", "-", ".", "2", "1", "measure"},
+        {"text.so", "-", ".", "99999999999999999", "measure"}};
     for (const auto& words : no_lines) CHECK(driven(words).status == 2);
     for (const std::string library : {"./text.so", "./missing.so", "libm.so.6"}) {
-        const Outcome outcome = driven({library, ".", "0", "measure", "0.1", "1", "0"});
+        const Outcome outcome = driven({library, "-", ".", "0", "measure", "0.1", "1", "0"});
         INFO(library << outcome.out);
         CHECK(outcome.status == 5);
         CHECK(outcome.out.find("unreadable ") == 0);

@@ -125,7 +125,9 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const ChartS
     if (step.container == Container::vectors) { runtime.emplace_back("detail/groups/body_space"); }
     if (options.wishes.curve) { runtime.emplace_back("detail/stages/curve"); }
     if (options.wishes.float128) { runtime.emplace_back("detail/numbers/math"); }
-    for (const std::string& header : solver_headers(step)) { runtime.push_back(header); }
+    for (const std::string& header : solver_headers(step, options.seldom)) {
+        runtime.push_back(header);
+    }
     Holes holes = holes_of(system);
     holes.merge(Holes{
         {"banner", banner(method, step, options)},

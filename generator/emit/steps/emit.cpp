@@ -22,6 +22,12 @@ std::string text_of(const OneStepMethod& method, const Step& step, const EmitOpt
 
 }  // namespace
 
+bool has_seldom_solvers(const Step& step) {
+    const Iteration* iteration = step.iteration();
+    return iteration != nullptr && iteration->solver == Solver::automatic &&
+           step.layout != Layout::trajectories;
+}
+
 std::string emit(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     std::string text = text_of(method, step, options);
     if (!options.wishes.invariants) { return text; }

@@ -10,6 +10,13 @@
 
 namespace hvi::gen {
 
+/// Where the solvers are that a step seldom calls; see hvi::detail::Apart.
+enum class SeldomSolvers {
+    within,  ///< the step
+    apart,   ///< in another library
+    alone,   ///< the text is that of this library
+};
+
 struct EmitOptions {
     std::string class_name;          ///< checked by check_class_name()
     std::string command;             ///< the command line that writes the same header again
@@ -17,7 +24,11 @@ struct EmitOptions {
     const System* system = nullptr;  ///< whose H it is; null: that of a class of the user
     SceneWishes wishes = {};         ///< of the scene
     const Evaluations* evaluations = nullptr;  ///< of a system that is written out
+    SeldomSolvers seldom = SeldomSolvers::within;
 };
+
+/// Whether the step has solvers that it seldom calls.
+[[nodiscard]] bool has_seldom_solvers(const Step& step);
 
 /// The header: one class hvi::generated::CLASS_NAME. A function of its arguments and of the version
 /// of the program alone. Precondition: `step` is plan(method, ...).

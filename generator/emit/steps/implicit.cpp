@@ -11,7 +11,7 @@
 
 namespace hvi::gen {
 
-std::vector<std::string> solver_headers(const Step& step) {
+std::vector<std::string> solver_headers(const Step& step, SeldomSolvers seldom) {
     const Iteration* iteration = step.iteration();
     if (iteration == nullptr) { return {}; }
     const std::string newton = newton_policy(step).header;
@@ -20,9 +20,13 @@ std::vector<std::string> solver_headers(const Step& step) {
     case Solver::fixed_point: break;
     case Solver::newton: return {"detail/solvers/" + newton};
     case Solver::newton_taylor: return {"detail/solvers/newton_taylor"};
-    case Solver::automatic:
-        return {step.corrections ? "detail/solvers/automatic_of_lanes" : "detail/solvers/automatic",
-                "detail/solvers/" + newton};
+    case Solver::automatic: {
+        std::vector<std::string> headers{step.corrections ? "detail/solvers/automatic_of_lanes"
+                                                          : "detail/solvers/automatic",
+                                         "detail/solvers/" + newton};
+        if (seldom != SeldomSolvers::within) { headers.emplace_back("detail/solvers/apart"); }
+        return headers;
+    }
     }
     return {"fixed_point"};
 }
@@ -88,7 +92,9 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
     for (const std::string& header : clock_runtime(step)) { parts.runtime.push_back(header); }
     if (options.wishes.curve) { parts.runtime.push_back("detail/stages/curve"); }
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }
-    for (const std::string& header : solver_headers(step)) { parts.runtime.push_back(header); }
+    for (const std::string& header : solver_headers(step, options.seldom)) {
+        parts.runtime.push_back(header);
+    }
     const bool composes = !step.in_a_row.empty();
     const std::string step_text = one_step(step, parts.steps, options);
     Holes holes = holes_of(system);

@@ -42,7 +42,7 @@ struct ImplicitParts {
 [[nodiscard]] std::string runtime_includes(std::vector<std::string> names);
 
 /// The headers of hvi with the solver of the step.
-[[nodiscard]] std::vector<std::string> solver_headers(const Step& step);
+[[nodiscard]] std::vector<std::string> solver_headers(const Step& step, SeldomSolvers seldom);
 
 /// Each entry rounded on its own: for starting values, and for the way to a solution.
 void rough_table(Writer& writer, std::string_view name, const NumberMatrix& exact);

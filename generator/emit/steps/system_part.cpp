@@ -103,16 +103,25 @@ std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& o
     return writer.str();
 }
 
-std::string solver_type(const Step& step) {
+std::string automatic(const Step& step, SeldomSolvers seldom) {
     const std::string newton = newton_policy(step).type;
+    const std::string_view policy = step.corrections ? "AutomaticOfLanes" : "Automatic";
+    switch (seldom) {
+    case SeldomSolvers::within: break;
+    case SeldomSolvers::apart:
+        return fmt::format("hvi::{}<hvi::detail::Apart<{}>>", policy, newton);
+    case SeldomSolvers::alone: return fmt::format("hvi::detail::Alone<{}>", newton);
+    }
+    return fmt::format("hvi::{}<{}>", policy, newton);
+}
+
+std::string solver_type(const Step& step, SeldomSolvers seldom) {
     switch (step.iteration()->solver) {
     case Solver::of_user: break;
     case Solver::fixed_point: return "hvi::FixedPoint";
-    case Solver::newton: return newton;
+    case Solver::newton: return newton_policy(step).type;
     case Solver::newton_taylor: return "hvi::NewtonTaylor";
-    case Solver::automatic:
-        return fmt::format("hvi::{}<{}>", step.corrections ? "AutomaticOfLanes" : "Automatic",
-                           newton);
+    case Solver::automatic: return automatic(step, seldom);
     }
     HVI_CHECK(false);
     return {};
@@ -145,7 +154,7 @@ std::string types_for_scene(const Step& step, const EmitOptions& options) {
     writer.blank().insert(parameters_text(system));
     writer.blank().insert(system_text(system, options.wishes, step, options.evaluations));
     if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
-        writer.blank().line("using Solver = {};", solver_type(step));
+        writer.blank().line("using Solver = {};", solver_type(step, options.seldom));
     }
     return writer.blank().str();
 }

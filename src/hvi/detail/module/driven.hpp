@@ -17,14 +17,16 @@ template <class Problem>
 class Driven {
 public:
     [[nodiscard]] static constexpr DrivenFunctions functions() {
-        return {driven_version, create, destroy, sizes,  counts,
-                begin,          take,   follow,  energy, invariants};
+        return {driven_version, take_solvers, create, destroy, sizes,     counts,
+                begin,          take,         follow, energy,  invariants};
     }
 
 private:
     using Of = Instance<Problem>;
 
     static const Of& of(const void* instance) { return *static_cast<const Of*>(instance); }
+
+    static void take_solvers(FindSolver find) { LoadedSolvers<>::find = find; }
 
     static DrivenAnswer create(const char* directory, unsigned threads, const double* values,
                                std::size_t count, void** made, char* message, std::size_t room) {
@@ -91,7 +93,9 @@ private:
             const Run run = f(stepper);
             stepper.write(state);
             return static_cast<int>(run.status.code());
-        } catch (const std::bad_alloc&) { return driven_out_of_memory; }
+        } catch (const std::bad_alloc&) {
+            return driven_out_of_memory;
+        } catch (const SolverIsApart&) { return driven_solver_is_apart; }
     }
 
     static void see(const Of& at, Departure* departures) {

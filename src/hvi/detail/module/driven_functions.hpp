@@ -6,13 +6,15 @@
 #include <cstdint>
 
 #include <hvi/detail/module/departure.hpp>
+#include <hvi/detail/module/loaded_solvers.hpp>
 
 namespace hvi::detail {
 
 /// Version of these functions: hvi-gen takes no module of another one.
-inline constexpr int driven_version = 1;
+inline constexpr int driven_version = 2;
 
-inline constexpr int driven_out_of_memory = -1;
+/// Codes of steps that are none of a Status.
+inline constexpr int driven_out_of_memory = -1, driven_solver_is_apart = -2;
 
 enum class DrivenAnswer : int { ok, out_of_memory, failed };
 
@@ -27,10 +29,11 @@ struct DrivenCounts {
     std::int64_t steps, iterations, evaluations;
 };
 
-/// Functions of a module, which it has as its symbol hvi_scene. Steppers are pointers to nothing; states are
-/// coordinates, momenta, and the time where the function depends on it.
+/// Functions of a module, which it has as its symbol hvi_scene. Steppers are pointers to nothing;
+/// states are coordinates, momenta, and the time where the function depends on it.
 struct DrivenFunctions {
     int version;
+    void (*take_solvers)(FindSolver find);
     /// Makes a stepper; else `message` is why not, in `room` characters.
     DrivenAnswer (*create)(const char* directory, unsigned threads, const double* parameters,
                            std::size_t count, void** made, char* message, std::size_t room);
@@ -38,7 +41,7 @@ struct DrivenFunctions {
     DrivenSizes (*sizes)(const void* stepper);
     DrivenCounts (*counts)(const void* stepper);
     void (*begin)(const void* stepper, double* state);
-    /// Takes steps until one fails: the code of its Status, or driven_out_of_memory.
+    /// Takes steps until one fails: the code of its Status, or one that is none.
     int (*take)(void* stepper, double* state, double h, std::int64_t steps);
     /// Takes steps as take() does, and looks after each at the energy, where the function does not
     /// depend on the time, and at the invariants.

@@ -254,7 +254,7 @@ struct AutomaticOfLanes {
         }
 
         FixedPoint::template Iteration<Vector> sweeps_;
-        detail::CorrectedSweeps<Vector> corrected_;
+        typename Newton::template Corrected<Vector> corrected_;
         typename Newton::template Iteration<Vector> newton_;
         Way usual_ = Way::sweeps;      ///< the one that has cost least
         Way other_ = Way::corrected;   ///< that is tried next

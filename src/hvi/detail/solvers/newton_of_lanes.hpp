@@ -139,8 +139,7 @@ public:
     /// Lp -= J^-1 (Lp + h b dH/dq).
     template <class Coupled>
     [[gnu::noinline, gnu::cold]] void correct(Coupled& coupled) {
-        this->correct_by([&](auto& Lp) { get(coupled, Lp); },
-                         [&] { coupled.slopes_of_momenta(); },
+        this->correct_by([&](auto& Lp) { get(coupled, Lp); }, [&] { coupled.slopes_of_momenta(); },
                          [&](const auto& Lp) { put(Lp, coupled); });
     }
 
@@ -292,14 +291,18 @@ private:
 
 }  // namespace detail
 
-/// What AutomaticOfLanes takes to last.
+/// Policies for AutomaticOfLanes: what it takes to last, and before that.
 struct NewtonOfPositionLanes {
     template <class Vector>
     using Iteration = detail::NewtonOfLanes<Vector, detail::PositionsOfLanes<Vector>>;
+    template <class Vector>
+    using Corrected = detail::CorrectedSweeps<Vector>;
 };
 struct NewtonOfPairLanes {
     template <class Vector>
     using Iteration = detail::NewtonOfLanes<Vector, detail::PairsOfLanes<Vector>>;
+    template <class Vector>
+    using Corrected = detail::CorrectedSweeps<Vector>;
 };
 
 }  // namespace hvi
