@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <hvi/detail/solvers/corrected_sweeps.hpp>
 #include <hvi/state.hpp>
 
 namespace contracting {
@@ -54,6 +55,8 @@ struct CountedNewton {
             return hvi::Status(hvi::Status::Code::ok, 1);
         }
     };
+    template <class Vector>
+    using Corrected = hvi::detail::CorrectedSweeps<Vector>;
 };
 
 }  // namespace contracting

@@ -20,8 +20,8 @@ template <class Scalar>
 }
 
 /// Whether b_i = b_{n+1-i}.
-template <class Scalar, std::size_t n>
-[[nodiscard]] constexpr bool is_symmetric(const Scalar (&b)[n]) {
+template <class Scalar>
+[[nodiscard]] constexpr bool is_symmetric(const Scalar* b, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
         if (b[i] != b[n - 1 - i]) { return false; }
     }
@@ -29,20 +29,20 @@ template <class Scalar, std::size_t n>
 }
 
 /// Whether the sum is 1 as far as rounded weights tell: that of an inconsistent method is not.
-template <class Scalar, std::size_t n>
-[[nodiscard]] constexpr bool sums_to_one(const Scalar (&b)[n]) {
+template <class Scalar>
+[[nodiscard]] constexpr bool sums_to_one(const Scalar* b, std::size_t n) {
     Scalar excess = -1;
     Scalar size = 1;
-    for (const Scalar weight : b) {
-        excess += weight;
-        size += magnitude(weight);
+    for (std::size_t i = 0; i < n; ++i) {
+        excess += b[i];
+        size += magnitude(b[i]);
     }
     const Scalar most = static_cast<Scalar>(n) * size * epsilon<Scalar>;
     return -most <= excess && excess <= most;
 }
 
-template <class Scalar, std::size_t n>
-[[nodiscard]] constexpr std::size_t largest_of(const Scalar (&b)[n], std::size_t end) {
+template <class Scalar>
+[[nodiscard]] constexpr std::size_t largest_of(const Scalar* b, std::size_t end) {
     std::size_t largest = 0;
     for (std::size_t i = 1; i < end; ++i) {
         if (b[i] > b[largest]) { largest = i; }
@@ -50,7 +50,7 @@ template <class Scalar, std::size_t n>
     return largest;
 }
 
-/// h b_i, rounded to multiples of ulp(h), and so that they add up to h without rounding (where no
+/// Sets n weights to h b_i, rounded to multiples of ulp(h), and so that they add up to h without rounding (where no
 /// b_i is negative) and keep the symmetry of b.
 ///
 /// NOTE: products that are rounded one by one add up to h (1 + delta) with the same delta in every
@@ -58,9 +58,8 @@ template <class Scalar, std::size_t n>
 /// off by 1e-11 with them and by 1e-14 with these. The low parts of the products, added to the
 /// remainders of the sums, mend the time, but then what a step adds is not what its stages were
 /// computed with, and the energy drifts. The method is symplectic with any weights.
-template <class Scalar, std::size_t n>
-[[nodiscard]] constexpr std::array<Scalar, n> weights_of_step(Scalar h, const Scalar (&b)[n]) {
-    std::array<Scalar, n> weights{};
+template <class Scalar>
+constexpr void set_weights_of_step(Scalar h, const Scalar* b, std::size_t n, Scalar* weights) {
     const Scalar size = magnitude(h);
     Scalar sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -69,9 +68,9 @@ template <class Scalar, std::size_t n>
         weights[i] = (b[i] < 0) == (h < 0) ? part : -part;
         sum += weights[i];
     }
-    if (!sums_to_one(b)) { return weights; }
+    if (!sums_to_one(b, n)) { return; }
     const Scalar missing = h - sum;
-    if (!is_symmetric(b)) {
+    if (!is_symmetric(b, n)) {
         weights[largest_of(b, n)] += missing;
     } else if (n % 2 == 1) {
         weights[n / 2] += missing;
@@ -80,6 +79,12 @@ template <class Scalar, std::size_t n>
         weights[i] += missing / 2;
         weights[n - 1 - i] += missing / 2;
     }
+}
+
+template <class Scalar, std::size_t n>
+[[nodiscard]] constexpr std::array<Scalar, n> weights_of_step(Scalar h, const Scalar (&b)[n]) {
+    std::array<Scalar, n> weights{};
+    set_weights_of_step(h, b, n, weights.data());
     return weights;
 }
 

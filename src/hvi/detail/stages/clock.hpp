@@ -25,22 +25,23 @@ namespace detail {
 /// The times T_i = t + c_i h of the stages. The time is a coordinate of the extended system whose
 /// momentum nobody asks for, and its velocity is 1: (4.18c) gives T_i. It is summed up with
 /// compensation, and what rounding cut off is bound to the time at which the last step ended.
-template <class Scalar, std::size_t stages>
-class Clock {
+template <class Scalar>
+class StepClock {
 public:
-    Scalar start = 0;                ///< of the step
-    std::array<Scalar, stages> t{};  ///< of the stages
+    Scalar start = 0;  ///< of the step
 
     /// Begins a step; false where the last one did not end at this time.
-    [[nodiscard]] bool begin(Scalar now, Scalar h, const Scalar (&c)[stages]) {
+    [[nodiscard]] bool begin(Scalar now, Scalar h) {
         const bool continues = ended_ && now == end_;
         if (!continues) { remainder_ = 0; }
         ended_ = false;
         start = now;
         h_ = h;
-        for (std::size_t i = 0; i < stages; ++i) { t[i] = start + (remainder_ + c[i] * h); }
         return continues;
     }
+
+    /// T_i of a stage with this c_i.
+    [[nodiscard]] Scalar at(Scalar c) const { return start + (remainder_ + c * h_); }
 
     /// Whether the step ends at a finite time. NOTE: asked before the step, since its state has
     /// moved when end() is called.
@@ -62,6 +63,19 @@ private:
     Scalar remainder_ = 0;  // what rounding cut off from end_
     Scalar h_ = 0;
     bool ended_ = false;
+};
+
+/// The clock of a step with the times of all its stages.
+template <class Scalar, std::size_t stages>
+class Clock : public StepClock<Scalar> {
+public:
+    std::array<Scalar, stages> t{};
+
+    [[nodiscard]] bool begin(Scalar now, Scalar h, const Scalar (&c)[stages]) {
+        const bool continues = StepClock<Scalar>::begin(now, h);
+        for (std::size_t i = 0; i < stages; ++i) { t[i] = this->at(c[i]); }
+        return continues;
+    }
 };
 
 }  // namespace detail
