@@ -178,6 +178,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.until = words.value("--until");
     options.columns = words.value("--columns");
     options.symmetries = !words.has("--no-symmetries");
+    if (words.has("--interpret")) options.interpret = words.place("--interpret");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
     options.output = output_option(words);

@@ -71,6 +71,7 @@ struct RunOptions {
     Given step, until;               ///< in place of those of the scene
     Given columns;                   ///< of the table, in place of the usual ones
     bool symmetries = true;          ///< look for them
+    std::optional<Place> interpret;  ///< without a compiler
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };

@@ -14,6 +14,7 @@
 #include "generator/cli/run_picture.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/emit/text/names.hpp"
+#include "generator/interpret/interpretation.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/render/statements.hpp"
 #include "generator/simulate/simulation.hpp"
@@ -67,6 +68,7 @@ private:
 
 /// What is to be run, and the steps that it is to take.
 struct WishedRun {
+    SceneStepper stepper;
     RunSubject subject;
     Steps steps;
     std::vector<Statement> statements = {};  ///< of what it keeps
@@ -280,8 +282,13 @@ Watched watch(Scene& scene, const RunOptions& options) {
 WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Steps& steps,
                       const RunOptions& options) {
     const Watched watched = watch(both.scene, options);
-    const SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
-    return {run_subject(stepper), steps, watched.statements(keeping_facts(stepper.method.base)),
+    SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
+    RunSubject subject = run_subject(stepper);
+    std::vector<Statement> statements = watched.statements(keeping_facts(stepper.method.base));
+    return {std::move(stepper),
+            std::move(subject),
+            steps,
+            std::move(statements),
             watched.left_out,
             options.accuracy
                 ? "a smaller E of --accuracy"
@@ -323,6 +330,43 @@ RunTables wished_tables(const RunSubject& subject, const Steps& steps, const Run
     return tables;
 }
 
+/// What takes the steps: a compiled module, or hvi-gen itself.
+class Runner {
+public:
+    /// Throws InputError where an interpreter is asked for, at `interpret`, and cannot be had.
+    Runner(const SceneStepper& stepper, const std::optional<Place>& interpret)
+        : target_(chosen(stepper, interpret)) {}
+
+    [[nodiscard]] const Target& target() const { return target_; }
+
+private:
+    [[nodiscard]] Target chosen(const SceneStepper& stepper,
+                                const std::optional<Place>& interpret) {
+        const std::string obstacle = obstacle_to_interpretation(stepper);
+        if (interpret && !obstacle.empty())
+            throw InputError("this cannot be run without a compiler: " + obstacle, interpret,
+                             "it can be of --method stormer-verlet for H = T(p) + U(q)");
+        if (interpret || !has_compiler(obstacle)) return Interpreted{interpretation(stepper)};
+        return simulation_program(stepper).order(*builds_).target();
+    }
+
+    /// Begins to compile; false where there is no compiler, and none is needed.
+    [[nodiscard]] bool has_compiler(const std::string& obstacle) {
+        try {
+            builds_.emplace(find_compiler());
+            return true;
+        } catch (const EnvironmentError& error) {
+            if (!obstacle.empty()) throw;
+            std::fputs(fmt::format("note: {}; steps are interpreted\n", error.what()).c_str(),
+                       stderr);
+            return false;
+        }
+    }
+
+    std::optional<Builds> builds_;
+    Target target_;
+};
+
 }  // namespace
 
 void run(const RunOptions& options) {
@@ -339,12 +383,11 @@ void run(const RunOptions& options) {
     const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
     note_left_out(steps);
 
-    Builds builds(find_compiler());
-    const Target program = subject.program.order(builds).target();
+    Runner runner(wished.stepper, options.interpret);
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     Results results(directory);
     const RunTables tables = wished_tables(subject, steps, options, columns, results);
-    const Simulation simulation = simulate(program, subject, steps, tables);
+    const Simulation simulation = simulate(runner.target(), subject, steps, tables);
     const std::string summary = hvi::gen::summary(wished, simulation);
     results.keep(subject, steps, simulation, tables, options, summary);
     if (!simulation.ok())

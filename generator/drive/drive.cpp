@@ -12,6 +12,7 @@
 #include <driver/measure.hpp>
 #include <driver/trajectory.hpp>
 
+#include "generator/drive/driven_stepper.hpp"
 #include "generator/drive/module.hpp"
 #include "generator/drive/words.hpp"
 
@@ -19,14 +20,14 @@ namespace hvi::gen {
 
 namespace {
 
-/// The module that the process is started for. NOTE: drivers ask a type, not an object.
-std::unique_ptr<const Module> module_of_process;
+/// The steppers that the process is started for. NOTE: drivers ask a type, not an object.
+MakeStepper make_of_process;
 
-/// The module as a Problem of src/driver/departure.hpp.
-struct ModuleProblem {
-    using Stepper = ModuleStepper;
+/// These as a Problem of src/driver/departure.hpp.
+struct DrivenProblem {
+    using Stepper = DrivenStepper;
 
-    static Stepper stepper() { return Stepper(*module_of_process); }
+    static Stepper stepper() { return Stepper(make_of_process()); }
     static Stepper::State initial() { return stepper().initial(); }
     static const std::vector<std::string>& invariants() {
         static const std::vector<std::string> names = stepper().conserved();
@@ -58,31 +59,37 @@ std::optional<Line> read_line(const std::vector<std::string_view>& words) {
 }
 
 int run(std::string_view command, const std::vector<std::string_view>& words) {
-    if (command == "trajectory") return driver::trajectory<ModuleProblem>(words);
-    if (command == "measure") return driver::measure<ModuleProblem>(words);
-    if (command == "departures") return driver::departures<ModuleProblem>(words);
+    if (command == "trajectory") return driver::trajectory<DrivenProblem>(words);
+    if (command == "measure") return driver::measure<DrivenProblem>(words);
+    if (command == "departures") return driver::departures<DrivenProblem>(words);
     return 2;
 }
 
 /// Runs a command that looks at invariants where rows are written.
 int run_by_rows(std::string_view command, const std::vector<std::string_view>& words) {
     if (command == "trajectory")
-        return driver::trajectory<ModuleProblem, driver::Watch::rows>(words);
-    if (command == "measure") return driver::large_measure<ModuleProblem>(words);
-    if (command == "departures") return driver::large_departures<ModuleProblem>(words);
-    if (command == "pace") return driver::large_pace<ModuleProblem>(words);
+        return driver::trajectory<DrivenProblem, driver::Watch::rows>(words);
+    if (command == "measure") return driver::large_measure<DrivenProblem>(words);
+    if (command == "departures") return driver::large_departures<DrivenProblem>(words);
+    if (command == "pace") return driver::large_pace<DrivenProblem>(words);
     return 2;
 }
 
-int run(Line line) {
-    module_of_process = std::make_unique<const Module>(std::move(line.start));
-    std::vector<std::string_view>& rest = line.command;
-    const bool by_rows = rest.front() == rows_word;
-    if (by_rows) rest.erase(rest.begin());
-    if (rest.empty()) return 2;
-    const std::string_view command = rest.front();
-    rest.erase(rest.begin());
-    return by_rows ? run_by_rows(command, rest) : run(command, rest);
+/// Runs work(), which throws as drivers do: its exit status.
+template <class Work>
+int status_of(Work work) {
+    try {
+        return driver::guarded(work);
+    } catch (const detail::SolverIsApart&) { return solver_is_apart; }
+}
+
+int run(std::vector<std::string_view> words) {
+    const bool by_rows = words.front() == rows_word;
+    if (by_rows) words.erase(words.begin());
+    if (words.empty()) return 2;
+    const std::string_view command = words.front();
+    words.erase(words.begin());
+    return by_rows ? run_by_rows(command, words) : run(command, words);
 }
 
 }  // namespace
@@ -90,9 +97,17 @@ int run(Line line) {
 int drive(const std::vector<std::string_view>& words) {
     std::optional<Line> line = read_line(words);
     if (!line) return 2;
-    try {
-        return driver::guarded([&] { return run(std::move(*line)); });
-    } catch (const detail::SolverIsApart&) { return solver_is_apart; }
+    return status_of([&] {
+        make_of_process = loaded_module(std::move(line->start));
+        return run(line->command);
+    });
+}
+
+int drive(const MakeStepper& make, const std::vector<std::string_view>& command) {
+    return status_of([&] {
+        make_of_process = make;
+        return run(command);
+    });
 }
 
 }  // namespace hvi::gen

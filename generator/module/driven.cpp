@@ -102,15 +102,20 @@ std::string skipped(const SceneStepper& stepper) {
 
 }  // namespace
 
-DrivenModule driven_module(const SceneStepper& stepper) {
-    StartParameters start = with_start_parameters(stepper.system);
-    std::vector<double> numbers = values_of_numbers(stepper.system);
-    const std::vector<double> lists = values_of_lists(stepper.system);
+DrivenSystem driven_system(const System& system) {
+    StartParameters start = with_start_parameters(system);
+    std::vector<double> numbers = values_of_numbers(system);
+    const std::vector<double> lists = values_of_lists(system);
     numbers.insert(numbers.end(), start.values.begin(), start.values.end());
     numbers.insert(numbers.end(), lists.begin(), lists.end());
-    const System system = without_values(std::move(start.system));
+    return {without_values(std::move(start.system)), std::move(numbers)};
+}
+
+DrivenModule driven_module(const SceneStepper& stepper) {
+    DrivenSystem driven = driven_system(stepper.system);
+    const System& system = driven.system;
     DrivenModule module;
-    module.numbers = std::move(numbers);
+    module.numbers = std::move(driven.numbers);
     const std::string& name = stepper.class_name;
     const std::string skip = skipped(stepper);
     const auto source = [&](SeldomSolvers seldom) {

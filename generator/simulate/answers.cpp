@@ -6,6 +6,7 @@
 #include <charconv>
 #include <utility>
 
+#include "generator/drive/drive.hpp"
 #include "generator/drive/words.hpp"
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"
@@ -20,24 +21,39 @@ constexpr int cannot_write = 3;
 constexpr int out_of_memory = 4;
 constexpr int cannot_read = 5;
 
-/// The words that start it.
-std::vector<std::string> command_of(const Target& target, const std::vector<std::string>& words) {
-    std::vector<std::string> line;
-    if (!target.module) {
-        line = {target.file.string()};
-    } else {
-        const auto& [directory, parameters, looks_at_rows, solvers] = *target.module;
-        line = {"/proc/self/exe",
-                drive_word,
-                std::filesystem::absolute(target.file).string(),
-                solvers && solvers->file() ? solvers->file()->string() : no_solvers,
-                std::filesystem::absolute("." / directory).string(),
-                std::to_string(parameters.size())};
-        for (const double value : parameters) line.push_back(fmt::format("{}", value));
-        if (looks_at_rows) line.emplace_back(rows_word);
-    }
+/// What is driven, for errors.
+std::filesystem::path file_of(const Target& target) {
+    if (const auto* program = std::get_if<Program>(&target)) return program->file;
+    if (const auto* library = std::get_if<Library>(&target)) return library->file;
+    return "/proc/self/exe";
+}
+
+using OnLine = std::function<void(std::string_view)>;
+using Words = std::vector<std::string>;
+
+ChildResult driven(const Program& program, const Words& words, const OnLine& on_line) {
+    Words line{program.file.string()};
     line.insert(line.end(), words.begin(), words.end());
-    return line;
+    return run_child(line, ".", on_line);
+}
+
+ChildResult driven(const Library& library, const Words& words, const OnLine& on_line) {
+    const auto& [file, directory, parameters, looks_at_rows, solvers] = library;
+    Words line{"/proc/self/exe",
+               drive_word,
+               std::filesystem::absolute(file).string(),
+               solvers && solvers->file() ? solvers->file()->string() : no_solvers,
+               std::filesystem::absolute("." / directory).string(),
+               std::to_string(parameters.size())};
+    for (const double value : parameters) line.push_back(fmt::format("{}", value));
+    if (looks_at_rows) line.emplace_back(rows_word);
+    line.insert(line.end(), words.begin(), words.end());
+    return run_child(line, ".", on_line);
+}
+
+ChildResult driven(const Interpreted& interpreted, const Words& words, const OnLine& on_line) {
+    const std::vector<std::string_view> command(words.begin(), words.end());
+    return run_child([&] { return drive(interpreted.make, command); }, on_line);
 }
 
 }  // namespace
@@ -93,25 +109,27 @@ EnvironmentError Answers::unexpected(const std::string& what) const {
 namespace {
 
 /// What a program said, and how it ended.
-struct Heard {
+struct Hearing {
     Answers answers;
     ChildResult ended;
 };
 
-Heard heard(const Target& target, const std::vector<std::string>& words,
-            const std::function<void(double)>& on_progress) {
+Hearing heard(const Target& target, const std::vector<std::string>& words,
+              const std::function<void(double)>& on_progress) {
     constexpr std::string_view progress = "progress ";
     const Progress::Stage stage("running");
-    const std::vector<std::string> command = command_of(target, words);
-    Answers answers(target.file);
-    ChildResult ended = run_child(command, ".", [&](std::string_view line) {
+    const std::filesystem::path file = file_of(target);
+    Answers answers(file);
+    const OnLine on_line = [&](std::string_view line) {
         if (!line.starts_with(progress)) return answers.hear(line);
-        Answers of_progress(target.file);
+        Answers of_progress(file);
         of_progress.hear(line);
         const double part = of_progress.number("progress");
         if (!(part >= 0 && part <= 1)) throw answers.unexpected(fmt::format("it says `{}`", line));
         if (on_progress) on_progress(part);
-    });
+    };
+    ChildResult ended =
+        std::visit([&](const auto& each) { return driven(each, words, on_line); }, target);
     return {std::move(answers), std::move(ended)};
 }
 
@@ -121,9 +139,10 @@ Answers ask(const Target& target, const std::vector<std::string>& words,
             const std::filesystem::path& file, const std::function<void(double)>& on_progress) {
     std::vector<std::string> all = words;
     if (!file.empty()) all.push_back(file.string());
-    Heard last = heard(target, all, on_progress);
-    if (last.ended.status == solver_is_apart && target.module && target.module->solvers) {
-        target.module->solvers->compile();
+    Hearing last = heard(target, all, on_progress);
+    const auto* library = std::get_if<Library>(&target);
+    if (last.ended.status == solver_is_apart && library != nullptr && library->solvers) {
+        library->solvers->compile();
         last = heard(target, all, on_progress);
     }
     const auto& [answers, ended] = last;

@@ -11,8 +11,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "generator/drive/number_stepper.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/support/error.hpp"
 
@@ -47,19 +49,27 @@ private:
     std::map<std::string, std::vector<std::string>> values_;
 };
 
-/// A compiled program, or a library, which hvi-gen itself runs in another process.
-struct Target {
-    /// Of a library.
-    struct Module {
-        std::filesystem::path directory;  ///< of the scene
-        std::vector<double> parameters;
-        bool looks_at_rows = false;  ///< alone: values of a state cost as much as a step does
-        std::shared_ptr<LateBuild> solvers = {};  ///< that its steps seldom call; or none
-    };
-
+/// A compiled program.
+struct Program {
     std::filesystem::path file;
-    std::optional<Module> module = {};
 };
+
+/// A compiled library, which hvi-gen itself runs in another process, and the data for it.
+struct Library {
+    std::filesystem::path file;
+    std::filesystem::path directory;  ///< of the scene
+    std::vector<double> parameters;
+    bool looks_at_rows = false;  ///< alone: values of a state cost as much as a step does
+    std::shared_ptr<LateBuild> solvers = {};  ///< that its steps seldom call; or none
+};
+
+/// Steppers without a compiler, which another process of hvi-gen takes.
+struct Interpreted {
+    MakeStepper make;
+};
+
+/// What a driver drives.
+using Target = std::variant<Program, Library, Interpreted>;
 
 /// Calls a compiled driver with these words, once more where solvers had to be compiled for it, and
 /// hears it out; `on_progress` gets the part that is done as often as the driver says. Throws

@@ -83,13 +83,14 @@ SceneStepper stepper_for_peers(const LoweredScene& scene) {
 
 Measurement measure_peer(const std::filesystem::path& program, const Peer& peer, const PeerRun& run,
                          double seconds) {
-    return measurement(ask({program}, words("measure", peer, run, fmt::format("{}", seconds))));
+    return measurement(
+        ask(Program{program}, words("measure", peer, run, fmt::format("{}", seconds))));
 }
 
 DepartureSamples sample_departures_of_peer(const std::filesystem::path& program, const Peer& peer,
                                            const PeerRun& run, std::int64_t samples) {
     return departure_samples(
-        ask({program}, words("departures", peer, run, std::to_string(samples))));
+        ask(Program{program}, words("departures", peer, run, std::to_string(samples))));
 }
 
 }  // namespace hvi::gen

@@ -120,8 +120,7 @@ RunSubject run_subject(const SceneStepper& stepper) {
                        .coordinates = boxes(system, FamilyKind::coordinate),
                        .momenta = boxes_of_momenta(system),
                        .conserved = conserved_names(system),
-                       .sizes = {},
-                       .program = simulation_program(stepper)};
+                       .sizes = {}};
     for (const SystemSize& size : system.sizes) subject.sizes[size.name] = size.value;
     return subject;
 }
@@ -147,9 +146,9 @@ std::string parameters_of(const SceneStepper& stepper) {
 }  // namespace
 
 ModuleBuild SimulationProgram::order(Builds& builds) const {
-    Target::Module started = module;
-    if (solvers) started.solvers = std::make_shared<LateBuild>(builds, *solvers);
-    return {builds.order(text), std::move(started)};
+    Library whole = library;
+    if (solvers) whole.solvers = std::make_shared<LateBuild>(builds, *solvers);
+    return {builds.order(text), std::move(whole)};
 }
 
 SimulationProgram simulation_program(const SceneStepper& stepper) {
@@ -157,8 +156,10 @@ SimulationProgram simulation_program(const SceneStepper& stepper) {
     const std::vector<OwnHeader>& own = stepper.own_headers;
     return {module_text(driven.source, own),
             driven.solvers ? std::optional(module_text(*driven.solvers, own)) : std::nullopt,
-            {stepper.system.directory, std::move(driven.numbers),
-             stepper.step.container == Container::vectors}};
+            {.file = {},
+             .directory = stepper.system.directory,
+             .parameters = std::move(driven.numbers),
+             .looks_at_rows = stepper.step.container == Container::vectors}};
 }
 
 ProgramText driver_program(const SceneStepper& stepper, const Driver& driver) {

@@ -47,17 +47,21 @@ struct Simulation {
 /// A module that is being compiled, and the data that go to it.
 struct ModuleBuild {
     Build build;
-    Target::Module module;
+    Library library;  ///< without its file
 
     /// Throws what the Build does.
-    [[nodiscard]] Target target() const { return {built(build), module}; }
+    [[nodiscard]] Target target() const {
+        Library whole = library;
+        whole.file = built(build);
+        return whole;
+    }
 };
 
 /// A module for a scene and a method as text, and the data that go to it.
 struct SimulationProgram {
     ProgramText text;
     std::optional<ProgramText> solvers;  ///< that its steps seldom call
-    Target::Module module;
+    Library library;                     ///< without its file
 
     /// Throws as Builds do. Precondition: they live longer.
     [[nodiscard]] ModuleBuild order(Builds& builds) const;
@@ -72,7 +76,6 @@ struct RunSubject {
     std::vector<NameBox> coordinates, momenta;
     std::vector<std::string> conserved;  ///< the energy, where H has no time, and invariants
     WholeNumbers sizes;
-    SimulationProgram program;  ///< that run_simulation() starts
 };
 
 /// Precondition: the stepper is made as simulation_wishes() are. Throws InputError where a

@@ -68,7 +68,8 @@ Reference reference(const Build& build, const WrittenOutScene& scene, double unt
     // Of so high an order, larger steps than the scene's may do.
     const std::int64_t begin = std::max<std::int64_t>(1, count / 16);
     if (has_exact_states(scene)) return {"exact", 0, exact_state(scene, until)};
-    const ReferenceSolution found = find_reference({built(build)}, until, begin, wanted, seconds);
+    const ReferenceSolution found =
+        find_reference(Program{built(build)}, until, begin, wanted, seconds);
     if (found.state.empty())
         throw MathError(
             fmt::format("there is no reference solution: {} in {} bits does not come to "

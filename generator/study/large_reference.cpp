@@ -84,10 +84,11 @@ LargeReference::LargeReference(Builds& builds, const Scene& scene, double until)
 
 Reference LargeReference::compute(std::int64_t count, double seconds) const {
     if (method_.empty()) {
-        write_start({built(build_)}, file_);
+        write_start(Program{built(build_)}, file_);
         return {"exact", 0, {}};
     }
-    const auto found = write_reference({built(build_)}, file_, until_, count, enough, seconds);
+    const auto found =
+        write_reference(Program{built(build_)}, file_, until_, count, enough, seconds);
     if (!found)
         throw MathError(fmt::format("there is no reference solution: {} does not come to the end "
                                     "in {:.3g} s",

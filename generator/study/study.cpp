@@ -34,7 +34,8 @@ struct Programs {
 
     void wait() const {
         if (reference.valid()) static_cast<void>(built(reference));
-        for (const Contender& contender : contenders) static_cast<void>(built(contender.module.build));
+        for (const Contender& contender : contenders)
+            static_cast<void>(built(contender.module.build));
         for (const Team& team : teams) static_cast<void>(built(team.build));
     }
 };
@@ -64,7 +65,8 @@ struct LargePrograms {
 
     void wait() const {
         reference.wait();
-        for (const Contender& contender : contenders) static_cast<void>(built(contender.module.build));
+        for (const Contender& contender : contenders)
+            static_cast<void>(built(contender.module.build));
     }
 };
 

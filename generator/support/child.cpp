@@ -10,7 +10,9 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -133,8 +135,8 @@ public:
         ::kill(-process_, SIGKILL);
         static_cast<void>(wait());
     }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
+    Running(Running&& other) noexcept : process_(std::exchange(other.process_, 0)) {}
+    Running& operator=(Running&&) = delete;
 
     [[nodiscard]] int wait() {
         const pid_t process = std::exchange(process_, 0);
@@ -177,18 +179,59 @@ void read_all(const Pipe& output, const Pipe& errors, ChildResult& result,
 
 }  // namespace
 
-ChildResult run_child(const std::vector<std::string>& words, const std::filesystem::path& directory,
+namespace {
+
+/// What is said until the end of the child, and that.
+ChildResult heard_out(Running child, Pipe& output, Pipe& errors,
                       const std::function<void(std::string_view)>& on_line) {
-    HVI_CHECK(!words.empty());
-    Pipe output;
-    Pipe errors;
-    Running child(Setup(directory, output, errors).start(words));
     output.close_writing();
     errors.close_writing();
     ChildResult result;
     read_all(output, errors, result, on_line);
     result.status = child.wait();
     return result;
+}
+
+/// In a copy of this process: does what Setup says, then the work, and ends.
+[[noreturn]] void work_in_copy(const std::function<int()>& work, const Pipe& output,
+                               const Pipe& errors) {
+    ::setpgid(0, 0);
+    for (const int signal : {SIGPIPE, SIGINT, SIGQUIT, SIGTERM}) ::signal(signal, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    ::dup2(output.writing(), STDOUT_FILENO);
+    ::dup2(errors.writing(), STDERR_FILENO);
+    constexpr int broken = 70;
+    int status = broken;
+    try {
+        status = work();
+    } catch (const std::exception& error) { std::fputs(error.what(), stderr); }
+    std::fflush(nullptr);
+    ::_exit(status);
+}
+
+}  // namespace
+
+ChildResult run_child(const std::function<int()>& work,
+                      const std::function<void(std::string_view)>& on_line) {
+    Pipe output;
+    Pipe errors;
+    std::fflush(nullptr);  // or the copy writes it once more
+    const pid_t child = ::fork();
+    if (child < 0) cannot("start another process", errno);
+    if (child == 0) work_in_copy(work, output, errors);
+    ::setpgid(child, child);  // whoever comes first
+    return heard_out(Running(child), output, errors, on_line);
+}
+
+ChildResult run_child(const std::vector<std::string>& words, const std::filesystem::path& directory,
+                      const std::function<void(std::string_view)>& on_line) {
+    HVI_CHECK(!words.empty());
+    Pipe output;
+    Pipe errors;
+    return heard_out(Running(Setup(directory, output, errors).start(words)), output, errors,
+                     on_line);
 }
 
 }  // namespace hvi::gen

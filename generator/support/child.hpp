@@ -30,4 +30,9 @@ struct ChildResult {
                                     const std::filesystem::path& directory,
                                     const std::function<void(std::string_view)>& on_line = nullptr);
 
+/// The same of a function, which is called in a copy of this process: its result is the exit
+/// status. Precondition: it waits for no other thread, as there are none in the copy.
+[[nodiscard]] ChildResult run_child(const std::function<int()>& work,
+                                    const std::function<void(std::string_view)>& on_line = nullptr);
+
 }  // namespace hvi::gen

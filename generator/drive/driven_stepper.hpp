@@ -1,0 +1,53 @@
+// A stepper of numbers as src/driver takes steppers.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <hvi/integrate.hpp>
+#include <hvi/state.hpp>
+
+#include "generator/drive/number_stepper.hpp"
+
+namespace hvi::gen {
+
+class DrivenStepper {
+public:
+    using Scalar = double;
+    struct State : hvi::State<std::vector<double>> {
+        std::vector<double> time = {};  ///< one number where H depends on it
+    };
+
+    explicit DrivenStepper(std::unique_ptr<NumberStepper> stepper);
+
+    [[nodiscard]] State initial() const;
+
+    [[nodiscard]] Status step(State& x, double h) { return advance(x, h, 1).status; }
+    /// Throws std::bad_alloc, and SolverIsApart.
+    [[nodiscard]] Run advance(State& x, double h, std::int64_t steps);
+    /// Takes steps as advance() does, and looks after each at what is conserved().
+    [[nodiscard]] Run follow(State& x, double h, std::int64_t steps,
+                             std::vector<detail::Departure>& departures);
+    [[nodiscard]] std::int64_t evaluations() const { return stepper_->counts().evaluations; }
+
+    /// Names of what a run is to keep: the energy, where H does not depend on the time, and the
+    /// invariants of the scene, whose names do not matter here.
+    [[nodiscard]] std::vector<std::string> conserved() const;
+    /// Writes their values.
+    void values(const State& x, double* out) const;
+
+private:
+    /// Advances the state by take(numbers).
+    template <class Take>
+    [[nodiscard]] Run advanced(State& x, Take take);
+    [[nodiscard]] static std::vector<double> numbers(const State& x);
+    void set(State& x, const std::vector<double>& numbers) const;
+
+    std::unique_ptr<NumberStepper> stepper_;
+    detail::DrivenSizes sizes_;
+};
+
+}  // namespace hvi::gen

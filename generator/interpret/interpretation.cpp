@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/interpret/interpretation.hpp"
+
+#include <new>
+#include <utility>
+#include <variant>
+
+#include "generator/interpret/interpreted_step.hpp"
+#include "generator/module/driven.hpp"
+#include "generator/support/error.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// A scene and a method, and the numbers that their steppers are made of.
+struct Interpretation {
+    Step step;
+    std::vector<double> numbers;
+    SystemProgram program;
+};
+
+class InterpretedStepper : public NumberStepper {
+public:
+    explicit InterpretedStepper(std::shared_ptr<const Interpretation> of)
+        : of_(std::move(of)),
+          step_(explicit_step(of_->step, InterpretedSystem(of_->program, of_->numbers))) {}
+
+    [[nodiscard]] detail::DrivenSizes sizes() const override {
+        const std::size_t n = program().coordinates();
+        return {n, program().momenta(), program().has_time(), program().values().size() - 1};
+    }
+
+    [[nodiscard]] detail::DrivenCounts counts() const override {
+        return {steps_, iterations_, system().evaluations()};
+    }
+
+    void begin(double* state) const override {
+        InterpretedState x;
+        system().begin(x.q, x.p);
+        write(x, state);
+    }
+
+    [[nodiscard]] int take(double* state, double h, std::int64_t steps) override {
+        return advance(state, [&](InterpretedState& x) {
+            Status status;
+            for (std::int64_t k = 0; k < steps && status.ok(); ++k) status = taken(x, h);
+            return status;
+        });
+    }
+
+    [[nodiscard]] int follow(double* state, double h, std::int64_t steps,
+                             detail::Departure* departures) override {
+        return advance(state, [&](InterpretedState& x) {
+            Status status;
+            for (std::int64_t k = 0; k < steps && status.ok(); ++k) {
+                status = taken(x, h);
+                if (status.ok()) see(x, departures);
+            }
+            return status;
+        });
+    }
+
+    [[nodiscard]] double energy(const double* state) const override {
+        return value(program().values().front(), read(state));
+    }
+
+    void invariants(const double* state, double* values) const override {
+        const InterpretedState x = read(state);
+        const std::vector<std::string>& names = program().values();
+        for (std::size_t k = 1; k < names.size(); ++k) *values++ = value(names[k], x);
+    }
+
+private:
+    [[nodiscard]] const SystemProgram& program() const { return of_->program; }
+    [[nodiscard]] const InterpretedSystem& system() const { return step_->system(); }
+
+    [[nodiscard]] double value(const std::string& name, const InterpretedState& x) const {
+        return system().value(name, x.q, x.p, x.t);
+    }
+
+    /// NOTE: the energy is conserved where H does not depend on the time.
+    void see(const InterpretedState& x, detail::Departure* departures) const {
+        const std::vector<std::string>& names = program().values();
+        for (std::size_t k = program().has_time() ? 1 : 0; k < names.size(); ++k)
+            departures++->see(value(names[k], x));
+    }
+
+    Status taken(InterpretedState& x, double h) {
+        const Status status = step_->take(x, h);
+        iterations_ += status.iterations;
+        if (status.ok()) ++steps_;
+        return status;
+    }
+
+    template <class Take>
+    int advance(double* state, Take take) {
+        try {
+            InterpretedState x = read(state);
+            const Status status = take(x);
+            write(x, state);
+            return static_cast<int>(status.code());
+        } catch (const std::bad_alloc&) { return detail::driven_out_of_memory; }
+    }
+
+    [[nodiscard]] InterpretedState read(const double* state) const {
+        InterpretedState x;
+        const double* const p = state + program().coordinates();
+        const double* const end = p + program().momenta();
+        x.q.assign(state, p);
+        x.p.assign(p, end);
+        if (program().has_time()) x.t = *end;
+        return x;
+    }
+
+    void write(const InterpretedState& x, double* state) const {
+        for (const double number : x.q) *state++ = number;
+        for (const double number : x.p) *state++ = number;
+        if (program().has_time()) *state = x.t;
+    }
+
+    std::shared_ptr<const Interpretation> of_;
+    std::unique_ptr<InterpretedStep> step_;
+    std::int64_t steps_ = 0, iterations_ = 0;
+};
+
+}  // namespace
+
+std::string obstacle_to_interpretation(const SceneStepper& stepper) {
+    const System& system = stepper.system;
+    if (!stepper.own_headers.empty()) return "only a compiler knows functions of your own";
+    if (!system.is_written_out()) return "its sums are loops";
+    if (rotations_of(system) > 0) return "rotations are to come";
+    if (system.side == Side::lagrangian || system.is_transformed) return "Lagrangians are to come";
+    if (stepper.step.from_parameter) return "methods with a free parameter are to come";
+    if (!std::holds_alternative<ExplicitStep>(stepper.step.form))
+        return "steps whose stages are solved for are to come";
+    return {};
+}
+
+MakeStepper interpretation(const SceneStepper& stepper) {
+    HVI_CHECK(obstacle_to_interpretation(stepper).empty());
+    DrivenSystem driven = driven_system(stepper.system);
+    const auto of = std::make_shared<const Interpretation>(Interpretation{
+        stepper.step, std::move(driven.numbers),
+        SystemProgram(driven.system, stepper.members, stepper.step, *stepper.evaluations)});
+    return [of] { return std::make_unique<InterpretedStepper>(of); };
+}
+
+}  // namespace hvi::gen

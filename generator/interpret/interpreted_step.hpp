@@ -1,0 +1,40 @@
+// A step that is computed as its header says, without a compiler.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <hvi/state.hpp>
+
+#include "generator/interpret/system_program.hpp"
+#include "generator/ir/step.hpp"
+
+namespace hvi::gen {
+
+/// Positions, momenta and the time, which stays 0 where H does not depend on it.
+struct InterpretedState : hvi::State<std::vector<double>> {
+    double t = 0;
+};
+
+/// What a step keeps from one to the next.
+class InterpretedStep {
+public:
+    InterpretedStep() = default;
+    virtual ~InterpretedStep() = default;
+    InterpretedStep(const InterpretedStep&) = delete;
+    InterpretedStep& operator=(const InterpretedStep&) = delete;
+
+    /// Advances x by a step of size h. Unless the status is ok, x has kept its bits. Precondition:
+    /// vectors have the size of the system.
+    [[nodiscard]] virtual Status take(InterpretedState& x, double h) = 0;
+
+    [[nodiscard]] virtual const InterpretedSystem& system() const = 0;
+};
+
+/// The kicks and drifts of a step that solves nothing. Precondition: its form is an ExplicitStep,
+/// of a method without a free parameter.
+[[nodiscard]] std::unique_ptr<InterpretedStep> explicit_step(const Step& step,
+                                                             InterpretedSystem system);
+
+}  // namespace hvi::gen

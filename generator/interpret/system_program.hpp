@@ -1,0 +1,92 @@
+// The class System of a stepper, computed as it stands.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/emit/system/scene_code.hpp"
+#include "generator/interpret/tape.hpp"
+#include "generator/ir/step.hpp"
+#include "generator/ir/system.hpp"
+#include "generator/plan/evaluations.hpp"
+
+namespace hvi::gen {
+
+/// The functions of the class as tapes on one row of numbers. Its parameters are data.
+class SystemProgram {
+public:
+    /// Precondition: the system is written out, without functions of the user's own.
+    SystemProgram(const System& system, const SceneWishes& wishes, const Step& step,
+                  const Evaluations& evaluations);
+
+    /// The function of that name, whose results are components; null where there is none.
+    [[nodiscard]] const Tape* function(const std::string& name) const {
+        const auto found = functions_.find(name);
+        return found == functions_.end() ? nullptr : &found->second;
+    }
+    [[nodiscard]] std::size_t coordinates() const { return q_.size(); }
+    [[nodiscard]] std::size_t momenta() const { return p_.size(); }
+    [[nodiscard]] bool has_time() const { return time_.has_value(); }
+    /// Names of functions that compute values of states, in their order: the energy, then the
+    /// invariants.
+    [[nodiscard]] const std::vector<std::string>& values() const { return values_; }
+
+private:
+    friend class InterpretedSystem;
+
+    std::vector<double> numbers_;  ///< the row at first
+    std::vector<Slot> q_, p_, parameters_;
+    std::optional<Slot> time_;
+    std::map<std::string, Tape> functions_;
+    std::vector<std::string> values_;
+    std::optional<Tape> constants_;  ///< what parameters alone decide, for `members_`
+    std::vector<Slot> members_;
+};
+
+/// A System with its parameters. What a step calls has the names that it has in C++.
+class InterpretedSystem {
+public:
+    using Vector = std::vector<double>;
+
+    /// Precondition: the program lives longer, and there are as many parameters as it has.
+    InterpretedSystem(const SystemProgram& program, const std::vector<double>& parameters);
+
+    [[nodiscard]] const SystemProgram& program() const { return *program_; }
+
+    void dHdq(const Vector& q, Vector& out) const {
+        ++evaluations_;
+        evaluate(*by_q_, &q, nullptr, nullptr, out);
+    }
+    void dHdq(const Vector& q, double t, Vector& out) const {
+        ++evaluations_;
+        evaluate(*by_q_, &q, nullptr, &t, out);
+    }
+    void dHdp(const Vector& p, Vector& out) const { evaluate(*by_p_, nullptr, &p, nullptr, out); }
+
+    /// A value of a state.
+    [[nodiscard]] double value(const std::string& function, const Vector& q, const Vector& p,
+                               double t) const;
+
+    /// Where the scene begins.
+    void begin(Vector& q, Vector& p) const;
+
+    /// How often dH/dq was evaluated.
+    [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+
+private:
+    void evaluate(const Tape& function, const Vector* q, const Vector* p, const double* t,
+                  Vector& out) const;
+    void put(const std::vector<Slot>& slots, const Vector& values) const;
+
+    const SystemProgram* program_;
+    const Tape* by_q_;
+    const Tape* by_p_;
+    mutable std::vector<double> numbers_;
+    mutable std::int64_t evaluations_ = 0;
+};
+
+}  // namespace hvi::gen
