@@ -261,9 +261,11 @@ Steps wished_steps(const Scene& scene, const RunOptions& options) {
                        wish(times, options.until, times.until, "until"));
 }
 
-StepperWishes wishes_of(const RunOptions& options) {
+/// NOTE: what is interpreted computes one number after the other.
+StepperWishes wishes_of(const RunOptions& options, bool interprets) {
     StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
     wishes.lanes = options.wishes.lanes;
+    if (interprets) wishes.lanes = {Lanes::none};
     wishes.unroll = options.wishes.unroll;
     return wishes;
 }
@@ -312,11 +314,11 @@ WishedRun advised_run(const RunOptions& options) {
     return run;
 }
 
-WishedRun any_run(const RunOptions& options) {
+WishedRun any_run(const RunOptions& options, bool interprets) {
     if (options.accuracy) return advised_run(options);
     MethodAndScene both = read_scene(options.method, options.system);
     const Steps steps = wished_steps(both.scene, options);
-    return watched_run(std::move(both), wishes_of(options), steps, options);
+    return watched_run(std::move(both), wishes_of(options, interprets), steps, options);
 }
 
 /// NOTE: the picture shows the columns that were asked for, where some were.
@@ -333,38 +335,39 @@ RunTables wished_tables(const RunSubject& subject, const Steps& steps, const Run
 /// What takes the steps: a compiled module, or hvi-gen itself.
 class Runner {
 public:
-    /// Throws InputError where an interpreter is asked for, at `interpret`, and cannot be had.
-    Runner(const SceneStepper& stepper, const std::optional<Place>& interpret)
-        : target_(chosen(stepper, interpret)) {}
+    /// Looks for a compiler where none is to be done without.
+    explicit Runner(const std::optional<Place>& interpret) : interpret_(interpret) {
+        if (interpret) return;
+        try {
+            compiler_ = find_compiler();
+        } catch (const EnvironmentError& error) { missing_ = error; }
+    }
 
-    [[nodiscard]] const Target& target() const { return target_; }
+    [[nodiscard]] bool interprets() const { return !compiler_.has_value(); }
+
+    /// Throws InputError where steps cannot be interpreted, or EnvironmentError where they had to
+    /// be for want of a compiler. Precondition: it lives longer.
+    [[nodiscard]] Target target(const SceneStepper& stepper) {
+        if (compiler_) {
+            builds_.emplace(*compiler_);
+            return simulation_program(stepper).order(*builds_).target();
+        }
+        const std::string obstacle = obstacle_to_interpretation(stepper);
+        if (!obstacle.empty() && missing_) throw *missing_;
+        if (!obstacle.empty())
+            throw InputError("this cannot be run without a compiler: " + obstacle, interpret_,
+                             "what can be is in docs/modules.md");
+        if (missing_)
+            std::fputs(fmt::format("note: {}; steps are interpreted\n", missing_->what()).c_str(),
+                       stderr);
+        return Interpreted{interpretation(stepper)};
+    }
 
 private:
-    [[nodiscard]] Target chosen(const SceneStepper& stepper,
-                                const std::optional<Place>& interpret) {
-        const std::string obstacle = obstacle_to_interpretation(stepper);
-        if (interpret && !obstacle.empty())
-            throw InputError("this cannot be run without a compiler: " + obstacle, interpret,
-                             "it can be of --method stormer-verlet for H = T(p) + U(q)");
-        if (interpret || !has_compiler(obstacle)) return Interpreted{interpretation(stepper)};
-        return simulation_program(stepper).order(*builds_).target();
-    }
-
-    /// Begins to compile; false where there is no compiler, and none is needed.
-    [[nodiscard]] bool has_compiler(const std::string& obstacle) {
-        try {
-            builds_.emplace(find_compiler());
-            return true;
-        } catch (const EnvironmentError& error) {
-            if (!obstacle.empty()) throw;
-            std::fputs(fmt::format("note: {}; steps are interpreted\n", error.what()).c_str(),
-                       stderr);
-            return false;
-        }
-    }
-
+    std::optional<Place> interpret_;
+    std::optional<Compiler> compiler_;
+    std::optional<EnvironmentError> missing_;
     std::optional<Builds> builds_;
-    Target target_;
 };
 
 }  // namespace
@@ -372,7 +375,8 @@ private:
 void run(const RunOptions& options) {
     // NOTE: what is computed exactly an interruption may end at once, as there is nothing to clear
     // away.
-    const WishedRun wished = any_run(options);
+    Runner runner(options.interpret);
+    const WishedRun wished = any_run(options, runner.interprets());
     const RunSubject& subject = wished.subject;
     const Steps& steps = wished.steps;
     if (!wished.not_looked_for.empty())
@@ -383,11 +387,11 @@ void run(const RunOptions& options) {
     const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
     note_left_out(steps);
 
-    Runner runner(wished.stepper, options.interpret);
+    const Target target = runner.target(wished.stepper);
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     Results results(directory);
     const RunTables tables = wished_tables(subject, steps, options, columns, results);
-    const Simulation simulation = simulate(runner.target(), subject, steps, tables);
+    const Simulation simulation = simulate(target, subject, steps, tables);
     const std::string summary = hvi::gen::summary(wished, simulation);
     results.keep(subject, steps, simulation, tables, options, summary);
     if (!simulation.ok())

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <variant>
 
@@ -9,34 +8,14 @@
 #include <hvi/detail/stages/step_sums.hpp>
 
 #include "generator/emit/steps/explicit_moves.hpp"
-#include "generator/exact/numbers/formats.hpp"
 #include "generator/interpret/interpreted_step.hpp"
-#include "generator/support/error.hpp"
+#include "generator/interpret/tables.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
 using Vector = InterpretedSystem::Vector;
-
-double as_double(const Number& number) {
-    constexpr std::size_t of_double = 1;
-    const std::optional<Dyadic> value = nearest(number)[of_double];
-    HVI_CHECK(value.has_value());  // or the header of the stepper could not be written
-    return value->to_double();
-}
-
-Vector weights_of(const std::vector<StageValue>& values) {
-    Vector result;
-    for (const StageValue& value : values) result.push_back(as_double(value.weight));
-    return result;
-}
-
-Vector times_of(const Step& step) {
-    Vector result;
-    for (const Number& c : step.c) result.push_back(as_double(c));
-    return result;
-}
 
 /// What both ways to sum have in common: a kick is made of dH/dq, a drift of dH/dp.
 class Moves : public InterpretedStep {
@@ -85,10 +64,8 @@ protected:
         if (is_known) return out;
         if (!move.kick) {
             system_.dHdp(at, out);
-        } else if (c_.empty()) {
-            system_.dHdq(at, out);
         } else {
-            system_.dHdq(at, clock_.at(c_[move.index]), out);
+            system_.dHdq({.q = &at, .t = c_.empty() ? 0 : clock_.at(c_[move.index])}, out);
         }
         return out;
     }

@@ -20,11 +20,18 @@ struct Interpretation {
     SystemProgram program;
 };
 
+std::unique_ptr<InterpretedStep> interpreted(const Step& step, InterpretedSystem system) {
+    if (std::holds_alternative<VelocityStep>(step.form))
+        return velocity_step(step, std::move(system));
+    if (std::holds_alternative<PairStep>(step.form)) return pair_step(step, std::move(system));
+    return explicit_step(step, std::move(system));
+}
+
 class InterpretedStepper : public NumberStepper {
 public:
     explicit InterpretedStepper(std::shared_ptr<const Interpretation> of)
         : of_(std::move(of)),
-          step_(explicit_step(of_->step, InterpretedSystem(of_->program, of_->numbers))) {}
+          step_(interpreted(of_->step, InterpretedSystem(of_->program, of_->numbers))) {}
 
     [[nodiscard]] detail::DrivenSizes sizes() const override {
         const std::size_t n = program().coordinates();
@@ -76,7 +83,7 @@ private:
     [[nodiscard]] const InterpretedSystem& system() const { return step_->system(); }
 
     [[nodiscard]] double value(const std::string& name, const InterpretedState& x) const {
-        return system().value(name, x.q, x.p, x.t);
+        return system().value(name, {&x.q, &x.p, x.t});
     }
 
     /// NOTE: the energy is conserved where H does not depend on the time.
@@ -126,16 +133,35 @@ private:
 
 }  // namespace
 
+namespace {
+
+std::string obstacle_of(const ExplicitStep&) { return {}; }
+std::string obstacle_of(const TabulatedStep&) { return "steps of a linear map are to come"; }
+std::string obstacle_of(const PairStep&) { return {}; }
+std::string obstacle_of(const VelocityStep&) { return {}; }
+std::string obstacle_of(const GalerkinStep&) { return "the general Galerkin form is to come"; }
+std::string obstacle_of(const ChartStep&) { return "rotations are to come"; }
+
+std::string obstacle_of(const Step& step) {
+    if (step.from_parameter) return "methods with a free parameter are to come";
+    if (step.layout != Layout::one) return "it takes no stages side by side";
+    if (!step.in_a_row.empty()) return "compositions of steps that are solved for are to come";
+    const Iteration* iteration = step.iteration();
+    if (iteration != nullptr && iteration->solver != Solver::automatic &&
+        iteration->solver != Solver::fixed_point)
+        return "Newton's method is to come";
+    return std::visit([](const auto& form) { return obstacle_of(form); }, step.form);
+}
+
+}  // namespace
+
 std::string obstacle_to_interpretation(const SceneStepper& stepper) {
     const System& system = stepper.system;
     if (!stepper.own_headers.empty()) return "only a compiler knows functions of your own";
     if (!system.is_written_out()) return "its sums are loops";
     if (rotations_of(system) > 0) return "rotations are to come";
     if (system.side == Side::lagrangian || system.is_transformed) return "Lagrangians are to come";
-    if (stepper.step.from_parameter) return "methods with a free parameter are to come";
-    if (!std::holds_alternative<ExplicitStep>(stepper.step.form))
-        return "steps whose stages are solved for are to come";
-    return {};
+    return obstacle_of(stepper.step);
 }
 
 MakeStepper interpretation(const SceneStepper& stepper) {

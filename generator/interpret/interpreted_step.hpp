@@ -37,4 +37,14 @@ public:
 [[nodiscard]] std::unique_ptr<InterpretedStep> explicit_step(const Step& step,
                                                              InterpretedSystem system);
 
+/// Stages of positions that are solved for, the momenta being eliminated. Preconditions: the form
+/// is a VelocityStep without lanes, of a single step, whose solver needs no derivatives; the step
+/// lives longer.
+[[nodiscard]] std::unique_ptr<InterpretedStep> velocity_step(const Step& step,
+                                                             InterpretedSystem system);
+
+/// Stages of positions and momenta. Preconditions: those of velocity_step(), for a PairStep.
+[[nodiscard]] std::unique_ptr<InterpretedStep> pair_step(const Step& step,
+                                                         InterpretedSystem system);
+
 }  // namespace hvi::gen

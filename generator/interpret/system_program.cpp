@@ -84,6 +84,8 @@ InterpretedSystem::InterpretedSystem(const SystemProgram& program,
     : program_(&program),
       by_q_(program.function("dHdq")),
       by_p_(program.function("dHdp")),
+      gradient_(program.function("gradient")),
+      inverse_mass_(program.function("inverse_mass")),
       numbers_(program.numbers_) {
     HVI_CHECK(parameters.size() == program.parameters_.size());
     put(program.parameters_, parameters);
@@ -97,27 +99,40 @@ void InterpretedSystem::put(const std::vector<Slot>& slots, const Vector& values
     for (std::size_t k = 0; k < slots.size(); ++k) numbers_[slots[k]] = values[k];
 }
 
-void InterpretedSystem::evaluate(const Tape& function, const Vector* q, const Vector* p,
-                                 const double* t, Vector& out) const {
-    if (q != nullptr) put(program_->q_, *q);
-    if (p != nullptr) put(program_->p_, *p);
-    if (t != nullptr && program_->time_) numbers_[*program_->time_] = *t;
+void InterpretedSystem::run(const Tape& function, const Point& at) const {
+    if (at.q != nullptr) put(program_->q_, *at.q);
+    if (at.p != nullptr) put(program_->p_, *at.p);
+    if (program_->time_) numbers_[*program_->time_] = at.t;
     function.run(numbers_.data());
+}
+
+void InterpretedSystem::evaluate(const Tape& function, const Point& at, Vector& out) const {
+    run(function, at);
     const std::vector<Slot>& results = function.results();
     for (std::size_t k = 0; k < results.size(); ++k) out[k] = numbers_[results[k]];
 }
 
-double InterpretedSystem::value(const std::string& function, const Vector& q, const Vector& p,
-                                double t) const {
+void InterpretedSystem::gradient(const Point& at, Vector& by_q, Vector& by_p) const {
+    ++evaluations_;
+    run(*gradient_, at);
+    const std::vector<Slot>& results = gradient_->results();
+    const std::size_t n = by_q.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        by_q[k] = numbers_[results[k]];
+        by_p[k] = numbers_[results[n + k]];
+    }
+}
+
+double InterpretedSystem::value(const std::string& function, const Point& at) const {
     Vector out(1);
-    evaluate(*program_->function(function), &q, &p, &t, out);
+    evaluate(*program_->function(function), at, out);
     return out.front();
 }
 
 void InterpretedSystem::begin(Vector& q, Vector& p) const {
     const std::size_t n = program_->q_.size();
     Vector all(n + program_->p_.size());
-    evaluate(*program_->function("begin"), nullptr, nullptr, nullptr, all);
+    evaluate(*program_->function("begin"), {}, all);
     q.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
     p.assign(all.begin() + static_cast<std::ptrdiff_t>(n), all.end());
 }

@@ -57,19 +57,30 @@ public:
 
     [[nodiscard]] const SystemProgram& program() const { return *program_; }
 
-    void dHdq(const Vector& q, Vector& out) const {
+    /// Where functions are evaluated, as far as they look at it.
+    struct Point {
+        const Vector* q = nullptr;
+        const Vector* p = nullptr;
+        double t = 0;
+    };
+
+    void dHdq(const Point& at, Vector& out) const {
         ++evaluations_;
-        evaluate(*by_q_, &q, nullptr, nullptr, out);
+        evaluate(*by_q_, at, out);
     }
-    void dHdq(const Vector& q, double t, Vector& out) const {
-        ++evaluations_;
-        evaluate(*by_q_, &q, nullptr, &t, out);
+    void dHdp(const Point& at, Vector& out) const { evaluate(*by_p_, at, out); }
+    void dHdp(const Vector& p, Vector& out) const { dHdp({.p = &p}, out); }
+
+    /// Both at once.
+    void gradient(const Point& at, Vector& by_q, Vector& by_p) const;
+
+    /// d2H/dp2 v, which is constant.
+    void inverse_mass(const Vector& v, Vector& out) const {
+        evaluate(*inverse_mass_, {.p = &v}, out);
     }
-    void dHdp(const Vector& p, Vector& out) const { evaluate(*by_p_, nullptr, &p, nullptr, out); }
 
     /// A value of a state.
-    [[nodiscard]] double value(const std::string& function, const Vector& q, const Vector& p,
-                               double t) const;
+    [[nodiscard]] double value(const std::string& function, const Point& at) const;
 
     /// Where the scene begins.
     void begin(Vector& q, Vector& p) const;
@@ -78,13 +89,15 @@ public:
     [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
 private:
-    void evaluate(const Tape& function, const Vector* q, const Vector* p, const double* t,
-                  Vector& out) const;
+    void run(const Tape& function, const Point& at) const;
+    void evaluate(const Tape& function, const Point& at, Vector& out) const;
     void put(const std::vector<Slot>& slots, const Vector& values) const;
 
     const SystemProgram* program_;
     const Tape* by_q_;
     const Tape* by_p_;
+    const Tape* gradient_;
+    const Tape* inverse_mass_;
     mutable std::vector<double> numbers_;
     mutable std::int64_t evaluations_ = 0;
 };

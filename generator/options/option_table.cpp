@@ -409,7 +409,9 @@ constexpr std::array table = {
     OptionEntry{.name = "--interpret",
                 .of = {run},
                 .help = "Take the steps without a compiler",
-                .excludes = {.others = "--accuracy", .what = "--accuracy measures compiled steps"}},
+                .excludes = {.others = "--accuracy --lanes",
+                             .what = "--interpret takes steps as they are, and one number after "
+                                     "the other: it goes not with {}"}},
     OptionEntry{.name = "--no-symmetries",
                 .of = {check},
                 .help = "Do not look for those of the scene",

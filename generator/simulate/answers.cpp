@@ -146,6 +146,10 @@ Answers ask(const Target& target, const std::vector<std::string>& words,
         last = heard(target, all, on_progress);
     }
     const auto& [answers, ended] = last;
+    if (ended.status == solver_is_apart)
+        throw EnvironmentError("fixed points are too slow for these steps, and Newton's method "
+                               "needs a compiler",
+                               "without --interpret it is compiled; or smaller steps");
     if (ended.status == cannot_write && !file.empty())
         throw EnvironmentError("cannot write " + file.string());
     if (ended.status == out_of_memory)

@@ -8,10 +8,10 @@
 
 namespace {
 
-/// Called when the library is loaded, with the words of the process: @drive LIBRARY DIRECTORY COUNT
-/// and so many parameters, then the command.
+/// Called when the library is loaded, with the words of the process: @drive LIBRARY SOLVERS
+/// DIRECTORY COUNT and so many parameters, then the command.
 [[gnu::constructor]] void begin(int argc, char** argv) {
-    constexpr int place_of_count = 4;
+    constexpr int place_of_count = 5;
     const char* const script = std::getenv("HVI_PRETENDED");
     if (script == nullptr || argc <= place_of_count) { return; }
     std::vector<char*> words{argv[0], const_cast<char*>(script)};

@@ -1,0 +1,44 @@
+// Solvers of stage equations without a compiler.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <hvi/detail/module/loaded_solvers.hpp>
+#include <hvi/detail/solvers/automatic.hpp>
+#include <hvi/fixed_point.hpp>
+
+#include "generator/interpret/system_program.hpp"
+#include "generator/ir/step.hpp"
+
+namespace hvi::gen {
+
+/// A policy in the place of Newton's method, which is to come.
+struct NewtonToCome {
+    template <class Vector>
+    struct Iteration {
+        template <class Coupled>
+        [[nodiscard]] Status solve(Coupled&) const {
+            throw detail::SolverIsApart();
+        }
+    };
+};
+
+/// Fixed points, alone or for as long as they contract. Throws SolverIsApart where Newton's method
+/// is called for.
+class StageSolver {
+public:
+    explicit StageSolver(Solver solver) : is_automatic_(solver == Solver::automatic) {}
+
+    template <class Coupled>
+    [[nodiscard]] Status solve(Coupled coupled) {
+        return is_automatic_ ? automatic_.solve(coupled) : fixed_point_.solve(coupled);
+    }
+
+private:
+    using Vector = InterpretedSystem::Vector;
+
+    bool is_automatic_;
+    Automatic<NewtonToCome>::Iteration<Vector> automatic_;
+    FixedPoint::Iteration<Vector> fixed_point_;
+};
+
+}  // namespace hvi::gen
