@@ -356,7 +356,7 @@ public:
         if (!obstacle.empty() && missing_) throw *missing_;
         if (!obstacle.empty())
             throw InputError("this cannot be run without a compiler: " + obstacle, interpret_,
-                             "what can be is in docs/modules.md");
+                             "what can be is in docs/interpreter.md");
         if (missing_)
             std::fputs(fmt::format("note: {}; steps are interpreted\n", missing_->what()).c_str(),
                        stderr);
