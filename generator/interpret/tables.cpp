@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "generator/emit/text/constants.hpp"
 #include "generator/ir/equal.hpp"
 #include "generator/support/error.hpp"
 
@@ -44,7 +45,7 @@ DoubleMatrix rough_doubles(const NumberMatrix& exact) {
     DoubleMatrix result;
     for (const NumberVector& row : exact) {
         Doubles& doubles = result.emplace_back();
-        for (const Number& entry : row) doubles.push_back(as_double(nearest_or_small(entry)));
+        for (const Number& entry : row) doubles.push_back(as_double(rough_value(entry)));
     }
     return result;
 }

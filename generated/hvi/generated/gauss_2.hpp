@@ -105,17 +105,10 @@ private:
     // Slopes of the next step are about N times those of this one.
     static constexpr Scalar N[2][2] = {
         {
-            // N_1,1 = 1-sqrt(3)
-            rounded(-0.73205084f, -0.7320508075688773, 0x1.8ap-57, 0x1.89b517a51f0e9p-57, 0.0),
-            // N_1,2 = sqrt(3)
-            rounded(1.7320508f, 1.7320508075688772, 0x1.cfp-54, 0x1.cec95d0b5c1e2p-54, 0x1.cp-107),
+            Scalar(-0.7320508075688773), Scalar(1.7320508075688772),
         },
         {
-            // N_2,1 = -sqrt(3)
-            rounded(-1.7320508f, -1.7320508075688772, -0x1.cfp-54, -0x1.cec95d0b5c1e2p-54,
-                -0x1.cp-107),
-            // N_2,2 = 1+sqrt(3)
-            rounded(2.732051f, 2.732050807568877, 0x1.cfp-54, 0x1.cec95d0b5c1e2p-54, 0x1.cp-107),
+            Scalar(-1.7320508075688772), Scalar(2.732050807568877),
         },
     };
 

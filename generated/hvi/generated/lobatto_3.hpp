@@ -154,19 +154,13 @@ private:
     // Slopes of the next step are about N times those of this one.
     static constexpr Scalar N[3][3] = {
         {
-            Scalar(0.0),  // N_1,1 = 0
-            Scalar(0.0),  // N_1,2 = 0
-            Scalar(1.0),  // N_1,3 = 1
+            Scalar(0.0), Scalar(0.0), Scalar(1.0),
         },
         {
-            Scalar(4.0),   // N_2,1 = 4
-            Scalar(-3.0),  // N_2,2 = -3
-            Scalar(12.0),  // N_2,3 = 12
+            Scalar(4.0), Scalar(-3.0), Scalar(12.0),
         },
         {
-            Scalar(3.0),   // N_3,1 = 3
-            Scalar(-2.0),  // N_3,2 = -2
-            Scalar(6.0),   // N_3,3 = 6
+            Scalar(3.0), Scalar(-2.0), Scalar(6.0),
         },
     };
 

@@ -134,12 +134,10 @@ private:
     // Slopes of the next step are about N times those of this one.
     static constexpr Scalar N[2][2] = {
         {
-            Scalar(0.0),  // N_1,1 = 0
-            Scalar(1.0),  // N_1,2 = 1
+            Scalar(0.0), Scalar(1.0),
         },
         {
-            Scalar(-1.0),  // N_2,1 = -1
-            Scalar(2.0),   // N_2,2 = 2
+            Scalar(-1.0), Scalar(2.0),
         },
     };
 

@@ -162,23 +162,13 @@ private:
     // Slopes of the next step are about N times those of this one.
     static constexpr Scalar N[3][3] = {
         {
-            Scalar(0.0),  // N_1,1 = 0
-            Scalar(0.0),  // N_1,2 = 0
-            Scalar(1.0),  // N_1,3 = 1
+            Scalar(0.0), Scalar(0.0), Scalar(1.0),
         },
         {
-            // N_2,1 = 4/(pi-2)
-            rounded(3.5038767f, 3.5038767877682173, 0x1.fp-58, 0x1.ebb67a236fe82p-58, 0x1p-111),
-            Scalar(-3.0),  // N_2,2 = -3
-            // N_2,3 = 12/(pi-2)
-            rounded(10.51163f, 10.511630363304652, -0x1.e9p-52, -0x1.e8f3724656c11p-52,
-                -0x1.cp-105),
+            Scalar(3.5038767877682173), Scalar(-3.0), Scalar(10.511630363304652),
         },
         {
-            Scalar(3.0),  // N_3,1 = 3
-            // N_3,2 = 4-2*pi
-            rounded(-2.2831852f, -2.2831853071795867, 0x1.cbp-53, 0x1.cb3b399d747f2p-53, 0x1p-107),
-            Scalar(6.0),  // N_3,3 = 6
+            Scalar(3.0), Scalar(-2.2831853071795867), Scalar(6.0),
         },
     };
 

@@ -151,8 +151,8 @@ std::string constants_of_curves(const Step& step, const GalerkinStep& galerkin,
     if (galerkin.extrapolation) {
         writer.blank().comment("W and P of the next step are about N_W and N_P times those of this "
                                "one.");
-        rough_table(writer, "N_W", galerkin.extrapolation->W);
-        rough_table(writer, "N_P", *galerkin.extrapolation->P);
+        starting_table(writer, "N_W", galerkin.extrapolation->W);
+        starting_table(writer, "N_P", *galerkin.extrapolation->P);
     }
     return with_rounding(writer.insert(gamma_table(step.in_a_row)).str());
 }

@@ -5,6 +5,7 @@
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/curve_tables.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
+#include "generator/emit/steps/starting_values.hpp"
 
 namespace hvi::gen {
 namespace {
@@ -142,7 +143,7 @@ std::string constants_of_lagrangian(const Step& step, const GalerkinStep& galerk
     }
     if (galerkin.extrapolation && takes_fixed_points(galerkin)) {
         writer.blank().comment("W of the next step is about N_W times that of this one.");
-        rough_table(writer, "N_W", galerkin.extrapolation->W);
+        starting_table(writer, "N_W", galerkin.extrapolation->W);
     }
     return with_rounding(writer.insert(gamma_table(step.in_a_row)).str());
 }

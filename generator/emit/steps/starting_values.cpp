@@ -7,20 +7,6 @@
 
 namespace hvi::gen {
 
-namespace {
-
-/// NOTE: starting values need not be good to the last bit.
-RoundedMatrix nearest_or_small(const NumberMatrix& exact) {
-    RoundedMatrix values;
-    for (const NumberVector& row : exact) {
-        std::vector<Rounded>& rounded = values.emplace_back();
-        for (const Number& entry : row) { rounded.push_back(nearest_or_small(entry)); }
-    }
-    return values;
-}
-
-}  // namespace
-
 void open_predict(Writer& writer, const Iteration& iteration, std::string_view slopes) {
     const std::vector<Extrapolation>& from = iteration.extrapolation;
     writer.comment(
@@ -47,26 +33,26 @@ std::string meaning_of_tables(bool takes_parts, bool takes_two) {
 
 }  // namespace
 
+/// NOTE: starting values need not be good to the last bit, and nobody checks their closed forms.
+void starting_table(Writer& writer, std::string_view name, const NumberMatrix& exact) {
+    RoundedMatrix values;
+    for (const NumberVector& row : exact) {
+        std::vector<Rounded>& rounded = values.emplace_back();
+        for (const Number& entry : row) { rounded.push_back(rough_value(entry)); }
+    }
+    table_of_doubles(writer, name, values);
+}
+
 std::string extrapolation_text(const Iteration& iteration) {
     const std::vector<Extrapolation>& all = iteration.extrapolation;
     if (all.empty()) { return {}; }
     const bool takes_two = all.front().before.has_value();
     Writer writer(1);
     writer.blank().comment(meaning_of_tables(iteration.takes_parts(), takes_two));
-    if (!iteration.takes_parts()) {
-        const auto write = [&](std::string_view name, const NumberMatrix& exact) {
-            table(writer, name, constants(name, exact, nearest_or_small(exact)));
-        };
-        write("N", all.front().last);
-        if (takes_two) { write("N_before", *all.front().before); }
-        return writer.str();
-    }
     for (std::size_t k = 0; k < all.size(); ++k) {
-        const auto write = [&](std::string_view name, const NumberMatrix& exact) {
-            table_of_doubles(writer, fmt::format("{}_{}", name, k + 1), nearest_or_small(exact));
-        };
-        write("N", all[k].last);
-        if (takes_two) { write("N_before", *all[k].before); }
+        const std::string part = iteration.takes_parts() ? fmt::format("_{}", k + 1) : "";
+        starting_table(writer, "N" + part, all[k].last);
+        if (takes_two) { starting_table(writer, "N_before" + part, *all[k].before); }
     }
     return writer.str();
 }

@@ -13,6 +13,9 @@ namespace hvi::gen {
 /// The comment and the first line of predict(). `slopes`: what the starting values are.
 void open_predict(Writer& writer, const Iteration& iteration, std::string_view slopes);
 
+/// A table that starting values are computed with.
+void starting_table(Writer& writer, std::string_view name, const NumberMatrix& exact);
+
 /// The tables N, and N_before, of starting values.
 [[nodiscard]] std::string extrapolation_text(const Iteration& iteration);
 

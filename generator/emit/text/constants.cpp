@@ -164,12 +164,23 @@ void refuse_float(Writer& writer, const std::vector<Constant>& constants) {
     }
 }
 
+namespace {
+
+constexpr int least = -300;  // power of two
+
+bool is_next_to_zero(const Number& value) {
+    return !value.known_zero() && value.nearest_multiple(least).is_zero();
+}
+
+}  // namespace
+
+Rounded rough_value(const Number& value) {
+    return is_next_to_zero(value) ? nearest(Number(0)) : nearest_or_small(value);
+}
+
 Constant constant(std::string name, const Number& value) {
-    constexpr int least = -300;
-    if (!value.known_zero() && value.nearest_multiple(least).is_zero()) {
-        return {std::move(name), nearest(Number(0)), fmt::format("0 within 2^{}", least)};
-    }
-    return {std::move(name), nearest_or_small(value), exact_text(value)};
+    return {std::move(name), rough_value(value),
+            is_next_to_zero(value) ? fmt::format("0 within 2^{}", least) : exact_text(value)};
 }
 
 }  // namespace hvi::gen

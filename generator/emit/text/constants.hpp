@@ -18,6 +18,10 @@ struct Constant {
     std::string exact;
 };
 
+/// The nearest numbers, small ones too, and 0 of what is within 2^-300 of it: for coefficients that
+/// need not be good to their last bit.
+[[nodiscard]] Rounded rough_value(const Number& value);
+
 /// One that is rounded on its own. NOTE: symmetry and orthogonality make zeros that enclosures do
 /// not prove. What is below 2^-300 can be one.
 [[nodiscard]] Constant constant(std::string name, const Number& value);

@@ -387,7 +387,7 @@ private:
     // Slopes of the next step are about N times those of this one.
     static constexpr Scalar N[1][1] = {
         {
-            Scalar(1.0),  // N_1,1 = 1
+            Scalar(1.0),
         },
     };
 
