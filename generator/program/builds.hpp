@@ -61,7 +61,7 @@ private:
     std::vector<std::thread> workers_;  ///< last: they use the members above
 };
 
-/// A program that is compiled when it is first called for.
+/// A program that is compiled when it is first called for, or before.
 class LateBuild {
 public:
     /// Precondition: `builds` live longer.
@@ -71,13 +71,22 @@ public:
     /// Where it is, if it is compiled.
     [[nodiscard]] const std::optional<std::filesystem::path>& file() const { return file_; }
 
-    /// Compiles it, and says so. Throws what its Build does.
-    void compile() { file_ = built(builds_->order(text_)); }
+    /// Begins to compile it, while other things are done.
+    void begin() {
+        if (!file_ && !build_) build_ = builds_->order(text_);
+    }
+
+    /// Waits until it is compiled, and says so. Throws what its Build does.
+    void compile() {
+        begin();
+        if (!file_) file_ = built(*build_);
+    }
 
 private:
     Builds* builds_;
     ProgramText text_;
     std::optional<std::filesystem::path> file_;
+    std::optional<Build> build_;
 };
 
 }  // namespace hvi::gen

@@ -55,6 +55,16 @@ struct ModuleBuild {
         whole.file = built(build);
         return whole;
     }
+
+    /// Begins to compile the solvers that its steps seldom call, and waits for all there is: for
+    /// runs that are timed. Throws as above.
+    void begin_all() const {
+        if (library.solvers) library.solvers->begin();
+    }
+    void wait_for_all() const {
+        static_cast<void>(built(build));
+        if (library.solvers) library.solvers->compile();
+    }
 };
 
 /// A module for a scene and a method as text, and the data that go to it.

@@ -285,7 +285,7 @@ public:
         for (const Contender& contender : contenders_) {
             advice_.costs.push_back(contender.costs);
             show("compiling " + contender.title);
-            static_cast<void>(built(contender.module.build));
+            contender.module.wait_for_all();
         }
         show("reference");
     }

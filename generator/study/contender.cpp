@@ -45,7 +45,9 @@ Contender contender(Builds& builds, const StudiedMethod& method, const LoweredSc
         scene_stepper(method, scene, simulation_wishes(solver, method.composition));
     check_parameter_of_method(stepper);
     const std::optional<StageCorrections>& corrections = stepper.step.corrections;
-    return {stepper.method.title(), method.order, simulation_program(stepper).order(builds),
+    ModuleBuild module = simulation_program(stepper).order(builds);
+    module.begin_all();
+    return {stepper.method.title(), method.order, std::move(module),
             corrections ? std::optional(corrections->costs) : std::nullopt};
 }
 

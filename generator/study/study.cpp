@@ -34,8 +34,7 @@ struct Programs {
 
     void wait() const {
         if (reference.valid()) static_cast<void>(built(reference));
-        for (const Contender& contender : contenders)
-            static_cast<void>(built(contender.module.build));
+        for (const Contender& contender : contenders) contender.module.wait_for_all();
         for (const Team& team : teams) static_cast<void>(built(team.build));
     }
 };
@@ -65,8 +64,7 @@ struct LargePrograms {
 
     void wait() const {
         reference.wait();
-        for (const Contender& contender : contenders)
-            static_cast<void>(built(contender.module.build));
+        for (const Contender& contender : contenders) contender.module.wait_for_all();
     }
 };
 
