@@ -35,5 +35,5 @@ measure nonseparable 0.01 1
 measure double-pendulum 0.01 1
 measure point-vortices 0.05 9
 measure fpu 0.005 1
-measure tests/lanes/masses.toml 0.005 1
+measure tests/runtime/lanes/masses.toml 0.005 1
 gnuplot docs/step-sizes.gp

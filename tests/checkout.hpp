@@ -7,7 +7,7 @@
 
 namespace hvi::test {
 
-/// The path of a file of the checkout: `tests/exact/reference.json`.
+/// The path of a file of the checkout: `tests/generator/exact/reference.json`.
 [[nodiscard]] std::string in_checkout(const std::string& file);
 
 /// The path of the program hvi-gen.

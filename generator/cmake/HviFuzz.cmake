@@ -1,4 +1,4 @@
-# Compiles everything with the fuzzer's instrumentation, so that the fuzzers of tests/fuzz link the
+# Compiles everything with the fuzzer's instrumentation, so that the fuzzers of tests/generator/fuzz link the
 # rooms as they are.
 # SPDX-License-Identifier: GPL-2.0-or-later
 
