@@ -1,5 +1,5 @@
-// Where the tests find this checkout, and what is built of it. NOTE: functions, which a file of their
-// own defines, so that no other object file differs from one checkout to the next.
+// Where the tests find this checkout, and what is built of it. NOTE: functions, which a file of
+// their own defines, so that no other object file differs from one checkout to the next.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

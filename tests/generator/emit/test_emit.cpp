@@ -12,8 +12,8 @@
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 #include "tests/generator/emit/header.hpp"
-#include "tests/generator/plan/tableaux.hpp"
 #include "tests/generator/exact/exact.hpp"
+#include "tests/generator/plan/tableaux.hpp"
 
 using namespace hvi::gen;
 using Catch::Matchers::Contains;

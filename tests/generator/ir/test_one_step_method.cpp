@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 
 #include "generator/ir/one_step_method.hpp"
-#include "tests/generator/plan/tableaux.hpp"
 #include "tests/generator/exact/exact.hpp"
 #include "tests/generator/ir/is_found.hpp"
+#include "tests/generator/plan/tableaux.hpp"
 
 using namespace hvi::gen;
 

@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "generator/plan/plan.hpp"
-#include "tests/generator/plan/tableaux.hpp"
 #include "tests/generator/exact/exact.hpp"
 #include "tests/generator/ir/is_found.hpp"
+#include "tests/generator/plan/tableaux.hpp"
 
 using namespace hvi::gen;
 

@@ -9,8 +9,8 @@
 
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
-#include "tests/generator/plan/tableaux.hpp"
 #include "tests/generator/exact/exact.hpp"
+#include "tests/generator/plan/tableaux.hpp"
 
 using namespace hvi::gen;
 using Kind = StageNode::Kind;

@@ -1,4 +1,5 @@
-// Audits: what stands where in JSON and in text. What is found out is checked in tests/generator/certify.
+// Audits: what stands where in JSON and in text. What is found out is checked in
+// tests/generator/certify.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-// Certificates of methods: what stands where in JSON. The numbers are checked in tests/generator/exact.
+// Certificates of methods: what stands where in JSON. The numbers are checked in
+// tests/generator/exact.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -64,8 +64,8 @@ TEST_CASE("a module says which command writes it again") {
                    "--lanes", "none", "kepler"},
                   directory.path())
               .status == 0);
-    const std::string command =
-        "//     hvi-gen module --method gauss:2 kepler --param \"mu=2\" --lanes none --name planet\n";
+    const std::string command = "//     hvi-gen module --method gauss:2 kepler --param \"mu=2\" "
+                                "--lanes none --name planet\n";
     CHECK(text_has(contents(directory / "planet.h"), command));
     CHECK(text_has(contents(directory / "planet.cpp"), command));
 }

@@ -151,9 +151,9 @@ TEST_CASE("a report measures against a reference in long double") {
 TEST_CASE("steps with functions of two arguments are symplectic, by dual numbers") {
     use_cache();
     const Directory directory;
-    const Outcome result = hvi_gen({"report", in_checkout("tests/runtime/own/waves.toml"), "--edges",
-                                    "--methods", "gauss:2, symplectic-euler", "--steps", "1/10",
-                                    "--only", "rejections,symplecticity,json", "-o", "out"},
+    const Outcome result = hvi_gen({"report", in_checkout("tests/runtime/own/waves.toml"),
+                                    "--edges", "--methods", "gauss:2, symplectic-euler", "--steps",
+                                    "1/10", "--only", "rejections,symplecticity,json", "-o", "out"},
                                    directory.path());
     INFO(result.err);
     REQUIRE(result.status == 0);

@@ -27,8 +27,8 @@ double change_of_energy(Stepper stepper, State x) {
 TEST_CASE("the energy of linear springs does not drift") {
     generated::Springs::Parameters parameters;
     parameters.N = 16;
-    CHECK(change_of_energy(generated::Springs(parameters), generated::Springs::initial(parameters)) <
-          3e-14);
+    CHECK(change_of_energy(generated::Springs(parameters),
+                           generated::Springs::initial(parameters)) < 3e-14);
     CHECK(change_of_energy(generated::SpringsInLanes(), generated::SpringsInLanes::initial()) <
           3e-14);
     CHECK(change_of_energy(generated::SpringsOneByOne(), generated::SpringsOneByOne::initial()) <
