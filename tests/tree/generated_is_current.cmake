@@ -4,7 +4,7 @@
 file(REMOVE_RECURSE "${FRESH}")
 file(MAKE_DIRECTORY "${FRESH}")
 set(OUTPUT "${FRESH}")
-include("${CMAKE_CURRENT_LIST_DIR}/../generator/cmake/regenerate.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../../generator/cmake/regenerate.cmake")
 
 execute_process(COMMAND diff -ru "${SHIPPED}" "${FRESH}" RESULT_VARIABLE differ OUTPUT_VARIABLE difference)
 if(differ)
