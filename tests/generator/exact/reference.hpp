@@ -14,9 +14,9 @@ namespace hvi::gen {
 
 using Json = nlohmann::json;
 
-/// A file of tests/.
+/// A file below tests/generator.
 inline Json reference(const std::string& name) {
-    std::ifstream file(hvi::test::in_checkout("tests/" + name));
+    std::ifstream file(hvi::test::in_checkout("tests/generator/" + name));
     return Json::parse(file).at("methods");
 }
 
