@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cstdio>
 #include <exception>
-#include <string_view>
 #include <variant>
 
 #include "generator/cli/commands.hpp"
-#include "generator/drive/drive.hpp"
-#include "generator/drive/words.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
@@ -41,7 +38,6 @@ int status_of(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc > 1 && std::string_view(argv[1]) == drive_word) return drive({argv + 2, argv + argc});
     set_up_process();
     exit_with([&] { return status_of(argc, argv); });
     return report(EnvironmentError("there is no memory for a stack of 64 MiB, or no thread"));

@@ -243,9 +243,9 @@ Simulation simulate(const Target& program, const RunSubject& subject, const Step
                     const RunTables& tables) {
     Bar bar;
     Pace pace(static_cast<double>(steps.count), "steps");
-    std::vector<TableWishes> all{tables.own};
-    if (tables.of_picture) all.push_back(tables.of_picture->table);
-    return run_simulation(program, subject, steps, all,
+    TrajectoryWishes wishes{.h = steps.size, .steps = steps.count, .tables = {tables.own}};
+    if (tables.of_picture) wishes.tables.push_back(tables.of_picture->table);
+    return run_simulation(program, subject, wishes,
                           [&](double part) { bar.show(part, pace.at(part, Pace::Clock::now())); });
 }
 

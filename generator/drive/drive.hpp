@@ -1,19 +1,31 @@
-// Steps of a stepper of numbers, which hvi-gen takes in a process of its own.
+// Steps of a stepper of numbers, which hvi-gen takes in a copy of its process: a step may crash, or
+// never end.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
 #include <string_view>
 #include <vector>
 
 #include "generator/drive/number_stepper.hpp"
+#include "generator/drive/trajectory.hpp"
 
 namespace hvi::gen {
 
-/// Runs the command of a line that begins with drive_word, and returns the exit status that
-/// simulate/answers.cpp expects. Answers are lines of standard output: src/driver/answer.hpp.
-[[nodiscard]] int drive(const std::vector<std::string_view>& words);
+/// The exit status where a step calls for solvers that were not given.
+inline constexpr int solver_is_apart = 6;
 
-/// Runs a command on other steppers.
-[[nodiscard]] int drive(const MakeStepper& make, const std::vector<std::string_view>& command);
+/// The word before a command that looks at invariants where rows are written, not at each step.
+inline constexpr const char* rows_word = "rows";
+
+/// Finds steppers. Throws as loaded_module() does.
+using FindSteppers = std::function<MakeStepper()>;
+
+/// Runs a command of src/driver on them, and returns the exit status that simulate/answers.cpp
+/// expects. Answers are lines of standard output: src/driver/answer.hpp.
+[[nodiscard]] int drive(const FindSteppers& find, const std::vector<std::string_view>& command);
+
+/// Takes the steps of a trajectory.
+[[nodiscard]] int drive(const FindSteppers& find, const TrajectoryWishes& wishes);
 
 }  // namespace hvi::gen

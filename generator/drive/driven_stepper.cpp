@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/drive/driven_stepper.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <new>
 #include <utility>
 
 namespace hvi::gen {
 
-DrivenStepper::DrivenStepper(std::unique_ptr<NumberStepper> stepper)
-    : stepper_(std::move(stepper)), sizes_(stepper_->sizes()) {}
+DrivenStepper::DrivenStepper(MakeStepper make)
+    : make_(std::move(make)),
+      stepper_(make_()),
+      sizes_(stepper_->sizes()),
+      numbers_(sizes_.coordinates + sizes_.momenta + (sizes_.has_time ? 1 : 0)) {}
 
-std::vector<double> DrivenStepper::numbers(const State& x) {
-    std::vector<double> all(x.q);
-    all.insert(all.end(), x.p.begin(), x.p.end());
-    all.insert(all.end(), x.time.begin(), x.time.end());
-    return all;
+double* DrivenStepper::in_a_row(const State& x) const {
+    auto next = std::copy(x.q.begin(), x.q.end(), numbers_.begin());
+    next = std::copy(x.p.begin(), x.p.end(), next);
+    std::copy(x.time.begin(), x.time.end(), next);
+    return numbers_.data();
 }
 
 void DrivenStepper::set(State& x, const std::vector<double>& numbers) const {
@@ -26,18 +30,17 @@ void DrivenStepper::set(State& x, const std::vector<double>& numbers) const {
 }
 
 DrivenStepper::State DrivenStepper::initial() const {
-    std::vector<double> all(sizes_.coordinates + sizes_.momenta + (sizes_.has_time ? 1 : 0));
-    stepper_->begin(all.data());
+    stepper_->begin(numbers_.data());
     State x;
-    set(x, all);
+    set(x, numbers_);
     return x;
 }
 
 template <class Take>
 Run DrivenStepper::advanced(State& x, Take take) {
-    std::vector<double> all = numbers(x);
+    double* const all = in_a_row(x);
     const detail::DrivenCounts before = stepper_->counts();
-    const int code = take(all.data());
+    const int code = take(all);
     if (code == detail::driven_out_of_memory) throw std::bad_alloc();
     if (code == detail::driven_solver_is_apart) throw detail::SolverIsApart();
     const detail::DrivenCounts after = stepper_->counts();
@@ -45,7 +48,7 @@ Run DrivenStepper::advanced(State& x, Take take) {
     run.steps = after.steps - before.steps;
     run.iterations = after.iterations - before.iterations;
     run.status = Status(static_cast<Status::Code>(code), static_cast<int>(run.iterations));
-    set(x, all);
+    set(x, numbers_);
     return run;
 }
 
@@ -66,9 +69,9 @@ std::vector<std::string> DrivenStepper::conserved() const {
 }
 
 void DrivenStepper::values(const State& x, double* out) const {
-    const std::vector<double> all = numbers(x);
-    if (!sizes_.has_time) *out++ = stepper_->energy(all.data());
-    stepper_->invariants(all.data(), out);
+    const double* const all = in_a_row(x);
+    if (!sizes_.has_time) *out++ = stepper_->energy(all);
+    stepper_->invariants(all, out);
 }
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// A stepper of numbers as src/driver takes steppers.
+// A stepper of numbers as src/hvi and src/driver take steppers.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -21,7 +21,14 @@ public:
         std::vector<double> time = {};  ///< one number where H depends on it
     };
 
-    explicit DrivenStepper(std::unique_ptr<NumberStepper> stepper);
+    explicit DrivenStepper(MakeStepper make);
+
+    /// A copy is a new stepper, which has taken no steps.
+    DrivenStepper(const DrivenStepper& other) : DrivenStepper(other.make_) {}
+    DrivenStepper(DrivenStepper&&) = default;
+    DrivenStepper& operator=(const DrivenStepper&) = delete;
+    DrivenStepper& operator=(DrivenStepper&&) = default;
+    ~DrivenStepper() = default;
 
     [[nodiscard]] State initial() const;
 
@@ -31,6 +38,8 @@ public:
     /// Takes steps as advance() does, and looks after each at what is conserved().
     [[nodiscard]] Run follow(State& x, double h, std::int64_t steps,
                              std::vector<detail::Departure>& departures);
+    /// Forgets what steps have left behind: what follows has the bits of a new stepper.
+    void reset() { stepper_->reset(); }
     [[nodiscard]] std::int64_t evaluations() const { return stepper_->counts().evaluations; }
 
     /// Names of what a run is to keep: the energy, where H does not depend on the time, and the
@@ -43,11 +52,14 @@ private:
     /// Advances the state by take(numbers).
     template <class Take>
     [[nodiscard]] Run advanced(State& x, Take take);
-    [[nodiscard]] static std::vector<double> numbers(const State& x);
+    /// The numbers of a state in a row, until the next call.
+    [[nodiscard]] double* in_a_row(const State& x) const;
     void set(State& x, const std::vector<double>& numbers) const;
 
+    MakeStepper make_;
     std::unique_ptr<NumberStepper> stepper_;
     detail::DrivenSizes sizes_;
+    mutable std::vector<double> numbers_;
 };
 
 }  // namespace hvi::gen

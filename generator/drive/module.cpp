@@ -57,6 +57,7 @@ public:
                              detail::Departure* departures) override {
         return call_.follow(stepper_, state, h, steps, departures);
     }
+    void reset() override { call_.reset(stepper_); }
     [[nodiscard]] double energy(const double* state) const override {
         return call_.energy(stepper_, state);
     }

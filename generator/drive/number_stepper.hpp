@@ -26,6 +26,7 @@ public:
     [[nodiscard]] virtual int take(double* state, double h, std::int64_t steps) = 0;
     [[nodiscard]] virtual int follow(double* state, double h, std::int64_t steps,
                                      detail::Departure* departures) = 0;
+    virtual void reset() = 0;
     [[nodiscard]] virtual double energy(const double* state) const = 0;
     virtual void invariants(const double* state, double* values) const = 0;
 };

@@ -37,7 +37,7 @@ public:
         if (h == 0) return {};
         const bool has_time = !c_.empty();
         if (has_time) {
-            if (!clock_.begin(x.t, h)) forget();
+            if (!clock_.begin(x.t, h)) reset();
             if (!clock_.ends()) return Status(Status::Code::not_finite);
         }
         if (!detail::is_finite(h)) return Status(Status::Code::not_finite);
@@ -49,7 +49,6 @@ public:
 
 protected:
     [[nodiscard]] virtual Status move(InterpretedState& x, double h) = 0;
-    virtual void forget() = 0;
 
     [[nodiscard]] bool keeps(bool of_kick) const {
         return of_kick ? keeps_force_ : keeps_velocity_;
@@ -85,6 +84,8 @@ class PlainSums : public Moves {
 public:
     PlainSums(const Step& step, InterpretedSystem system)
         : Moves(step, std::move(system)), q_(dimension()), p_(dimension()), end_(dimension()) {}
+
+    void reset() override { known_ = false; }
 
 private:
     [[nodiscard]] Status move(InterpretedState& x, double h) override {
@@ -122,8 +123,6 @@ private:
             to[k] = is_kick ? from[k] - weight * slope[k] : from[k] + weight * slope[k];
     }
 
-    void forget() override { known_ = false; }
-
     Vector q_, p_, end_;
     bool known_ = false;  ///< whether what is kept is that of q_, or of p_
 };
@@ -139,6 +138,8 @@ public:
           dp_(dimension()),
           hb_p_(weights(true).size()),
           hb_q_(weights(false).size()) {}
+
+    void reset() override { sums_.forget(); }
 
 private:
     [[nodiscard]] Status move(InterpretedState& x, double h) override {
@@ -179,7 +180,6 @@ private:
         }
     }
 
-    void forget() override { sums_.forget(); }
 
     Vector q_, p_, dq_, dp_, hb_p_, hb_q_;
     double weighed_ = 0;

@@ -68,6 +68,8 @@ public:
         });
     }
 
+    void reset() override { step_->reset(); }
+
     [[nodiscard]] double energy(const double* state) const override {
         return value(program().values().front(), read(state));
     }

@@ -29,6 +29,9 @@ public:
     /// vectors have the size of the system.
     [[nodiscard]] virtual Status take(InterpretedState& x, double h) = 0;
 
+    /// Forgets what steps have left behind.
+    virtual void reset() = 0;
+
     [[nodiscard]] virtual const InterpretedSystem& system() const = 0;
 };
 

@@ -227,6 +227,8 @@ public:
         return has_time() ? clock_.end(x.t, status) : status;
     }
 
+    void reset() override { s_.forget(); }
+
     [[nodiscard]] const InterpretedSystem& system() const override { return system_; }
 
 private:

@@ -278,19 +278,32 @@ std::vector<std::string> names_in(const std::vector<NameBox>& boxes,
     return names;
 }
 
-std::string text(const std::vector<ColumnBox>& columns) {
-    std::vector<std::string> boxes;
-    for (const auto& [names, number, strides] : columns) {
-        const bool is_one = count(names) == 1;
-        std::vector<std::string> ranges;
-        for (const auto& [first, last] : names.ranges) {
-            ranges.push_back(fmt::format("{}..{}", first, last));
-        }
-        boxes.push_back(is_one ? fmt::format("{}:{}", in_words(names), number)
-                               : fmt::format("{}[{}]:{}:{}", names.stem, fmt::join(ranges, ","),
-                                             number, fmt::join(strides, ",")));
+namespace {
+
+using SeeColumn = std::function<void(const std::string&, std::size_t)>;
+
+/// Goes on with the index after those in `begun`, which is the number `number` with their first
+/// values.
+void see_indices(const ColumnBox& box, const std::string& begun, std::size_t number,
+                 const SeeColumn& see, std::size_t depth) {
+    const auto& [first, last] = box.names.ranges[depth];
+    const bool is_last = depth + 1 == box.names.ranges.size();
+    for (long i = first; i <= last; ++i, number += box.strides[depth]) {
+        const std::string name = begun + std::to_string(i) + (is_last ? ']' : ',');
+        is_last ? see(name, number) : see_indices(box, name, number, see, depth + 1);
     }
-    return fmt::format("{}", fmt::join(boxes, " "));
+}
+
+}  // namespace
+
+void for_each_column(const std::vector<ColumnBox>& columns, const SeeColumn& see) {
+    for (const ColumnBox& box : columns) {
+        if (box.names.ranges.empty()) {
+            see(box.names.stem, box.number);
+        } else {
+            see_indices(box, box.names.stem + '[', box.number, see, 0);
+        }
+    }
 }
 
 }  // namespace hvi::gen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,7 +60,8 @@ named_columns(const Given& list, const std::vector<NameBox>& all, const WholeNum
 [[nodiscard]] std::vector<std::string> names_in(const std::vector<NameBox>& boxes,
                                                 const std::vector<ColumnBox>& columns);
 
-/// As drivers read them: see src/driver/columns.hpp.
-[[nodiscard]] std::string text(const std::vector<ColumnBox>& columns);
+/// Calls see(name, number) for each column, in their order.
+void for_each_column(const std::vector<ColumnBox>& columns,
+                     const std::function<void(const std::string&, std::size_t)>& see);
 
 }  // namespace hvi::gen

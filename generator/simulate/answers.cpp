@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "generator/drive/drive.hpp"
-#include "generator/drive/words.hpp"
+#include "generator/drive/module.hpp"
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/progress.hpp"
@@ -29,32 +29,56 @@ std::filesystem::path file_of(const Target& target) {
 }
 
 using OnLine = std::function<void(std::string_view)>;
-using Words = std::vector<std::string>;
 
-ChildResult driven(const Program& program, const Words& words, const OnLine& on_line) {
-    Words line{program.file.string()};
-    line.insert(line.end(), words.begin(), words.end());
-    return run_child(line, ".", on_line);
+ModuleStart start_of(const Library& library) {
+    const std::shared_ptr<LateBuild>& solvers = library.solvers;
+    return {std::filesystem::absolute(library.file).string(),
+            solvers && solvers->file() ? solvers->file()->string() : "",
+            std::filesystem::absolute("." / library.directory).string(), library.parameters};
 }
 
-ChildResult driven(const Library& library, const Words& words, const OnLine& on_line) {
-    const auto& [file, directory, parameters, looks_at_rows, solvers] = library;
-    Words line{"/proc/self/exe",
-               drive_word,
-               std::filesystem::absolute(file).string(),
-               solvers && solvers->file() ? solvers->file()->string() : no_solvers,
-               std::filesystem::absolute("." / directory).string(),
-               std::to_string(parameters.size())};
-    for (const double value : parameters) line.push_back(fmt::format("{}", value));
-    if (looks_at_rows) line.emplace_back(rows_word);
-    line.insert(line.end(), words.begin(), words.end());
-    return run_child(line, ".", on_line);
-}
+/// What a driver is to do, as one may say it to each target.
+class Command {
+public:
+    explicit Command(const std::vector<std::string>& words) : words_(words) {}
+    explicit Command(const TrajectoryWishes& wishes) : wishes_(&wishes) {}
 
-ChildResult driven(const Interpreted& interpreted, const Words& words, const OnLine& on_line) {
-    const std::vector<std::string_view> command(words.begin(), words.end());
-    return run_child([&] { return drive(interpreted.make, command); }, on_line);
-}
+    [[nodiscard]] ChildResult driven(const Program& program, const OnLine& on_line) const {
+        HVI_CHECK(wishes_ == nullptr);
+        std::vector<std::string> line{program.file.string()};
+        line.insert(line.end(), words_.begin(), words_.end());
+        return run_child(line, ".", on_line);
+    }
+
+    [[nodiscard]] ChildResult driven(const Library& library, const OnLine& on_line) const {
+        return driven([&] { return loaded_module(start_of(library)); }, library.looks_at_rows,
+                      on_line);
+    }
+
+    [[nodiscard]] ChildResult driven(const Interpreted& interpreted, const OnLine& on_line) const {
+        return driven([&] { return interpreted.make; }, false, on_line);
+    }
+
+private:
+    [[nodiscard]] ChildResult driven(const FindSteppers& find, bool looks_at_rows,
+                                     const OnLine& on_line) const {
+        return run_child(
+            [&] {
+                if (wishes_ != nullptr) {
+                    TrajectoryWishes wishes = *wishes_;
+                    wishes.looks_at_rows = looks_at_rows;
+                    return drive(find, wishes);
+                }
+                std::vector<std::string_view> line(words_.begin(), words_.end());
+                if (looks_at_rows) line.insert(line.begin(), rows_word);
+                return drive(find, line);
+            },
+            on_line);
+    }
+
+    std::vector<std::string> words_;
+    const TrajectoryWishes* wishes_ = nullptr;
+};
 
 }  // namespace
 
@@ -114,7 +138,7 @@ struct Hearing {
     ChildResult ended;
 };
 
-Hearing heard(const Target& target, const std::vector<std::string>& words,
+Hearing heard(const Target& target, const Command& command,
               const std::function<void(double)>& on_progress) {
     constexpr std::string_view progress = "progress ";
     const Progress::Stage stage("running");
@@ -129,21 +153,17 @@ Hearing heard(const Target& target, const std::vector<std::string>& words,
         if (on_progress) on_progress(part);
     };
     ChildResult ended =
-        std::visit([&](const auto& each) { return driven(each, words, on_line); }, target);
+        std::visit([&](const auto& each) { return command.driven(each, on_line); }, target);
     return {std::move(answers), std::move(ended)};
 }
 
-}  // namespace
-
-Answers ask(const Target& target, const std::vector<std::string>& words,
-            const std::filesystem::path& file, const std::function<void(double)>& on_progress) {
-    std::vector<std::string> all = words;
-    if (!file.empty()) all.push_back(file.string());
-    Hearing last = heard(target, all, on_progress);
+Answers answers_to(const Target& target, const Command& command, const std::filesystem::path& file,
+                   const std::function<void(double)>& on_progress) {
+    Hearing last = heard(target, command, on_progress);
     const auto* library = std::get_if<Library>(&target);
     if (last.ended.status == solver_is_apart && library != nullptr && library->solvers) {
         library->solvers->compile();
-        last = heard(target, all, on_progress);
+        last = heard(target, command, on_progress);
     }
     const auto& [answers, ended] = last;
     if (ended.status == solver_is_apart)
@@ -160,6 +180,20 @@ Answers ask(const Target& target, const std::vector<std::string>& words,
             fmt::format("a compiled program was ended by signal {}", ended.status - 128));
     if (!ended.ok()) throw answers.unexpected(fmt::format("it ends with status {}", ended.status));
     return std::move(last.answers);
+}
+
+}  // namespace
+
+Answers ask(const Target& target, const std::vector<std::string>& words,
+            const std::filesystem::path& file, const std::function<void(double)>& on_progress) {
+    std::vector<std::string> all = words;
+    if (!file.empty()) all.push_back(file.string());
+    return answers_to(target, Command(all), file, on_progress);
+}
+
+Answers ask(const Target& target, const TrajectoryWishes& wishes,
+            const std::function<void(double)>& on_progress) {
+    return answers_to(target, Command(wishes), wishes.tables.front().file, on_progress);
 }
 
 }  // namespace hvi::gen

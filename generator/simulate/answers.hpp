@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "generator/drive/number_stepper.hpp"
+#include "generator/drive/trajectory.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/support/error.hpp"
 
@@ -54,7 +55,7 @@ struct Program {
     std::filesystem::path file;
 };
 
-/// A compiled library, which hvi-gen itself runs in another process, and the data for it.
+/// A compiled library, which a copy of this process runs, and the data for it.
 struct Library {
     std::filesystem::path file;
     std::filesystem::path directory;  ///< of the scene
@@ -63,7 +64,7 @@ struct Library {
     std::shared_ptr<LateBuild> solvers = {};  ///< that its steps seldom call; or none
 };
 
-/// Steppers without a compiler, which another process of hvi-gen takes.
+/// Steppers without a compiler, which a copy of this process takes.
 struct Interpreted {
     MakeStepper make;
 };
@@ -77,6 +78,10 @@ using Target = std::variant<Program, Library, Interpreted>;
 /// and Interruption.
 [[nodiscard]] Answers ask(const Target& target, const std::vector<std::string>& words,
                           const std::filesystem::path& file = {},
+                          const std::function<void(double)>& on_progress = nullptr);
+
+/// Has a trajectory taken, likewise. Precondition: the target is no Program.
+[[nodiscard]] Answers ask(const Target& target, const TrajectoryWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
 
 }  // namespace hvi::gen

@@ -217,33 +217,45 @@ void write_start(const Target& program, const std::filesystem::path& file) {
 }
 namespace {
 
-Answers ask_for_tables(const Target& program, const Steps& steps,
-                       const std::vector<TableWishes>& tables,
-                       const std::function<void(double)>& on_progress) {
-    std::vector<std::string> words{"trajectory", fmt::format("{}", steps.size),
-                                   std::to_string(steps.count)};
-    std::filesystem::path last;
-    for (const TableWishes& table : tables) {
-        if (!last.empty()) words.push_back(last.string());
-        words.insert(words.end(), {std::to_string(table.every), text(table.columns)});
-        last = table.file;
-    }
-    return ask(program, words, last, on_progress);
+/// The event that a driver names.
+const DrivenEvent& event_of(const Answers& answers, const std::string& key,
+                            const EventWishes& wishes) {
+    const auto number = static_cast<std::size_t>(answers.integer(key));
+    if (number >= wishes.events.size()) throw answers.unexpected("it names no event of the run");
+    return wishes.events[number];
+}
+
+/// Why a run with events ended early; nothing where it did not.
+std::string fault_of_event(const Answers& answers, const EventWishes& wishes) {
+    if (answers.has("accumulates"))
+        return fmt::format("the event `{}` comes again and again without time between",
+                           event_of(answers, "accumulates", wishes).name);
+    if (answers.has("undefined"))
+        return fmt::format("the event `{}` has no number for its `zero`",
+                           event_of(answers, "undefined", wishes).name);
+    return {};
 }
 
 }  // namespace
 
-Simulation run_simulation(const Target& program, const RunSubject& subject, const Steps& steps,
-                          const std::vector<TableWishes>& tables,
+Simulation run_simulation(const Target& program, const RunSubject& subject,
+                          const TrajectoryWishes& wishes,
                           const std::function<void(double)>& on_progress) {
-    const Answers answers = ask_for_tables(program, steps, tables, on_progress);
-    Simulation run{answers.text("status"),
-                   answers.integer("steps"),
-                   answers.integer("rows"),
-                   answers.integer("iterations"),
-                   answers.integer("evaluations"),
-                   answers.number("seconds_of_step"),
-                   {}};
+    const Answers answers = ask(program, wishes, on_progress);
+    Simulation run;
+    run.status = answers.text("status");
+    run.steps = answers.integer("steps");
+    run.rows = answers.integer("rows");
+    run.iterations = answers.integer("iterations");
+    run.evaluations = answers.integer("evaluations");
+    run.seconds_of_step = answers.number("seconds_of_step");
+    run.t = answers.number("t");
+    for (const double count : answers.numbers("events", wishes.events.events.size()))
+        run.events.push_back(static_cast<std::int64_t>(count));
+    if (const std::string fault = fault_of_event(answers, wishes.events); !fault.empty())
+        run.status = fault;
+    if (answers.has("stopped_by"))
+        run.stopped_by = event_of(answers, "stopped_by", wishes.events).name;
     const std::vector<std::string>& names = subject.conserved;
     const auto start = answers.numbers("start", names.size()),
                largest = answers.numbers("largest", names.size()),

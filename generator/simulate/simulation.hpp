@@ -15,6 +15,7 @@
 #include "generator/pipeline/stepper.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/program/cache.hpp"
+#include "generator/drive/trajectory.hpp"
 #include "generator/read/table_columns.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/simulate/answers.hpp"
@@ -37,9 +38,13 @@ struct Simulation {
     std::int64_t iterations = 0;   ///< of the solver
     std::int64_t evaluations = 0;  ///< of dH/dq
     double seconds_of_step = 0;    ///< where nobody looks on; 0 where no step was taken
+    double t = 0;                  ///< at the end
     std::vector<Conserved> conserved;
     double energy_of_motion = 0;  ///< mean size of H(q, p) - H(q, 0); 0 where it is not known
+    std::vector<std::int64_t> events = {};  ///< how many there were of each
     std::string unfit = {};  ///< a variable that begins with no finite number, where that ended it
+
+    std::optional<std::string> stopped_by = {};  ///< the event that has ended it
 
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
@@ -98,13 +103,6 @@ struct RunSubject {
 /// What can be a column of the table of a run: coordinates, momenta, and what it keeps.
 [[nodiscard]] std::vector<NameBox> column_names(const RunSubject& subject);
 
-/// A table of a run.
-struct TableWishes {
-    std::int64_t every = 1;          ///< one row in so many steps, and the last
-    std::vector<ColumnBox> columns;  ///< behind the time; of column_names()
-    std::filesystem::path file;
-};
-
 /// A program made of a template with the hole `header`, and of these others, that includes the
 /// header of a stepper, and with it headers of the user.
 [[nodiscard]] ProgramText program_around(const SceneStepper& stepper, std::string_view main,
@@ -162,10 +160,10 @@ struct WrittenReference {
 /// Writes where the scene begins into the file. Throws as ask() does.
 void write_start(const Target& program, const std::filesystem::path& file);
 
-/// Runs the compiled program, which writes the tables, at least one. `on_progress` gets the part of
-/// it that is done. Throws as ask() does.
+/// Runs it, which writes the tables, at least one. `on_progress` gets the part of it that is done.
+/// Throws as ask() does.
 [[nodiscard]] Simulation run_simulation(const Target& program, const RunSubject& subject,
-                                        const Steps& steps, const std::vector<TableWishes>& tables,
+                                        const TrajectoryWishes& wishes,
                                         const std::function<void(double)>& on_progress);
 
 /// Where the last good step of a run ended.

@@ -17,7 +17,7 @@
 #include <driver/departures.hpp>
 #include <driver/large_run.hpp>
 #include <driver/state_file.hpp>
-#include <driver/trajectory.hpp>
+#include <driver/pace.hpp>
 
 namespace hvi::driver {
 
@@ -118,7 +118,7 @@ int large_pace(const std::vector<std::string_view>& words) {
     double h = 0;
     std::int64_t steps = 0;
     if (words.size() != 2 || !read(words[0], h) || !read(words[1], steps)) { return 2; }
-    say("seconds_of_step", seconds_of_step<Problem, Watch::rows>(h, steps));
+    say("seconds_of_step", seconds_of_step<Problem>(Watch::rows, h, steps));
     return 0;
 }
 

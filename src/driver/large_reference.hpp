@@ -13,7 +13,7 @@
 #include <driver/guarded.hpp>
 #include <driver/reference.hpp>
 #include <driver/state_file.hpp>
-#include <driver/trajectory.hpp>
+#include <driver/pace.hpp>
 
 namespace hvi::driver {
 
@@ -21,7 +21,7 @@ namespace hvi::driver {
 template <class Problem>
 [[nodiscard]] std::int64_t affordable(const ReferenceWishes& wishes) {
     const double h = wishes.until / static_cast<double>(wishes.steps);
-    const double each = seconds_of_step<Problem, Watch::rows>(h, std::min(wishes.steps, {8}));
+    const double each = seconds_of_step<Problem>(Watch::rows, h, std::min(wishes.steps, {8}));
     const double most = std::floor(wishes.seconds / 4 / each);
     return most < static_cast<double>(wishes.steps) ? std::max<std::int64_t>(1, std::llround(most))
                                                     : wishes.steps;

@@ -13,6 +13,27 @@ namespace {
 const std::vector<NameBox> table = {{"x", {{1, 6}}}, {"u", {{0, 2}, {1, 4}}}, {"s", {}},
                                     {"c", {{2, 2}}}, {"c", {{5, 5}}},         {"energy", {}}};
 
+/// `x[2]:1`, or `x[2..4]:1:1` with the strides.
+std::string text(const std::vector<ColumnBox>& columns) {
+    std::string all;
+    for (const auto& [names, number, strides] : columns) {
+        std::string ranges, steps, first;
+        std::size_t count = 1;
+        for (std::size_t d = 0; d < names.ranges.size(); ++d) {
+            const auto& [from, to] = names.ranges[d];
+            count *= static_cast<std::size_t>(to - from + 1);
+            first += (d == 0 ? "" : ",") + std::to_string(from);
+            ranges += (d == 0 ? "" : ",") + std::to_string(from) + ".." + std::to_string(to);
+            steps += (d == 0 ? ":" : ",") + std::to_string(strides[d]);
+        }
+        const std::string& indices = count == 1 ? first : ranges;
+        all += (all.empty() ? "" : " ") + names.stem +
+               (names.ranges.empty() ? "" : "[" + indices + "]") + ":" + std::to_string(number) +
+               (count == 1 ? "" : steps);
+    }
+    return all;
+}
+
 std::string chosen(const std::string& list) {
     return text(named_columns(source(list, "--columns"), table, {{"N", 4}}));
 }
@@ -80,4 +101,14 @@ TEST_CASE("of 64 degrees of freedom all are shown, of more the first three of ea
         one_by_one.push_back(name_box("q[" + std::to_string(i) + "]"));
     }
     CHECK(text(usual_columns(one_by_one, 130)) == "q[1]:0 q[2]:1 q[3]:2");
+}
+
+TEST_CASE("columns are seen one by one, the last index first") {
+    std::string seen;
+    const auto see = [&](const std::string& name, std::size_t number) {
+        seen += name + ":" + std::to_string(number) + " ";
+    };
+    for_each_column(named_columns(source("energy, u[1..2,2..3], x[6], s", "--columns"), table, {}),
+                    see);
+    CHECK(seen == "energy:21 u[1,2]:11 u[1,3]:12 u[2,2]:15 u[2,3]:16 x[6]:5 s:18 ");
 }

@@ -3,23 +3,14 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <string>
-#include <vector>
 
 namespace {
 
-/// Called when the library is loaded, with the words of the process: @drive LIBRARY SOLVERS
-/// DIRECTORY COUNT and so many parameters, then the command.
-[[gnu::constructor]] void begin(int argc, char** argv) {
-    constexpr int place_of_count = 5;
+/// Called when the library is loaded.
+[[gnu::constructor]] void begin() {
     const char* const script = std::getenv("HVI_PRETENDED");
-    if (script == nullptr || argc <= place_of_count) { return; }
-    std::vector<char*> words{argv[0], const_cast<char*>(script)};
-    for (int k = place_of_count + 1 + std::atoi(argv[place_of_count]); k < argc; ++k) {
-        words.push_back(argv[k]);
-    }
-    words.push_back(nullptr);
-    ::execv("/bin/sh", words.data());
+    if (script == nullptr) { return; }
+    ::execl("/bin/sh", "/bin/sh", script, nullptr);
     std::_Exit(127);
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("programs that say nothing, or anything: status 3") {
              right_answers + " 'start 1'",
              right_answers + " 'rows many'",
              "kill -SEGV $$",
-             begin + "'rows 11' 'iterations 0' 'evaluations 10' 'start 0.5' 'largest 0'"}) {
+             begin + "'t 1' 'rows 11' 'iterations 0' 'evaluations 10' 'start 0.5' 'largest 0'"}) {
         const PretendedCompiler compiler(program);
         const Outcome outcome = compiler.run("exec timeout 60 $run");
         INFO(program << "\n" << outcome.err);

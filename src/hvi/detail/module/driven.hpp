@@ -18,7 +18,7 @@ class Driven {
 public:
     [[nodiscard]] static constexpr DrivenFunctions functions() {
         return {driven_version, take_solvers, create, destroy, sizes,     counts,
-                begin,          take,         follow, energy,  invariants};
+                begin,          take,         follow, reset,   energy, invariants};
     }
 
 private:
@@ -83,6 +83,8 @@ private:
             return run;
         });
     }
+
+    static void reset(void* instance) { static_cast<Of*>(instance)->reset(); }
 
     /// Takes the steps of f(stepper) from `state`: the code of its status.
     template <class F>

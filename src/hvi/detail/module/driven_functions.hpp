@@ -11,7 +11,7 @@
 namespace hvi::detail {
 
 /// Version of these functions: hvi-gen takes no module of another one.
-inline constexpr int driven_version = 2;
+inline constexpr int driven_version = 3;
 
 /// Codes of steps that are none of a Status.
 inline constexpr int driven_out_of_memory = -1, driven_solver_is_apart = -2;
@@ -47,6 +47,8 @@ struct DrivenFunctions {
     /// depend on the time, and at the invariants.
     int (*follow)(void* stepper, double* state, double h, std::int64_t steps,
                   Departure* departures);
+    /// Forgets what steps have left behind.
+    void (*reset)(void* stepper);
     double (*energy)(const void* stepper, const double* state);
     void (*invariants)(const void* stepper, const double* state, double* values);
 };

@@ -1,5 +1,5 @@
 // A table of numbers in a file, as comma-separated values.
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstdio>
@@ -8,7 +8,7 @@
 
 #include <driver/answer.hpp>
 
-namespace hvi::driver {
+namespace hvi::gen {
 
 /// Rows of numbers below a line of names. Whether all of it was written is known at close().
 class Table {
@@ -32,7 +32,7 @@ public:
 
     Table& cell(double value) {
         if (!line_.empty()) { line_ += ','; }
-        append(line_, value);
+        driver::append(line_, value);
         return *this;
     }
 
@@ -56,4 +56,4 @@ private:
     std::string line_;
 };
 
-}  // namespace hvi::driver
+}  // namespace hvi::gen

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/drive/rows.hpp"
+
+namespace hvi::gen {
+
+Rows::Rows(const TableWishes& wishes)
+    : every_(wishes.every),
+      has_times_(!wishes.times.empty()),
+      table_(wishes.file.c_str()) {
+    table_.cell("t");
+    for_each_column(wishes.columns, [&](const std::string& name, std::size_t number) {
+        numbers_.push_back(number);
+        table_.cell(name);
+    });
+    table_.end_row();
+}
+
+void Rows::write(double time, const Value& value) {
+    last_ = time;
+    table_.cell(time);
+    for (const std::size_t number : numbers_) table_.cell(value(number));
+    table_.end_row();
+    ++count_;
+}
+
+EventRows::EventRows(const EventWishes& wishes) {
+    if (wishes.events.empty()) return;
+    table_.emplace(wishes.file.c_str());
+    for (const char* name : {"event", "number", "t"}) table_->cell(name);
+    for (const std::string& name : wishes.variables) table_->cell(name);
+    table_->end_row();
+}
+
+void EventRows::write(const std::string& name, std::int64_t number, double time,
+                      const DrivenStepper::State& x) {
+    table_->cell(name).cell(std::to_string(number)).cell(time);
+    for (const double value : x.q) table_->cell(value);
+    for (const double value : x.p) table_->cell(value);
+    table_->end_row();
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,70 @@
+// Tables of a trajectory, as it comes by.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "generator/drive/table.hpp"
+#include "generator/drive/trajectory.hpp"
+
+namespace hvi::gen {
+
+/// Some numbers of a run: at one step in so many and where it ends, or at given times.
+class Rows {
+public:
+    using Value = std::function<double(std::size_t number)>;
+
+    explicit Rows(const TableWishes& wishes);
+
+    [[nodiscard]] bool good() const { return table_.good(); }
+    [[nodiscard]] std::int64_t count() const { return count_; }
+    [[nodiscard]] bool has_times() const { return has_times_; }
+
+    [[nodiscard]] bool has_row(std::int64_t taken) const { return taken % every_ == 0; }
+
+    /// How many steps there are to the next row.
+    [[nodiscard]] std::int64_t ahead(std::int64_t taken) const { return every_ - taken % every_; }
+
+    /// Writes the row of so many steps, where there is one.
+    void see(std::int64_t taken, double time, const Value& value) {
+        if (!has_times_ && has_row(taken)) write(time, value);
+    }
+
+    /// Writes the last row, where it is not there.
+    void see_end(double time, const Value& value) {
+        if (!has_times_ && last_ != time) write(time, value);
+    }
+
+    void write(double time, const Value& value);
+
+    [[nodiscard]] bool close() { return table_.close(); }
+
+private:
+    std::int64_t every_;
+    bool has_times_;
+    Table table_;
+    std::vector<std::size_t> numbers_;  // of the columns
+    std::int64_t count_ = 0;
+    std::optional<double> last_;  // time of a row
+};
+
+/// The table of the events of a run.
+class EventRows {
+public:
+    explicit EventRows(const EventWishes& wishes);
+
+    /// Writes the number-th event of a name.
+    void write(const std::string& name, std::int64_t number, double time,
+               const DrivenStepper::State& x);
+
+    [[nodiscard]] bool close() { return !table_ || table_->close(); }
+
+private:
+    std::optional<Table> table_;
+};
+
+}  // namespace hvi::gen

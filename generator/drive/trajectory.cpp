@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/drive/trajectory.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <string_view>
+#include <utility>
+
+#include <driver/answer.hpp>
+#include <driver/departure.hpp>
+#include <driver/pace.hpp>
+#include <hvi/detail/trajectories/event_steps.hpp>
+
+#include "generator/drive/driven_problem.hpp"
+#include "generator/drive/rows.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+using State = DrivenStepper::State;
+
+/// The run, and what is written of it.
+class Trajectory {
+public:
+    explicit Trajectory(const TrajectoryWishes& wishes)
+        : wishes_(wishes), event_rows_(wishes.events), counts_(wishes.events.events.size()) {
+        for (const TableWishes& table : wishes.tables) tables_.emplace_back(table);
+        const Rows& own = tables_.front();
+        if (!own.has_times()) return;
+        course_.output_at(wishes.tables.front().times, [this](const State& x, double t) {
+            at_output_.see(stepper_, x);
+            tables_.front().write(t, [&](std::size_t number) {
+                return value(x, at_output_.values(), number);
+            });
+        });
+    }
+
+    /// Says what became of it. False where a table could not be written.
+    [[nodiscard]] bool run() {
+        course_.begin(x_, 0, wishes_.h);
+        write();
+        while (taken() < wishes_.steps && run_.ending == Ending::all_steps && are_good()) advance();
+        if (run_.ending == Ending::all_steps) course_.finish(x_, wishes_.h, run_);
+        for (Rows& table : tables_) table.see_end(run_.t, value_now());
+        tell();
+        bool are_whole = event_rows_.close();
+        for (Rows& table : tables_) are_whole = table.close() && are_whole;
+        return are_whole;
+    }
+
+private:
+    [[nodiscard]] std::int64_t taken() const { return run_.run.steps; }
+
+    /// To the next row of a table, where these are looked at alone.
+    void advance() {
+        std::int64_t ahead = wishes_.steps - taken();
+        for (const Rows& table : tables_) ahead = std::min(ahead, table.ahead(taken()));
+        const std::int64_t before = taken();
+        is_looked_into() ? look_into_step() : take(std::min(ahead, to_output()));
+        if (taken() == before) return;
+        write();
+        if (tables_.front().has_row(taken())) tell_progress();
+    }
+
+    /// How many steps may be taken before one in which a time of output lies.
+    [[nodiscard]] std::int64_t to_output() const {
+        constexpr double most = 1e15;
+        if (!course_.has_output()) return static_cast<std::int64_t>(most);
+        const double steps = (course_.next_output() - run_.t) / wishes_.h;
+        return static_cast<std::int64_t>(std::clamp(std::floor(steps) - 1, 0.0, most));
+    }
+
+    [[nodiscard]] bool is_looked_into() const {
+        return !wishes_.events.events.empty() || to_output() == 0;
+    }
+
+    void take(std::int64_t steps) {
+        Run run;
+        if (wishes_.looks_at_rows) {
+            run = stepper_.advance(x_, wishes_.h, steps);
+            if (run.steps > 0) invariants_.see(stepper_, x_);
+        } else {
+            run = invariants_.take(stepper_, x_, wishes_.h, steps);
+        }
+        run_.run.status = run.status;
+        run_.run.iterations += run.iterations;
+        run_.run.steps += run.steps;
+        if (!run.ok()) run_.ending = Ending::failed_step;
+        run_.t = static_cast<double>(taken()) * wishes_.h;
+    }
+
+    /// Takes a step in which there may be events or times of output.
+    void look_into_step() {
+        const std::int64_t before = taken();
+        course_.take(stepper_, x_, wishes_.h, static_cast<double>(before + 1) * wishes_.h, run_);
+        if (taken() > before) invariants_.see(stepper_, x_);
+    }
+
+    /// Events that write themselves.
+    [[nodiscard]] std::vector<Event<DrivenStepper>> events() {
+        std::vector<Event<DrivenStepper>> result;
+        for (const DrivenEvent& each : wishes_.events.events) {
+            const std::size_t i = result.size();
+            result.push_back(each.event);
+            result.back().act = [this, &each, i](State& x, double t) {
+                event_rows_.write(each.name, ++counts_[i], t, x);
+                if (counts_[i] == each.stop) return After::stop;
+                if (!each.set) return After::go_on;
+                each.set(x, t);
+                return After::jump;
+            };
+        }
+        return result;
+    }
+
+    [[nodiscard]] bool are_good() const {
+        return std::all_of(tables_.begin(), tables_.end(),
+                           [](const Rows& table) { return table.good(); });
+    }
+
+    [[nodiscard]] static double value(const State& x, const std::vector<double>& invariants,
+                                      std::size_t number) {
+        const std::size_t n = x.q.size(), end = n + x.p.size();
+        if (number < n) return x.q[number];
+        return number < end ? x.p[number - n] : invariants[number - end];
+    }
+
+    [[nodiscard]] Rows::Value value_now() const {
+        return [this](std::size_t number) { return value(x_, invariants_.values(), number); };
+    }
+
+    void write() {
+        if (tables_.front().has_row(taken())) motion_.see(stepper_, x_, invariants_);
+        for (Rows& table : tables_) table.see(taken(), run_.t, value_now());
+    }
+
+    /// Ten times a second.
+    void tell_progress() {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last_word_ < std::chrono::milliseconds(100)) return;
+        last_word_ = now;
+        driver::say("progress",
+                    static_cast<double>(taken()) / static_cast<double>(wishes_.steps));
+    }
+
+    /// Says the number of a variable that begins with no finite number, where that is why no step
+    /// is made.
+    void tell_unfit() const {
+        const std::size_t count = x_.q.size() + x_.p.size();
+        std::size_t number = 0;
+        while (number < count && std::isfinite(value(x_, {}, number))) ++number;
+        if (number < count) driver::say("unfit", static_cast<std::int64_t>(number));
+    }
+
+    void tell_end() const {
+        driver::say("status", run_.ending == Ending::failed_step ? run_.run.status.message() : "ok");
+        if (run_.ending == Ending::failed_step && taken() == 0) tell_unfit();
+        const auto event = static_cast<std::int64_t>(run_.event);
+        if (run_.ending == Ending::event) driver::say("stopped_by", event);
+        if (run_.ending == Ending::accumulation) driver::say("accumulates", event);
+        if (run_.ending == Ending::undefined) driver::say("undefined", event);
+    }
+
+    void tell() const {
+        tell_end();
+        driver::say("t", run_.t);
+        driver::say("steps", taken());
+        driver::say("rows", tables_.front().count());
+        driver::say("iterations", run_.run.iterations);
+        driver::say("evaluations", stepper_.evaluations());
+        for (const std::int64_t count : counts_) driver::say("events", count);
+        for (const detail::Departure& departure : invariants_.departures()) {
+            driver::say("start", departure.start);
+            driver::say("largest", departure.largest);
+            driver::say("last", departure.last);
+        }
+        driver::say("motion", motion_.mean());
+    }
+
+    const TrajectoryWishes& wishes_;
+    std::deque<Rows> tables_;
+    EventRows event_rows_;
+    std::vector<std::int64_t> counts_;  ///< of events
+    DrivenStepper stepper_ = DrivenProblem::stepper();
+    State x_ = DrivenProblem::initial();
+    EventRun<double> run_;
+    driver::Invariants<DrivenProblem> invariants_{stepper_, x_}, at_output_{stepper_, x_};
+    driver::EnergyOfMotion<DrivenProblem> motion_;
+    detail::EventSteps<DrivenStepper> course_{events(), stepper_};
+    std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+int take_trajectory(const TrajectoryWishes& wishes) {
+    using driver::Watch;
+    driver::say("seconds_of_step",
+                driver::seconds_of_step<DrivenProblem>(
+                    wishes.looks_at_rows ? Watch::rows : Watch::steps, wishes.h, wishes.steps));
+    return Trajectory(wishes).run() ? 0 : 3;
+}
+
+}  // namespace hvi::gen

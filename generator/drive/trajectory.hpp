@@ -1,0 +1,54 @@
+// A stepper's way from its initial data: tables of states, events, and what became of the
+// invariants.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <hvi/event.hpp>
+
+#include "generator/drive/driven_stepper.hpp"
+#include "generator/read/table_columns.hpp"
+
+namespace hvi::gen {
+
+/// A table of a run.
+struct TableWishes {
+    std::int64_t every = 1;          ///< one row in so many steps, and the last
+    std::vector<ColumnBox> columns;  ///< behind the time: coordinates, momenta, invariants
+    std::filesystem::path file;
+    std::vector<double> times = {};  ///< rows at these, where there are some, in place of `every`
+};
+
+/// An event of a run.
+struct DrivenEvent {
+    Event<DrivenStepper> event;  ///< which does nothing of its own
+    std::int64_t stop = 0;       ///< the run ends at this one; 0 for none
+    std::function<void(DrivenStepper::State&, double)> set = {};  ///< what jumps; or nothing
+    std::string name = {};
+};
+
+/// Events, and their table.
+struct EventWishes {
+    std::vector<DrivenEvent> events;
+    std::vector<std::string> variables;  ///< names of coordinates, then of momenta
+    std::filesystem::path file;
+};
+
+struct TrajectoryWishes {
+    double h = 0;
+    std::int64_t steps = 0;
+    bool looks_at_rows = false;       ///< at invariants, which cost as much as a step does
+    std::vector<TableWishes> tables;  ///< at least one
+    EventWishes events = {};
+};
+
+/// Takes the steps of DrivenProblem, and says what became of it. The status of its end is 0 also
+/// where a step failed, 3 where a file cannot be written.
+[[nodiscard]] int take_trajectory(const TrajectoryWishes& wishes);
+
+}  // namespace hvi::gen

@@ -1,0 +1,445 @@
+// Steps with events and states at given times.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <hvi/detail/numbers/bracket.hpp>
+#include <hvi/detail/trajectories/short_steps.hpp>
+#include <hvi/event.hpp>
+
+namespace hvi::detail {
+
+template <class Scalar>
+[[nodiscard]] int sign_of(Scalar value) {
+    return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+/// Looks for events and output times within each step. Places within a step are parts of it, from 0
+/// to 1.
+template <class Stepper>
+class EventSteps {
+public:
+    using State = typename Stepper::State;
+    using Scalar = typename Stepper::Scalar;
+    using Output = std::function<void(const State&, Scalar)>;
+    using TimeOf = std::function<Scalar(const State&)>;
+
+    /// Takes short steps by the stepper, a copy of the one that takes steps.
+    EventSteps(std::vector<Event<Stepper>> events, Stepper stepper)
+        : events_(std::move(events)), cursors_(events_.size()), stretch_(std::move(stepper)) {}
+
+    /// Chooses the times at which output(x, t) is called, in the order of the run.
+    void output_at(std::vector<Scalar> times, Output output) {
+        times_ = std::move(times);
+        output_ = std::move(output);
+    }
+
+    /// Chooses the time of a state, where it is no multiple of steps. Precondition: it grows with
+    /// the steps.
+    void take_time_from(TimeOf time) { time_of_ = std::move(time); }
+
+    [[nodiscard]] bool has_output() const { return next_time_ < times_.size(); }
+    [[nodiscard]] Scalar next_output() const { return times_[next_time_]; }
+
+    /// Begins at a state; h is the size of the steps that follow.
+    void begin(const State& x, Scalar t, Scalar h) {
+        h_ = h;
+        while (has_output() && is_before(next_output(), t)) { ++next_time_; }
+        while (has_output() && next_output() == t) { give(x); }
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            cursors_[i] = {};
+            look_from(i, x, t);
+            cursors_[i].sign = sign_of(cursors_[i].at_from);
+        }
+    }
+
+    /// Takes a step to the time `next`, or to the event that ends the run, and adds it to the
+    /// result. Where it fails x keeps its bits.
+    void take(Stepper& stepper, State& x, Scalar h, Scalar next, EventRun<Scalar>& result) {
+        h_ = h;
+        stretch_.from = x;
+        stretch_.t = result.t;
+        stretch_.span = h;
+        result.run.status = stepper.step(x, h);
+        result.run.iterations += result.run.status.iterations;
+        if (result.run.ok()) {
+            start_ = stretch_.from;
+            stretch_.to = x;
+            stretch_.t_end = time_of_ ? time_of_(x) : next;
+            pass(x, result);
+            const bool is_kept =
+                result.ending == Ending::failed_step || result.ending == Ending::undefined;
+            if (is_kept) { x = start_; }
+        } else {
+            result.ending = Ending::failed_step;
+        }
+        if (result.ending == Ending::all_steps) {
+            result.t = stretch_.t_end;
+            ++result.run.steps;
+        }
+    }
+
+    /// Counts events that are just where the run ends.
+    void finish(State& x, Scalar h, EventRun<Scalar>& result) {
+        h_ = h;
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            Cursor& cursor = cursors_[i];
+            if (sign_of(cursor.at_from) != 0 || cursor.sign == 0) { continue; }
+            const int after = sign_after(i, x, result.t);
+            if (after != -cursor.sign || !fits(i, after) || !has_cooled(i, result.t)) { continue; }
+            State y = x;
+            const After act = acted(i, y, result.t);
+            if (act == After::go_on) { continue; }
+            x = y;
+            if (act == After::stop) { return end(Ending::event, i, result); }
+        }
+    }
+
+private:
+    static constexpr int most_in_step = 1000;
+
+    /// Progress of the search for one event within a stretch.
+    struct Cursor {
+        Scalar from = 0;                  ///< where it goes on
+        int sign = 0;                     ///< of the function behind that; 0 where it is not known
+        Scalar at_from = 0, slope = 0;    ///< its value there, and its slope where it is given
+        Scalar at_end = 0, end_slope = 0; ///< as much at the end of the stretch
+        std::optional<Scalar> last = {}, before_last = {};  ///< times of those that counted
+    };
+
+    /// The next change of a sign.
+    struct Crossing {
+        Scalar part;
+        int sign;     ///< behind it
+        bool counts;  ///< as an event
+    };
+
+    [[nodiscard]] bool is_before(Scalar left, Scalar right) const {
+        return h_ < 0 ? left > right : left < right;
+    }
+
+    void end(Ending ending, std::size_t event, EventRun<Scalar>& result) const {
+        result.ending = ending;
+        result.event = event;
+    }
+
+    // ---- functions of events ----
+
+    [[nodiscard]] Scalar value(std::size_t i, const State& x, Scalar t) const {
+        const Scalar value = events_[i].zero(x, t), period = events_[i].period;
+        return period > 0 ? value - period * std::round(value / period) : value;
+    }
+    [[nodiscard]] Scalar slope(std::size_t i, const State& x, Scalar t) const {
+        return events_[i].slope ? events_[i].slope(x, t) : Scalar(0);
+    }
+
+    /// The sign of the function behind a state where it may be zero. NOTE: a step of 1e-8 of the
+    /// usual size moves the function by much more than it is rounded.
+    [[nodiscard]] int sign_after(std::size_t i, const State& x, Scalar t) {
+        if (const int sign = sign_of(slope(i, x, t)); sign != 0) { return h_ < 0 ? -sign : sign; }
+        const Scalar h = h_ * Scalar(0x1p-26);
+        State y = x;
+        if (!stretch_.short_step(y, h).ok()) { return 0; }
+        return sign_of(value(i, y, time_of_ ? time_of_(y) : t + h));
+    }
+
+    [[nodiscard]] bool fits(std::size_t i, int sign) const {
+        const Direction direction = events_[i].direction;
+        return direction == Direction::both || (direction == Direction::up) == (sign > 0);
+    }
+    [[nodiscard]] bool has_cooled(std::size_t i, Scalar t) const {
+        const std::optional<Scalar>& last = cursors_[i].last;
+        return !last || std::abs(t - *last) >= events_[i].cooldown;
+    }
+    After acted(std::size_t i, State& x, Scalar t) {
+        cursors_[i].before_last = cursors_[i].last;
+        cursors_[i].last = t;
+        return events_[i].act ? events_[i].act(x, t) : After::go_on;
+    }
+
+    /// The value at an event with the sign that the function has behind it. NOTE: it is zero but for
+    /// rounding, and the next change of sign is not here.
+    [[nodiscard]] static Scalar behind(int sign, Scalar value) {
+        if (sign_of(value) == sign) { return value; }
+        return static_cast<Scalar>(sign) * std::numeric_limits<Scalar>::min();
+    }
+
+    // ---- places in a stretch ----
+
+    [[nodiscard]] Scalar time_at(Scalar part, const State& x) const {
+        return time_of_ ? time_of_(x) : stretch_.time_at(part);
+    }
+
+    /// A value of f(x, t) at a part of the stretch; not a number where a short step fails.
+    template <class Function>
+    [[nodiscard]] Scalar value_at(Scalar part, Function f) {
+        const Status status = stretch_.at(part, within_);
+        if (!status.ok()) {
+            failure_ = status;
+            return std::numeric_limits<Scalar>::quiet_NaN();
+        }
+        return f(within_, time_at(part, within_));
+    }
+
+    /// A part of the stretch in which the time changes by some units in its last place.
+    [[nodiscard]] Scalar tolerance() const {
+        const Scalar t = std::max(std::abs(stretch_.t), std::abs(stretch_.t_end));
+        const Scalar length = std::abs(stretch_.t_end - stretch_.t);
+        constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+        return length > 0 ? std::max(epsilon * t / length, epsilon) : Scalar(1);
+    }
+
+    // ---- the search ----
+
+    void look_from(std::size_t i, const State& x, Scalar t) {
+        cursors_[i].from = 0;
+        cursors_[i].at_from = value(i, x, t);
+        cursors_[i].slope = slope(i, x, t);
+    }
+
+    /// Looks at the end of a new stretch.
+    void look_at_end() {
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            Cursor& cursor = cursors_[i];
+            if (cursor.sign == 0) { cursor.sign = sign_after(i, stretch_.from, stretch_.t); }
+            const bool is_point = stretch_.span == 0;
+            cursor.at_end = is_point ? cursor.at_from : value(i, stretch_.to, stretch_.t_end);
+            cursor.end_slope = is_point ? cursor.slope : slope(i, stretch_.to, stretch_.t_end);
+        }
+    }
+
+    /// The place where a function that turns towards zero and back has passed it; none where it has
+    /// not.
+    [[nodiscard]] std::optional<Bracket<Scalar>> beyond(std::size_t i) {
+        const Cursor& cursor = cursors_[i];
+        const Scalar forward = static_cast<Scalar>(h_ < 0 ? -cursor.sign : cursor.sign);
+        const Scalar slope_from = forward * cursor.slope, slope_end = forward * cursor.end_slope;
+        if (!(slope_from < 0 && slope_end > 0)) { return {}; }
+        Scalar passed = 0;
+        const auto slope_or_stop = [&](const State& x, Scalar t) {
+            passed = value(i, x, t);
+            return sign_of(passed) == -cursor.sign ? Scalar(0) : forward * slope(i, x, t);
+        };
+        const Scalar enough = Scalar(1) / 1000000;
+        const Bracket<Scalar> turn =
+            narrowed<Scalar>({cursor.from, 1, slope_from, slope_end}, enough,
+                             [&](Scalar part) { return value_at(part, slope_or_stop); });
+        if (sign_of(passed) != -cursor.sign) { return {}; }
+        return Bracket<Scalar>{cursor.from, turn.a, cursor.at_from, passed};
+    }
+
+    /// Both ends of a part of the stretch in which the sign changes.
+    [[nodiscard]] std::optional<Bracket<Scalar>> bracket(std::size_t i) {
+        const Cursor& cursor = cursors_[i];
+        if (sign_of(cursor.at_end) == -cursor.sign) {
+            return Bracket<Scalar>{cursor.from, 1, cursor.at_from, cursor.at_end};
+        }
+        return beyond(i);
+    }
+
+    /// The next change of sign of a function; none where there is none.
+    [[nodiscard]] std::optional<Crossing> crossing(std::size_t i) {
+        const Cursor& cursor = cursors_[i];
+        if (cursor.sign == 0) { return {}; }
+        const std::optional<Bracket<Scalar>> both = bracket(i);
+        if (!both) { return {}; }
+        const int sign = -cursor.sign;
+        const Scalar period = events_[i].period;
+        const bool is_jump = period > 0 && std::abs(both->at_b - both->at_a) > period / 2;
+        if (is_jump || !fits(i, sign)) { return Crossing{both->b, sign, false}; }
+        // NOTE: behind an event the function is zero but for rounding.
+        if (sign_of(both->at_a) != cursor.sign) { return counted(i, both->a); }
+        const Bracket<Scalar> root =
+            narrowed(*both, tolerance(), [&](Scalar part) {
+                return value_at(part,
+                                [&](const State& x, Scalar t) { return value(i, x, t); });
+            });
+        return counted(i, sign_of(root.at_a) == cursor.sign ? root.b : root.a);
+    }
+
+    [[nodiscard]] Crossing counted(std::size_t i, Scalar part) {
+        const Scalar t = value_at(part, [](const State&, Scalar time) { return time; });
+        return {part, -cursors_[i].sign, has_cooled(i, t)};
+    }
+
+    /// The first of all, and the event that it is of.
+    [[nodiscard]] std::optional<std::pair<std::size_t, Crossing>> first() const {
+        std::optional<std::pair<std::size_t, Crossing>> result;
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            if (found_[i] && (!result || found_[i]->part < result->second.part)) {
+                result.emplace(i, *found_[i]);
+            }
+        }
+        return result;
+    }
+
+    void find_all() {
+        found_.clear();
+        for (std::size_t i = 0; i < events_.size(); ++i) { found_.push_back(crossing(i)); }
+    }
+
+    /// Goes from event to event until the end of the step.
+    void pass(State& x, EventRun<Scalar>& result) {
+        failure_ = Status();
+        look_at_end();
+        find_all();
+        for (int count = 0; count < most_in_step; ++count) {
+            if (!is_sound(result)) { return; }
+            const auto next = first();
+            give_until(next ? next->second.part : Scalar(1));
+            if (!is_sound(result)) { return; }
+            if (!next) { return close(x); }
+            meet(next->first, next->second, x, result);
+            if (result.ending != Ending::all_steps) { return; }
+        }
+        end_here(first() ? first()->first : 0, x, result);
+    }
+
+    /// Ends a run in which an event comes again and again, where the stretch begins.
+    void end_here(std::size_t i, State& x, EventRun<Scalar>& result) const {
+        x = stretch_.from;
+        result.t = stretch_.t;
+        end(Ending::accumulation, i, result);
+    }
+
+    /// Whether an event that jumps comes so soon again that a ball, say, has come to rest.
+    [[nodiscard]] bool accumulates(std::size_t i, Scalar t) const {
+        const std::optional<Scalar>& before = cursors_[i].before_last;
+        return before && std::abs(t - *before) < std::abs(h_) * Scalar(0x1p-20);
+    }
+
+    /// Whether short steps went well, and functions are numbers.
+    [[nodiscard]] bool is_sound(EventRun<Scalar>& result) const {
+        if (!failure_.ok()) {
+            result.run.status = failure_;
+            end(Ending::failed_step, 0, result);
+            return false;
+        }
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            if (!std::isnan(cursors_[i].at_end) && !std::isnan(cursors_[i].at_from)) { continue; }
+            end(Ending::undefined, i, result);
+            return false;
+        }
+        return true;
+    }
+
+    void close(State& x) {
+        x = stretch_.to;
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            Cursor& cursor = cursors_[i];
+            cursor.from = 0;
+            cursor.at_from = cursor.at_end;
+            cursor.slope = cursor.end_slope;
+            if (const int sign = sign_of(cursor.at_end); sign != 0) { cursor.sign = sign; }
+        }
+    }
+
+    /// Passes a change of sign.
+    void meet(std::size_t i, const Crossing& met, State& x, EventRun<Scalar>& result) {
+        Cursor& cursor = cursors_[i];
+        if (met.counts) {
+            failure_ = stretch_.at(met.part, within_);
+            if (!failure_.ok()) { return; }
+            const Scalar t = time_at(met.part, within_);
+            before_ = within_;
+            const After act = acted(i, within_, t);
+            if (act == After::stop) {
+                x = within_;
+                result.t = t;
+                return end(Ending::event, i, result);
+            }
+            if (act == After::jump) {
+                jump(i, met.part, t);
+                return accumulates(i, t) ? end_here(i, x, result) : void();
+            }
+        }
+        cursor.from = met.part;
+        cursor.sign = met.sign;
+        cursor.at_from = value_at(met.part, [&](const State& y, Scalar t) {
+            cursor.slope = slope(i, y, t);
+            return behind(met.sign, value(i, y, t));
+        });
+        found_[i] = crossing(i);
+    }
+
+    /// Goes on from another state, in a stretch from there to the end of the step. NOTE: a function
+    /// that the jump does not change keeps the sign that it had, so that a second event of the same
+    /// time is not lost.
+    void jump(std::size_t jumped, Scalar part, Scalar t) {
+        const State& after = within_;
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            const Scalar old = value(i, before_, t);
+            const std::optional<Crossing>& passed = found_[i];
+            if (passed && passed->part < part) { cursors_[i].sign = passed->sign; }
+            look_from(i, after, t);
+            if (i == jumped) {
+                cursors_[i].sign = sign_after(i, after, t);
+                cursors_[i].at_from = behind(cursors_[i].sign, cursors_[i].at_from);
+            } else if (cursors_[i].at_from != old) {
+                cursors_[i].sign = sign_of(cursors_[i].at_from);
+            }
+        }
+        // NOTE: what is left may be no more than rounding.
+        stretch_.span *= 1 - part > 4 * tolerance() ? 1 - part : 0;
+        stretch_.from = after;
+        stretch_.t = t;
+        stretch_.to = after;
+        if (stretch_.span != 0) { failure_ = stretch_.short_step(stretch_.to, stretch_.span); }
+        if (time_of_) { stretch_.t_end = time_of_(stretch_.to); }
+        if (!failure_.ok()) { return; }
+        look_at_end();
+        find_all();
+    }
+
+    // ---- output ----
+
+    void give(const State& x) { output_(x, times_[next_time_++]); }
+
+    /// Gives the states at times up to a part of the stretch.
+    void give_until(Scalar part) {
+        if (!has_output()) { return; }
+        const Scalar t = value_at(part, [](const State&, Scalar time) { return time; });
+        while (has_output() && !is_before(t, next_output()) && failure_.ok()) {
+            failure_ = stretch_.at(part_of(next_output()), within_);
+            if (failure_.ok()) { give(within_); }
+        }
+    }
+
+    /// The part of the stretch at which it is so late.
+    [[nodiscard]] Scalar part_of(Scalar time) {
+        const Scalar length = stretch_.t_end - stretch_.t;
+        if (time == stretch_.t_end) { return 1; }
+        if (time == stretch_.t || length == 0) { return 0; }
+        if (!time_of_) { return std::clamp((time - stretch_.t) / length, Scalar(0), Scalar(1)); }
+        return narrowed<Scalar>({0, 1, stretch_.t - time, stretch_.t_end - time}, tolerance(),
+                                [&](Scalar part) {
+                                    return value_at(part, [&](const State&, Scalar t) {
+                                        return t - time;
+                                    });
+                                })
+            .best();
+    }
+
+    std::vector<Event<Stepper>> events_;
+    std::vector<Cursor> cursors_;
+    std::vector<std::optional<Crossing>> found_;  ///< next of each event
+    std::vector<Scalar> times_;
+    std::size_t next_time_ = 0;
+    Output output_;
+    TimeOf time_of_;
+    Stretch<Stepper> stretch_;
+    Scalar h_ = 0;
+    State start_{}, within_{}, before_{};
+    Status failure_;  ///< of a short step
+};
+
+}  // namespace hvi::detail

@@ -1,0 +1,139 @@
+// Runs with events, and states at given times.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <hvi/detail/trajectories/event_steps.hpp>
+#include <hvi/event.hpp>
+#include <hvi/integrate.hpp>
+
+namespace hvi {
+
+/// Takes steps as integrate() without events does, and looks for events on the way. Each is where
+/// a shorter step from the beginning of its own step leads, to a few units in the last place of the
+/// time, so that a method conserves there what it conserves at steps. The other steps keep their
+/// bits, unless an event jumps: then a shorter step leads to the end of the one in which it is.
+///
+/// An event is found where the sign of its function differs at both ends of a step, or, with a
+/// slope, where the function turns once within the step, beyond zero. Others are missed: two zeros
+/// in one step without a slope, or with more than one turn. Zero at the start alone is no event, nor
+/// is zero without a change of sign.
+/// # Use
+/// As of integrate(): h may be negative, and a step that fails ends the run. Events within one step
+/// come in the order of time, those of one time in their own. observe(x, t) is called where steps
+/// begin and end, and at the end of the run.
+/// ```cpp
+/// #include <array>
+/// #include <cmath>
+///
+/// #include <hvi/events.hpp>
+/// #include <hvi/generated/stormer_verlet_separable.hpp>
+///
+/// struct Ball {  // H = p^2/2 + q, above a floor at q = 0
+///     using Vector = std::array<double, 1>;
+///     void dHdq(const Vector&, Vector& out) const { out = {1.0}; }
+///     void dHdp(const Vector& p, Vector& out) const { out = p; }
+/// };
+///
+/// int main() {
+///     using Stepper = hvi::generated::StormerVerletSeparable<Ball>;
+///     int bounces = 0;
+///     double last = 0;
+///     hvi::Event<Stepper> floor;
+///     floor.zero = [](const auto& x, double) { return x.q[0]; };
+///     floor.direction = hvi::Direction::down;
+///     floor.act = [&](auto& x, double t) {
+///         x.p[0] = -x.p[0];
+///         ++bounces;
+///         last = t;
+///         return hvi::After::jump;
+///     };
+///     Stepper stepper;
+///     hvi::State<Ball::Vector> x{{0.5}, {0.0}};
+///     const auto run = hvi::integrate(stepper, x, 0.0, 0.1, 60, hvi::events(floor));
+///     // It falls for a time of 1, then is up in the air for 2, twice.
+///     const bool is_last = bounces == 3 && std::abs(last - 5) < 1e-13;
+///     return run.ok() && is_last && std::abs(x.q[0]) < 1e-13 ? 0 : 1;
+/// }
+/// ```
+template <class Stepper, class Observer>
+EventRun<typename Stepper::Scalar> integrate(Stepper& stepper, typename Stepper::State& x,
+                                             typename Stepper::Scalar start,
+                                             typename Stepper::Scalar h, std::int64_t steps,
+                                             std::vector<Event<Stepper>> events,
+                                             Observer&& observe) {
+    using Scalar = typename Stepper::Scalar;
+    const auto& unchanged = x;
+    detail::EventSteps<Stepper> all(std::move(events), stepper);
+    EventRun<Scalar> result;
+    result.t = start;
+    observe(unchanged, start);
+    all.begin(x, start, h);
+    while (result.run.steps < steps && result.ending == Ending::all_steps) {
+        const Scalar next = start + static_cast<Scalar>(result.run.steps + 1) * h;
+        all.take(stepper, x, h, next, result);
+        if (result.ending != Ending::failed_step) { observe(unchanged, result.t); }
+    }
+    if (result.ending == Ending::all_steps) { all.finish(x, h, result); }
+    return result;
+}
+
+/// Takes such steps without an observer.
+template <class Stepper>
+EventRun<typename Stepper::Scalar> integrate(Stepper& stepper, typename Stepper::State& x,
+                                             typename Stepper::Scalar start,
+                                             typename Stepper::Scalar h, std::int64_t steps,
+                                             std::vector<Event<Stepper>> events) {
+    return integrate(stepper, x, start, h, steps, std::move(events), [](const auto&, auto) {});
+}
+
+/// Takes steps of size h from x at the time `start`, as many as it takes to pass all `times`, and
+/// calls observe(y, t) at each of these: y is the state there, by a shorter step from the beginning
+/// of the step that the time is in. The steps have the same bits as those of integrate().
+/// # Use
+/// `times` go on as the run does: they ascend where h is positive, and descend where it is
+/// negative. Those before the start are left out. x is the state at the end of the last step.
+/// ```cpp
+/// #include <array>
+/// #include <cmath>
+///
+/// #include <hvi/events.hpp>
+/// #include <hvi/generated/gauss_4.hpp>
+///
+/// struct Spring {  // H = (p^2 + q^2)/2
+///     using Vector = std::array<double, 1>;
+///     void dHdq(const Vector& q, const Vector&, Vector& out) const { out = q; }
+///     void dHdp(const Vector&, const Vector& p, Vector& out) const { out = p; }
+/// };
+///
+/// int main() {
+///     hvi::generated::Gauss4<Spring> stepper;
+///     hvi::State<Spring::Vector> x{{1.0}, {0.0}};
+///     double error = 0;
+///     const auto observe = [&](const auto& y, double t) {
+///         error = std::fmax(error, std::abs(y.q[0] - std::cos(t)));
+///     };
+///     const auto run = hvi::integrate_at(stepper, x, 0.0, 0.1, {0.25, 1.0, 3.1415926}, observe);
+///     return run.ok() && run.steps == 32 && error < 1e-12 ? 0 : 1;
+/// }
+/// ```
+template <class Stepper, class Observer>
+Run integrate_at(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar start,
+                 typename Stepper::Scalar h, const std::vector<typename Stepper::Scalar>& times,
+                 Observer&& observe) {
+    using Scalar = typename Stepper::Scalar;
+    detail::EventSteps<Stepper> all({}, stepper);
+    all.output_at(times, std::forward<Observer>(observe));
+    EventRun<Scalar> result;
+    all.begin(x, start, h);
+    while (all.has_output() && result.ending == Ending::all_steps && h != 0) {
+        const Scalar next = start + static_cast<Scalar>(result.run.steps + 1) * h;
+        all.take(stepper, x, h, next, result);
+    }
+    return result.run;
+}
+
+}  // namespace hvi
