@@ -176,6 +176,11 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     if (const auto seconds = words.whole_number("--budget")) options.budget = *seconds;
     options.step = words.value("--step");
     options.until = words.value("--until");
+    if (const Given times = words.value("--times")) {
+        options.times = output_times(times);
+        if (!options.until) options.until = options.times->to;
+    }
+    options.every = words.whole_number("--every");
     options.columns = words.value("--columns");
     options.symmetries = !words.has("--no-symmetries");
     if (words.has("--interpret")) options.interpret = words.place("--interpret");

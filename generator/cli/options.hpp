@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
+#include "generator/cli/output_times.hpp"
 #include "generator/options/choices.hpp"
 #include "generator/options/wishes.hpp"
 
@@ -63,15 +64,17 @@ struct StepperOptions {
 };
 
 struct RunOptions {
-    MethodOptions method;            ///< empty where the scene is to name it
-    SystemOptions system;            ///< a scene
-    StepperWishes wishes;            ///< solver, lanes and composition alone
-    std::optional<double> accuracy;  ///< in place of a method and a step
-    double budget = 60;              ///< seconds to look for them
-    Given step, until;               ///< in place of those of the scene
-    Given columns;                   ///< of the table, in place of the usual ones
-    bool symmetries = true;          ///< look for them
-    std::optional<Place> interpret;  ///< without a compiler
+    MethodOptions method;              ///< empty where the scene is to name it
+    SystemOptions system;              ///< a scene
+    StepperWishes wishes;              ///< solver, lanes and composition alone
+    std::optional<double> accuracy;    ///< in place of a method and a step
+    double budget = 60;                ///< seconds to look for them
+    Given step, until;                 ///< in place of those of the scene
+    std::optional<OutputTimes> times;  ///< of rows of the table
+    std::optional<int> every;          ///< a row in so many steps
+    Given columns;                     ///< of the table, in place of the usual ones
+    bool symmetries = true;            ///< look for them
+    std::optional<Place> interpret;    ///< without a compiler
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };

@@ -70,6 +70,11 @@ Scene scene_for(const Given& name, const ReportOptions& options) {
         refuse_edges(options);
     }
     if (options.peers) refuse_rotations(scene, "a comparison with other libraries");
+    refuse_scale(scene, "a report");
+    for (const IndexedEvent& event : scene.events)
+        if (event.set)
+            throw InputError("a report is not built for events that jump", event.place,
+                             "its runs are compared with those of steps alone");
     return scene;
 }
 

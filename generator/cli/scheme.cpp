@@ -74,6 +74,7 @@ std::string printed(const SchemeOptions& options) {
     }
     const MethodAndScene both = read_both(options.method, options.system);
     refuse_rotations(both.scene, "`scheme`");
+    refuse_scale(both.scene, "`scheme`");
     return by_unrolling(
         both.scene, options.system.sums,
         [&](const UnrollDecision&) { return printed_with_sums(both, options); },

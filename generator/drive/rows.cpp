@@ -4,9 +4,7 @@
 namespace hvi::gen {
 
 Rows::Rows(const TableWishes& wishes)
-    : every_(wishes.every),
-      has_times_(!wishes.times.empty()),
-      table_(wishes.file.c_str()) {
+    : every_(wishes.every), has_times_(!wishes.times.empty()), table_(wishes.file.c_str()) {
     table_.cell("t");
     for_each_column(wishes.columns, [&](const std::string& name, std::size_t number) {
         numbers_.push_back(number);

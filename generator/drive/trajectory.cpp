@@ -33,24 +33,27 @@ public:
         if (!own.has_times()) return;
         course_.output_at(wishes.tables.front().times, [this](const State& x, double t) {
             at_output_.see(stepper_, x);
-            tables_.front().write(t, [&](std::size_t number) {
-                return value(x, at_output_.values(), number);
-            });
+            tables_.front().write(
+                t, [&](std::size_t number) { return value(x, at_output_.values(), number); });
         });
     }
 
     /// Says what became of it. False where a table could not be written.
     [[nodiscard]] bool run() {
+        if (wishes_.clock) course_.take_time_from([](const State& x) { return x.q.back(); });
         course_.begin(x_, 0, wishes_.h);
         write();
         while (taken() < wishes_.steps && run_.ending == Ending::all_steps && are_good()) advance();
         if (run_.ending == Ending::all_steps) course_.finish(x_, wishes_.h, run_);
+        if (has_come_to_end()) run_.t = wishes_.clock->until;
         for (Rows& table : tables_) table.see_end(run_.t, value_now());
         tell();
         bool are_whole = event_rows_.close();
         for (Rows& table : tables_) are_whole = table.close() && are_whole;
         return are_whole;
     }
+
+    [[nodiscard]] std::int64_t steps() const { return run_.run.steps; }
 
 private:
     [[nodiscard]] std::int64_t taken() const { return run_.run.steps; }
@@ -70,12 +73,13 @@ private:
     [[nodiscard]] std::int64_t to_output() const {
         constexpr double most = 1e15;
         if (!course_.has_output()) return static_cast<std::int64_t>(most);
+        if (wishes_.clock) return 0;
         const double steps = (course_.next_output() - run_.t) / wishes_.h;
         return static_cast<std::int64_t>(std::clamp(std::floor(steps) - 1, 0.0, most));
     }
 
     [[nodiscard]] bool is_looked_into() const {
-        return !wishes_.events.events.empty() || to_output() == 0;
+        return wishes_.clock || !wishes_.events.events.empty() || to_output() == 0;
     }
 
     void take(std::int64_t steps) {
@@ -107,13 +111,36 @@ private:
             const std::size_t i = result.size();
             result.push_back(each.event);
             result.back().act = [this, &each, i](State& x, double t) {
-                event_rows_.write(each.name, ++counts_[i], t, x);
+                event_rows_.write(each.name, ++counts_[i], t, seen(x));
                 if (counts_[i] == each.stop) return After::stop;
                 if (!each.set) return After::go_on;
                 each.set(x, t);
                 return After::jump;
             };
         }
+        if (wishes_.clock) result.push_back(end_of_clock());
+        return result;
+    }
+
+    /// The end of the time, behind all other events.
+    [[nodiscard]] Event<DrivenStepper> end_of_clock() const {
+        Event<DrivenStepper> event;
+        event.zero = [until = wishes_.clock->until](const State& x, double) {
+            return x.q.back() - until;
+        };
+        event.act = [](State&, double) { return After::stop; };
+        return event;
+    }
+    [[nodiscard]] bool has_come_to_end() const {
+        return wishes_.clock && run_.ending == Ending::event && run_.event == counts_.size();
+    }
+
+    /// The state without time and its momentum.
+    [[nodiscard]] State seen(const State& x) const {
+        State result = x;
+        if (!wishes_.clock) return result;
+        result.q.pop_back();
+        result.p.pop_back();
         return result;
     }
 
@@ -122,9 +149,11 @@ private:
                            [](const Rows& table) { return table.good(); });
     }
 
-    [[nodiscard]] static double value(const State& x, const std::vector<double>& invariants,
-                                      std::size_t number) {
-        const std::size_t n = x.q.size(), end = n + x.p.size();
+    /// A number of the columns. NOTE: time and its momentum are none of them.
+    [[nodiscard]] double value(const State& x, const std::vector<double>& invariants,
+                               std::size_t number) const {
+        const std::size_t hidden = wishes_.clock ? 1 : 0;
+        const std::size_t n = x.q.size() - hidden, end = n + x.p.size() - hidden;
         if (number < n) return x.q[number];
         return number < end ? x.p[number - n] : invariants[number - end];
     }
@@ -143,8 +172,10 @@ private:
         const auto now = std::chrono::steady_clock::now();
         if (now - last_word_ < std::chrono::milliseconds(100)) return;
         last_word_ = now;
-        driver::say("progress",
-                    static_cast<double>(taken()) / static_cast<double>(wishes_.steps));
+        const double part = wishes_.clock
+                                ? run_.t / wishes_.clock->until
+                                : static_cast<double>(taken()) / static_cast<double>(wishes_.steps);
+        driver::say("progress", std::clamp(part, 0.0, 1.0));
     }
 
     /// Says the number of a variable that begins with no finite number, where that is why no step
@@ -157,10 +188,13 @@ private:
     }
 
     void tell_end() const {
-        driver::say("status", run_.ending == Ending::failed_step ? run_.run.status.message() : "ok");
+        driver::say("status",
+                    run_.ending == Ending::failed_step ? run_.run.status.message() : "ok");
         if (run_.ending == Ending::failed_step && taken() == 0) tell_unfit();
         const auto event = static_cast<std::int64_t>(run_.event);
-        if (run_.ending == Ending::event) driver::say("stopped_by", event);
+        if (run_.ending == Ending::event && !has_come_to_end()) driver::say("stopped_by", event);
+        if (run_.ending == Ending::time_stands)
+            driver::say("status", "the time does not go on with the steps");
         if (run_.ending == Ending::accumulation) driver::say("accumulates", event);
         if (run_.ending == Ending::undefined) driver::say("undefined", event);
     }
@@ -198,10 +232,12 @@ private:
 
 int take_trajectory(const TrajectoryWishes& wishes) {
     using driver::Watch;
+    Trajectory trajectory(wishes);
+    if (!trajectory.run()) return 3;
+    const Watch watch = wishes.looks_at_rows ? Watch::rows : Watch::steps;
     driver::say("seconds_of_step",
-                driver::seconds_of_step<DrivenProblem>(
-                    wishes.looks_at_rows ? Watch::rows : Watch::steps, wishes.h, wishes.steps));
-    return Trajectory(wishes).run() ? 0 : 3;
+                driver::seconds_of_step<DrivenProblem>(watch, wishes.h, trajectory.steps()));
+    return 0;
 }
 
 }  // namespace hvi::gen

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,18 @@ struct EventWishes {
     std::filesystem::path file;
 };
 
+/// The time where steps are of another variable: the last of the coordinates.
+struct ScaledClock {
+    double until = 0;
+};
+
 struct TrajectoryWishes {
     double h = 0;
     std::int64_t steps = 0;
     bool looks_at_rows = false;       ///< at invariants, which cost as much as a step does
     std::vector<TableWishes> tables;  ///< at least one
     EventWishes events = {};
+    std::optional<ScaledClock> clock = {};  ///< then `steps` is only the most that are taken
 };
 
 /// Takes the steps of DrivenProblem, and says what became of it. The status of its end is 0 also

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "generator/expr/scaled_time.hpp"
 #include "generator/ir/sites.hpp"
 #include "generator/ir/structure.hpp"
 
@@ -91,13 +92,14 @@ struct System {
     std::vector<std::string> momenta;  ///< of a Lagrangian, one for each coordinate
 
     Graph graph;
-    std::optional<Node> time;  ///< the input t, where the function depends on it
+    std::optional<Node> time;          ///< the input t, where the function depends on it
+    std::optional<ScaledTime> scaled;  ///< where it is a coordinate
     std::vector<Access> accesses;
     std::vector<SystemTotal> totals;  ///< each made of those before it
     /// H or L; with loops each of q alone, of p alone, or of both. Those of value 0 have
     /// derivatives through totals.
     std::vector<SystemSum> sums;
-    std::vector<SystemSum> energy;        ///< H, or v dL/dv - L
+    std::vector<SystemSum> energy;        ///< H, or v dL/dv - L, or that of scaled time
     std::vector<SystemStart> initial;     ///< of coordinates, then of conjugates; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
 

@@ -306,6 +306,10 @@ std::string dump(const System& system) {
     if (system.is_transformed) {
         result += line("H = p v - L, where L", to_text(system.expression));
     }
+    if (system.scaled) {
+        result += line("time", system.coordinates.at(system.scaled->coordinate).name);
+        result += line("energy", text(energy_of(system)));
+    }
     for (const SystemParameter& parameter : system.parameters) {
         result += line("parameter " + parameter.name, to_text(parameter.value));
     }

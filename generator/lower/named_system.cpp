@@ -154,6 +154,12 @@ System named_system(const WrittenOutScene& scene) {
         system.parameters.push_back(
             {parameter.name, parameter.value, result.symbols.at(parameter.name).node});
     }
+    if (scene.scaled) {
+        const Scaled energy =
+            lower(system.graph, scene.scaled->energy, result.symbols, function_of(scene).source);
+        system.scaled = scene.scaled;
+        system.energy = {term(system, energy)};
+    }
     system.initial = starts(result, scene.initial);
     system.invariants = values(result, scene.invariants);
     return std::move(system);

@@ -5,12 +5,16 @@
 #include <variant>
 
 #include "generator/hamiltonian/legendre.hpp"
+#include "generator/hamiltonian/time_scale.hpp"
+#include "generator/read/no_loops.hpp"
 #include "generator/read/scene_times.hpp"
 #include "generator/scene/start.hpp"
 
 namespace hvi::gen {
 
 LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decision) {
+    if (scene.scale)
+        throw NoLoops("a scale of the time is not built where sums stay loops", scene.scale->place);
     LoweredScene result{scene, decision, std::nullopt, system_of(scene), {}};
     static_cast<void>(times_of(scene));  // whose words are checked there
     return result;
@@ -21,6 +25,7 @@ LoweredScene lowered_written_out(const Scene& scene, WrittenOutScene written,
     static_cast<void>(times_of(scene));
     check_start(written);
     if (const auto* L = std::get_if<Lagrangian>(&written.mechanics)) { check_regular(*L); }
+    written = with_time_scale(std::move(written));
     System system = system_of(written);
     GradientKernels gradients = gradient_kernels(system);
     return {scene, decision, std::move(written), std::move(system), std::move(gradients)};

@@ -60,6 +60,17 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
     return result;
 }
 
+/// The method with q and p exchanged: where it is explicit it begins with a drift, not with a kick.
+/// NOTE: in logarithmic time Stormer-Verlet follows Kepler's ellipse so, and not the other way.
+OneStepMethod exchanged(OneStepMethod method) {
+    auto* tableau = std::get_if<Tableau>(&method.base);
+    if (tableau == nullptr) return method;
+    std::swap(tableau->A, tableau->A_tilde);
+    std::swap(tableau->c, tableau->c_tilde);
+    tableau->galerkin.reset();
+    return method;
+}
+
 Step planned(const OneStepMethod& method, const SystemProperties& system,
              const StepperWishes& wishes) {
     return plan(method, system,
@@ -109,6 +120,7 @@ SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, const Lowe
                         const StepperWishes& wishes) {
     auto& [method, curve] = derived;
     const System& system = scene.system;
+    if (system.scaled && system.scaled->drifts_first) method = exchanged(std::move(method));
     if (scene.written && is_overdetermined(method, system))
         check_fibre_rank(hamiltonian_of(*scene.written), wished.place);
     SceneWishes members = members_of(wishes, scene);

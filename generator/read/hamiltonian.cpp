@@ -264,7 +264,7 @@ std::vector<std::string> parameter_names(const Expression& function,
 }
 
 bool depends_on_time(const Hamiltonian& hamiltonian) {
-    return depends_on_time(hamiltonian.expression);
+    return depends_on_time(hamiltonian.expression) && !contains(hamiltonian.coordinates, "t");
 }
 
 bool depends_on_time(const Expression& function) {

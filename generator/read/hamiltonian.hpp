@@ -103,7 +103,7 @@ void check_functions(const Expression& expression, const std::shared_ptr<const S
 [[nodiscard]] std::vector<std::string> parameter_names(const Expression& function,
                                                        const std::vector<std::string>& variables);
 
-/// Whether the time `t` occurs in H.
+/// Whether the time `t` occurs in H, and is no coordinate.
 [[nodiscard]] bool depends_on_time(const Hamiltonian& hamiltonian);
 [[nodiscard]] bool depends_on_time(const Expression& function);
 

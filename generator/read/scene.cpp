@@ -62,6 +62,12 @@ void refuse_rotations(const Scene& scene, std::string_view what) {
                      whole(scene.function.source), "`stepper`, `run` and `report` take these");
 }
 
+void refuse_scale(const Scene& scene, std::string_view what) {
+    if (!scene.scale) { return; }
+    throw InputError(fmt::format("{} is not built for scenes with a scale of the time", what),
+                     scene.scale->place, "`stepper`, `module` and `run` take these");
+}
+
 const std::string& title(const Scene& scene) {
     return scene.name.empty() ? scene.origin : scene.name;
 }

@@ -11,9 +11,11 @@
 #include <variant>
 #include <vector>
 
+#include "generator/expr/event_direction.hpp"
 #include "generator/expr/side.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/own_functions.hpp"
+#include "generator/read/time_scale.hpp"
 #include "generator/read/unroll.hpp"
 
 namespace hvi::gen {
@@ -80,6 +82,25 @@ struct IndexedField {
     Place place;  ///< of the name
 };
 
+/// A function that passes through zero on the way, and what happens there.
+struct IndexedEvent {
+    std::string name;
+    Place place;             ///< of the name
+    IndexedExpression zero;  ///< of the variables and the time
+    EventDirection direction = EventDirection::both;
+    long stop = 0;                        ///< the run ends at this one; 0 for none
+    std::optional<ValueTable> set = {};   ///< what jumps
+    std::optional<Place> canonical = {};  ///< of the claim that the jump is symplectic
+    std::optional<IndexedExpression> cooldown = {}, period = {};  ///< of parameters
+};
+
+/// The key `scale` of [time]: dt/ds.
+struct IndexedScale {
+    TimeScale kind = TimeScale::expression;
+    IndexedExpression expression;  ///< of the kind of this name
+    Place place;                   ///< of the key
+};
+
 /// Parts of a function that have a name: `r`, or with indices `d[i]`.
 struct Definition {
     std::string name;
@@ -110,9 +131,11 @@ struct Scene {
     std::set<std::string> fixed;           ///< parameters that a program cannot change
     OwnFunctions own;                      ///< that H and invariants may call
     std::vector<Definition> definitions;
-    std::vector<NamedIndexed> invariants;  ///< in the order of the file
-    std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
-    std::vector<IndexedField> fields;      ///< of [symmetries]
+    std::vector<NamedIndexed> invariants;    ///< in the order of the file
+    std::set<std::string> approximate;       ///< invariants that are said to be nearly conserved
+    std::vector<IndexedField> fields;        ///< of [symmetries]
+    std::vector<IndexedEvent> events;        ///< in the order of the file
+    std::optional<IndexedScale> scale = {};  ///< where steps are of another variable than time
     std::optional<ValueTable> initial;
     std::optional<ValueTable> exact;
     IndexedRun run;
@@ -124,6 +147,9 @@ struct Scene {
 
 /// Throws InputError where the scene has rotations. `what` is what is not built for these.
 void refuse_rotations(const Scene& scene, std::string_view what);
+
+/// Throws InputError where the scene scales time. `what` is what is not built for that.
+void refuse_scale(const Scene& scene, std::string_view what);
 
 /// Name of the scene, or where it has none what the command line has for it.
 [[nodiscard]] const std::string& title(const Scene& scene);

@@ -18,6 +18,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::size_t most_invariants = 64;
+constexpr std::size_t most_events = 64;
 
 using Entry = std::pair<const toml::key*, const toml::node*>;
 
@@ -84,6 +85,12 @@ private:
     [[nodiscard]] const toml::node& value_of_invariant(const toml::table& table) const;
     [[nodiscard]] std::vector<IndexedField> fields() const;
     [[nodiscard]] ValueTable values(const toml::table& table) const;
+    [[nodiscard]] std::vector<IndexedEvent> events() const;
+    [[nodiscard]] IndexedEvent event(const Entry& entry) const;
+    [[nodiscard]] EventDirection direction(const toml::table& event) const;
+    [[nodiscard]] long stop(const toml::table& event) const;
+    [[nodiscard]] bool claims(const toml::table& table, std::string_view key) const;
+    [[nodiscard]] std::optional<IndexedScale> scale() const;
     [[nodiscard]] IndexedRun run() const;
 
     const Source& source_;
@@ -446,6 +453,96 @@ ValueTable SceneReader::values(const toml::table& table) const {
     return values;
 }
 
+EventDirection SceneReader::direction(const toml::table& event) const {
+    const toml::node* node = event.get("direction");
+    if (node == nullptr) return EventDirection::both;
+    const std::string_view word = node->value_or(std::string_view());
+    if (word == "up") return EventDirection::up;
+    if (word == "down") return EventDirection::down;
+    if (word == "both") return EventDirection::both;
+    throw InputError("this is no direction", file_.place(*node),
+                     "write \"up\", \"down\" or \"both\"");
+}
+
+/// The number of the event at which the run ends: `stop = 3`; true is 1, and 0 is none.
+long SceneReader::stop(const toml::table& event) const {
+    const toml::node* node = event.get("stop");
+    if (node == nullptr) return 0;
+    if (const auto* flag = node->as_boolean()) return flag->get() ? 1 : 0;
+    const auto* number = node->as_integer();
+    if (number != nullptr && number->get() >= 1) return static_cast<long>(number->get());
+    throw InputError("true, or which of the events ends the run, is wanted here",
+                     file_.place(*node), "write stop = true, or stop = 3 for the third");
+}
+
+bool SceneReader::claims(const toml::table& table, std::string_view key) const {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return false;
+    if (const auto* flag = node->as_boolean()) return flag->get();
+    throw InputError("true or false is wanted here", file_.place(*node));
+}
+
+IndexedEvent SceneReader::event(const Entry& entry) const {
+    const Place place = file_.place(entry.first->source());
+    const auto* table = entry.second->as_table();
+    if (table == nullptr || table->get("zero") == nullptr)
+        throw InputError("this event does not say where it is", place,
+                         "write a section [events.NAME] with zero = \"y\"");
+    file_.check_keys(*table, "event",
+                     {"zero", "direction", "stop", "set", "canonical", "cooldown", "period"});
+    IndexedEvent event{.name = std::string(entry.first->str()),
+                       .place = place,
+                       .zero = expression(*table->get("zero")),
+                       .direction = direction(*table),
+                       .stop = stop(*table)};
+    if (const toml::node* node = table->get("set")) {
+        const auto* jumps = node->as_table();
+        if (jumps == nullptr || jumps->empty())
+            throw InputError("this says nothing of what jumps", file_.place(*node),
+                             "write the new values of variables: set = {px = \"-px\"}");
+        event.set = values(*jumps);
+    }
+    if (claims(*table, "canonical")) event.canonical = file_.place(*table->get("canonical"));
+    if (const toml::node* node = table->get("cooldown")) event.cooldown = expression(*node);
+    if (const toml::node* node = table->get("period")) event.period = expression(*node);
+    return event;
+}
+
+std::vector<IndexedEvent> SceneReader::events() const {
+    std::vector<IndexedEvent> list;
+    const toml::table* table = section("events", "crossing = {zero = \"y\"}");
+    if (table == nullptr) return list;
+    for (const Entry& entry : in_order(*table)) {
+        list.push_back(event(entry));
+        if (list.size() > most_events)
+            throw InputError(fmt::format("there are more than {} events", most_events),
+                             list.back().place);
+    }
+    return list;
+}
+
+std::optional<IndexedScale> SceneReader::scale() const {
+    const toml::table* table = section("time", "scale = \"x^2 + y^2\"");
+    if (table == nullptr) return {};
+    if (const toml::node* kinks = table->get("kinks"))
+        throw InputError("`kinks` is to come", file_.place(*kinks),
+                         "it is planned, and not built yet");
+    file_.check_keys(*table, "section [time]", {"scale"});
+    const toml::node* node = table->get("scale");
+    if (node == nullptr)
+        throw InputError("there is no scale", file_.place(*table),
+                         fmt::format("it is an expression, or one of {}", names_of_scales));
+    IndexedScale scale{
+        .kind = TimeScale::expression, .expression = {}, .place = file_.place(*node)};
+    const std::string_view word = node->value_or(std::string_view());
+    if (word == "logarithmic") scale.kind = TimeScale::logarithmic;
+    if (word == "arclength") scale.kind = TimeScale::arclength;
+    if (word == "potential") scale.kind = TimeScale::potential;
+    if (word == "distance") scale.kind = TimeScale::distance;
+    if (scale.kind == TimeScale::expression) scale.expression = expression(*node);
+    return scale;
+}
+
 IndexedRun SceneReader::run() const {
     IndexedRun wishes;
     const toml::table* table = section("run", "step = \"1/10\"");
@@ -465,8 +562,8 @@ IndexedRun SceneReader::run() const {
 
 /// Throws InputError for what a scene cannot say yet.
 void SceneReader::refuse_to_come() const {
-    for (const std::string_view key : {"time", "events", "split", "boundary", "guess", "ode",
-                                       "state", "control", "cost", "end_cost"}) {
+    for (const std::string_view key :
+         {"split", "boundary", "guess", "ode", "state", "control", "cost", "end_cost"}) {
         const auto entry = file_.table().find(key);
         if (entry == file_.table().end()) continue;
         const bool is_section = entry->second.is_table();
@@ -481,7 +578,8 @@ Scene SceneReader::read() {
     file_.check_keys(file_.table(), "scene",
                      {"name", "description", "coordinates", "momenta", "velocities", "rotations",
                       "angular_momenta", "hamiltonian", "lagrangian", "parameters", "functions",
-                      "definitions", "invariants", "symmetries", "initial", "exact", "run"});
+                      "definitions", "invariants", "symmetries", "events", "time", "initial",
+                      "exact", "run"});
     Scene scene;
     scene.name = file_.name();
     if (scene.name.empty()) scene.name = name_of_file(source_.name);
@@ -493,6 +591,8 @@ Scene SceneReader::read() {
     scene.definitions = definitions();
     read_invariants(scene);
     scene.fields = fields();
+    scene.events = events();
+    scene.scale = scale();
     static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
     scene.initial = values(*section("initial", "x = 0"));
     if (const toml::table* table = section("exact", "q = \"cos(t)\"")) scene.exact = values(*table);

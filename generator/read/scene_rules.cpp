@@ -90,6 +90,9 @@ void check_more_names(const Scene& scene, Vocabulary names) {
         check_parameter_name(field.name, field.place, "a symmetry");
         names.declare({field.name, field.place}, "a symmetry");
     }
+    for (const IndexedEvent& event : scene.events) {
+        check_parameter_name(event.name, event.place, "an event");
+    }
 }
 
 void check_words(const IndexedExpression& expression, const SceneRules& rules,

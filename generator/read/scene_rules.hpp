@@ -31,6 +31,14 @@ inline constexpr SceneRules parameter_rules{"the value of a parameter", false, f
                                             made_of_parameters};
 inline constexpr SceneRules invariant_rules{"an invariant", true, false, true,
                                             "add it to [parameters]"};
+inline constexpr SceneRules event_rules{"the zero of an event", true, true, false,
+                                        "add it to [parameters]"};
+inline constexpr SceneRules jump_rules{"what an event sets", true, true, false,
+                                       "add it to [parameters]"};
+inline constexpr SceneRules scale_rules{"the scale of the time", true, true, false,
+                                        "add it to [parameters]"};
+inline constexpr SceneRules cooldown_rules{"a cooldown", false, false, false, made_of_parameters};
+inline constexpr SceneRules period_rules{"a period", false, false, false, made_of_parameters};
 inline constexpr SceneRules field_rules{"a vector field", true, false, false,
                                         "add it to [parameters]"};
 inline constexpr SceneRules initial_rules{"an initial value", false, false, false,

@@ -28,6 +28,9 @@ private:
     [[nodiscard]] std::vector<VectorField> fields();
     [[nodiscard]] VectorField field(const IndexedField& written);
     void check_component(const NamedExpression& component, const Place& place) const;
+    [[nodiscard]] SceneEvent event(const IndexedEvent& written);
+    [[nodiscard]] std::vector<NamedExpression> jumps(const ValueTable& written);
+    [[nodiscard]] SceneScale scale(const IndexedScale& written);
 
     const Scene& written_;
     SceneWords words_;
@@ -120,6 +123,43 @@ std::vector<VectorField> SceneUnrolling::fields() {
     return list;
 }
 
+std::vector<NamedExpression> SceneUnrolling::jumps(const ValueTable& written) {
+    SceneValues given(words_, variables_, jump_rules);
+    for (const IndexedValue& value : written.values) { given.add(value); }
+    std::vector<NamedExpression> list;
+    for (const std::string& name : variables_.names) {
+        const auto jump = given.found().find(name);
+        if (jump != given.found().end()) { list.push_back(jump->second); }
+    }
+    return list;
+}
+
+SceneEvent SceneUnrolling::event(const IndexedEvent& written) {
+    SceneEvent event{.name = written.name,
+                     .place = written.place,
+                     .zero = words_.expression("zero", written.zero, event_rules),
+                     .direction = written.direction,
+                     .stop = written.stop,
+                     .set = {},
+                     .canonical = written.canonical};
+    if (written.set) { event.set = jumps(*written.set); }
+    if (written.cooldown) {
+        event.cooldown = words_.expression("cooldown", *written.cooldown, cooldown_rules);
+    }
+    if (written.period) {
+        event.period = words_.expression("period", *written.period, period_rules);
+    }
+    return event;
+}
+
+SceneScale SceneUnrolling::scale(const IndexedScale& written) {
+    SceneScale scale{.kind = written.kind, .expression = {}, .place = written.place};
+    if (scale.kind == TimeScale::expression) {
+        scale.expression = words_.expression("scale", written.expression, scale_rules);
+    }
+    return scale;
+}
+
 WrittenOutScene SceneUnrolling::operator()() {
     WrittenOutScene scene;
     scene.name = written_.name;
@@ -135,6 +175,8 @@ WrittenOutScene SceneUnrolling::operator()() {
     scene.invariants = invariants();
     scene.approximate = written_.approximate;
     scene.fields = fields();
+    for (const IndexedEvent& each : written_.events) { scene.events.push_back(event(each)); }
+    if (written_.scale) { scene.scale = scale(*written_.scale); }
     if (written_.initial) {
         scene.initial = values(*written_.initial, words_, variables_, initial_rules);
     }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "generator/expr/scaled_time.hpp"
 #include "generator/read/hamiltonian.hpp"
 #include "generator/read/lagrangian.hpp"
 #include "generator/read/scene.hpp"
@@ -30,6 +32,25 @@ struct VectorField {
     Place place;                              ///< of the name
 };
 
+/// An event: see IndexedEvent.
+struct SceneEvent {
+    std::string name;
+    Place place;  ///< of the name
+    NamedExpression zero;
+    EventDirection direction = EventDirection::both;
+    long stop = 0;
+    std::vector<NamedExpression> set;  ///< by the names of variables, in their order
+    std::optional<Place> canonical = {};
+    std::optional<NamedExpression> cooldown = {}, period = {};
+};
+
+/// The scale of the time: see IndexedScale.
+struct SceneScale {
+    TimeScale kind = TimeScale::expression;
+    NamedExpression expression;  ///< of the kind of this name
+    Place place;                 ///< of the key
+};
+
 /// Statements of a scene about its motion, checked as far as words go: every symbol is a variable,
 /// a parameter, pi, e, or, in H, L and [exact], the time t; names are free and differ. Its
 /// variables are coordinates, and momenta where it has a Hamiltonian, velocities where it has a
@@ -42,6 +63,9 @@ struct WrittenOutScene {
     std::vector<NamedExpression> invariants;          ///< in the order of the file
     std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
     std::vector<VectorField> fields;       ///< of [symmetries], in the order of the file
+    std::vector<SceneEvent> events;        ///< in the order of the file
+    std::optional<SceneScale> scale;       ///< until H is that of scaled time
+    std::optional<ScaledTime> scaled;      ///< from then on
     std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables
     std::vector<NamedExpression> exact;    ///< as `initial`, as functions of t; or empty
 };

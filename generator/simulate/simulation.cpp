@@ -121,6 +121,10 @@ RunSubject run_subject(const SceneStepper& stepper) {
                        .momenta = boxes_of_momenta(system),
                        .conserved = conserved_names(system),
                        .sizes = {}};
+    if (system.scaled) {
+        subject.coordinates.pop_back();
+        subject.momenta.pop_back();
+    }
     for (const SystemSize& size : system.sizes) subject.sizes[size.name] = size.value;
     return subject;
 }

@@ -11,11 +11,11 @@
 #include <variant>
 #include <vector>
 
+#include "generator/drive/trajectory.hpp"
 #include "generator/emit/text/text.hpp"
 #include "generator/pipeline/stepper.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/program/cache.hpp"
-#include "generator/drive/trajectory.hpp"
 #include "generator/read/table_columns.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/simulate/answers.hpp"
@@ -88,8 +88,8 @@ struct RunSubject {
     std::string method;  ///< its name; may be empty
     std::string title;   ///< the name, or METHOD
     char function_letter = 'H';
-    std::vector<NameBox> coordinates, momenta;
-    std::vector<std::string> conserved;  ///< the energy, where H has no time, and invariants
+    std::vector<NameBox> coordinates, momenta;  ///< without time and its momentum
+    std::vector<std::string> conserved;         ///< the energy, where H has no time, and invariants
     WholeNumbers sizes;
 };
 

@@ -53,6 +53,7 @@ enum class Ending {
     event,         ///< one of them has ended it
     accumulation,  ///< one comes again at once after a jump, or a thousand are in a step
     undefined,     ///< the function of one of them is not a number
+    time_stands,   ///< the time of the states does not go on with the steps
 };
 
 /// What became of a run with events.
@@ -63,9 +64,7 @@ struct [[nodiscard]] EventRun {
     std::size_t event = 0;  ///< that has ended it, or is the cause
     Scalar t = 0;           ///< of the state at the end
 
-    [[nodiscard]] bool ok() const {
-        return ending == Ending::all_steps || ending == Ending::event;
-    }
+    [[nodiscard]] bool ok() const { return ending == Ending::all_steps || ending == Ending::event; }
 };
 
 }  // namespace hvi

@@ -19,8 +19,8 @@ namespace hvi {
 ///
 /// An event is found where the sign of its function differs at both ends of a step, or, with a
 /// slope, where the function turns once within the step, beyond zero. Others are missed: two zeros
-/// in one step without a slope, or with more than one turn. Zero at the start alone is no event, nor
-/// is zero without a change of sign.
+/// in one step without a slope, or with more than one turn. Zero at the start alone is no event,
+/// nor is zero without a change of sign.
 /// # Use
 /// As of integrate(): h may be negative, and a step that fails ends the run. Events within one step
 /// come in the order of time, those of one time in their own. observe(x, t) is called where steps
@@ -60,11 +60,10 @@ namespace hvi {
 /// }
 /// ```
 template <class Stepper, class Observer>
-EventRun<typename Stepper::Scalar> integrate(Stepper& stepper, typename Stepper::State& x,
-                                             typename Stepper::Scalar start,
-                                             typename Stepper::Scalar h, std::int64_t steps,
-                                             std::vector<Event<Stepper>> events,
-                                             Observer&& observe) {
+EventRun<typename Stepper::Scalar>
+integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar start,
+          typename Stepper::Scalar h, std::int64_t steps, std::vector<Event<Stepper>> events,
+          Observer&& observe) {
     using Scalar = typename Stepper::Scalar;
     const auto& unchanged = x;
     detail::EventSteps<Stepper> all(std::move(events), stepper);
@@ -83,10 +82,9 @@ EventRun<typename Stepper::Scalar> integrate(Stepper& stepper, typename Stepper:
 
 /// Takes such steps without an observer.
 template <class Stepper>
-EventRun<typename Stepper::Scalar> integrate(Stepper& stepper, typename Stepper::State& x,
-                                             typename Stepper::Scalar start,
-                                             typename Stepper::Scalar h, std::int64_t steps,
-                                             std::vector<Event<Stepper>> events) {
+EventRun<typename Stepper::Scalar>
+integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar start,
+          typename Stepper::Scalar h, std::int64_t steps, std::vector<Event<Stepper>> events) {
     return integrate(stepper, x, start, h, steps, std::move(events), [](const auto&, auto) {});
 }
 

@@ -10,9 +10,10 @@ std::vector<ClassValue> values_of_class(const System& system, const SceneWishes&
     const bool has_time = system.time.has_value();
     std::vector<ClassValue> values;
     if (wishes.energy || (wishes.action && !is_lagrangian)) {
-        const std::string about = is_lagrangian || system.is_transformed
-                                      ? "v dL/dv - L"
-                                      : "H = " + to_text(system.expression);
+        const std::string about =
+            is_lagrangian || system.is_transformed
+                ? "v dL/dv - L"
+                : "H = " + to_text(system.scaled ? system.scaled->energy : system.expression);
         values.push_back({"energy", &system.energy, has_time, wishes.energy ? about : ""});
     }
     if (wishes.action && is_lagrangian) {

@@ -158,7 +158,7 @@ TEST_CASE("solvers are compiled when a step calls for them") {
 TEST_CASE("what is no module is refused") {
     const Directory directory;
     write(directory / "text.so", "no library");
-    for (const std::string library :
+    for (const std::string& library :
          {(directory / "text.so").string(), (directory / "missing.so").string(),
           std::string("libm.so.6")}) {
         INFO(library);

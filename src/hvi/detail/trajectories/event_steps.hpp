@@ -75,10 +75,12 @@ public:
             start_ = stretch_.from;
             stretch_.to = x;
             stretch_.t_end = time_of_ ? time_of_(x) : next;
-            pass(x, result);
-            const bool is_kept =
-                result.ending == Ending::failed_step || result.ending == Ending::undefined;
-            if (is_kept) { x = start_; }
+            if (time_of_ && !is_before(stretch_.t, stretch_.t_end)) {
+                end(Ending::time_stands, 0, result);
+            } else {
+                pass(x, result);
+            }
+            if (!result.ok() && result.ending != Ending::accumulation) { x = start_; }
         } else {
             result.ending = Ending::failed_step;
         }
@@ -109,10 +111,10 @@ private:
 
     /// Progress of the search for one event within a stretch.
     struct Cursor {
-        Scalar from = 0;                  ///< where it goes on
-        int sign = 0;                     ///< of the function behind that; 0 where it is not known
-        Scalar at_from = 0, slope = 0;    ///< its value there, and its slope where it is given
-        Scalar at_end = 0, end_slope = 0; ///< as much at the end of the stretch
+        Scalar from = 0;                   ///< where it goes on
+        int sign = 0;                      ///< of the function behind that; 0 where it is not known
+        Scalar at_from = 0, slope = 0;     ///< its value there, and its slope where it is given
+        Scalar at_end = 0, end_slope = 0;  ///< as much at the end of the stretch
         std::optional<Scalar> last = {}, before_last = {};  ///< times of those that counted
     };
 
@@ -166,8 +168,8 @@ private:
         return events_[i].act ? events_[i].act(x, t) : After::go_on;
     }
 
-    /// The value at an event with the sign that the function has behind it. NOTE: it is zero but for
-    /// rounding, and the next change of sign is not here.
+    /// The value at an event with the sign that the function has behind it. NOTE: it is zero but
+    /// for rounding, and the next change of sign is not here.
     [[nodiscard]] static Scalar behind(int sign, Scalar value) {
         if (sign_of(value) == sign) { return value; }
         return static_cast<Scalar>(sign) * std::numeric_limits<Scalar>::min();
@@ -258,11 +260,9 @@ private:
         if (is_jump || !fits(i, sign)) { return Crossing{both->b, sign, false}; }
         // NOTE: behind an event the function is zero but for rounding.
         if (sign_of(both->at_a) != cursor.sign) { return counted(i, both->a); }
-        const Bracket<Scalar> root =
-            narrowed(*both, tolerance(), [&](Scalar part) {
-                return value_at(part,
-                                [&](const State& x, Scalar t) { return value(i, x, t); });
-            });
+        const Bracket<Scalar> root = narrowed(*both, tolerance(), [&](Scalar part) {
+            return value_at(part, [&](const State& x, Scalar t) { return value(i, x, t); });
+        });
         return counted(i, sign_of(root.at_a) == cursor.sign ? root.b : root.a);
     }
 
@@ -422,9 +422,8 @@ private:
         if (!time_of_) { return std::clamp((time - stretch_.t) / length, Scalar(0), Scalar(1)); }
         return narrowed<Scalar>({0, 1, stretch_.t - time, stretch_.t_end - time}, tolerance(),
                                 [&](Scalar part) {
-                                    return value_at(part, [&](const State&, Scalar t) {
-                                        return t - time;
-                                    });
+                                    return value_at(
+                                        part, [&](const State&, Scalar t) { return t - time; });
                                 })
             .best();
     }

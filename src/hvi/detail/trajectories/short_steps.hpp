@@ -34,9 +34,7 @@ public:
         return stepper_.step(x, h);
     }
 
-    [[nodiscard]] Scalar time_at(Scalar part) const {
-        return part == 1 ? t_end : t + part * span;
-    }
+    [[nodiscard]] Scalar time_at(Scalar part) const { return part == 1 ? t_end : t + part * span; }
 
 private:
     Stepper stepper_;

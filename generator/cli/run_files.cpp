@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/run_files.hpp"
+
+#include <cstdio>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "generator/cli/run_wishes.hpp"
+#include "generator/draw/trajectory.hpp"
+#include "generator/support/error.hpp"
+#include "generator/support/output_file.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* table_name = "trajectory.csv";
+constexpr const char* events_name = "events.csv";
+constexpr const char* picture_name = "picture.svg";
+constexpr const char* summary_name = "summary.txt";
+
+/// Says in the table itself that it is not whole.
+void mark_incomplete(const fs::path& table, const Simulation& run) {
+    std::FILE* file = std::fopen(table.c_str(), "ab");
+    const bool written =
+        file != nullptr && std::fprintf(file, "# incomplete: %s\n", run.status.c_str()) > 0;
+    if (file == nullptr || std::fclose(file) != 0 || !written)
+        throw EnvironmentError("cannot write " + table.string());
+}
+
+}  // namespace
+
+/// A file that a program of ours fills. Removed at the end of its life unless renamed.
+class RunFiles::Unfinished {
+public:
+    explicit Unfinished(const fs::path& directory) : path_(new_file(directory)) {}
+    ~Unfinished() {
+        std::error_code ignored;
+        fs::remove(path_, ignored);
+    }
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+    void rename_to(const fs::path& target) {
+        std::error_code error;
+        fs::rename(path_, target, error);
+        if (error)
+            throw EnvironmentError("cannot write " + target.string() + ": " + error.message());
+    }
+
+private:
+    fs::path path_;
+};
+
+/// A directory for results; where nothing was left in it, at the end of its life it is gone again.
+class RunFiles::ResultDirectory {
+public:
+    explicit ResultDirectory(fs::path path) : path_(std::move(path)) {
+        std::error_code ignored;
+        for (fs::path each = path_; !each.empty() && !fs::exists(each, ignored);
+             each = each.parent_path())
+            missing_.push_back(each);
+        make_directory(path_);
+    }
+    ~ResultDirectory() {
+        std::error_code ignored;
+        for (const fs::path& each : missing_)
+            if (fs::is_empty(each, ignored)) fs::remove(each, ignored);
+    }
+    ResultDirectory(const ResultDirectory&) = delete;
+    ResultDirectory& operator=(const ResultDirectory&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+    std::vector<fs::path> missing_;  ///< before; the innermost first
+};
+
+RunFiles::RunFiles(const std::optional<fs::path>& directory) {
+    if (!directory) return;
+    directory_ = std::make_unique<ResultDirectory>(*directory);
+    table_ = std::make_unique<Unfinished>(*directory);
+}
+
+RunFiles::~RunFiles() = default;
+
+fs::path RunFiles::table() const { return table_ ? table_->path() : "/dev/null"; }
+
+fs::path RunFiles::events() {
+    if (!directory_) return "/dev/null";
+    events_ = std::make_unique<Unfinished>(directory_->path());
+    return events_->path();
+}
+
+fs::path RunFiles::table_of_picture() {
+    table_of_picture_ = std::make_unique<Unfinished>(directory_->path());
+    return table_of_picture_->path();
+}
+
+void RunFiles::keep(const RunSubject& subject, const Steps& asked, const Simulation& run,
+                    RunTables tables, const std::set<RunFile>& wished, const std::string& summary) {
+    if (!directory_) return;
+    if (!run.ok()) mark_incomplete(table_->path(), run);
+    if (wished.contains(RunFile::table)) {
+        tables.own.file = directory_->path() / table_name;
+        table_->rename_to(tables.own.file);
+        if (events_) events_->rename_to(directory_->path() / events_name);
+    }
+    if (wished.contains(RunFile::summary)) write_file(directory_->path() / summary_name, summary);
+    if (wished.contains(RunFile::picture))
+        write_file(directory_->path() / picture_name, draw(picture(subject, asked, run, tables)));
+}
+
+}  // namespace hvi::gen

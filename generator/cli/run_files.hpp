@@ -1,0 +1,45 @@
+// The files that a run leaves.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "generator/cli/options.hpp"
+#include "generator/cli/run_picture.hpp"
+#include "generator/simulate/simulation.hpp"
+
+namespace hvi::gen {
+
+/// Files that a run leaves, all of them whole. Without a directory there are none.
+class RunFiles {
+public:
+    /// Makes the directory. Throws EnvironmentError.
+    explicit RunFiles(const std::optional<std::filesystem::path>& directory);
+    ~RunFiles();
+    RunFiles(const RunFiles&) = delete;
+    RunFiles& operator=(const RunFiles&) = delete;
+
+    /// Where the table grows.
+    [[nodiscard]] std::filesystem::path table() const;
+    /// Where the table of events grows.
+    [[nodiscard]] std::filesystem::path events();
+    /// Where a table of the picture grows. Precondition: there is a directory.
+    [[nodiscard]] std::filesystem::path table_of_picture();
+
+    /// Keeps what is wished for. Throws EnvironmentError.
+    void keep(const RunSubject& subject, const Steps& asked, const Simulation& run,
+              RunTables tables, const std::set<RunFile>& wished, const std::string& summary);
+
+private:
+    class Unfinished;
+    class ResultDirectory;
+
+    std::unique_ptr<ResultDirectory> directory_;
+    std::unique_ptr<Unfinished> table_, events_, table_of_picture_;  // below: they are in it
+};
+
+}  // namespace hvi::gen

@@ -1,0 +1,9 @@
+// How a function passes through zero where that is an event.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+namespace hvi::gen {
+
+enum class EventDirection { both, up, down };
+
+}  // namespace hvi::gen

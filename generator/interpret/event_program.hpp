@@ -1,0 +1,19 @@
+// Events of a scene, computed as they stand.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/drive/trajectory.hpp"
+#include "generator/pipeline/stepper.hpp"
+#include "generator/read/written_out_scene.hpp"
+
+namespace hvi::gen {
+
+/// The events of a scene for the parameters that the system has. Throws as lowered_events() does,
+/// and InputError for a cooldown or a period that is negative. Precondition: the system is written
+/// out.
+[[nodiscard]] std::vector<DrivenEvent> driven_events(const System& system,
+                                                     const WrittenOutScene& scene);
+
+}  // namespace hvi::gen

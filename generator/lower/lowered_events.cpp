@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/lowered_events.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/lower/derivative.hpp"
+#include "generator/lower/lower.hpp"
+#include "generator/read/names.hpp"
+
+namespace hvi::gen {
+namespace {
+
+class EventLowering {
+public:
+    EventLowering(const System& system, const WrittenOutScene& scene)
+        : system_(system), scene_(scene) {
+        result_.graph = system.graph;
+        result_.time = system.time;
+        name_variables();
+        for (const SystemParameter& parameter : system.parameters) {
+            symbols_[parameter.name] = {{1, 1}, parameter.node};
+        }
+        for (const Parameter& parameter : scene.parameters) {
+            if (symbols_.count(parameter.name) != 0) { continue; }
+            symbols_[parameter.name] = lower(result_.graph, parameter.value, {}, parameter.source);
+        }
+    }
+
+    [[nodiscard]] LoweredEvents operator()() {
+        for (const SceneEvent& event : scene_.events) { result_.events.push_back(lowered(event)); }
+        return std::move(result_);
+    }
+
+private:
+    void name_variables() {
+        names_ = variables(scene_);
+        std::vector<Node> nodes = coordinate_nodes(system_);
+        const std::vector<Node> conjugates = conjugate_nodes(system_);
+        nodes.insert(nodes.end(), conjugates.begin(), conjugates.end());
+        for (std::size_t k = 0; k < names_.size(); ++k) {
+            symbols_[names_[k]] = {{1, 1}, nodes.at(k)};
+            nodes_.push_back(nodes.at(k));
+        }
+    }
+
+    /// NOTE: the function alone may not depend on the time.
+    void name_time(const Expression& expression) {
+        walk(expression, [&](const Expression& part) {
+            if (part.kind == Expression::Kind::symbol && part.name == "t" &&
+                symbols_.count("t") == 0) {
+                symbols_["t"] = result_.graph.input("t", Role::time);
+                result_.time = symbols_["t"].node;
+            }
+            return true;
+        });
+    }
+
+    [[nodiscard]] Scaled value(const NamedExpression& written) {
+        name_time(written.expression);
+        const Scaled result =
+            lower(result_.graph, written.expression, symbols_, written.place.source);
+        const bool has_conjugates = has(result_.graph.at(result.node).roles, Role::conjugate);
+        if (system_.side == Side::lagrangian && has_conjugates) {
+            throw InputError("events of a Lagrangian are functions of its coordinates and the time",
+                             written.place,
+                             "with momenta it is one of the Hamiltonian, which `hvi-gen scheme` "
+                             "prints");
+        }
+        return result;
+    }
+
+    [[nodiscard]] LoweredEvent lowered(const SceneEvent& event) {
+        LoweredEvent result{.name = event.name,
+                            .direction = event.direction,
+                            .stop = event.stop,
+                            .zero = value(event.zero)};
+        result.slope = slope(result.zero);
+        if (system_.side == Side::lagrangian && !event.set.empty()) {
+            throw InputError("events of a Lagrangian set nothing", event.set.front().place,
+                             "write the Hamiltonian, which `hvi-gen scheme` prints");
+        }
+        for (const NamedExpression& jump : event.set) {
+            const auto name = std::find(names_.begin(), names_.end(), jump.name);
+            result.set.push_back({static_cast<std::size_t>(name - names_.begin()), value(jump)});
+        }
+        if (system_.scaled && !result.set.empty()) { result.set.push_back(jump_of_e(result.set)); }
+        if (event.cooldown) { result.cooldown = value(*event.cooldown); }
+        if (event.period) { result.period = value(*event.period); }
+        return result;
+    }
+
+    /// The momentum of the time after a jump, which keeps H + e at 0.
+    [[nodiscard]] LoweredJump jump_of_e(const std::vector<LoweredJump>& set) {
+        Symbols after = symbols_;
+        for (const LoweredJump& jump : set) { after[names_[jump.variable]] = jump.value; }
+        after[names_.back()] = Graph::number(0);
+        const Scaled energy =
+            lower(result_.graph, system_.scaled->energy, after, function_of(scene_).source);
+        return {names_.size() - 1, result_.graph.times({-1, 1}, energy)};
+    }
+
+    /// {g, H} + dg/dt.
+    [[nodiscard]] std::optional<Scaled> slope(const Scaled& zero) {
+        const bool is_plain = system_.side == Side::hamiltonian && rotations_of(system_) == 0 &&
+                              system_.own_headers.empty();
+        if (!is_plain) { return {}; }
+        Graph& graph = result_.graph;
+        std::vector<Node> inputs = nodes_;
+        if (result_.time) { inputs.push_back(*result_.time); }
+        const std::vector<Scaled> by = gradient(graph, zero, inputs);
+        const std::vector<Scaled> H_q = by_coordinates(system_), H_p = by_conjugates(system_);
+        const std::size_t n = H_q.size();
+        std::vector<Scaled> terms;
+        for (std::size_t k = 0; k < n; ++k) {
+            terms.push_back(graph.product(by[k], H_p[k]));
+            terms.push_back(graph.times({-1, 1}, graph.product(by[n + k], H_q[k])));
+        }
+        if (result_.time) { terms.push_back(by.back()); }
+        return graph.sum(std::move(terms));
+    }
+
+    const System& system_;
+    const WrittenOutScene& scene_;
+    LoweredEvents result_;
+    Symbols symbols_;
+    std::vector<std::string> names_;  ///< of variables
+    std::vector<Node> nodes_;         ///< of these
+};
+
+}  // namespace
+
+LoweredEvents lowered_events(const System& system, const WrittenOutScene& scene) {
+    return EventLowering(system, scene)();
+}
+
+}  // namespace hvi::gen
