@@ -43,7 +43,7 @@ std::string bash_completions() {
         if (option.is_word())
             words.push_back(
                 fmt::format("{}){} ;;", command_names(option.of, " | "), facts(option)));
-        else if (option.value != Value::none)
+        else if (option.takes_word())
             values.push_back(arm(option));
     }
     for (const CommandEntry& entry : built_commands()) {

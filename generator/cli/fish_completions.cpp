@@ -24,7 +24,8 @@ std::string in_quotes_of_fish(std::string_view text) {
 std::string arguments(const OptionEntry& option) {
     const std::string names = proposals(option);
     switch (option.value) {
-    case Value::none: return "";
+    case Value::none:
+    case Value::mode: return "";
     case Value::file: return " -r -F";
     case Value::directory: return " -x -a '(__fish_complete_directories)'";
     case Value::scene: return " -F -a " + in_quotes_of_fish(names);

@@ -56,7 +56,7 @@ void add_to_come(CLI::App& command, const OptionEntry& option) {
 void add(CLI::App& command, const OptionEntry& option) {
     if (option.name == "--help")
         command.set_help_flag(names(option), lines_of_help(option));
-    else if (option.value == Value::none)
+    else if (!option.takes_word())
         command.add_flag(names(option))->description(lines_of_help(option));
     else
         add_value(command, option);

@@ -34,7 +34,8 @@ std::string heading(const OptionEntry& option) {
     if (option.is_word()) return italic(option.placeholder);
     std::string text = bold(option.name);
     if (!option.abbreviation.empty()) text = bold(option.abbreviation) + ", " + text;
-    if (option.value != Value::none) text += " " + italic(option.placeholder);
+    if (option.takes_word()) text += " " + italic(option.placeholder);
+    if (option.value == Value::mode) text += "[=" + italic(option.placeholder) + "]";
     return text;
 }
 

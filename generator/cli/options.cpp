@@ -184,6 +184,10 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.columns = words.value("--columns");
     options.symmetries = !words.has("--no-symmetries");
     if (words.has("--interpret")) options.interpret = words.place("--interpret");
+    options.tangent = words.has("--tangent");
+    options.lyapunov = words.mode<Exponents>("--lyapunov");
+    options.megno = words.has("--megno");
+    options.sali = words.has("--sali");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
     options.output = output_option(words);

@@ -75,6 +75,9 @@ struct RunOptions {
     Given columns;                     ///< of the table, in place of the usual ones
     bool symmetries = true;            ///< look for them
     std::optional<Place> interpret;    ///< without a compiler
+    bool tangent = false;              ///< the derivative of the flow
+    std::optional<Exponents> lyapunov;
+    bool megno = false, sali = false;
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };

@@ -44,6 +44,7 @@ Names values(const OptionEntry& option) {
         for (const SceneEntry& scene : scenes()) names.emplace_back(scene.name);
         return names;
     case Value::none:
+    case Value::mode:
     case Value::text:
     case Value::whole:
     case Value::fraction:

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/read/nearest.hpp"
 
 namespace hvi::gen {
@@ -47,9 +49,20 @@ void check_value(const Words& words, const OptionEntry& option) {
                          words.place(option.name, 1));
 }
 
+void check_mode(const Words& words, const OptionEntry& option, const std::string& value) {
+    const auto is_it = [&](const Choice& choice) { return choice.name == value; };
+    if (value == "true" || std::any_of(option.choices.begin(), option.choices.end(), is_it)) return;
+    throw InputError(fmt::format("no such value of {}: `{}`", option.name, value),
+                     words.place(option.name),
+                     did_you_mean(value, built(option.choices),
+                                  "one of " + names_of(option.choices) + ", behind ="));
+}
+
 void check_flag(const Words& words, const OptionEntry& option) {
     for (const std::string& value : words.values(option.name))
-        if (value != "true")
+        if (option.value == Value::mode)
+            check_mode(words, option, value);
+        else if (value != "true")
             throw InputError(fmt::format("{} takes no value", option.name),
                              words.place(option.name));
 }
@@ -91,10 +104,10 @@ void check_rules(const Words& words, const CommandLine& line) {
     check_built(words);
     const auto options = options_of(words.command(), State::built);
     for (const OptionEntry* option : options)
-        if (option->value != Value::none) check_value(words, *option);
+        if (option->takes_word()) check_value(words, *option);
     check_rest(words, line);
     for (const OptionEntry* option : options)
-        if (option->value == Value::none) check_flag(words, *option);
+        if (!option->takes_word()) check_flag(words, *option);
     for (const OptionEntry* option : options)
         if (words.has(option->name)) check_excluded(words, *option);
     for (const OptionEntry* option : options)

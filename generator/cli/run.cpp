@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -157,6 +159,34 @@ EventWishes events_of(const Scene& scene, const SceneStepper& stepper, const Run
         driven_events(stepper.system, with_time_scale(written)), names_of_variables(subject), {}};
 }
 
+/// Measurements on directions that are wished for, and the option that wishes for them.
+TangentWishes tangents_of(const RunOptions& options) {
+    return {.matrix = options.tangent,
+            .largest = options.lyapunov == Exponents::largest || options.megno,
+            .spectrum = options.lyapunov == Exponents::spectrum,
+            .sali = options.sali};
+}
+
+std::string_view wish_for_directions(const RunOptions& options) {
+    if (options.tangent) return "--tangent";
+    if (options.lyapunov) return "--lyapunov";
+    return options.megno ? "--megno" : "--sali";
+}
+
+/// The stepper of directions, where these are wished for. NOTE: the derivative of a motion that
+/// jumps is another one.
+std::optional<SceneStepper> direction_stepper(const MethodAndScene& both,
+                                              const StepperWishes& wishes,
+                                              const RunOptions& options) {
+    if (!tangents_of(options).any()) return {};
+    const std::string_view what = wish_for_directions(options);
+    for (const IndexedEvent& event : both.scene.events)
+        if (event.set)
+            throw InputError(fmt::format("{} is not built for events that jump", what),
+                             event.place);
+    return tangent_stepper(both.method, both.scene, wishes, what);
+}
+
 /// With the momentum maps that are found.
 WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const RunLength& length,
                       const RunOptions& options) {
@@ -171,6 +201,8 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     return {std::move(stepper),
             std::move(subject),
             length.steps,
+            direction_stepper(both, wishes, options),
+            tangents_of(options),
             length.clock,
             std::move(events),
             std::move(times),
@@ -232,13 +264,17 @@ public:
 
     [[nodiscard]] bool interprets() const { return !compiler_.has_value(); }
 
+    /// Begins to compile what it will be asked for.
+    void begin(const SceneStepper& stepper) {
+        if (!compiler_) return;
+        if (!builds_) builds_.emplace(*compiler_);
+        begun_.emplace(&stepper, simulation_program(stepper).order(*builds_));
+    }
+
     /// Throws InputError where steps cannot be interpreted, or EnvironmentError where they had to
-    /// be for want of a compiler. Precondition: it lives longer.
+    /// be for want of a compiler. Preconditions: it has begun with the stepper, and lives longer.
     [[nodiscard]] Target target(const SceneStepper& stepper) {
-        if (compiler_) {
-            builds_.emplace(*compiler_);
-            return simulation_program(stepper).order(*builds_).target();
-        }
+        if (compiler_) return begun_.at(&stepper).target();
         const std::string obstacle = obstacle_to_interpretation(stepper);
         if (!obstacle.empty() && missing_) throw *missing_;
         if (!obstacle.empty())
@@ -255,7 +291,20 @@ private:
     std::optional<Compiler> compiler_;
     std::optional<EnvironmentError> missing_;
     std::optional<Builds> builds_;
+    std::map<const SceneStepper*, ModuleBuild> begun_;
 };
+
+/// Carries directions along the steps that the run has taken.
+TangentFindings carry_directions(const WishedRun& wished, const Simulation& run, Runner& runner) {
+    if (!wished.tangent || run.steps == 0) return {};
+    TangentWishes wishes = wished.tangents;
+    wishes.h = wished.steps.size;
+    wishes.steps = run.steps;
+    Bar bar;
+    Pace pace(static_cast<double>(run.steps), "steps with directions");
+    return find_tangents(runner.target(*wished.tangent), wishes,
+                         [&](double part) { bar.show(part, pace.at(part, Pace::Clock::now())); });
+}
 
 }  // namespace
 
@@ -274,13 +323,17 @@ void run(const RunOptions& options) {
     const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
     note_left_out(steps);
 
+    runner.begin(wished.stepper);
+    if (wished.tangent) runner.begin(*wished.tangent);
     const Target target = runner.target(wished.stepper);
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     RunFiles files(directory);
     const RunTables tables = wished_tables(wished, options, columns, files);
     const fs::path events = wished.events.events.empty() ? fs::path() : files.events();
     const Simulation simulation = simulate(target, wished, tables, events);
-    const std::string summary = hvi::gen::summary(wished, simulation);
+    const TangentFindings directions = carry_directions(wished, simulation, runner);
+    const std::string summary = hvi::gen::summary(wished, simulation, directions);
+    if (options.files.contains(RunFile::table)) files.keep_tangent(directions.entries);
     files.keep(subject, steps, simulation, tables, options.files, summary);
     if (!simulation.ok())
         throw MathError(
@@ -290,6 +343,8 @@ void run(const RunOptions& options) {
                             : simulation.unfit + " begins with no finite number"),
             {}, directory ? fmt::format("what there is of it is in {}", directory->string()) : "");
     warn_of_energy(simulation, wished);
+    if (!directions.fault.empty())
+        throw MathError("directions are not carried to the end: " + directions.fault);
     // NOTE: as a run that stopped early: what was asked for is not there, and what is there is
     // kept.
     if (!wished.shortfall.empty())

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/run_files.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <optional>
 #include <system_error>
@@ -18,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* table_name = "trajectory.csv";
+constexpr const char* tangent_name = "tangent.csv";
 constexpr const char* events_name = "events.csv";
 constexpr const char* picture_name = "picture.svg";
 constexpr const char* summary_name = "summary.txt";
@@ -101,6 +106,15 @@ fs::path RunFiles::events() {
 fs::path RunFiles::table_of_picture() {
     table_of_picture_ = std::make_unique<Unfinished>(directory_->path());
     return table_of_picture_->path();
+}
+
+void RunFiles::keep_tangent(const std::vector<double>& entries) const {
+    if (!directory_ || entries.empty()) return;
+    const auto columns = static_cast<std::size_t>(std::lround(std::sqrt(entries.size())));
+    std::string text;
+    for (std::size_t k = 0; k < entries.size(); ++k)
+        text += fmt::format("{}{}", entries[k], (k + 1) % columns == 0 ? '\n' : ',');
+    write_file(directory_->path() / tangent_name, text);
 }
 
 void RunFiles::keep(const RunSubject& subject, const Steps& asked, const Simulation& run,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "generator/cli/options.hpp"
 #include "generator/cli/run_picture.hpp"
@@ -29,6 +30,9 @@ public:
     [[nodiscard]] std::filesystem::path events();
     /// Where a table of the picture grows. Precondition: there is a directory.
     [[nodiscard]] std::filesystem::path table_of_picture();
+
+    /// Keeps the derivative of the flow, row by row, where there is one. Throws EnvironmentError.
+    void keep_tangent(const std::vector<double>& entries) const;
 
     /// Keeps what is wished for. Throws EnvironmentError.
     void keep(const RunSubject& subject, const Steps& asked, const Simulation& run,

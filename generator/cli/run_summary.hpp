@@ -8,6 +8,7 @@
 
 #include "generator/render/statements.hpp"
 #include "generator/simulate/simulation.hpp"
+#include "generator/simulate/tangents.hpp"
 
 namespace hvi::gen {
 
@@ -16,6 +17,8 @@ struct WishedRun {
     SceneStepper stepper;
     RunSubject subject;
     Steps steps;
+    std::optional<SceneStepper> tangent = {};  ///< of directions, where these are wished for
+    TangentWishes tangents = {};
     std::optional<ScaledClock> clock = {};  ///< where steps are no times
     EventWishes events = {};
     std::vector<double> times = {};          ///< of rows; none where these are at steps
@@ -32,7 +35,8 @@ struct WishedRun {
 void note_left_out(const Steps& asked);
 
 /// Lines of a name and what there is to say of it.
-[[nodiscard]] std::string summary(const WishedRun& wished, const Simulation& run);
+[[nodiscard]] std::string summary(const WishedRun& wished, const Simulation& run,
+                                  const TangentFindings& tangents);
 
 /// Warns where the energy changes by more than a tenth of its scale. That is the larger of |H| at
 /// the start and of the mean size of H(q, p) - H(q, 0) on the way: H may be 0 at the start, as it

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,6 +66,18 @@ public:
     [[nodiscard]] std::optional<Enumeration> choice(std::string_view option) const {
         const Choice* chosen = chosen_of(option, value(option));
         return chosen ? std::optional(static_cast<Enumeration>(chosen->value)) : std::nullopt;
+    }
+
+    /// The choice of a mode, the first one where there is none behind `=`; nothing where it is not
+    /// given.
+    template <class Enumeration>
+    [[nodiscard]] std::optional<Enumeration> mode(std::string_view option) const {
+        if (!has(option)) return {};
+        const std::string& text = values(option).back();
+        const std::span<const Choice> choices = option_of(command_, option).choices;
+        for (const Choice& choice : choices)
+            if (choice.name == text) return static_cast<Enumeration>(choice.value);
+        return static_cast<Enumeration>(choices.front().value);
     }
 
     /// The items of a list between commas; none when it is not given.

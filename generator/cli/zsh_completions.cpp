@@ -45,9 +45,9 @@ std::string exclusions(const OptionEntry& option, Command command) {
 /// `'(-o --output)'{-o,--output=}'[Write to this file]:FILE:_files'`
 std::string specification(const OptionEntry& option, Command command) {
     const std::string value =
-        option.value == Value::none
-            ? ""
-            : fmt::format(":{}:{}", escaped(option.placeholder, ":"), action(option));
+        option.takes_word()
+            ? fmt::format(":{}:{}", escaped(option.placeholder, ":"), action(option))
+            : "";
     if (option.is_word()) return in_quotes((option.is_repeatable ? "*" : "1") + value);
     const std::string before = exclusions(option, command) + (option.is_repeatable ? "*" : "");
     const std::string name = std::string(option.name) + (value.empty() ? "" : "=");

@@ -58,4 +58,8 @@ int drive(const FindSteppers& find, const TrajectoryWishes& wishes) {
     return status_of(find, [&] { return take_trajectory(wishes); });
 }
 
+int drive(const FindSteppers& find, const TangentWishes& wishes) {
+    return status_of(find, [&] { return take_tangents(wishes); });
+}
+
 }  // namespace hvi::gen

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/drive/number_stepper.hpp"
+#include "generator/drive/tangents.hpp"
 #include "generator/drive/trajectory.hpp"
 
 namespace hvi::gen {
@@ -25,7 +26,8 @@ using FindSteppers = std::function<MakeStepper()>;
 /// expects. Answers are lines of standard output: src/driver/answer.hpp.
 [[nodiscard]] int drive(const FindSteppers& find, const std::vector<std::string_view>& command);
 
-/// Takes the steps of a trajectory.
+/// Takes the steps of a trajectory, or of directions.
 [[nodiscard]] int drive(const FindSteppers& find, const TrajectoryWishes& wishes);
+[[nodiscard]] int drive(const FindSteppers& find, const TangentWishes& wishes);
 
 }  // namespace hvi::gen

@@ -99,8 +99,8 @@ struct System {
     /// H or L; with loops each of q alone, of p alone, or of both. Those of value 0 have
     /// derivatives through totals.
     std::vector<SystemSum> sums;
-    std::vector<SystemSum> energy;        ///< H, or v dL/dv - L, or that of scaled time
-    std::vector<SystemStart> initial;     ///< of coordinates, then of conjugates; or empty
+    std::vector<SystemSum> energy;     ///< H, or v dL/dv - L; H before passes that make another one
+    std::vector<SystemStart> initial;  ///< of coordinates, then of conjugates; or empty
     std::vector<SystemValue> invariants;  ///< in the order of the scene
 
     Structure structure;

@@ -11,6 +11,9 @@ enum class EquationsFormat { text, json, latex };
 /// What `list` prints.
 enum class Topic { all, bases, nodes, methods, scenes, functions };
 
+/// Lyapunov exponents of a run.
+enum class Exponents { largest, spectrum };
+
 /// What a run leaves.
 enum class RunFile { table, picture, summary };
 

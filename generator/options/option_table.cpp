@@ -61,6 +61,8 @@ constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes",
                                 choice("no", Unroll::no)};
 constexpr std::array languages = {choice("c", Language::c),
                                   choice("python", Language::python, State::to_come)};
+constexpr std::array exponents = {choice("largest", Exponents::largest),
+                                  choice("spectrum", Exponents::spectrum)};
 constexpr std::array run_files = {choice("table", RunFile::table),
                                   choice("picture", RunFile::picture),
                                   choice("summary", RunFile::summary)};
@@ -399,14 +401,17 @@ constexpr std::array table = {
                 .placeholder = "FILE",
                 .help = "Go on from there",
                 .state = State::to_come},
-    OptionEntry{.name = "--tangent",
-                .of = {run},
-                .help = "The derivative of the flow beside the state",
-                .state = State::to_come},
+    OptionEntry{
+        .name = "--tangent", .of = {run}, .help = "Write the derivative of the flow, tangent.csv"},
     OptionEntry{.name = "--lyapunov",
                 .of = {run},
-                .help = "The largest Lyapunov exponent, and MEGNO",
-                .state = State::to_come},
+                .value = Value::mode,
+                .placeholder = "WHICH",
+                .choices = exponents,
+                .help = "Lyapunov exponents, and MEGNO with the largest"},
+    OptionEntry{.name = "--megno", .of = {run}, .help = "The chaos indicator MEGNO: 2 if regular"},
+    OptionEntry{
+        .name = "--sali", .of = {run}, .help = "The smaller alignment index: it vanishes in chaos"},
     OptionEntry{.name = "--interpret",
                 .of = {run},
                 .help = "Take the steps without a compiler",

@@ -64,6 +64,7 @@ private:
 /// What stands behind an option: how it is checked, and what a shell proposes.
 enum class Value {
     none,
+    mode,  ///< none, or one of the choices behind `=`
     text,
     whole,     ///< a whole number in a range
     fraction,  ///< a number between 0 and 1
@@ -126,6 +127,10 @@ struct OptionEntry {
     State state = State::built;
 
     [[nodiscard]] constexpr bool is_word() const { return !name.starts_with('-'); }
+    /// Whether a word belongs to it.
+    [[nodiscard]] constexpr bool takes_word() const {
+        return value != Value::none && value != Value::mode;
+    }
 };
 
 /// In the order in which they are shown; a generated header quotes wishes in this order too.

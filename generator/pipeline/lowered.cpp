@@ -21,12 +21,13 @@ LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decisi
 }
 
 LoweredScene lowered_written_out(const Scene& scene, WrittenOutScene written,
-                                 const UnrollDecision& decision) {
+                                 const UnrollDecision& decision,
+                                 const std::vector<SystemPass>& passes) {
     static_cast<void>(times_of(scene));
     check_start(written);
     if (const auto* L = std::get_if<Lagrangian>(&written.mechanics)) { check_regular(*L); }
     written = with_time_scale(std::move(written));
-    System system = system_of(written);
+    System system = system_of(written, passes);
     GradientKernels gradients = gradient_kernels(system);
     return {scene, decision, std::move(written), std::move(system), std::move(gradients)};
 }

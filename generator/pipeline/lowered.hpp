@@ -30,6 +30,7 @@ struct LoweredScene {
 /// Lowers a scene whose sums stay loops, or are written out, as was decided.
 [[nodiscard]] LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decision);
 [[nodiscard]] LoweredScene lowered_written_out(const Scene& scene, WrittenOutScene written,
-                                               const UnrollDecision& decision);
+                                               const UnrollDecision& decision,
+                                               const std::vector<SystemPass>& passes = {});
 
 }  // namespace hvi::gen

@@ -37,48 +37,44 @@ ModuleStart start_of(const Library& library) {
             std::filesystem::absolute("." / library.directory).string(), library.parameters};
 }
 
-/// What a driver is to do, as one may say it to each target.
-class Command {
-public:
-    explicit Command(const std::vector<std::string>& words) : words_(words) {}
-    explicit Command(const TrajectoryWishes& wishes) : wishes_(&wishes) {}
+/// Work on steppers: the exit status.
+using WorkOnSteppers = std::function<int(const FindSteppers&)>;
 
-    [[nodiscard]] ChildResult driven(const Program& program, const OnLine& on_line) const {
-        HVI_CHECK(wishes_ == nullptr);
-        std::vector<std::string> line{program.file.string()};
-        line.insert(line.end(), words_.begin(), words_.end());
-        return run_child(line, ".", on_line);
-    }
-
-    [[nodiscard]] ChildResult driven(const Library& library, const OnLine& on_line) const {
-        return driven([&] { return loaded_module(start_of(library)); }, library.looks_at_rows,
-                      on_line);
-    }
-
-    [[nodiscard]] ChildResult driven(const Interpreted& interpreted, const OnLine& on_line) const {
-        return driven([&] { return interpreted.make; }, false, on_line);
-    }
-
-private:
-    [[nodiscard]] ChildResult driven(const FindSteppers& find, bool looks_at_rows,
-                                     const OnLine& on_line) const {
-        return run_child(
-            [&] {
-                if (wishes_ != nullptr) {
-                    TrajectoryWishes wishes = *wishes_;
-                    wishes.looks_at_rows = looks_at_rows;
-                    return drive(find, wishes);
-                }
-                std::vector<std::string_view> line(words_.begin(), words_.end());
-                if (looks_at_rows) line.insert(line.begin(), rows_word);
-                return drive(find, line);
-            },
-            on_line);
-    }
-
-    std::vector<std::string> words_;
-    const TrajectoryWishes* wishes_ = nullptr;
+/// What a driver is to do: words for a program, or work on the steppers of a module.
+struct Command {
+    std::vector<std::string> words;
+    WorkOnSteppers work;
 };
+
+ChildResult driven(const Command& command, const Program& program, const OnLine& on_line) {
+    HVI_CHECK(!command.work);
+    std::vector<std::string> line{program.file.string()};
+    line.insert(line.end(), command.words.begin(), command.words.end());
+    return run_child(line, ".", on_line);
+}
+
+/// Of modules that look at invariants where rows are written, or at each step.
+ChildResult driven(const Command& command, const FindSteppers& find, bool looks_at_rows,
+                   const OnLine& on_line) {
+    return run_child(
+        [&] {
+            if (command.work) return command.work(find);
+            std::vector<std::string_view> line(command.words.begin(), command.words.end());
+            if (looks_at_rows) line.insert(line.begin(), rows_word);
+            return drive(find, line);
+        },
+        on_line);
+}
+
+ChildResult driven(const Command& command, const Library& library, const OnLine& on_line) {
+    return driven(
+        command, [&] { return loaded_module(start_of(library)); }, library.looks_at_rows, on_line);
+}
+
+ChildResult driven(const Command& command, const Interpreted& interpreted, const OnLine& on_line) {
+    return driven(
+        command, [&] { return interpreted.make; }, false, on_line);
+}
 
 }  // namespace
 
@@ -153,7 +149,7 @@ Hearing heard(const Target& target, const Command& command,
         if (on_progress) on_progress(part);
     };
     ChildResult ended =
-        std::visit([&](const auto& each) { return command.driven(each, on_line); }, target);
+        std::visit([&](const auto& each) { return driven(command, each, on_line); }, target);
     return {std::move(answers), std::move(ended)};
 }
 
@@ -188,12 +184,22 @@ Answers ask(const Target& target, const std::vector<std::string>& words,
             const std::filesystem::path& file, const std::function<void(double)>& on_progress) {
     std::vector<std::string> all = words;
     if (!file.empty()) all.push_back(file.string());
-    return answers_to(target, Command(all), file, on_progress);
+    return answers_to(target, {all, {}}, file, on_progress);
 }
 
 Answers ask(const Target& target, const TrajectoryWishes& wishes,
             const std::function<void(double)>& on_progress) {
-    return answers_to(target, Command(wishes), wishes.tables.front().file, on_progress);
+    TrajectoryWishes all = wishes;
+    const auto* library = std::get_if<Library>(&target);
+    all.looks_at_rows = library != nullptr && library->looks_at_rows;
+    return answers_to(target, {{}, [&](const FindSteppers& find) { return drive(find, all); }},
+                      wishes.tables.front().file, on_progress);
+}
+
+Answers ask(const Target& target, const TangentWishes& wishes,
+            const std::function<void(double)>& on_progress) {
+    return answers_to(target, {{}, [&](const FindSteppers& find) { return drive(find, wishes); }},
+                      {}, on_progress);
 }
 
 }  // namespace hvi::gen

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "generator/drive/number_stepper.hpp"
+#include "generator/drive/tangents.hpp"
 #include "generator/drive/trajectory.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/support/error.hpp"
@@ -80,8 +81,11 @@ using Target = std::variant<Program, Library, Interpreted>;
                           const std::filesystem::path& file = {},
                           const std::function<void(double)>& on_progress = nullptr);
 
-/// Has a trajectory taken, likewise. Precondition: the target is no Program.
+/// Has a trajectory taken, or directions carried along, likewise. Precondition: the target is no
+/// Program.
 [[nodiscard]] Answers ask(const Target& target, const TrajectoryWishes& wishes,
+                          const std::function<void(double)>& on_progress = nullptr);
+[[nodiscard]] Answers ask(const Target& target, const TangentWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
 
 }  // namespace hvi::gen

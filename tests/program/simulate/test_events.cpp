@@ -9,15 +9,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/program/cli/program.hpp"
-#include "tests/program/simulate/cache.hpp"
-#include "tests/program/simulate/table.hpp"
+#include "tests/program/simulate/scene_run.hpp"
 
 using namespace hvi::test;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 /// A ball above a floor: it falls for a time of 1, then is up in the air for 2 again and again.
 const std::string ball = "hamiltonian = \"p^2/2 + g*q\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"
@@ -30,52 +26,27 @@ const std::string spring =
     "parameters = {s = 1}\ninitial = {q = 1, p = 0}\n"
     "run = {method = \"gauss:4\", step = \"1/10\", until = 20}\n";
 
-const std::string planet = "hamiltonian = \"(px^2 + py^2)/2 - 1/sqrt(x^2 + y^2)\"\n"
-                           "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
-                           "initial = {x = \"1/2\", y = 0, px = 0, py = \"sqrt(3)\"}\n"
-                           "run = {method = \"gauss:4\", step = \"1/20\", until = \"20*pi\"}\n";
-
-struct SceneRun {
-    Outcome outcome;
-    std::vector<std::string> events, table;  ///< lines
-};
-
-SceneRun run(const std::string& scene, const std::string& words = "") {
-    use_cache();
-    const Directory directory;
-    write(directory / "scene.toml", scene);
-    SceneRun result;
-    result.outcome = shell("exec \"$hvi_gen\" run scene.toml -o out --only table,summary " + words,
-                           directory.path());
-    const auto lines = [&](const std::string& name) {
-        return std::filesystem::exists(directory / "out" / name)
-                   ? lines_of(contents(directory / "out" / name))
-                   : std::vector<std::string>{};
-    };
-    result.events = lines("events.csv");
-    result.table = lines("trajectory.csv");
-    return result;
-}
-
-/// The third to the last cells of a row of events.
-std::vector<double> numbers_of_event(const std::string& row) {
-    return numbers_of(row.substr(row.find(',', row.find(',') + 1) + 1));
-}
+const std::string planet_of_half =
+    "hamiltonian = \"(px^2 + py^2)/2 - 1/sqrt(x^2 + y^2)\"\n"
+    "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+    "initial = {x = \"1/2\", y = 0, px = 0, py = \"sqrt(3)\"}\n"
+    "run = {method = \"gauss:4\", step = \"1/20\", until = \"20*pi\"}\n";
 
 }  // namespace
 
 TEST_CASE("a ball bounces, and is back at its height") {
     for (const std::string how : {"", "--interpret"}) {
-        const SceneRun found = run(ball + "[events.floor]\nzero = \"q\"\ndirection = \"down\"\n"
-                                          "set = {p = \"-p\"}\ncanonical = true\n",
-                                   how);
+        const SceneRun found =
+            run_scene(ball + "[events.floor]\nzero = \"q\"\ndirection = \"down\"\n"
+                             "set = {p = \"-p\"}\ncanonical = true\n",
+                      how);
         INFO(found.outcome.err);
         REQUIRE(found.outcome.status == 0);
         REQUIRE(found.events.size() == 4);
         CHECK(found.events[0] == "event,number,t,q,p");
         for (std::size_t k = 1; k <= 3; ++k) {
             CHECK(found.events[k].find("floor," + std::to_string(k) + ",") == 0);
-            const std::vector<double> row = numbers_of_event(found.events[k]);
+            const std::vector<double> row = found.event(k - 1);
             CHECK(std::abs(row[0] - (2.0 * static_cast<double>(k) - 1)) < 1e-14);
             CHECK(std::abs(row[1]) < 1e-14);
             CHECK(std::abs(row[2] + 1) < 1e-14);  // before it jumps
@@ -95,11 +66,11 @@ TEST_CASE("parameters of events are those of the run") {
         const std::size_t at = scene.find("parameters = {g = 1}\n");
         std::string text = scene;
         text.erase(at, std::string("parameters = {g = 1}\n").size());
-        const SceneRun found = run(text, words);
+        const SceneRun found = run_scene(text, words);
         INFO(found.outcome.err);
         REQUIRE(found.outcome.status == 0);
         REQUIRE(found.events.size() == 2);
-        return numbers_of_event(found.events[1])[0];
+        return found.event(0)[0];
     };
     CHECK(std::abs(time("") - std::sqrt(0.5)) < 1e-14);
     CHECK(std::abs(time("--param level=3/8") - 0.5) < 1e-14);
@@ -107,31 +78,32 @@ TEST_CASE("parameters of events are those of the run") {
 }
 
 TEST_CASE("the third event of a name ends the run, and the table with it") {
-    const SceneRun found = run(planet + "[events.aphelion]\nzero = \"x*px + y*py\"\n"
-                                        "direction = \"down\"\nstop = 3\n"
-                                        "[events.perihelion]\nzero = \"x*px + y*py\"\n"
-                                        "direction = \"up\"\n");
+    const SceneRun found =
+        run_scene(planet_of_half + "[events.aphelion]\nzero = \"x*px + y*py\"\n"
+                                   "direction = \"down\"\nstop = 3\n"
+                                   "[events.perihelion]\nzero = \"x*px + y*py\"\n"
+                                   "direction = \"up\"\n");
     INFO(found.outcome.err);
     REQUIRE(found.outcome.status == 0);
     REQUIRE(found.events.size() == 6);
     for (std::size_t k = 1; k <= 5; ++k) {
-        const std::vector<double> row = numbers_of_event(found.events[k]);
+        const std::vector<double> row = found.event(k - 1);
         CHECK(found.events[k].find(k % 2 == 1 ? "aphelion," : "perihelion,") == 0);
         CHECK(std::abs(row[0] - static_cast<double>(k) * pi) < 1e-9);
         CHECK(std::abs(row[1] - (k % 2 == 1 ? -1.5 : 0.5)) < 1e-9);
     }
     const std::vector<double> end = numbers_of(found.table.back());
-    CHECK(end[0] == numbers_of_event(found.events[5])[0]);
-    CHECK(end[1] == numbers_of_event(found.events[5])[1]);
+    CHECK(end[0] == found.event(4)[0]);
+    CHECK(end[1] == found.event(4)[1]);
     CHECK(found.outcome.out.find("  by the event `aphelion`\n") != std::string::npos);
 }
 
 TEST_CASE("events of the time, of angles, and with a cooldown") {
     const SceneRun found =
-        run(spring + "[events.clock]\nzero = \"t - 3\"\nstop = false\n"
-                     "[events.angle]\nzero = \"atan2(p, q) - 1\"\nperiod = \"2*pi\"\n"
-                     "[events.slow]\nzero = \"q\"\ncooldown = \"5*s\"\n"
-                     "[events.top]\nzero = \"q - 999/1000\"\n");
+        run_scene(spring + "[events.clock]\nzero = \"t - 3\"\nstop = false\n"
+                           "[events.angle]\nzero = \"atan2(p, q) - 1\"\nperiod = \"2*pi\"\n"
+                           "[events.slow]\nzero = \"q\"\ncooldown = \"5*s\"\n"
+                           "[events.top]\nzero = \"q - 999/1000\"\n");
     INFO(found.outcome.err);
     REQUIRE(found.outcome.status == 0);
     const double a = std::acos(0.999);
@@ -143,13 +115,13 @@ TEST_CASE("events of the time, of angles, and with a cooldown") {
     REQUIRE(found.events.size() == expected.size() + 1);
     for (std::size_t k = 0; k < expected.size(); ++k) {
         CHECK(found.events[k + 1].find(expected[k].first + ",") == 0);
-        CHECK(std::abs(numbers_of_event(found.events[k + 1])[0] - expected[k].second) < 1e-10);
+        CHECK(std::abs(found.event(k)[0] - expected[k].second) < 1e-10);
     }
 }
 
 TEST_CASE("bounces that accumulate end a run with a word, and the table is kept") {
-    const SceneRun found = run(ball + "[events.floor]\nzero = \"q\"\ndirection = \"down\"\n"
-                                      "set = {p = \"-p/2\"}\n");
+    const SceneRun found = run_scene(ball + "[events.floor]\nzero = \"q\"\ndirection = \"down\"\n"
+                                            "set = {p = \"-p/2\"}\n");
     CHECK(found.outcome.status == 1);
     CHECK(found.outcome.err.find("the event `floor` comes again and again") != std::string::npos);
     CHECK(found.events.size() > 20);
@@ -158,31 +130,40 @@ TEST_CASE("bounces that accumulate end a run with a word, and the table is kept"
 
 TEST_CASE("jumps that are no canonical map are refused where they say so") {
     const std::string floor = "[events.floor]\nzero = \"q\"\ncanonical = true\n";
-    const SceneRun found = run(ball + floor + "set = {p = \"-g*p/2\"}\n");
+    const SceneRun found = run_scene(ball + floor + "set = {p = \"-g*p/2\"}\n");
     CHECK(found.outcome.status == 2);
     CHECK(found.outcome.err.find("the motion with this jump is not symplectic: H changes by ") !=
           std::string::npos);
     for (const std::string jump : {"{q = \"2*q\", p = \"-2*p\"}", "{q = \"p\", p = \"q/2\"}",
-                                   "{q = \"q + 1\"}", "{p = \"-p + q + t\"}"}) {
+                                   "{q = \"q + q^2 + p\"}", "{p = \"-p + q + t\"}"}) {
         CAPTURE(jump);
-        CHECK(run(ball + floor + "set = " + jump + "\n").outcome.status == 2);
+        CHECK(run_scene(ball + floor + "set = " + jump + "\n").outcome.status == 2);
     }
     // Where H may change by a constant, and at a time of its own.
-    CHECK(run(ball + floor + "direction = \"down\"\nset = {q = \"q + 1\", p = \"-p\"}\n")
-              .outcome.status == 0);
+    // It falls through a floor that lifts it by 1, at the speeds sqrt(1), sqrt(3), sqrt(5), ...
+    const SceneRun lifted = run_scene(ball + floor + "set = {q = \"q + 1\"}\n");
+    INFO(lifted.outcome.err);
+    REQUIRE(lifted.outcome.status == 0);
+    REQUIRE(lifted.events.size() == 19);
+    for (std::size_t k = 1; k <= 18; ++k) {
+        const std::vector<double> row = lifted.event(k - 1);
+        CHECK(std::abs(row[0] - std::sqrt(2.0 * static_cast<double>(k) - 1)) < 1e-13);
+        CHECK(std::abs(row[0] + row[2]) < 1e-13);
+    }
     const std::string shift = "[events.shift]\nzero = \"t - 1/3\"\ncanonical = true\nset = ";
     for (const std::string jump : {"{q = \"-q\", p = \"-p\"}", "{q = \"2*q\", p = \"p/2\"}",
                                    "{q = \"p\", p = \"-q\"}", "{p = \"p + sin(q)*t\"}"}) {
         CAPTURE(jump);
-        CHECK(run(ball + shift + jump + "\n").outcome.status == 0);
+        CHECK(run_scene(ball + shift + jump + "\n").outcome.status == 0);
     }
-    const SceneRun flipped = run(ball + shift + "{p = \"-p\"}\n");
+    const SceneRun flipped = run_scene(ball + shift + "{p = \"-p\"}\n");
     CHECK(flipped.outcome.status == 2);
     CHECK(flipped.outcome.err.find("dq^dp is not kept") != std::string::npos);
 }
 
 TEST_CASE("rows at given times, of a run that stays what it is") {
-    const SceneRun plain = run(planet), found = run(planet, "--times 0:2*pi:9 --until 20*pi");
+    const SceneRun plain = run_scene(planet_of_half),
+                   found = run_scene(planet_of_half, "--times 0:2*pi:9 --until 20*pi");
     INFO(found.outcome.err);
     REQUIRE(found.outcome.status == 0);
     REQUIRE(found.table.size() == 10);
@@ -194,15 +175,15 @@ TEST_CASE("rows at given times, of a run that stays what it is") {
     CHECK(std::abs(numbers_of(found.table[5])[1] + 1.5) < 1e-9);
     CHECK(found.table[1] == plain.table[1]);
     // The run ends where the last time is; a part of a step leads to it.
-    const SceneRun alone = run(spring, "--times 1/4:pi:2");
+    const SceneRun alone = run_scene(spring, "--times 1/4:pi:2");
     REQUIRE(alone.outcome.status == 0);
     REQUIRE(alone.table.size() == 3);
     CHECK(std::abs(numbers_of(alone.table[1])[1] - std::cos(0.25)) < 1e-14);
     CHECK(std::abs(numbers_of(alone.table[2])[1] + 1) < 1e-12);
-    const SceneRun one = run(spring, "--times 1:5:1");
+    const SceneRun one = run_scene(spring, "--times 1:5:1");
     REQUIRE(one.table.size() == 2);
     CHECK(numbers_of(one.table[1])[0] == 1);
-    const SceneRun back = run(spring, "--step=-1/10 --times=0:-1:3");
+    const SceneRun back = run_scene(spring, "--step=-1/10 --times=0:-1:3");
     INFO(back.outcome.err);
     REQUIRE(back.table.size() == 4);
     CHECK(numbers_of(back.table[3])[0] == -1);
@@ -210,7 +191,7 @@ TEST_CASE("rows at given times, of a run that stays what it is") {
 }
 
 TEST_CASE("a row in so many steps") {
-    const SceneRun found = run(spring, "--every 30 --until 10");
+    const SceneRun found = run_scene(spring, "--every 30 --until 10");
     REQUIRE(found.table.size() == 6);  // at 0, 3, 6, 9 and where it ends
     CHECK(numbers_of(found.table[2])[0] == 3);
     CHECK(numbers_of(found.table.back())[0] == 10);
@@ -219,7 +200,7 @@ TEST_CASE("a row in so many steps") {
 TEST_CASE("times and events that are none are refused with their place") {
     const auto refused = [&](const std::string& scene, const std::string& words,
                              const std::string& message) {
-        const SceneRun found = run(scene, words);
+        const SceneRun found = run_scene(scene, words);
         CAPTURE(words, scene, found.outcome.err);
         CHECK(found.outcome.status == 2);
         CHECK(found.outcome.err.find(message) != std::string::npos);

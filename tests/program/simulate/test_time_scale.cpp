@@ -10,15 +10,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/program/cli/program.hpp"
-#include "tests/program/simulate/cache.hpp"
-#include "tests/program/simulate/table.hpp"
+#include "tests/program/simulate/scene_run.hpp"
 
 using namespace hvi::test;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 /// A planet that begins at its perihelion on an ellipse of semi-axis 1.
 std::string planet(const std::string& eccentricity, const std::string& more) {
@@ -29,30 +25,6 @@ std::string planet(const std::string& eccentricity, const std::string& more) {
            "\"}\ninitial = {x = \"1-ecc\", y = 0, px = 0, py = \"sqrt((1+ecc)/(1-ecc))\"}\n"
            "run = {method = \"stormer-verlet\", step = \"2*pi/50\", until = \"2*pi\"}\n" +
            more;
-}
-
-struct SceneRun {
-    Outcome outcome;
-    std::vector<std::string> events;
-    std::vector<std::vector<double>> rows;
-    std::string names;
-};
-
-SceneRun run(const std::string& scene, const std::string& words = "") {
-    use_cache();
-    const Directory directory;
-    write(directory / "scene.toml", scene);
-    SceneRun result;
-    result.outcome = shell("exec \"$hvi_gen\" run scene.toml -o out --only table,summary " + words,
-                           directory.path());
-    if (std::filesystem::exists(directory / "out/events.csv"))
-        result.events = lines_of(contents(directory / "out/events.csv"));
-    if (!std::filesystem::exists(directory / "out/trajectory.csv")) return result;
-    const auto lines = lines_of(contents(directory / "out/trajectory.csv"));
-    result.names = lines.front();
-    for (std::size_t k = 1; k < lines.size(); ++k)
-        if (lines[k].front() != '#') result.rows.push_back(numbers_of(lines[k]));
-    return result;
 }
 
 /// The distance of the Runge-Lenz vector, which is e along x, from (ecc, 0). NOTE: in long double,
@@ -76,21 +48,21 @@ double time_there(const std::vector<double>& row, double eccentricity) {
 TEST_CASE("Stormer-Verlet stays on Kepler's ellipse in logarithmic time") {
     const std::string scaled = planet("99/100", "[time]\nscale = \"logarithmic\"\n");
     for (const std::string how : {"", "--interpret"}) {
-        const SceneRun found = run(scaled, how + " --until 100*pi");
+        const SceneRun found = run_scene(scaled, how + " --until 100*pi");
         INFO(found.outcome.err);
         REQUIRE(found.outcome.status == 0);
-        CHECK(found.names == "t,x,y,px,py,energy,momentum_map_1");
-        CHECK(found.rows.size() > 2490);
+        CHECK(found.table.front() == "t,x,y,px,py,energy,momentum_map_1");
+        CHECK(found.table.size() > 2490);
         double off = 0;
-        for (const auto& row : found.rows) off = std::max(off, off_ellipse(row, 0.99));
+        for (const auto& row : found.rows()) off = std::max(off, off_ellipse(row, 0.99));
         CHECK(off < 1e-13);
-        CHECK(found.rows.back()[0] == Approx(100 * pi).epsilon(1e-15));
+        CHECK(found.last()[0] == Approx(100 * pi).epsilon(1e-15));
     }
     // The time alone is wrong, by h^2: numbers of an independent program, Preto & Tremaine's way.
     const std::vector<std::pair<int, double>> lag{{50, 8.166e-3}, {100, 2.045e-3}, {200, 5.115e-4}};
     for (const auto& [steps, expected] : lag) {
-        const SceneRun found = run(scaled, "--until 7 --step 2*pi/" + std::to_string(steps));
-        const double late = found.rows.at(static_cast<std::size_t>(steps))[0] - 2 * pi;
+        const SceneRun found = run_scene(scaled, "--until 7 --step 2*pi/" + std::to_string(steps));
+        const double late = found.row(static_cast<std::size_t>(steps))[0] - 2 * pi;
         CAPTURE(steps);
         CHECK(std::abs(late) == Approx(expected).epsilon(1e-3));
     }
@@ -100,11 +72,11 @@ TEST_CASE("eccentricities up to 0.999999") {
     for (const std::string digits : {"9999/10000", "999999/1000000"}) {
         const double eccentricity = digits.size() < 11 ? 0.9999 : 0.999999;
         const SceneRun found =
-            run(planet(digits, "[time]\nscale = \"logarithmic\"\n"), "--until 20*pi");
+            run_scene(planet(digits, "[time]\nscale = \"logarithmic\"\n"), "--until 20*pi");
         INFO(found.outcome.err);
         REQUIRE(found.outcome.status == 0);
         double off = 0;
-        for (const auto& row : found.rows) off = std::max(off, off_ellipse(row, eccentricity));
+        for (const auto& row : found.rows()) off = std::max(off, off_ellipse(row, eccentricity));
         CHECK(off < 1e-10);
     }
 }
@@ -113,8 +85,8 @@ TEST_CASE("compositions are explicit in logarithmic time, and err by h^4") {
     const std::string scaled = planet("9/10", "[time]\nscale = \"logarithmic\"\n");
     const auto late = [&](int steps) {
         const SceneRun found =
-            run(scaled, "--compose suzuki:4 --until 7 --step 2*pi/" + std::to_string(steps));
-        return std::abs(found.rows.at(static_cast<std::size_t>(steps))[0] - 2 * pi);
+            run_scene(scaled, "--compose suzuki:4 --until 7 --step 2*pi/" + std::to_string(steps));
+        return std::abs(found.row(static_cast<std::size_t>(steps))[0] - 2 * pi);
     };
     const double ratio = late(40) / late(80);
     CHECK(ratio > 14);
@@ -127,42 +99,42 @@ TEST_CASE("scales of any H, by Gauss methods") {
         CAPTURE(scale);
         // One orbit takes some hundreds of steps by each of them.
         const std::string step = scale == "1/10" ? "1/100" : "1/50";
-        const SceneRun found = run(planet("9/10", "[time]\nscale = \"" + scale + "\"\n"),
-                                   "--method gauss:6 --until 2*pi --step " + step);
+        const SceneRun found = run_scene(planet("9/10", "[time]\nscale = \"" + scale + "\"\n"),
+                                         "--method gauss:6 --until 2*pi --step " + step);
         INFO(found.outcome.err);
         REQUIRE(found.outcome.status == 0);
         double late = 0, lost = 0;
-        for (std::size_t k = 1; k + 1 < found.rows.size(); ++k) {
-            late = std::max(late, std::abs(found.rows[k][0] - time_there(found.rows[k], 0.9)));
-            lost = std::max(lost, std::abs(found.rows[k][5] + 0.5));
+        for (std::size_t k = 1; k + 2 < found.table.size(); ++k) {
+            late = std::max(late, std::abs(found.row(k)[0] - time_there(found.row(k), 0.9)));
+            lost = std::max(lost, std::abs(found.row(k)[5] + 0.5));
         }
         CHECK(late < 1e-7);
         CHECK(lost < 1e-7);
-        CHECK(found.rows.back()[0] == 2 * pi);
-        CHECK(std::abs(found.rows.back()[1] - 0.1) < 1e-6);
+        CHECK(found.last()[0] == 2 * pi);
+        CHECK(std::abs(found.last()[1] - 0.1) < 1e-6);
     }
 }
 
 TEST_CASE("a power law of time is met in scaled time too") {
     // H = p^2/2 - 2 q/(t + 1)^2 has q'' = 2/(t + 1)^2: q = 2 t - 2 log(t + 1) from rest.
-    const SceneRun found =
-        run("hamiltonian = \"p^2/2 - 2*q/(t+1)^2\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"
-            "initial = {q = 0, p = 0}\nrun = {method = \"gauss:6\", step = \"1/50\", until = 9}\n"
-            "[time]\nscale = \"(t + 1)*(1 + p^2)\"\n",
-            "--times 0:9:4");
+    const SceneRun found = run_scene(
+        "hamiltonian = \"p^2/2 - 2*q/(t+1)^2\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+        "initial = {q = 0, p = 0}\nrun = {method = \"gauss:6\", step = \"1/50\", until = 9}\n"
+        "[time]\nscale = \"(t + 1)*(1 + p^2)\"\n",
+        "--times 0:9:4");
     INFO(found.outcome.err);
     REQUIRE(found.outcome.status == 0);
-    REQUIRE(found.rows.size() == 4);
+    REQUIRE(found.table.size() == 5);
     for (std::size_t k = 0; k < 4; ++k) {
-        const double t = found.rows[k][0];
+        const double t = found.row(k)[0];
         CHECK(t == 3 * static_cast<double>(k));
-        CHECK(std::abs(found.rows[k][1] - (2 * t - 2 * std::log(t + 1))) < 1e-10);
-        CHECK(std::abs(found.rows[k][2] - (2 - 2 / (t + 1))) < 1e-10);
+        CHECK(std::abs(found.row(k)[1] - (2 * t - 2 * std::log(t + 1))) < 1e-10);
+        CHECK(std::abs(found.row(k)[2] - (2 - 2 / (t + 1))) < 1e-10);
     }
 }
 
 TEST_CASE("two bodies by their distance") {
-    const SceneRun found = run(
+    const SceneRun found = run_scene(
         "coordinates = [\"x[1..2]\", \"y[1..2]\"]\nmomenta = [\"px[1..2]\", \"py[1..2]\"]\n"
         "hamiltonian = \"sum(i=1..2, px[i]^2 + py[i]^2)/2 - "
         "1/sqrt((x[1]-x[2])^2 + (y[1]-y[2])^2)\"\n"
@@ -172,16 +144,16 @@ TEST_CASE("two bodies by their distance") {
     INFO(found.outcome.err);
     REQUIRE(found.outcome.status == 0);
     // H = 9/4 - 5 at the start.
-    for (const auto& row : found.rows) CHECK(std::abs(row[9] + 2.75) < 1e-9);
-    for (const auto& row : found.rows) CHECK(std::abs(row[1] + row[2]) < 1e-14);
+    for (const auto& row : found.rows()) CHECK(std::abs(row[9] + 2.75) < 1e-9);
+    for (const auto& row : found.rows()) CHECK(std::abs(row[1] + row[2]) < 1e-14);
 }
 
 TEST_CASE("events and jumps in scaled time") {
-    const SceneRun found = run(planet("9/10", "[time]\nscale = \"logarithmic\"\n"
-                                              "[events.aphelion]\nzero = \"x*px + y*py\"\n"
-                                              "direction = \"down\"\n"
-                                              "[events.clock]\nzero = \"t - 1\"\n"),
-                               "--until 4*pi --step 2*pi/800 --compose suzuki:4");
+    const SceneRun found = run_scene(planet("9/10", "[time]\nscale = \"logarithmic\"\n"
+                                                    "[events.aphelion]\nzero = \"x*px + y*py\"\n"
+                                                    "direction = \"down\"\n"
+                                                    "[events.clock]\nzero = \"t - 1\"\n"),
+                                     "--until 4*pi --step 2*pi/800 --compose suzuki:4");
     INFO(found.outcome.err);
     REQUIRE(found.outcome.status == 0);
     REQUIRE(found.events.size() == 4);
@@ -195,12 +167,12 @@ TEST_CASE("events and jumps in scaled time") {
         CHECK(std::abs(row[1] + 1.9) < 1e-7);
     }
     // A kick at x = -1 changes H, and e with it: H + e stays 0, and so time goes right.
-    const SceneRun kicked = run("hamiltonian = \"p^2/2 - 10 + q\"\ncoordinates = [\"q\"]\n"
-                                "momenta = [\"p\"]\ninitial = {q = 1, p = 0}\n"
-                                "run = {method = \"gauss:4\", step = \"1/10\", until = 4}\n"
-                                "[time]\nscale = \"1 + q^2\"\n"
-                                "[events.floor]\nzero = \"q\"\ndirection = \"down\"\n"
-                                "set = {p = \"-p/2\"}\nstop = 2\n");
+    const SceneRun kicked = run_scene("hamiltonian = \"p^2/2 - 10 + q\"\ncoordinates = [\"q\"]\n"
+                                      "momenta = [\"p\"]\ninitial = {q = 1, p = 0}\n"
+                                      "run = {method = \"gauss:4\", step = \"1/10\", until = 4}\n"
+                                      "[time]\nscale = \"1 + q^2\"\n"
+                                      "[events.floor]\nzero = \"q\"\ndirection = \"down\"\n"
+                                      "set = {p = \"-p/2\"}\nstop = 2\n");
     INFO(kicked.outcome.err);
     REQUIRE(kicked.outcome.status == 0);
     REQUIRE(kicked.events.size() == 3);
@@ -214,7 +186,7 @@ TEST_CASE("events and jumps in scaled time") {
 TEST_CASE("scales that are none are refused with their place") {
     const auto refused = [&](const std::string& scale, int status, const std::string& message,
                              const std::string& words = "") {
-        const SceneRun found = run(planet("1/2", "[time]\n" + scale + "\n"), words);
+        const SceneRun found = run_scene(planet("1/2", "[time]\n" + scale + "\n"), words);
         CAPTURE(scale, found.outcome.err);
         CHECK(found.outcome.status == status);
         CHECK(found.outcome.err.find(message) != std::string::npos);
@@ -229,16 +201,17 @@ TEST_CASE("scales that are none are refused with their place") {
     refused("scale = \"x\"\nkinks = \"events\"", 2, "`kinks` is to come");
     refused("scale = \"x\"", 2, "--accuracy is not built", "--accuracy 1e-6");
     refused("scale = \"distance\"", 1, "steps of this size lead away", "--until=-1");
-    const SceneRun mixed = run("hamiltonian = \"(1 + q^2)*p^2/2 - 1\"\ncoordinates = [\"q\"]\n"
-                               "momenta = [\"p\"]\ninitial = {q = 0, p = 1}\n"
-                               "run = {method = \"gauss:4\", step = 0.1, until = 1}\n"
-                               "[time]\nscale = \"logarithmic\"\n");
+    const SceneRun mixed =
+        run_scene("hamiltonian = \"(1 + q^2)*p^2/2 - 1\"\ncoordinates = [\"q\"]\n"
+                  "momenta = [\"p\"]\ninitial = {q = 0, p = 1}\n"
+                  "run = {method = \"gauss:4\", step = 0.1, until = 1}\n"
+                  "[time]\nscale = \"logarithmic\"\n");
     CHECK(mixed.outcome.status == 2);
     CHECK(mixed.outcome.err.find("depends on both") != std::string::npos);
-    const SceneRun positive = run("hamiltonian = \"p^2/2 + q^2/2\"\ncoordinates = [\"q\"]\n"
-                                  "momenta = [\"p\"]\ninitial = {q = 1, p = 0}\n"
-                                  "run = {method = \"gauss:4\", step = 0.1, until = 1}\n"
-                                  "[time]\nscale = \"logarithmic\"\n");
+    const SceneRun positive = run_scene("hamiltonian = \"p^2/2 + q^2/2\"\ncoordinates = [\"q\"]\n"
+                                        "momenta = [\"p\"]\ninitial = {q = 1, p = 0}\n"
+                                        "run = {method = \"gauss:4\", step = 0.1, until = 1}\n"
+                                        "[time]\nscale = \"logarithmic\"\n");
     CHECK(positive.outcome.status == 1);
     CHECK(positive.outcome.err.find("-U is not seen to be positive") != std::string::npos);
 }

@@ -144,11 +144,14 @@ private:
         return events_[i].slope ? events_[i].slope(x, t) : Scalar(0);
     }
 
-    /// The sign of the function behind a state where it may be zero. NOTE: a step of 1e-8 of the
-    /// usual size moves the function by much more than it is rounded.
+    /// The sign of the function a little behind a state, where it may be zero but for rounding:
+    /// 1e-8 of a step moves it by more.
     [[nodiscard]] int sign_after(std::size_t i, const State& x, Scalar t) {
-        if (const int sign = sign_of(slope(i, x, t)); sign != 0) { return h_ < 0 ? -sign : sign; }
         const Scalar h = h_ * Scalar(0x1p-26);
+        if (events_[i].slope) {
+            const int sign = sign_of(value(i, x, t) + h * slope(i, x, t));
+            if (sign != 0) { return sign; }
+        }
         State y = x;
         if (!stretch_.short_step(y, h).ok()) { return 0; }
         return sign_of(value(i, y, time_of_ ? time_of_(y) : t + h));

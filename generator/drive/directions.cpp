@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/drive/directions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/drive/driven_problem.hpp"
+
+namespace hvi::gen {
+
+double product_of(const DirectionVector& v, const DirectionVector& w) {
+    double sum = 0;
+    for (std::size_t k = 0; k < v.size(); ++k) sum += v[k] * w[k];
+    return sum;
+}
+
+/// NOTE: scaled, as squares of what grows may be beyond doubles.
+double norm_of(const DirectionVector& v) {
+    double largest = 0;
+    for (const double value : v) largest = std::max(largest, std::abs(value));
+    if (largest == 0 || !std::isfinite(largest)) return largest;
+    double sum = 0;
+    for (const double value : v) sum += (value / largest) * (value / largest);
+    return largest * std::sqrt(sum);
+}
+
+std::size_t degrees_of_problem() { return DrivenProblem::initial().q.size() / 2; }
+
+Directions::Directions(const std::vector<DirectionVector>& start) {
+    for (const DirectionVector& v : start) {
+        steppers_.push_back(DrivenProblem::stepper());
+        states_.push_back(steppers_.back().initial());
+        set(states_.size() - 1, v);
+    }
+}
+
+Status Directions::step(double h) {
+    const auto n = static_cast<std::ptrdiff_t>(degrees());
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+        DrivenStepper::State& x = states_[k];
+        const Status status = steppers_[k].step(x, h);
+        if (!status.ok()) return status;
+        if (k == 0) continue;
+        const DrivenStepper::State& first = states_.front();
+        std::copy(first.q.begin(), first.q.begin() + n, x.q.begin());
+        std::copy(first.p.begin() + n, first.p.end(), x.p.begin() + n);
+    }
+    return {};
+}
+
+DirectionVector Directions::direction(std::size_t k) const {
+    const auto n = static_cast<std::ptrdiff_t>(degrees());
+    const DrivenStepper::State& x = states_[k];
+    DirectionVector v(x.q.begin() + n, x.q.end());
+    v.insert(v.end(), x.p.begin(), x.p.begin() + n);
+    return v;
+}
+
+void Directions::set(std::size_t k, const DirectionVector& v) {
+    const auto n = static_cast<std::ptrdiff_t>(degrees());
+    DrivenStepper::State& x = states_[k];
+    std::copy(v.begin(), v.begin() + n, x.q.begin() + n);
+    std::copy(v.begin() + n, v.end(), x.p.begin());
+}
+
+std::vector<double> orthonormalize(std::vector<DirectionVector>& all) {
+    std::vector<double> norms;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        DirectionVector& v = all[k];
+        for (int pass = 0; pass < 2; ++pass)
+            for (std::size_t j = 0; j < k; ++j) {
+                const double part = product_of(all[j], v);
+                for (std::size_t i = 0; i < v.size(); ++i) v[i] -= part * all[j][i];
+            }
+        norms.push_back(norm_of(v));
+        for (double& value : v) value /= norms.back();
+    }
+    return norms;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,27 @@
+// Directions that a motion carries along: the derivative of its flow, and what they grow by.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hvi::gen {
+
+/// Measurements on directions.
+struct TangentWishes {
+    double h = 0;
+    std::int64_t steps = 0;
+    bool matrix = false;    ///< the derivative of the state at the end by that at the start
+    bool largest = false;   ///< the largest Lyapunov exponent, and MEGNO
+    bool spectrum = false;  ///< all Lyapunov exponents
+    bool sali = false;      ///< the smaller alignment index
+
+    [[nodiscard]] bool any() const { return matrix || largest || spectrum || sali; }
+};
+
+/// Takes the steps of DrivenProblem, whose states are those of with_tangent(), and says what was
+/// measured. Norms are of numbers as they stand in q and p, whatever their units. The status of its
+/// end is 0 also where a step failed.
+[[nodiscard]] int take_tangents(const TangentWishes& wishes);
+
+}  // namespace hvi::gen

@@ -1,0 +1,16 @@
+// The motion of a system together with that of a direction: its tangent map.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "generator/ir/system.hpp"
+
+namespace hvi::gen {
+
+/// The system of K = H_q dq + H_p dp, whose coordinates are (q, dq), with the momenta (dp, p): q
+/// and p move as they do under H, dq and dp as a direction that the motion carries along. A step of
+/// a symplectic partitioned Runge-Kutta method for K is the step for H and, of directions, exactly
+/// its derivative, since these methods commute with differentiation. Directions begin at 0, and the
+/// energy is H. Preconditions: H is written out, without rotations and without scaled time.
+[[nodiscard]] System with_tangent(System system);
+
+}  // namespace hvi::gen

@@ -1,0 +1,28 @@
+// Directions along a run: its derivative, and how chaotic it is.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/drive/tangents.hpp"
+#include "generator/simulate/answers.hpp"
+
+namespace hvi::gen {
+
+/// What was measured of those that were wished for.
+struct TangentFindings {
+    std::optional<double> lyapunov, megno, sali;
+    std::vector<double> exponents;  ///< descending
+    std::vector<double> entries;    ///< of the derivative, row by row: q and p by q and p
+    double form = 0;                ///< how far it is from symplectic
+    std::string fault = {};         ///< why a step failed; empty where none did
+};
+
+/// Throws as ask() does. Precondition: the target has a stepper of tangent_stepper().
+[[nodiscard]] TangentFindings find_tangents(const Target& target, const TangentWishes& wishes,
+                                            const std::function<void(double)>& on_progress);
+
+}  // namespace hvi::gen

@@ -1,0 +1,76 @@
+// Runs of scenes that tests write, and what they leave.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/program/cli/program.hpp"
+#include "tests/program/simulate/cache.hpp"
+#include "tests/program/simulate/table.hpp"
+
+namespace hvi::test {
+
+inline const double pi = std::acos(-1.0);
+
+struct SceneRun {
+    Outcome outcome;
+    std::vector<std::string> events;  ///< lines
+    std::vector<std::string> table;   ///< lines
+    std::vector<std::vector<double>> tangent;
+
+    /// A row of the table, from 0 on.
+    [[nodiscard]] std::vector<double> row(std::size_t k) const {
+        return numbers_of(table.at(k + 1));
+    }
+    [[nodiscard]] std::vector<double> last() const { return numbers_of(table.back()); }
+
+    /// The rows of the table.
+    [[nodiscard]] std::vector<std::vector<double>> rows() const {
+        std::vector<std::vector<double>> result;
+        for (std::size_t k = 0; k + 1 < table.size(); ++k) result.push_back(row(k));
+        return result;
+    }
+
+    /// The time and the variables of an event, from 0 on.
+    [[nodiscard]] std::vector<double> event(std::size_t k) const {
+        const std::string& line = events.at(k + 1);
+        return numbers_of(line.substr(line.find(',', line.find(',') + 1) + 1));
+    }
+
+    /// The numbers behind a name in the summary.
+    [[nodiscard]] std::vector<double> said(const std::string& name) const {
+        for (const std::string& line : lines_of(outcome.out)) {
+            if (line.rfind(name + " ", 0) != 0) continue;
+            std::istringstream stream(line.substr(name.size()));
+            std::vector<double> numbers;
+            for (double number = 0; stream >> number;) numbers.push_back(number);
+            return numbers;
+        }
+        return {};
+    }
+};
+
+/// Runs the scene with these words.
+inline SceneRun run_scene(const std::string& scene, const std::string& words = "") {
+    use_cache();
+    const Directory directory;
+    write(directory / "scene.toml", scene);
+    SceneRun result;
+    result.outcome = shell("exec \"$hvi_gen\" run scene.toml -o out --only table,summary " + words,
+                           directory.path());
+    const auto lines = [&](const std::string& name) {
+        return std::filesystem::exists(directory / "out" / name)
+                   ? lines_of(contents(directory / "out" / name))
+                   : std::vector<std::string>{};
+    };
+    result.events = lines("events.csv");
+    result.table = lines("trajectory.csv");
+    for (const std::string& line : lines("tangent.csv")) result.tangent.push_back(numbers_of(line));
+    return result;
+}
+
+}  // namespace hvi::test

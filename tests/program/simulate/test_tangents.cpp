@@ -1,0 +1,168 @@
+// The derivative of the flow, Lyapunov exponents and indicators of chaos.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "tests/program/simulate/scene_run.hpp"
+
+using namespace hvi::test;
+
+namespace {
+
+std::string one_degree(const std::string& H, const std::string& q, const std::string& p) {
+    return "hamiltonian = \"" + H + "\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n" +
+           "initial = {q = \"" + q + "\", p = \"" + p + "\"}\n" +
+           "run = {method = \"gauss:4\", step = \"1/10\", until = 10}\n";
+}
+
+/// A star in a galaxy; the start is moved by parameters.
+const std::string star = "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3\"\n"
+                         "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+                         "parameters = {a = 0, b = 0, c = 0, d = 0}\n"
+                         "initial = {x = \"a\", y = \"1/10 + b\", px = \"1/2 + c\", py = \"d\"}\n"
+                         "invariants = {twice = \"2*x\"}\n"
+                         "run = {method = \"gauss:4\", step = \"1/10\", until = 20}\n";
+
+}  // namespace
+
+TEST_CASE("the derivative of the oscillator's steps is their matrix") {
+    const SceneRun found = run_scene(one_degree("(p^2 + q^2)/2", "1/3", "1/5"),
+                                     "--tangent --method midpoint --until 3");
+    // The midpoint rule turns by 2 atan(h/2) in each step.
+    const double angle = 30 * 2 * std::atan(0.05), c = std::cos(angle), s = std::sin(angle);
+    REQUIRE(found.tangent.size() == 2);
+    CHECK(std::abs(found.tangent[0][0] - c) < 1e-14);
+    CHECK(std::abs(found.tangent[0][1] - s) < 1e-14);
+    CHECK(std::abs(found.tangent[1][0] + s) < 1e-14);
+    CHECK(std::abs(found.tangent[1][1] - c) < 1e-14);
+}
+
+TEST_CASE("the derivative is that of runs from starts nearby") {
+    const double by = 1e-5;
+    for (const std::string how : {"--method stormer-verlet", "--method gauss:4",
+                                  "--method stormer-verlet --compose suzuki:4",
+                                  "--method lobatto:3 --interpret", "--method midpoint"}) {
+        CAPTURE(how);
+        const SceneRun found = run_scene(star, "--tangent " + how);
+        REQUIRE(found.tangent.size() == 4);
+        const std::vector<std::string> names{"a", "b", "c", "d"};
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto end = [&](const std::string& value) {
+                return run_scene(star, how + " --param " + names[k] + "=" + value).last();
+            };
+            const auto up = end("1/100000"), down = end("-1/100000");
+            for (std::size_t i = 0; i < 4; ++i) {
+                const double difference = (up[1 + i] - down[1 + i]) / (2 * by);
+                CHECK(std::abs(found.tangent[i][k] - difference) < 1e-6);
+            }
+        }
+    }
+}
+
+TEST_CASE("the derivative stays symplectic over a hundred thousand steps") {
+    for (const std::string how : {"--method stormer-verlet", "--method gauss:4"}) {
+        const SceneRun found = run_scene(star, "--tangent --step 1/20 --until 5000 " + how);
+        double largest = 0, off = 0;
+        for (const auto& row : found.tangent)
+            for (const double entry : row) largest = std::max(largest, std::abs(entry));
+        // J on columns: q with p.
+        for (std::size_t a = 0; a < 4; ++a)
+            for (std::size_t b = a + 1; b < 4; ++b) {
+                double form = b == a + 2 ? -1 : 0;
+                for (std::size_t k = 0; k < 2; ++k)
+                    form += found.tangent[k][a] * found.tangent[k + 2][b] -
+                            found.tangent[k + 2][a] * found.tangent[k][b];
+                off = std::max(off, std::abs(form));
+            }
+        CAPTURE(how, largest, off);
+        CHECK(off < 1e-11 * largest * largest);
+        const double changed = found.last()[1] * 2 - found.last().back();
+        CHECK(std::abs(changed) < 1e-15);  // the invariant of the scene is there
+    }
+}
+
+TEST_CASE("exponents of an inverted pendulum are 1 and -1") {
+    const std::string hill = one_degree("(p^2 - q^2)/2", "0", "0");
+    const SceneRun found = run_scene(hill, "--lyapunov=spectrum --sali");
+    REQUIRE(found.said("lyapunov").size() == 2);
+    CHECK(found.said("lyapunov")[0] == Approx(1).epsilon(0.05));
+    CHECK(found.said("lyapunov")[1] == Approx(-1).epsilon(0.05));
+    CHECK(found.said("lyapunov")[0] + found.said("lyapunov")[1] == Approx(0).margin(1e-5));
+    // Two directions come together as exp(-2 t).
+    REQUIRE(found.said("sali").size() == 1);
+    CHECK(found.said("sali")[0] < 10 * std::exp(-20));
+    CHECK(found.said("sali")[0] > std::exp(-20) / 100);
+    const SceneRun later = run_scene(hill, "--lyapunov --until 1000");
+    CHECK(later.said("lyapunov").front() == Approx(1).epsilon(1e-3));
+    // MEGNO grows as exponent times time over 2.
+    CHECK(later.said("megno").front() == Approx(500).epsilon(0.01));
+}
+
+TEST_CASE("MEGNO is 2 where neighbours part with the time, and 0 where they stay") {
+    const SceneRun shear = run_scene(one_degree("p^4/4", "0", "1"), "--megno --until 2000");
+    CHECK(shear.said("megno").front() == Approx(2).epsilon(0.02));
+    const SceneRun spring =
+        run_scene(one_degree("(p^2 + q^2)/2", "1", "0"), "--megno --until 2000");
+    CHECK(std::abs(spring.said("megno").front()) < 0.02);
+    const SceneRun sali = run_scene(one_degree("(p^2 + q^2)/2", "1", "0"), "--sali");
+    CHECK(sali.said("sali").front() > 0.1);
+}
+
+TEST_CASE("a chaotic and a regular star") {
+    // Of the energy 1/8, beside the section through y = 0: Henon & Heiles 1964, figures 5 and 6.
+    const auto exponent = [](const std::string& y, const std::string& py) {
+        const std::string scene =
+            "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3\"\n"
+            "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+            "initial = {x = 0, y = \"" +
+            y + "\", px = \"sqrt(1/4 - (" + py + ")^2 - (" + y + ")^2 + 2*(" + y +
+            ")^3/3)\", py = \"" + py +
+            "\"}\n"
+            "run = {method = \"stormer-verlet\", step = \"1/20\", until = 20000}\n";
+        return run_scene(scene, "--lyapunov");
+    };
+    const SceneRun chaotic = exponent("-1/4", "0"), regular = exponent("3/10", "0");
+    CAPTURE(chaotic.outcome.out, regular.outcome.out);
+    CHECK(chaotic.said("lyapunov").front() > 0.02);
+    CHECK(chaotic.said("lyapunov").front() < 0.08);
+    CHECK(chaotic.said("megno").front() > 100);
+    CHECK(regular.said("lyapunov").front() < 2e-3);
+    CHECK(regular.said("megno").front() == Approx(2).epsilon(0.05));
+}
+
+TEST_CASE("directions that are not built are refused") {
+    use_cache();
+    const auto refused = [](const std::string& line, const std::string& message) {
+        const Directory directory;
+        write(directory / "scene.toml", star);
+        const Outcome outcome =
+            shell("exec \"$hvi_gen\" run " + line + " -o out", directory.path());
+        CAPTURE(line, outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.err.find(message) != std::string::npos);
+    };
+    refused("bead-on-hoop --lyapunov --method gauss:4", "--lyapunov is not built for a Lagrangian");
+    refused("heavy-top --megno --method gauss:4", "--megno is not built for scenes with rotations");
+    refused("scene.toml --lyapunov=all", "no such value of --lyapunov: `all`");
+    refused("scene.toml --tangent=1", "--tangent takes no value");
+    refused("fpu-chain --tangent --unroll no --method gauss:4", "--tangent");
+}
+
+TEST_CASE("an option with a choice behind = swallows no word") {
+    use_cache();
+    const Directory directory;
+    write(directory / "scene.toml", star);
+    const Outcome outcome =
+        shell("exec \"$hvi_gen\" run --lyapunov scene.toml --only summary", directory.path());
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.find("\nlyapunov ") != std::string::npos);
+}
