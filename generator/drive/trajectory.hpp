@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <hvi/event.hpp>
+#include <hvi/detail/trajectories/event.hpp>
 
 #include "generator/drive/driven_stepper.hpp"
 #include "generator/read/table_columns.hpp"

@@ -13,6 +13,7 @@
 #include <hvi/events.hpp>
 #include <hvi/generated/gauss_4.hpp>
 #include <hvi/generated/stormer_verlet_separable.hpp>
+#include <hvi/integrate_at.hpp>
 
 using namespace hvi;
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include <hvi/detail/numbers/bracket.hpp>
+#include <hvi/detail/trajectories/event.hpp>
 #include <hvi/detail/trajectories/short_steps.hpp>
-#include <hvi/event.hpp>
 
 namespace hvi::detail {
 
