@@ -46,7 +46,7 @@ public:
 private:
     std::int64_t every_;
     bool has_times_;
-    Table table_;
+    NumberTable table_;
     std::vector<std::size_t> numbers_;  // of the columns
     std::int64_t count_ = 0;
     std::optional<double> last_;  // time of a row
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] bool close() { return !table_ || table_->close(); }
 
 private:
-    std::optional<Table> table_;
+    std::optional<NumberTable> table_;
 };
 
 }  // namespace hvi::gen

@@ -11,26 +11,26 @@
 namespace hvi::gen {
 
 /// Rows of numbers below a line of names. Whether all of it was written is known at close().
-class Table {
+class NumberTable {
 public:
-    explicit Table(const char* path) : file_(std::fopen(path, "wb")), good_(file_ != nullptr) {}
-    ~Table() {
+    explicit NumberTable(const char* path) : file_(std::fopen(path, "wb")), good_(file_ != nullptr) {}
+    ~NumberTable() {
         if (file_ != nullptr) { std::fclose(file_); }
     }
-    Table(const Table&) = delete;
-    Table& operator=(const Table&) = delete;
+    NumberTable(const NumberTable&) = delete;
+    NumberTable& operator=(const NumberTable&) = delete;
 
     [[nodiscard]] bool good() const { return good_; }
 
     /// NOTE: in quotes where a comma is in it, as in u[1,2].
-    Table& cell(std::string_view text) {
+    NumberTable& cell(std::string_view text) {
         const std::string_view quote = text.find(',') == std::string_view::npos ? "" : "\"";
         if (!line_.empty()) { line_ += ','; }
         line_.append(quote).append(text).append(quote);
         return *this;
     }
 
-    Table& cell(double value) {
+    NumberTable& cell(double value) {
         if (!line_.empty()) { line_ += ','; }
         driver::append(line_, value);
         return *this;

@@ -134,13 +134,22 @@ std::vector<std::string> facts_of_loops(const System& system) {
     return result;
 }
 
+/// The function that takes the place of H, and what its last variables are.
+std::vector<std::string> facts_of_scaled_time(const System& system) {
+    return {fmt::format("time is scaled: it is the coordinate {}, and its momentum {} begins as -H",
+                        system.coordinates.back().name, system.conjugates.back().name),
+            "H here is K = " + to_text(system.expression)};
+}
+
 }  // namespace
 
 std::vector<std::string> facts(const System& system) {
     if (!system.is_written_out()) { return facts_of_loops(system); }
     const Structure& found = system.structure;
     const char f = system.function_letter();
-    std::vector<std::string> result{kind_of(system)};
+    std::vector<std::string> result;
+    if (system.scaled) { result = facts_of_scaled_time(system); }
+    result.push_back(kind_of(system));
     if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
     if (system.time) { result.push_back(fmt::format("{} depends on the time", f)); }
     const std::vector<std::size_t> cyclic = cyclic_coordinates(system);

@@ -56,7 +56,7 @@ namespace hvi {
 ///     const auto run = hvi::integrate(stepper, x, 0.0, 0.1, 60, hvi::events(floor));
 ///     // It falls for a time of 1, then is up in the air for 2, twice.
 ///     const bool is_last = bounces == 3 && std::abs(last - 5) < 1e-13;
-///     return run.ok() && is_last && std::abs(x.q[0]) < 1e-13 ? 0 : 1;
+///     return run.ok() && is_last && std::abs(x.q[0] - 0.5) < 1e-13 ? 0 : 1;
 /// }
 /// ```
 template <class Stepper, class Observer>

@@ -18,7 +18,7 @@ using Rows = std::vector<OptionEntry>;
 Rows rows() { return {option_table().begin(), option_table().end()}; }
 
 bool is_choice(const OptionEntry& row) {
-    return row.value == Value::choice || row.value == Value::choices;
+    return row.value == Value::choice || row.value == Value::mode || row.value == Value::choices;
 }
 
 std::string fault_in_name(const OptionEntry& row) {

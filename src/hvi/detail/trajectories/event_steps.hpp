@@ -438,7 +438,7 @@ private:
     std::size_t next_time_ = 0;
     Output output_;
     TimeOf time_of_;
-    Stretch<Stepper> stretch_;
+    ShortSteps<Stepper> stretch_;
     Scalar h_ = 0;
     State start_{}, within_{}, before_{};
     Status failure_;  ///< of a short step

@@ -10,13 +10,13 @@ namespace hvi::detail {
 
 /// Part of a run between two states, which one step connects.
 template <class Stepper>
-class Stretch {
+class ShortSteps {
 public:
     using State = typename Stepper::State;
     using Scalar = typename Stepper::Scalar;
 
     /// Takes short steps with a stepper of its own, so that the run keeps its bits.
-    explicit Stretch(Stepper stepper) : stepper_(std::move(stepper)) {}
+    explicit ShortSteps(Stepper stepper) : stepper_(std::move(stepper)) {}
 
     State from, to;
     Scalar t = 0, t_end = 0;  ///< times of these
