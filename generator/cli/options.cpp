@@ -184,6 +184,11 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.columns = words.value("--columns");
     options.symmetries = !words.has("--no-symmetries");
     if (words.has("--interpret")) options.interpret = words.place("--interpret");
+    options.checkpoints.file = words.file("--checkpoint");
+    options.checkpoints.every = words.whole_number("--checkpoint-every");
+    if (const auto minutes = words.whole_number("--checkpoint-minutes"))
+        options.checkpoints.minutes = *minutes;
+    options.checkpoints.resume = words.file("--resume");
     options.tangent = words.has("--tangent");
     options.lyapunov = words.mode<Exponents>("--lyapunov");
     options.megno = words.has("--megno");

@@ -63,6 +63,16 @@ struct StepperOptions {
     std::optional<std::filesystem::path> output;
 };
 
+/// Checkpoints of a run.
+struct CheckpointOptions {
+    Given file;                ///< to which they are added; null for none
+    std::optional<int> every;  ///< so many steps
+    std::optional<double> minutes;
+    Given resume;  ///< the file of the one to go on from
+
+    [[nodiscard]] bool any() const { return file || resume; }
+};
+
 struct RunOptions {
     MethodOptions method;              ///< empty where the scene is to name it
     SystemOptions system;              ///< a scene
@@ -75,7 +85,8 @@ struct RunOptions {
     Given columns;                     ///< of the table, in place of the usual ones
     bool symmetries = true;            ///< look for them
     std::optional<Place> interpret;    ///< without a compiler
-    bool tangent = false;              ///< the derivative of the flow
+    CheckpointOptions checkpoints;
+    bool tangent = false;  ///< the derivative of the flow
     std::optional<Exponents> lyapunov;
     bool megno = false, sali = false;
     std::set<RunFile> files;

@@ -69,9 +69,10 @@ std::vector<double> values_of(const OutputTimes& times, const SceneTimes& scene,
                          "give a later --until, or none");
     std::vector<double> result;
     const auto gaps = static_cast<long double>(std::max(1L, times.count - 1));
+    const auto first = static_cast<long double>(from), last = static_cast<long double>(to);
     for (long k = 0; k < times.count; ++k) {
         const auto part = static_cast<long double>(k) / gaps;
-        const auto time = static_cast<double>(from + part * (static_cast<long double>(to) - from));
+        const auto time = static_cast<double>(first + part * (last - first));
         result.push_back(std::abs(time) > std::abs(end) ? end : time);
     }
     return result;

@@ -14,6 +14,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/cli/output_times.hpp"
+#include "generator/cli/run_checkpoints.hpp"
 #include "generator/cli/run_files.hpp"
 #include "generator/cli/run_picture.hpp"
 #include "generator/cli/run_summary.hpp"
@@ -53,11 +54,9 @@ std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& o
     return {};
 }
 
-Simulation simulate(const Target& program, const WishedRun& wished, const RunTables& tables,
-                    const fs::path& table_of_events) {
-    Bar bar;
-    Pace pace(wished.clock ? wished.clock->until : static_cast<double>(wished.steps.count),
-              wished.clock ? "units of time" : "steps");
+/// What is written of the run, and how it is taken.
+TrajectoryWishes trajectory(const WishedRun& wished, const RunOptions& options,
+                            const RunTables& tables, const fs::path& table_of_events) {
     TrajectoryWishes wishes{.h = wished.steps.size,
                             .steps = wished.steps.count,
                             .tables = {tables.own},
@@ -65,6 +64,18 @@ Simulation simulate(const Target& program, const WishedRun& wished, const RunTab
                             .clock = wished.clock};
     if (tables.of_picture) wishes.tables.push_back(tables.of_picture->table);
     wishes.events.file = table_of_events;
+    if (!options.checkpoints.any()) return wishes;
+    const std::string key = key_of(wished, tables.own);
+    wishes.checkpoints = wished_checkpoints(options.checkpoints, key);
+    wishes.resumed = resumed_checkpoint(options.checkpoints, key);
+    return wishes;
+}
+
+Simulation simulate(const Target& program, const TrajectoryWishes& wishes,
+                    const WishedRun& wished) {
+    Bar bar;
+    Pace pace(wished.clock ? wished.clock->until : static_cast<double>(wished.steps.count),
+              wished.clock ? "units of time" : "steps");
     return run_simulation(program, wished.subject, wishes,
                           [&](double part) { bar.show(part, pace.at(part, Pace::Clock::now())); });
 }
@@ -195,6 +206,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     RunSubject subject = run_subject(stepper);
     std::vector<Statement> statements = watched.statements(keeping_facts(stepper.method.base));
     EventWishes events = events_of(both.scene, stepper, subject);
+    std::string events_text = text_of(both.scene.events);
     std::vector<double> times;
     if (options.times)
         times = values_of(*options.times, times_of(both.scene), length.steps.size, length.end());
@@ -205,6 +217,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
             tangents_of(options),
             length.clock,
             std::move(events),
+            std::move(events_text),
             std::move(times),
             std::move(statements),
             watched.left_out,
@@ -245,7 +258,8 @@ RunTables wished_tables(const WishedRun& wished, const RunOptions& options,
     const std::int64_t every =
         options.every.value_or(wished.clock ? 1 : std::max<std::int64_t>(1, usual));
     RunTables tables{{every, columns, files.table(), wished.times}, {}};
-    if (options.files.contains(RunFile::picture) && !options.columns && !wished.clock)
+    if (options.files.contains(RunFile::picture) && !options.columns && !wished.clock &&
+        !options.checkpoints.any())
         tables.of_picture = picture_table(wished.subject.coordinates, wished.steps, every);
     if (tables.of_picture) tables.of_picture->table.file = files.table_of_picture();
     return tables;
@@ -328,9 +342,15 @@ void run(const RunOptions& options) {
     const Target target = runner.target(wished.stepper);
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     RunFiles files(directory);
+    if (options.checkpoints.any()) files.keep_growing(bool(options.checkpoints.resume));
     const RunTables tables = wished_tables(wished, options, columns, files);
     const fs::path events = wished.events.events.empty() ? fs::path() : files.events();
-    const Simulation simulation = simulate(target, wished, tables, events);
+    const Simulation simulation =
+        simulate(target, trajectory(wished, options, tables, events), wished);
+    if (simulation.status == interrupted_run) {  // as soon as this is left, the program ends
+        if (options.files.contains(RunFile::table)) files.keep_table(simulation);
+        return;
+    }
     const TangentFindings directions = carry_directions(wished, simulation, runner);
     const std::string summary = hvi::gen::summary(wished, simulation, directions);
     if (options.files.contains(RunFile::table)) files.keep_tangent(directions.entries);

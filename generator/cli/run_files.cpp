@@ -42,9 +42,11 @@ void mark_incomplete(const fs::path& table, const Simulation& run) {
 class RunFiles::Unfinished {
 public:
     explicit Unfinished(const fs::path& directory) : path_(new_file(directory)) {}
+    /// A file of this name, which stays.
+    Unfinished(fs::path path, bool stays) : path_(std::move(path)), stays_(stays) {}
     ~Unfinished() {
         std::error_code ignored;
-        fs::remove(path_, ignored);
+        if (!stays_) fs::remove(path_, ignored);
     }
     Unfinished(const Unfinished&) = delete;
     Unfinished& operator=(const Unfinished&) = delete;
@@ -60,6 +62,7 @@ public:
 
 private:
     fs::path path_;
+    bool stays_ = false;
 };
 
 /// A directory for results; where nothing was left in it, at the end of its life it is gone again.
@@ -95,11 +98,40 @@ RunFiles::RunFiles(const std::optional<fs::path>& directory) {
 
 RunFiles::~RunFiles() = default;
 
+namespace {
+
+fs::path growing(const fs::path& directory, const char* name) {
+    return directory / (std::string(name) + ".partial");
+}
+
+/// Puts a table that is whole, or was thought to be, where it grows.
+void let_grow(const fs::path& directory, const char* name) {
+    std::error_code ignored;
+    const fs::path partial = growing(directory, name);
+    if (!fs::exists(partial, ignored)) fs::rename(directory / name, partial, ignored);
+}
+
+}  // namespace
+
+void RunFiles::keep_growing(bool goes_on) {
+    if (!directory_) return;
+    stays_ = true;
+    const fs::path& directory = directory_->path();
+    if (goes_on)
+        for (const char* name : {table_name, events_name}) let_grow(directory, name);
+    table_ = std::make_unique<Unfinished>(growing(directory, table_name), true);
+    if (goes_on && !fs::exists(table_->path()))
+        throw EnvironmentError("the table that the checkpoint goes on with is not there: " +
+                                   table_->path().string(),
+                               "give the directory of the run by -o");
+}
+
 fs::path RunFiles::table() const { return table_ ? table_->path() : "/dev/null"; }
 
 fs::path RunFiles::events() {
     if (!directory_) return "/dev/null";
-    events_ = std::make_unique<Unfinished>(directory_->path());
+    events_ = stays_ ? std::make_unique<Unfinished>(growing(directory_->path(), events_name), true)
+                     : std::make_unique<Unfinished>(directory_->path());
     return events_->path();
 }
 
@@ -117,14 +149,19 @@ void RunFiles::keep_tangent(const std::vector<double>& entries) const {
     write_file(directory_->path() / tangent_name, text);
 }
 
+void RunFiles::keep_table(const Simulation& run) {
+    if (!directory_) return;
+    if (!run.ok()) mark_incomplete(table_->path(), run);
+    table_->rename_to(directory_->path() / table_name);
+    if (events_) events_->rename_to(directory_->path() / events_name);
+}
+
 void RunFiles::keep(const RunSubject& subject, const Steps& asked, const Simulation& run,
                     RunTables tables, const std::set<RunFile>& wished, const std::string& summary) {
     if (!directory_) return;
-    if (!run.ok()) mark_incomplete(table_->path(), run);
     if (wished.contains(RunFile::table)) {
+        keep_table(run);
         tables.own.file = directory_->path() / table_name;
-        table_->rename_to(tables.own.file);
-        if (events_) events_->rename_to(directory_->path() / events_name);
     }
     if (wished.contains(RunFile::summary)) write_file(directory_->path() / summary_name, summary);
     if (wished.contains(RunFile::picture))

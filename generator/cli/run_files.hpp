@@ -20,6 +20,11 @@ class RunFiles {
 public:
     /// Makes the directory. Throws EnvironmentError.
     explicit RunFiles(const std::optional<std::filesystem::path>& directory);
+
+    /// Lets tables grow in files of a name of their own, so that they are there however the run
+    /// ends; those that a run goes on from stay. Throws EnvironmentError. Precondition: no table
+    /// has been asked for.
+    void keep_growing(bool goes_on);
     ~RunFiles();
     RunFiles(const RunFiles&) = delete;
     RunFiles& operator=(const RunFiles&) = delete;
@@ -34,6 +39,9 @@ public:
     /// Keeps the derivative of the flow, row by row, where there is one. Throws EnvironmentError.
     void keep_tangent(const std::vector<double>& entries) const;
 
+    /// Keeps the tables, as far as they are. Throws EnvironmentError.
+    void keep_table(const Simulation& run);
+
     /// Keeps what is wished for. Throws EnvironmentError.
     void keep(const RunSubject& subject, const Steps& asked, const Simulation& run,
               RunTables tables, const std::set<RunFile>& wished, const std::string& summary);
@@ -44,6 +52,7 @@ private:
 
     std::unique_ptr<ResultDirectory> directory_;
     std::unique_ptr<Unfinished> table_, events_, table_of_picture_;  // below: they are in it
+    bool stays_ = false;
 };
 
 }  // namespace hvi::gen

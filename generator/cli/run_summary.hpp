@@ -21,6 +21,7 @@ struct WishedRun {
     TangentWishes tangents = {};
     std::optional<ScaledClock> clock = {};  ///< where steps are no times
     EventWishes events = {};
+    std::string events_text = {};            ///< as the scene has them
     std::vector<double> times = {};          ///< of rows; none where these are at steps
     std::vector<Statement> statements = {};  ///< of what it keeps
     std::string not_looked_for = {};         ///< symmetries: why, and what looks for them

@@ -13,6 +13,16 @@ Rows::Rows(const TableWishes& wishes)
     table_.end_row();
 }
 
+Rows::Rows(const TableWishes& wishes, const Place& from)
+    : every_(wishes.every),
+      has_times_(!wishes.times.empty()),
+      table_(wishes.file.c_str(), from.size),
+      count_(from.rows) {
+    if (has_row(from.steps)) last_ = from.t;
+    for_each_column(wishes.columns,
+                    [&](const std::string&, std::size_t number) { numbers_.push_back(number); });
+}
+
 void Rows::write(double time, const Value& value) {
     last_ = time;
     table_.cell(time);
@@ -27,6 +37,10 @@ EventRows::EventRows(const EventWishes& wishes) {
     for (const char* name : {"event", "number", "t"}) table_->cell(name);
     for (const std::string& name : wishes.variables) table_->cell(name);
     table_->end_row();
+}
+
+EventRows::EventRows(const EventWishes& wishes, std::int64_t size) {
+    if (!wishes.events.empty()) table_.emplace(wishes.file.c_str(), size);
 }
 
 void EventRows::write(const std::string& name, std::int64_t number, double time,

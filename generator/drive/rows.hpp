@@ -18,7 +18,15 @@ class Rows {
 public:
     using Value = std::function<double(std::size_t number)>;
 
+    /// A new table.
     explicit Rows(const TableWishes& wishes);
+
+    /// A table that goes on behind so many bytes and rows, and so many steps at the time t.
+    struct Place {
+        std::int64_t size, rows, steps;
+        double t;
+    };
+    Rows(const TableWishes& wishes, const Place& from);
 
     [[nodiscard]] bool good() const { return table_.good(); }
     [[nodiscard]] std::int64_t count() const { return count_; }
@@ -41,6 +49,7 @@ public:
 
     void write(double time, const Value& value);
 
+    [[nodiscard]] std::int64_t flushed_size() { return table_.flushed_size(); }
     [[nodiscard]] bool close() { return table_.close(); }
 
 private:
@@ -56,11 +65,13 @@ private:
 class EventRows {
 public:
     explicit EventRows(const EventWishes& wishes);
+    EventRows(const EventWishes& wishes, std::int64_t size);
 
     /// Writes the number-th event of a name.
     void write(const std::string& name, std::int64_t number, double time,
                const DrivenStepper::State& x);
 
+    [[nodiscard]] std::int64_t flushed_size() { return table_ ? table_->flushed_size() : 0; }
     [[nodiscard]] bool close() { return !table_ || table_->close(); }
 
 private:

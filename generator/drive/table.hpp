@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <unistd.h>
+
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -13,7 +16,15 @@ namespace hvi::gen {
 /// Rows of numbers below a line of names. Whether all of it was written is known at close().
 class NumberTable {
 public:
-    explicit NumberTable(const char* path) : file_(std::fopen(path, "wb")), good_(file_ != nullptr) {}
+    explicit NumberTable(const char* path)
+        : file_(std::fopen(path, "wb")), good_(file_ != nullptr) {}
+
+    /// Goes on with a file behind so many bytes, and forgets what is there.
+    NumberTable(const char* path, std::int64_t size) : file_(std::fopen(path, "r+b")) {
+        const bool is_nowhere = std::string_view(path) == "/dev/null";
+        good_ = file_ != nullptr && (is_nowhere || is_cut_off(size));
+    }
+
     ~NumberTable() {
         if (file_ != nullptr) { std::fclose(file_); }
     }
@@ -42,6 +53,12 @@ public:
         line_.clear();
     }
 
+    /// How many bytes there are, all of which have left this process; -1 where they have not.
+    [[nodiscard]] std::int64_t flushed_size() {
+        good_ = good_ && std::fflush(file_) == 0;
+        return good_ ? static_cast<std::int64_t>(std::ftell(file_)) : -1;
+    }
+
     /// Whether every row has arrived.
     [[nodiscard]] bool close() {
         if (file_ == nullptr) { return false; }
@@ -51,8 +68,13 @@ public:
     }
 
 private:
+    [[nodiscard]] bool is_cut_off(std::int64_t size) {
+        return std::fseek(file_, 0, SEEK_END) == 0 && std::ftell(file_) >= size &&
+               ::ftruncate(::fileno(file_), size) == 0 && std::fseek(file_, 0, SEEK_END) == 0;
+    }
+
     std::FILE* file_;
-    bool good_;
+    bool good_ = false;
     std::string line_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include <driver/pace.hpp>
 #include <hvi/detail/trajectories/event_steps.hpp>
 
+#include "generator/drive/checkpoint_saver.hpp"
 #include "generator/drive/driven_problem.hpp"
 #include "generator/drive/rows.hpp"
 
@@ -27,8 +29,8 @@ using State = DrivenStepper::State;
 class Trajectory {
 public:
     explicit Trajectory(const TrajectoryWishes& wishes)
-        : wishes_(wishes), event_rows_(wishes.events), counts_(wishes.events.events.size()) {
-        for (const TableWishes& table : wishes.tables) tables_.emplace_back(table);
+        : wishes_(wishes), counts_(wishes.events.events.size()), saver_(wishes.checkpoints) {
+        open_tables();
         const Rows& own = tables_.front();
         if (!own.has_times()) return;
         course_.output_at(wishes.tables.front().times, [this](const State& x, double t) {
@@ -41,14 +43,15 @@ public:
     /// Says what became of it. False where a table could not be written.
     [[nodiscard]] bool run() {
         if (wishes_.clock) course_.take_time_from([](const State& x) { return x.q.back(); });
-        course_.begin(x_, 0, wishes_.h);
-        write();
-        while (taken() < wishes_.steps && run_.ending == Ending::all_steps && are_good()) advance();
-        if (run_.ending == Ending::all_steps) course_.finish(x_, wishes_.h, run_);
+        wishes_.resumed ? resume(*wishes_.resumed) : begin();
+        while (goes_on()) advance();
+        if (is_stopped()) save();
+        if (run_.ending == Ending::all_steps && !is_stopped()) course_.finish(x_, wishes_.h, run_);
         if (has_come_to_end()) run_.t = wishes_.clock->until;
-        for (Rows& table : tables_) table.see_end(run_.t, value_now());
+        if (!is_stopped())
+            for (Rows& table : tables_) table.see_end(run_.t, value_now());
         tell();
-        bool are_whole = event_rows_.close();
+        bool are_whole = event_rows_->close();
         for (Rows& table : tables_) are_whole = table.close() && are_whole;
         return are_whole;
     }
@@ -56,6 +59,75 @@ public:
     [[nodiscard]] std::int64_t steps() const { return run_.run.steps; }
 
 private:
+    void open_tables() {
+        if (!wishes_.resumed) {
+            for (const TableWishes& table : wishes_.tables) tables_.emplace_back(table);
+            event_rows_.emplace(wishes_.events);
+            return;
+        }
+        const Checkpoint& from = *wishes_.resumed;
+        for (std::size_t k = 0; k < wishes_.tables.size(); ++k)
+            tables_.emplace_back(wishes_.tables[k], Rows::Place{from.sizes.at(k), from.rows.at(k),
+                                                                from.steps, from.t});
+        event_rows_.emplace(wishes_.events, from.sizes.back());
+    }
+
+    void begin() {
+        course_.begin(x_, 0, wishes_.h);
+        write();
+    }
+
+    [[nodiscard]] bool goes_on() const {
+        return taken() < wishes_.steps && run_.ending == Ending::all_steps && are_good() &&
+               !is_stopped();
+    }
+
+    [[nodiscard]] std::int64_t evaluations() const { return evaluations_ + stepper_.evaluations(); }
+
+    // ---- checkpoints ----
+
+    void resume(const Checkpoint& from) {
+        run_.run.steps = from.steps;
+        run_.run.iterations = from.iterations;
+        evaluations_ = from.evaluations;
+        run_.t = from.t;
+        auto next = from.state.begin();
+        for (std::vector<double>* part : {&x_.q, &x_.p, &x_.time})
+            for (double& value : *part) value = *next++;
+        invariants_.resume(stepper_, x_, from.departures);
+        motion_.resume(from.motion, from.motions);
+        counts_ = from.counts;
+        course_.resume(run_.t, wishes_.h, from.events);
+    }
+
+    [[nodiscard]] Checkpoint here() {
+        Checkpoint result{.steps = taken(),
+                          .iterations = run_.run.iterations,
+                          .evaluations = evaluations(),
+                          .t = run_.t};
+        for (const std::vector<double>* part : {&x_.q, &x_.p, &x_.time})
+            result.state.insert(result.state.end(), part->begin(), part->end());
+        result.departures = invariants_.departures();
+        result.motion = motion_.sum();
+        result.motions = motion_.count();
+        result.events = course_.memory();
+        result.counts = counts_;
+        for (Rows& table : tables_) {
+            result.sizes.push_back(table.flushed_size());
+            result.rows.push_back(table.count());
+        }
+        result.sizes.push_back(event_rows_->flushed_size());
+        return result;
+    }
+
+    /// Writes a checkpoint, where they are wished for, and forgets what a run that goes on from it
+    /// does not know.
+    void save() {
+        if (!wishes_.checkpoints || run_.ending != Ending::all_steps) return;
+        saver_.save(here());
+        stepper_.reset();
+    }
+
     [[nodiscard]] std::int64_t taken() const { return run_.run.steps; }
 
     /// To the next row of a table, where these are looked at alone.
@@ -63,15 +135,17 @@ private:
         std::int64_t ahead = wishes_.steps - taken();
         for (const Rows& table : tables_) ahead = std::min(ahead, table.ahead(taken()));
         const std::int64_t before = taken();
+        ahead = std::min(ahead, saver_.ahead(taken()));
         is_looked_into() ? look_into_step() : take(std::min(ahead, to_output()));
         if (taken() == before) return;
         write();
-        if (tables_.front().has_row(taken())) tell_progress();
+        tell_progress();
+        if (saver_.is_due(taken())) save();
     }
 
     /// How many steps may be taken before one in which a time of output lies.
     [[nodiscard]] std::int64_t to_output() const {
-        constexpr double most = 1e15;
+        constexpr double most = 1e6;  // so that it sees soon that it is to stop
         if (!course_.has_output()) return static_cast<std::int64_t>(most);
         if (wishes_.clock) return 0;
         const double steps = (course_.next_output() - run_.t) / wishes_.h;
@@ -111,7 +185,7 @@ private:
             const std::size_t i = result.size();
             result.push_back(each.event);
             result.back().act = [this, &each, i](State& x, double t) {
-                event_rows_.write(each.name, ++counts_[i], t, seen(x));
+                event_rows_->write(each.name, ++counts_[i], t, seen(x));
                 if (counts_[i] == each.stop) return After::stop;
                 if (!each.set) return After::go_on;
                 each.set(x, t);
@@ -190,6 +264,7 @@ private:
     void tell_end() const {
         driver::say("status",
                     run_.ending == Ending::failed_step ? run_.run.status.message() : "ok");
+        if (is_stopped() && run_.ending == Ending::all_steps) driver::say("status", "interrupted");
         if (run_.ending == Ending::failed_step && taken() == 0) tell_unfit();
         const auto event = static_cast<std::int64_t>(run_.event);
         if (run_.ending == Ending::event && !has_come_to_end()) driver::say("stopped_by", event);
@@ -205,7 +280,7 @@ private:
         driver::say("steps", taken());
         driver::say("rows", tables_.front().count());
         driver::say("iterations", run_.run.iterations);
-        driver::say("evaluations", stepper_.evaluations());
+        driver::say("evaluations", evaluations());
         for (const std::int64_t count : counts_) driver::say("events", count);
         for (const detail::Departure& departure : invariants_.departures()) {
             driver::say("start", departure.start);
@@ -217,14 +292,16 @@ private:
 
     const TrajectoryWishes& wishes_;
     std::deque<Rows> tables_;
-    EventRows event_rows_;
+    std::optional<EventRows> event_rows_;
     std::vector<std::int64_t> counts_;  ///< of events
+    std::int64_t evaluations_ = 0;      ///< before it was resumed
     DrivenStepper stepper_ = DrivenProblem::stepper();
     State x_ = DrivenProblem::initial();
     EventRun<double> run_;
     driver::Invariants<DrivenProblem> invariants_{stepper_, x_}, at_output_{stepper_, x_};
     driver::EnergyOfMotion<DrivenProblem> motion_;
     detail::EventSteps<DrivenStepper> course_{events(), stepper_};
+    CheckpointSaver saver_;
     std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now();
 };
 
@@ -232,8 +309,13 @@ private:
 
 int take_trajectory(const TrajectoryWishes& wishes) {
     using driver::Watch;
+    heed_signals();
     Trajectory trajectory(wishes);
     if (!trajectory.run()) return 3;
+    if (is_stopped()) {
+        driver::say("seconds_of_step", 0.0);
+        return 0;
+    }
     const Watch watch = wishes.looks_at_rows ? Watch::rows : Watch::steps;
     driver::say("seconds_of_step",
                 driver::seconds_of_step<DrivenProblem>(watch, wishes.h, trajectory.steps()));

@@ -12,6 +12,7 @@
 
 #include <hvi/detail/trajectories/event.hpp>
 
+#include "generator/drive/checkpoint.hpp"
 #include "generator/drive/driven_stepper.hpp"
 #include "generator/read/table_columns.hpp"
 
@@ -45,6 +46,14 @@ struct ScaledClock {
     double until = 0;
 };
 
+/// When a run keeps what it can go on from, and where.
+struct CheckpointWishes {
+    std::filesystem::path file;  ///< to which they are added
+    std::string key;             ///< of the run
+    std::int64_t every = 0;      ///< steps; 0 for none
+    double minutes = 0;          ///< 0 for none
+};
+
 struct TrajectoryWishes {
     double h = 0;
     std::int64_t steps = 0;
@@ -52,6 +61,8 @@ struct TrajectoryWishes {
     std::vector<TableWishes> tables;  ///< at least one
     EventWishes events = {};
     std::optional<ScaledClock> clock = {};  ///< then `steps` is only the most that are taken
+    std::optional<CheckpointWishes> checkpoints = {};
+    std::optional<Checkpoint> resumed = {};  ///< where it begins; tables are there, as far as it
 };
 
 /// Takes the steps of DrivenProblem, and says what became of it. The status of its end is 0 also

@@ -16,6 +16,7 @@
 #include "generator/program/cache_content.hpp"
 #include "generator/program/embedded.hpp"
 #include "generator/program/machine.hpp"
+#include "generator/support/digest.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/warning.hpp"
@@ -46,14 +47,6 @@ std::string key_of(const Compiler& compiler, const ProgramText& text, const File
     for (const auto& [name, content] : files)
         key.append("\n").append(name).append("\n").append(content);
     return key;
-}
-
-/// FNV-1a. NOTE: it names a directory, whose key is compared, and tells a program from a damaged
-/// one; others cannot write to either.
-std::string hash(std::string_view text) {
-    std::uint64_t value = 0xcbf29ce484222325U;
-    for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    return fmt::format("{:016x}", value);
 }
 
 std::string content(const fs::path& file) {
@@ -111,7 +104,7 @@ private:
     /// The key, with the digest of a program.
     [[nodiscard]] std::string sealed(const fs::path& program) const {
         const std::string text = content(program);
-        return fmt::format("{}\nprogram of {} bytes: {}\n", key_, text.size(), hash(text));
+        return fmt::format("{}\nprogram of {} bytes: {}\n", key_, text.size(), digest(text));
     }
 
     fs::path directory_;
@@ -139,7 +132,7 @@ void make_program(const Compiler& compiler, const fs::path& directory, const Fil
 std::optional<fs::path> kept_program(const CacheDirectory& cache, const Compiler& compiler,
                                      const ProgramText& text) {
     const std::string key = key_of(compiler, text, files_of(text));
-    const Entry entry(cache.path() / hash(key), key);
+    const Entry entry(cache.path() / digest(key), key);
     if (!entry.is_sound()) return {};
     mark_used(entry.directory());
     return entry.program();
@@ -149,7 +142,7 @@ fs::path built_program(const CacheDirectory& cache, const Compiler& compiler,
                        const ProgramText& text) {
     const Files files = files_of(text);
     const std::string key = key_of(compiler, text, files);
-    const Entry entry(cache.path() / hash(key), key);
+    const Entry entry(cache.path() / digest(key), key);
     if (entry.is_sound()) {
         mark_used(entry.directory());
         return entry.program();

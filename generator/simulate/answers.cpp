@@ -44,6 +44,7 @@ using WorkOnSteppers = std::function<int(const FindSteppers&)>;
 struct Command {
     std::vector<std::string> words;
     WorkOnSteppers work;
+    WhenInterrupted end = WhenInterrupted::it_is_ended;
 };
 
 ChildResult driven(const Command& command, const Program& program, const OnLine& on_line) {
@@ -63,7 +64,7 @@ ChildResult driven(const Command& command, const FindSteppers& find, bool looks_
             if (looks_at_rows) line.insert(line.begin(), rows_word);
             return drive(find, line);
         },
-        on_line);
+        on_line, command.end);
 }
 
 ChildResult driven(const Command& command, const Library& library, const OnLine& on_line) {
@@ -192,8 +193,10 @@ Answers ask(const Target& target, const TrajectoryWishes& wishes,
     TrajectoryWishes all = wishes;
     const auto* library = std::get_if<Library>(&target);
     all.looks_at_rows = library != nullptr && library->looks_at_rows;
-    return answers_to(target, {{}, [&](const FindSteppers& find) { return drive(find, all); }},
-                      wishes.tables.front().file, on_progress);
+    return answers_to(
+        target,
+        {{}, [&](const FindSteppers& find) { return drive(find, all); }, WhenInterrupted::it_stops},
+        wishes.tables.front().file, on_progress);
 }
 
 Answers ask(const Target& target, const TangentWishes& wishes,

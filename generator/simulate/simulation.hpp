@@ -30,6 +30,9 @@ struct Conserved {
     double last = 0;     ///< the departure at the end, with its sign
 };
 
+/// The status of a run that an interruption has stopped.
+inline constexpr const char* interrupted_run = "interrupted";
+
 /// What became of a run.
 struct Simulation {
     std::string status;            ///< `ok`, or why it stopped early

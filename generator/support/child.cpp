@@ -5,10 +5,12 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -138,6 +140,8 @@ public:
     Running(Running&& other) noexcept : process_(std::exchange(other.process_, 0)) {}
     Running& operator=(Running&&) = delete;
 
+    [[nodiscard]] pid_t process() const { return process_; }
+
     [[nodiscard]] int wait() {
         const pid_t process = std::exchange(process_, 0);
         int status = 0;
@@ -157,25 +161,70 @@ void hand_on_lines(std::string& text, const std::function<void(std::string_view)
     text.erase(0, begin);
 }
 
-/// Until both are closed at their other end.
-void read_all(const Pipe& output, const Pipe& errors, ChildResult& result,
-              const std::function<void(std::string_view)>& on_line) {
-    std::array<pollfd, 3> wanted{pollfd{output.reading(), POLLIN, 0},
-                                 pollfd{errors.reading(), POLLIN, 0},
-                                 pollfd{interruption_descriptor(), POLLIN, 0}};
-    while (wanted[0].fd >= 0 || wanted[1].fd >= 0) {
-        if (::poll(wanted.data(), wanted.size(), -1) < 0) continue;  // a signal
-        if (wanted[2].revents != 0) throw Interruption();
-        if (wanted[0].revents != 0) {
-            if (!output.read_into(result.output)) wanted[0].fd = -1;
-            hand_on_lines(result.output, on_line);
-        }
-        if (wanted[1].revents != 0) {
-            if (!errors.read_into(result.errors)) wanted[1].fd = -1;
-            if (result.errors.size() > most_errors) result.errors.resize(most_errors);
+std::atomic<pid_t> saves_itself = 0;  ///< the child that SIGUSR1 is handed on to
+
+/// Hands SIGUSR1 on to a child as long as it lives.
+class HandsOn {
+public:
+    explicit HandsOn(pid_t child) {
+        if (child == 0) return;
+        saves_itself.store(child);
+        before_ = ::signal(SIGUSR1, [](int) {
+            if (const pid_t process = saves_itself.load(); process != 0) ::kill(process, SIGUSR1);
+        });
+    }
+    ~HandsOn() {
+        saves_itself.store(0);
+        if (before_ != SIG_ERR) ::signal(SIGUSR1, before_);
+    }
+    HandsOn(const HandsOn&) = delete;
+    HandsOn& operator=(const HandsOn&) = delete;
+
+private:
+    void (*before_)(int) = SIG_ERR;
+};
+
+/// What a child says, and what an interruption does to it.
+class Listener {
+public:
+    Listener(const Running& child, WhenInterrupted end) : child_(child), end_(end) {}
+
+    /// Until both are closed at their other end.
+    void read_all(const Pipe& output, const Pipe& errors, ChildResult& result,
+                  const std::function<void(std::string_view)>& on_line) {
+        std::array<pollfd, 3> wanted{pollfd{output.reading(), POLLIN, 0},
+                                     pollfd{errors.reading(), POLLIN, 0},
+                                     pollfd{interruption_descriptor(), POLLIN, 0}};
+        while (wanted[0].fd >= 0 || wanted[1].fd >= 0) {
+            const int ready = ::poll(wanted.data(), wanted.size(), milliseconds_);
+            if (ready == 0) throw Interruption();  // it does not stop
+            if (ready < 0) continue;               // a signal
+            if (wanted[2].revents != 0) interrupt(wanted[2]);
+            if (wanted[0].revents != 0) {
+                if (!output.read_into(result.output)) wanted[0].fd = -1;
+                hand_on_lines(result.output, on_line);
+            }
+            if (wanted[1].revents != 0) {
+                if (!errors.read_into(result.errors)) wanted[1].fd = -1;
+                if (result.errors.size() > most_errors) result.errors.resize(most_errors);
+            }
         }
     }
-}
+
+private:
+    void interrupt(pollfd& wanted) {
+        if (end_ == WhenInterrupted::it_is_ended) throw Interruption();
+        constexpr int time_to_stop = 20'000;
+        ::kill(child_.process(), SIGTERM);
+        milliseconds_ = time_to_stop;
+        wanted.fd = -1;
+        wanted.revents = 0;
+    }
+
+    const Running& child_;
+    WhenInterrupted end_;
+    int milliseconds_ = -1;
+};
 
 }  // namespace
 
@@ -183,11 +232,13 @@ namespace {
 
 /// What is said until the end of the child, and that.
 ChildResult heard_out(Running child, Pipe& output, Pipe& errors,
-                      const std::function<void(std::string_view)>& on_line) {
+                      const std::function<void(std::string_view)>& on_line,
+                      WhenInterrupted end = WhenInterrupted::it_is_ended) {
     output.close_writing();
     errors.close_writing();
     ChildResult result;
-    read_all(output, errors, result, on_line);
+    const HandsOn hands_on(end == WhenInterrupted::it_stops ? child.process() : 0);
+    Listener(child, end).read_all(output, errors, result, on_line);
     result.status = child.wait();
     return result;
 }
@@ -196,6 +247,7 @@ ChildResult heard_out(Running child, Pipe& output, Pipe& errors,
 [[noreturn]] void work_in_copy(const std::function<int()>& work, const Pipe& output,
                                const Pipe& errors) {
     ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // whose files another one may go on with
     for (const int signal : {SIGPIPE, SIGINT, SIGQUIT, SIGTERM}) ::signal(signal, SIG_DFL);
     sigset_t none;
     sigemptyset(&none);
@@ -214,7 +266,7 @@ ChildResult heard_out(Running child, Pipe& output, Pipe& errors,
 }  // namespace
 
 ChildResult run_child(const std::function<int()>& work,
-                      const std::function<void(std::string_view)>& on_line) {
+                      const std::function<void(std::string_view)>& on_line, WhenInterrupted end) {
     Pipe output;
     Pipe errors;
     std::fflush(nullptr);  // or the copy writes it once more
@@ -222,7 +274,7 @@ ChildResult run_child(const std::function<int()>& work,
     if (child < 0) cannot("start another process", errno);
     if (child == 0) work_in_copy(work, output, errors);
     ::setpgid(child, child);  // whoever comes first
-    return heard_out(Running(child), output, errors, on_line);
+    return heard_out(Running(child), output, errors, on_line, end);
 }
 
 ChildResult run_child(const std::vector<std::string>& words, const std::filesystem::path& directory,

@@ -30,9 +30,17 @@ struct ChildResult {
                                     const std::filesystem::path& directory,
                                     const std::function<void(std::string_view)>& on_line = nullptr);
 
-/// The same of a function, which is called in a copy of this process: its result is the exit
-/// status. Precondition: it waits for no other thread, as there are none in the copy.
+/// What becomes of a child at an interruption, where these are held.
+enum class WhenInterrupted {
+    it_is_ended,
+    it_stops,  ///< by SIGTERM, which it heeds within seconds; SIGUSR1 is handed on to it, too
+};
+
+/// Calls a function in a copy of this process: its result is the exit status. A child that stops at
+/// an interruption is heard out, and the interruption is left to others. Throws as above.
+/// Precondition: it waits for no other thread, as there are none in the copy.
 [[nodiscard]] ChildResult run_child(const std::function<int()>& work,
-                                    const std::function<void(std::string_view)>& on_line = nullptr);
+                                    const std::function<void(std::string_view)>& on_line = nullptr,
+                                    WhenInterrupted end = WhenInterrupted::it_is_ended);
 
 }  // namespace hvi::gen

@@ -65,6 +65,14 @@ public:
         for (std::size_t i = 0; i < values_.size(); ++i) { departures_[i].see(values_[i]); }
     }
 
+    /// Goes on from earlier departures; `x` is where they were last looked at.
+    template <class Stepper, class State>
+    void resume(const Stepper& stepper, const State& x,
+                const std::vector<detail::Departure>& departures) {
+        compute(stepper, x);
+        departures_ = departures;
+    }
+
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
     [[nodiscard]] const std::vector<detail::Departure>& departures() const { return departures_; }
 
@@ -106,6 +114,14 @@ public:
 
     [[nodiscard]] double mean() const {
         return count_ == 0 ? 0 : sum_ / static_cast<double>(count_);
+    }
+
+    [[nodiscard]] double sum() const { return sum_; }
+    [[nodiscard]] std::int64_t count() const { return count_; }
+    /// Goes on from an earlier sum.
+    void resume(double sum, std::int64_t count) {
+        sum_ = sum;
+        count_ = count;
     }
 
 private:

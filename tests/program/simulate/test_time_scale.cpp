@@ -30,10 +30,12 @@ std::string planet(const std::string& eccentricity, const std::string& more) {
 /// The distance of the Runge-Lenz vector, which is e along x, from (ecc, 0). NOTE: in long double,
 /// as near the sun it is a difference of large numbers.
 double off_ellipse(const std::vector<double>& row, double eccentricity) {
-    const long double x = row[1], y = row[2], px = row[3], py = row[4];
+    const auto exact = [](double value) { return static_cast<long double>(value); };
+    const long double x = exact(row[1]), y = exact(row[2]), px = exact(row[3]), py = exact(row[4]);
     const long double L = x * py - y * px, r = std::sqrt(x * x + y * y);
     // At the perihelion the vector leads there, and x is positive.
-    return static_cast<double>(std::hypot(py * L - x / r - eccentricity, -px * L - y / r));
+    const long double along = py * L - x / r - exact(eccentricity);
+    return static_cast<double>(std::hypot(along, -px * L - y / r));
 }
 
 /// The time on the ellipse where the planet is: Kepler's equation, t = E - e sin E.

@@ -62,6 +62,35 @@ public:
         }
     }
 
+    /// What the search for one event has in mind between two steps.
+    struct Memory {
+        int sign = 0;                 ///< of the function behind the last step
+        Scalar value = 0, slope = 0;  ///< of it there
+        std::optional<Scalar> last = {}, before_last = {};  ///< times of those that counted
+    };
+
+    [[nodiscard]] std::vector<Memory> memory() const {
+        std::vector<Memory> all;
+        for (const Cursor& each : cursors_) {
+            all.push_back({each.sign, each.at_from, each.slope, each.last, each.before_last});
+        }
+        return all;
+    }
+
+    /// Goes on between two steps, where output at times up to t has been given.
+    void resume(Scalar t, Scalar h, const std::vector<Memory>& memory) {
+        h_ = h;
+        while (has_output() && !is_before(t, next_output())) { ++next_time_; }
+        for (std::size_t i = 0; i < events_.size() && i < memory.size(); ++i) {
+            cursors_[i] = {};
+            cursors_[i].sign = memory[i].sign;
+            cursors_[i].at_from = memory[i].value;
+            cursors_[i].slope = memory[i].slope;
+            cursors_[i].last = memory[i].last;
+            cursors_[i].before_last = memory[i].before_last;
+        }
+    }
+
     /// Takes a step to the time `next`, or to the event that ends the run, and adds it to the
     /// result. Where it fails x keeps its bits.
     void take(Stepper& stepper, State& x, Scalar h, Scalar next, EventRun<Scalar>& result) {
