@@ -181,6 +181,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
         if (!options.until) options.until = options.times->to;
     }
     options.every = words.whole_number("--every");
+    options.format = words.choice<TableFormat>("--format").value_or(TableFormat::csv);
     options.columns = words.value("--columns");
     options.symmetries = !words.has("--no-symmetries");
     if (words.has("--interpret")) options.interpret = words.place("--interpret");
@@ -195,6 +196,9 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.sali = words.has("--sali");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
+    // NOTE: a picture is drawn of rows as text, and a run that goes on has but its own.
+    if (options.checkpoints.any() && options.format != TableFormat::csv)
+        options.files.erase(RunFile::picture);
     options.output = output_option(words);
     return options;
 }

@@ -82,9 +82,10 @@ struct RunOptions {
     Given step, until;                 ///< in place of those of the scene
     std::optional<OutputTimes> times;  ///< of rows of the table
     std::optional<int> every;          ///< a row in so many steps
-    Given columns;                     ///< of the table, in place of the usual ones
-    bool symmetries = true;            ///< look for them
-    std::optional<Place> interpret;    ///< without a compiler
+    TableFormat format = TableFormat::csv;
+    Given columns;                   ///< of the table, in place of the usual ones
+    bool symmetries = true;          ///< look for them
+    std::optional<Place> interpret;  ///< without a compiler
     CheckpointOptions checkpoints;
     bool tangent = false;  ///< the derivative of the flow
     std::optional<Exponents> lyapunov;

@@ -63,6 +63,7 @@ TrajectoryWishes trajectory(const WishedRun& wished, const RunOptions& options,
                             .events = wished.events,
                             .clock = wished.clock};
     if (tables.of_picture) wishes.tables.push_back(tables.of_picture->table);
+    if (tables.plain) wishes.tables.push_back(*tables.plain);
     wishes.events.file = table_of_events;
     if (!options.checkpoints.any()) return wishes;
     const std::string key = key_of(wished, tables.own);
@@ -257,11 +258,15 @@ RunTables wished_tables(const WishedRun& wished, const RunOptions& options,
     const std::int64_t usual = (wished.steps.count + most_rows - 1) / most_rows;
     const std::int64_t every =
         options.every.value_or(wished.clock ? 1 : std::max<std::int64_t>(1, usual));
-    RunTables tables{{every, columns, files.table(), wished.times}, {}};
-    if (options.files.contains(RunFile::picture) && !options.columns && !wished.clock &&
-        !options.checkpoints.any())
+    RunTables tables{{every, columns, files.table(), wished.times, options.format}, {}};
+    if (!options.files.contains(RunFile::picture) || options.checkpoints.any()) return tables;
+    if (!options.columns && !wished.clock)
         tables.of_picture = picture_table(wished.subject.coordinates, wished.steps, every);
-    if (tables.of_picture) tables.of_picture->table.file = files.table_of_picture();
+    if (tables.of_picture) {
+        tables.of_picture->table.file = files.table_of_picture();
+    } else if (options.format != TableFormat::csv) {
+        tables.plain = {every, columns, files.table_of_picture(), wished.times};
+    }
     return tables;
 }
 
@@ -342,13 +347,14 @@ void run(const RunOptions& options) {
     const Target target = runner.target(wished.stepper);
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     RunFiles files(directory);
-    if (options.checkpoints.any()) files.keep_growing(bool(options.checkpoints.resume));
+    if (options.checkpoints.any())
+        files.keep_growing(bool(options.checkpoints.resume), options.format);
     const RunTables tables = wished_tables(wished, options, columns, files);
     const fs::path events = wished.events.events.empty() ? fs::path() : files.events();
     const Simulation simulation =
         simulate(target, trajectory(wished, options, tables, events), wished);
     if (simulation.status == interrupted_run) {  // as soon as this is left, the program ends
-        if (options.files.contains(RunFile::table)) files.keep_table(simulation);
+        if (options.files.contains(RunFile::table)) files.keep_table(simulation, options.format);
         return;
     }
     const TangentFindings directions = carry_directions(wished, simulation, runner);

@@ -39,8 +39,9 @@ std::string text_of(const std::vector<IndexedEvent>& events) {
 }
 
 std::string key_of(const WishedRun& run, const TableWishes& table) {
-    std::string text = fmt::format("hvi-gen {}\n{}\nstep {}\nevery {}\n", version,
-                                   run.stepper.header, run.steps.size, table.every);
+    std::string text =
+        fmt::format("hvi-gen {}\n{}\nstep {}\nevery {} format {}\n", version, run.stepper.header,
+                    run.steps.size, table.every, static_cast<int>(table.format));
     for (const double number : driven_system(run.stepper.system).numbers)
         text += fmt::format("{}\n", number);
     for (const double time : table.times) text += fmt::format("at {}\n", time);

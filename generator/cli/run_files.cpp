@@ -21,7 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* table_name = "trajectory.csv";
+const char* table_name(TableFormat format) {
+    return format == TableFormat::csv ? "trajectory.csv" : "trajectory.npy";
+}
 constexpr const char* tangent_name = "tangent.csv";
 constexpr const char* events_name = "events.csv";
 constexpr const char* picture_name = "picture.svg";
@@ -113,13 +115,13 @@ void let_grow(const fs::path& directory, const char* name) {
 
 }  // namespace
 
-void RunFiles::keep_growing(bool goes_on) {
+void RunFiles::keep_growing(bool goes_on, TableFormat format) {
     if (!directory_) return;
     stays_ = true;
     const fs::path& directory = directory_->path();
     if (goes_on)
-        for (const char* name : {table_name, events_name}) let_grow(directory, name);
-    table_ = std::make_unique<Unfinished>(growing(directory, table_name), true);
+        for (const char* name : {table_name(format), events_name}) let_grow(directory, name);
+    table_ = std::make_unique<Unfinished>(growing(directory, table_name(format)), true);
     if (goes_on && !fs::exists(table_->path()))
         throw EnvironmentError("the table that the checkpoint goes on with is not there: " +
                                    table_->path().string(),
@@ -149,10 +151,10 @@ void RunFiles::keep_tangent(const std::vector<double>& entries) const {
     write_file(directory_->path() / tangent_name, text);
 }
 
-void RunFiles::keep_table(const Simulation& run) {
+void RunFiles::keep_table(const Simulation& run, TableFormat format) {
     if (!directory_) return;
-    if (!run.ok()) mark_incomplete(table_->path(), run);
-    table_->rename_to(directory_->path() / table_name);
+    if (!run.ok() && format == TableFormat::csv) mark_incomplete(table_->path(), run);
+    table_->rename_to(directory_->path() / table_name(format));
     if (events_) events_->rename_to(directory_->path() / events_name);
 }
 
@@ -160,10 +162,11 @@ void RunFiles::keep(const RunSubject& subject, const Steps& asked, const Simulat
                     RunTables tables, const std::set<RunFile>& wished, const std::string& summary) {
     if (!directory_) return;
     if (wished.contains(RunFile::table)) {
-        keep_table(run);
-        tables.own.file = directory_->path() / table_name;
+        keep_table(run, tables.own.format);
+        tables.own.file = directory_->path() / table_name(tables.own.format);
     }
     if (wished.contains(RunFile::summary)) write_file(directory_->path() / summary_name, summary);
+    if (tables.plain) tables.own = *tables.plain;
     if (wished.contains(RunFile::picture))
         write_file(directory_->path() / picture_name, draw(picture(subject, asked, run, tables)));
 }

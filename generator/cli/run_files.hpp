@@ -24,7 +24,7 @@ public:
     /// Lets tables grow in files of a name of their own, so that they are there however the run
     /// ends; those that a run goes on from stay. Throws EnvironmentError. Precondition: no table
     /// has been asked for.
-    void keep_growing(bool goes_on);
+    void keep_growing(bool goes_on, TableFormat format);
     ~RunFiles();
     RunFiles(const RunFiles&) = delete;
     RunFiles& operator=(const RunFiles&) = delete;
@@ -40,7 +40,7 @@ public:
     void keep_tangent(const std::vector<double>& entries) const;
 
     /// Keeps the tables, as far as they are. Throws EnvironmentError.
-    void keep_table(const Simulation& run);
+    void keep_table(const Simulation& run, TableFormat format);
 
     /// Keeps what is wished for. Throws EnvironmentError.
     void keep(const RunSubject& subject, const Steps& asked, const Simulation& run,

@@ -43,6 +43,7 @@ struct PictureTable {
 struct RunTables {
     TableWishes own;
     std::optional<PictureTable> of_picture;
+    std::optional<TableWishes> plain = {};  ///< as `own` has it, where that is no CSV
 };
 
 /// Without a table of its own it shows what the table of the run has.

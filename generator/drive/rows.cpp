@@ -3,31 +3,45 @@
 
 namespace hvi::gen {
 
-Rows::Rows(const TableWishes& wishes)
-    : every_(wishes.every), has_times_(!wishes.times.empty()), table_(wishes.file.c_str()) {
-    table_.cell("t");
-    for_each_column(wishes.columns, [&](const std::string& name, std::size_t number) {
-        numbers_.push_back(number);
-        table_.cell(name);
-    });
-    table_.end_row();
+namespace {
+
+/// The time, and the columns of a table.
+std::vector<std::string> names_of(const TableWishes& wishes) {
+    std::vector<std::string> names{"t"};
+    for_each_column(wishes.columns,
+                    [&](const std::string& name, std::size_t) { names.push_back(name); });
+    return names;
 }
+
+std::vector<std::size_t> numbers_of(const TableWishes& wishes) {
+    std::vector<std::size_t> numbers;
+    for_each_column(wishes.columns,
+                    [&](const std::string&, std::size_t number) { numbers.push_back(number); });
+    return numbers;
+}
+
+}  // namespace
+
+Rows::Rows(const TableWishes& wishes)
+    : every_(wishes.every),
+      has_times_(!wishes.times.empty()),
+      numbers_(numbers_of(wishes)),
+      table_(row_file(wishes.format, wishes.file, names_of(wishes))) {}
 
 Rows::Rows(const TableWishes& wishes, const Place& from)
     : every_(wishes.every),
       has_times_(!wishes.times.empty()),
-      table_(wishes.file.c_str(), from.size),
+      numbers_(numbers_of(wishes)),
+      table_(row_file(wishes.format, wishes.file, names_of(wishes), from.size)),
       count_(from.rows) {
     if (has_row(from.steps)) last_ = from.t;
-    for_each_column(wishes.columns,
-                    [&](const std::string&, std::size_t number) { numbers_.push_back(number); });
 }
 
 void Rows::write(double time, const Value& value) {
     last_ = time;
-    table_.cell(time);
-    for (const std::size_t number : numbers_) table_.cell(value(number));
-    table_.end_row();
+    values_.assign(1, time);
+    for (const std::size_t number : numbers_) values_.push_back(value(number));
+    table_->row(values_);
     ++count_;
 }
 

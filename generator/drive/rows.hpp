@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "generator/drive/row_file.hpp"
 #include "generator/drive/table.hpp"
 #include "generator/drive/trajectory.hpp"
 
@@ -28,7 +30,7 @@ public:
     };
     Rows(const TableWishes& wishes, const Place& from);
 
-    [[nodiscard]] bool good() const { return table_.good(); }
+    [[nodiscard]] bool good() const { return table_->good(); }
     [[nodiscard]] std::int64_t count() const { return count_; }
     [[nodiscard]] bool has_times() const { return has_times_; }
 
@@ -49,14 +51,15 @@ public:
 
     void write(double time, const Value& value);
 
-    [[nodiscard]] std::int64_t flushed_size() { return table_.flushed_size(); }
-    [[nodiscard]] bool close() { return table_.close(); }
+    [[nodiscard]] std::int64_t flushed_size() { return table_->flushed_size(); }
+    [[nodiscard]] bool close() { return table_->close(); }
 
 private:
     std::int64_t every_;
     bool has_times_;
-    NumberTable table_;
     std::vector<std::size_t> numbers_;  // of the columns
+    std::unique_ptr<RowFile> table_;
+    std::vector<double> values_;  // of a row
     std::int64_t count_ = 0;
     std::optional<double> last_;  // time of a row
 };

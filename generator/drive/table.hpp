@@ -49,8 +49,18 @@ public:
 
     void end_row() {
         line_ += '\n';
-        good_ = good_ && std::fwrite(line_.data(), 1, line_.size(), file_) == line_.size();
+        bytes(line_);
         line_.clear();
+    }
+
+    /// Writes these as they are.
+    void bytes(std::string_view all) {
+        good_ = good_ && std::fwrite(all.data(), 1, all.size(), file_) == all.size();
+    }
+    /// Writes these where the file begins, in place of as many.
+    void overwrite(std::string_view all) {
+        good_ = good_ && std::fseek(file_, 0, SEEK_SET) == 0;
+        bytes(all);
     }
 
     /// How many bytes there are, all of which have left this process; -1 where they have not.

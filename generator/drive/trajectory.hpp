@@ -24,6 +24,7 @@ struct TableWishes {
     std::vector<ColumnBox> columns;  ///< behind the time: coordinates, momenta, invariants
     std::filesystem::path file;
     std::vector<double> times = {};  ///< rows at these, where there are some, in place of `every`
+    TableFormat format = TableFormat::csv;
 };
 
 /// An event of a run.

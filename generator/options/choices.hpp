@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "generator/read/table_columns.hpp"
+
 namespace hvi::gen {
 
 enum class TableauFormat { text, json, latex, markdown, csv };

@@ -61,6 +61,9 @@ constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes",
                                 choice("no", Unroll::no)};
 constexpr std::array languages = {choice("c", Language::c),
                                   choice("python", Language::python, State::to_come)};
+constexpr std::array table_formats = {choice("csv", TableFormat::csv),
+                                      choice("npy", TableFormat::npy),
+                                      choice("hdf5", TableFormat::csv, State::to_come)};
 constexpr std::array exponents = {choice("largest", Exponents::largest),
                                   choice("spectrum", Exponents::spectrum)};
 constexpr std::array run_files = {choice("table", RunFile::table),
@@ -410,6 +413,10 @@ constexpr std::array table = {
                 .placeholder = "FILE",
                 .help = "Go on from the last checkpoint there",
                 .excludes = {.others = "--accuracy"}},
+    OptionEntry{.name = "--tangent",
+                .of = {stepper},
+                .help = "Steps of directions, too",
+                .state = State::to_come},
     OptionEntry{
         .name = "--tangent", .of = {run}, .help = "Write the derivative of the flow, tangent.csv"},
     OptionEntry{.name = "--lyapunov",
@@ -421,6 +428,14 @@ constexpr std::array table = {
     OptionEntry{.name = "--megno", .of = {run}, .help = "The chaos indicator MEGNO: 2 if regular"},
     OptionEntry{
         .name = "--sali", .of = {run}, .help = "The smaller alignment index: it vanishes in chaos"},
+    OptionEntry{.name = "--frequencies",
+                .of = {run},
+                .value = Value::text,
+                .placeholder = "COLUMNS",
+                .help = "The main frequencies of columns",
+                .state = State::to_come},
+    OptionEntry{
+        .name = "--shadow", .of = {run}, .help = "The shadow Hamiltonian", .state = State::to_come},
     OptionEntry{.name = "--interpret",
                 .of = {run},
                 .help = "Take the steps without a compiler",
@@ -475,10 +490,10 @@ constexpr std::array table = {
                 .help = "How they are written"},
     OptionEntry{.name = "--format",
                 .of = {run},
-                .value = Value::text,
+                .value = Value::choice,
                 .placeholder = "FORMAT",
-                .help = "How the table is written",
-                .state = State::to_come},
+                .choices = table_formats,
+                .help = "How the table is written"},
     OptionEntry{.name = "--digits",
                 .of = {tableau},
                 .value = Value::whole,

@@ -12,6 +12,9 @@
 
 namespace hvi::gen {
 
+/// How a table is written.
+enum class TableFormat { csv, npy };
+
 /// The values of an index, from the first to the last.
 struct IndexRange {
     long first = 0, last = 0;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/drive/row_file.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <string_view>
+
+#include "generator/drive/table.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+class CsvRows : public RowFile {
+public:
+    CsvRows(const char* path, const std::vector<std::string>& names) : table_(path) {
+        for (const std::string& name : names) table_.cell(name);
+        table_.end_row();
+    }
+    CsvRows(const char* path, std::int64_t size) : table_(path, size) {}
+
+    void row(const std::vector<double>& values) override {
+        for (const double value : values) table_.cell(value);
+        table_.end_row();
+    }
+    [[nodiscard]] bool good() const override { return table_.good(); }
+    [[nodiscard]] std::int64_t flushed_size() override { return table_.flushed_size(); }
+    [[nodiscard]] bool close() override { return table_.close(); }
+
+private:
+    NumberTable table_;
+};
+
+/// The beginning of an NPY file of version 2: what is in it as a literal of Python, filled up with
+/// blanks, so that it is as long whatever the number of rows.
+std::string npy_header(const std::vector<std::string>& names, std::int64_t rows) {
+    constexpr std::size_t longest_count = 20, alignment = 64, before = 12;
+    const char order = std::endian::native == std::endian::little ? '<' : '>';
+    std::string fields;
+    for (const std::string& name : names) {
+        fields += fields.empty() ? "('" : ", ('";
+        fields += name + "', '" + order + "f8')";
+    }
+    const std::string count = std::to_string(rows);
+    std::string text = "{'descr': [" + fields + "], 'fortran_order': False, 'shape': (" + count +
+                       ",), }" + std::string(longest_count - count.size(), ' ');
+    text += std::string(alignment - 1 - (before + text.size()) % alignment, ' ') + "\n";
+    std::string header("\x93NUMPY\x02\x00", 8);
+    for (std::size_t k = 0; k < 4; ++k)
+        header += static_cast<char>(static_cast<unsigned char>(text.size() >> (8 * k)));
+    return header + text;
+}
+
+class NpyRows : public RowFile {
+public:
+    NpyRows(const char* path, const std::vector<std::string>& names) : names_(names), file_(path) {
+        file_.bytes(npy_header(names_, 0));
+    }
+    NpyRows(const char* path, const std::vector<std::string>& names, std::int64_t size)
+        : names_(names), file_(path, size) {
+        const auto header = static_cast<std::int64_t>(npy_header(names_, 0).size());
+        count_ = (size - header) / static_cast<std::int64_t>(names_.size() * sizeof(double));
+    }
+
+    void row(const std::vector<double>& values) override {
+        const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
+                                     values.size() * sizeof(double));
+        file_.bytes(bytes);
+        ++count_;
+    }
+    [[nodiscard]] bool good() const override { return file_.good(); }
+    [[nodiscard]] std::int64_t flushed_size() override { return file_.flushed_size(); }
+    [[nodiscard]] bool close() override {
+        file_.overwrite(npy_header(names_, count_));
+        return file_.close();
+    }
+
+private:
+    std::vector<std::string> names_;
+    NumberTable file_;
+    std::int64_t count_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<RowFile> row_file(TableFormat format, const std::filesystem::path& path,
+                                  const std::vector<std::string>& names,
+                                  std::optional<std::int64_t> size) {
+    if (format == TableFormat::csv)
+        return size ? std::make_unique<CsvRows>(path.c_str(), *size)
+                    : std::make_unique<CsvRows>(path.c_str(), names);
+    return size ? std::make_unique<NpyRows>(path.c_str(), names, *size)
+                : std::make_unique<NpyRows>(path.c_str(), names);
+}
+
+}  // namespace hvi::gen
