@@ -109,9 +109,9 @@ TEST_CASE("exponents of an inverted pendulum are 1 and -1") {
 TEST_CASE("MEGNO is 2 where neighbours part with the time, and 0 where they stay") {
     const SceneRun shear = run_scene(one_degree("p^4/4", "0", "1"), "--megno --until 2000");
     CHECK(shear.said("megno").front() == Approx(2).epsilon(0.02));
-    const SceneRun spring =
+    const SceneRun swing =
         run_scene(one_degree("(p^2 + q^2)/2", "1", "0"), "--megno --until 2000");
-    CHECK(std::abs(spring.said("megno").front()) < 0.02);
+    CHECK(std::abs(swing.said("megno").front()) < 0.02);
     const SceneRun sali = run_scene(one_degree("(p^2 + q^2)/2", "1", "0"), "--sali");
     CHECK(sali.said("sali").front() > 0.1);
 }

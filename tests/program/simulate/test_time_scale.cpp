@@ -179,10 +179,10 @@ TEST_CASE("events and jumps in scaled time") {
     REQUIRE(kicked.outcome.status == 0);
     REQUIRE(kicked.events.size() == 3);
     // It falls for sqrt(2), then is up in the air for as long.
-    const std::vector<double> second =
+    const std::vector<double> behind =
         numbers_of(kicked.events[2].substr(std::string("floor,2,").size()));
-    CHECK(std::abs(second[0] - 2 * std::sqrt(2.0)) < 1e-9);
-    CHECK(std::abs(second[2] + std::sqrt(0.5)) < 1e-9);
+    CHECK(std::abs(behind[0] - 2 * std::sqrt(2.0)) < 1e-9);
+    CHECK(std::abs(behind[2] + std::sqrt(0.5)) < 1e-9);
 }
 
 TEST_CASE("scales that are none are refused with their place") {
