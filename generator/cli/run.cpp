@@ -161,9 +161,10 @@ void check_claim(const WrittenOutScene& scene, const SceneEvent& event) {
 
 /// The events of a scene, for a run.
 EventWishes events_of(const Scene& scene, const SceneStepper& stepper, const RunSubject& subject) {
-    if (scene.events.empty()) return {};
+    if (scene.events.empty() && !scene.kinks) return {};
     if (!stepper.system.is_written_out())
-        throw InputError("events are not built where sums stay loops", scene.events.front().place,
+        throw InputError("events are not built where sums stay loops",
+                         scene.kinks ? *scene.kinks : scene.events.front().place,
                          "--unroll yes writes the sums out, up to 64 degrees of freedom");
     const WrittenOutScene written = unrolled(scene);
     for (const SceneEvent& event : written.events) check_claim(written, event);
@@ -192,6 +193,9 @@ std::optional<SceneStepper> direction_stepper(const MethodAndScene& both,
                                               const RunOptions& options) {
     if (!tangents_of(options).any()) return {};
     const std::string_view what = wish_for_directions(options);
+    if (both.scene.kinks)
+        throw InputError(fmt::format("{} is not built for kinks that end steps", what),
+                         both.scene.kinks);
     for (const IndexedEvent& event : both.scene.events)
         if (event.set)
             throw InputError(fmt::format("{} is not built for events that jump", what),
@@ -207,7 +211,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     RunSubject subject = run_subject(stepper);
     std::vector<Statement> statements = watched.statements(keeping_facts(stepper.method.base));
     EventWishes events = events_of(both.scene, stepper, subject);
-    std::string events_text = text_of(both.scene.events);
+    std::string events_text = text_of(both.scene.events) + (both.scene.kinks ? "kinks\n" : "");
     std::vector<double> times;
     if (options.times)
         times = values_of(*options.times, times_of(both.scene), length.steps.size, length.end());
@@ -350,7 +354,7 @@ void run(const RunOptions& options) {
     if (options.checkpoints.any())
         files.keep_growing(bool(options.checkpoints.resume), options.format);
     const RunTables tables = wished_tables(wished, options, columns, files);
-    const fs::path events = wished.events.events.empty() ? fs::path() : files.events();
+    const fs::path events = wished.events.has_rows() ? files.events() : fs::path();
     const Simulation simulation =
         simulate(target, trajectory(wished, options, tables, events), wished);
     if (simulation.status == interrupted_run) {  // as soon as this is left, the program ends

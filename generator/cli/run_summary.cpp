@@ -118,7 +118,8 @@ std::string summary(const WishedRun& wished, const Simulation& run,
     }
     for (const Conserved& kept : run.conserved) line(kept.name, said_of(kept, wished.statements));
     for (std::size_t i = 0; i < run.events.size(); ++i)
-        line("event", events_text(wished.events.events[i].name, run.events[i]));
+        if (const DrivenEvent& event = wished.events.events[i]; !event.event.is_kink)
+            line("event", events_text(event.name, run.events[i]));
     for (const auto& [name, value] : lines_of(tangents)) line(name, value);
     if (!wished.not_looked_for.empty())
         line("symmetries", "not looked for: " + wished.not_looked_for);

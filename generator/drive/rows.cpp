@@ -46,7 +46,7 @@ void Rows::write(double time, const Value& value) {
 }
 
 EventRows::EventRows(const EventWishes& wishes) {
-    if (wishes.events.empty()) return;
+    if (!wishes.has_rows()) return;
     table_.emplace(wishes.file.c_str());
     for (const char* name : {"event", "number", "t"}) table_->cell(name);
     for (const std::string& name : wishes.variables) table_->cell(name);
@@ -54,7 +54,7 @@ EventRows::EventRows(const EventWishes& wishes) {
 }
 
 EventRows::EventRows(const EventWishes& wishes, std::int64_t size) {
-    if (!wishes.events.empty()) table_.emplace(wishes.file.c_str(), size);
+    if (wishes.has_rows()) table_.emplace(wishes.file.c_str(), size);
 }
 
 void EventRows::write(const std::string& name, std::int64_t number, double time,

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -40,6 +41,11 @@ struct EventWishes {
     std::vector<DrivenEvent> events;
     std::vector<std::string> variables;  ///< names of coordinates, then of momenta
     std::filesystem::path file;
+
+    [[nodiscard]] bool has_rows() const {
+        return std::any_of(events.begin(), events.end(),
+                           [](const DrivenEvent& event) { return !event.event.is_kink; });
+    }
 };
 
 /// The time where steps are of another variable: the last of the coordinates.

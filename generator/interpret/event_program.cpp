@@ -122,6 +122,7 @@ DrivenEvent driven(const LoweredEvent& event, const SceneEvent& scene, EventTape
     DrivenEvent result;
     result.name = event.name;
     result.stop = event.stop;
+    result.event.is_kink = scene.is_kink;
     result.event.zero = function(tapes->zero);
     result.event.direction = direction_of(event.direction);
     if (tapes->slope) result.event.slope = function(*tapes->slope);

@@ -136,6 +136,7 @@ struct Scene {
     std::vector<IndexedField> fields;        ///< of [symmetries]
     std::vector<IndexedEvent> events;        ///< in the order of the file
     std::optional<IndexedScale> scale = {};  ///< where steps are of another variable than time
+    std::optional<Place> kinks = {};         ///< of the key, where kinks of H end steps
     std::optional<ValueTable> initial;
     std::optional<ValueTable> exact;
     IndexedRun run;

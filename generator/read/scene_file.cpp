@@ -90,7 +90,8 @@ private:
     [[nodiscard]] EventDirection direction(const toml::table& event) const;
     [[nodiscard]] long stop(const toml::table& event) const;
     [[nodiscard]] bool claims(const toml::table& table, std::string_view key) const;
-    [[nodiscard]] std::optional<IndexedScale> scale() const;
+    void read_time(Scene& scene) const;
+    [[nodiscard]] IndexedScale scale(const toml::node& node) const;
     [[nodiscard]] IndexedRun run() const;
 
     const Source& source_;
@@ -521,25 +522,30 @@ std::vector<IndexedEvent> SceneReader::events() const {
     return list;
 }
 
-std::optional<IndexedScale> SceneReader::scale() const {
+void SceneReader::read_time(Scene& scene) const {
     const toml::table* table = section("time", "scale = \"x^2 + y^2\"");
-    if (table == nullptr) return {};
-    if (const toml::node* kinks = table->get("kinks"))
-        throw InputError("`kinks` is to come", file_.place(*kinks),
-                         "it is planned, and not built yet");
-    file_.check_keys(*table, "section [time]", {"scale"});
-    const toml::node* node = table->get("scale");
-    if (node == nullptr)
+    if (table == nullptr) return;
+    file_.check_keys(*table, "section [time]", {"scale", "kinks"});
+    if (const toml::node* node = table->get("kinks")) {
+        if (node->value_or(std::string_view()) != "events")
+            throw InputError("kinks are \"events\", or nothing is said of them",
+                             file_.place(*node));
+        scene.kinks = file_.place(*node);
+    }
+    if (const toml::node* node = table->get("scale")) scene.scale = scale(*node);
+    if (!scene.kinks && !scene.scale)
         throw InputError("there is no scale", file_.place(*table),
                          fmt::format("it is an expression, or one of {}", names_of_scales));
-    IndexedScale scale{
-        .kind = TimeScale::expression, .expression = {}, .place = file_.place(*node)};
-    const std::string_view word = node->value_or(std::string_view());
+}
+
+IndexedScale SceneReader::scale(const toml::node& node) const {
+    IndexedScale scale{.kind = TimeScale::expression, .expression = {}, .place = file_.place(node)};
+    const std::string_view word = node.value_or(std::string_view());
     if (word == "logarithmic") scale.kind = TimeScale::logarithmic;
     if (word == "arclength") scale.kind = TimeScale::arclength;
     if (word == "potential") scale.kind = TimeScale::potential;
     if (word == "distance") scale.kind = TimeScale::distance;
-    if (scale.kind == TimeScale::expression) scale.expression = expression(*node);
+    if (scale.kind == TimeScale::expression) scale.expression = expression(node);
     return scale;
 }
 
@@ -592,7 +598,7 @@ Scene SceneReader::read() {
     read_invariants(scene);
     scene.fields = fields();
     scene.events = events();
-    scene.scale = scale();
+    read_time(scene);
     static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
     scene.initial = values(*section("initial", "x = 0"));
     if (const toml::table* table = section("exact", "q = \"cos(t)\"")) scene.exact = values(*table);

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "generator/read/kinks.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/scene_values.hpp"
 
@@ -30,6 +32,7 @@ private:
     void check_component(const NamedExpression& component, const Place& place) const;
     [[nodiscard]] SceneEvent event(const IndexedEvent& written);
     [[nodiscard]] std::vector<NamedExpression> jumps(const ValueTable& written);
+    [[nodiscard]] std::vector<SceneEvent> kinks(const WrittenOutScene& scene) const;
     [[nodiscard]] SceneScale scale(const IndexedScale& written);
 
     const Scene& written_;
@@ -152,6 +155,21 @@ SceneEvent SceneUnrolling::event(const IndexedEvent& written) {
     return event;
 }
 
+/// Events where H has kinks, which stand in its text.
+std::vector<SceneEvent> SceneUnrolling::kinks(const WrittenOutScene& scene) const {
+    std::vector<SceneEvent> list;
+    if (!written_.kinks) { return list; }
+    const MechanicalFunction& function = function_of(scene);
+    for (Expression& zero : kinks_of(function.expression)) {
+        SceneEvent& kink = list.emplace_back();
+        kink.name = "kink " + std::to_string(list.size());
+        kink.place = *written_.kinks;
+        kink.zero = {"zero", std::move(zero), whole(function.source)};
+        kink.is_kink = true;
+    }
+    return list;
+}
+
 SceneScale SceneUnrolling::scale(const IndexedScale& written) {
     SceneScale scale{.kind = written.kind, .expression = {}, .place = written.place};
     if (scale.kind == TimeScale::expression) {
@@ -176,6 +194,7 @@ WrittenOutScene SceneUnrolling::operator()() {
     scene.approximate = written_.approximate;
     scene.fields = fields();
     for (const IndexedEvent& each : written_.events) { scene.events.push_back(event(each)); }
+    for (SceneEvent& each : kinks(scene)) { scene.events.push_back(std::move(each)); }
     if (written_.scale) { scene.scale = scale(*written_.scale); }
     if (written_.initial) {
         scene.initial = values(*written_.initial, words_, variables_, initial_rules);

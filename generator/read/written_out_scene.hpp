@@ -42,6 +42,7 @@ struct SceneEvent {
     std::vector<NamedExpression> set;  ///< by the names of variables, in their order
     std::optional<Place> canonical = {};
     std::optional<NamedExpression> cooldown = {}, period = {};
+    bool is_kink = false;  ///< of H, which ends a step there
 };
 
 /// The scale of the time: see IndexedScale.
@@ -63,7 +64,7 @@ struct WrittenOutScene {
     std::vector<NamedExpression> invariants;          ///< in the order of the file
     std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
     std::vector<VectorField> fields;       ///< of [symmetries], in the order of the file
-    std::vector<SceneEvent> events;        ///< in the order of the file
+    std::vector<SceneEvent> events;        ///< in the order of the file; then kinks of H
     std::optional<SceneScale> scale;       ///< until H is that of scaled time
     std::optional<ScaledTime> scaled;      ///< from then on
     std::vector<NamedExpression> initial;  ///< of the coordinates, then of the other variables

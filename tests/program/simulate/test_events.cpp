@@ -1,5 +1,6 @@
 // Events of scenes, and rows at given times.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -159,6 +160,49 @@ TEST_CASE("jumps that are no canonical map are refused where they say so") {
     const SceneRun flipped = run_scene(ball + shift + "{p = \"-p\"}\n");
     CHECK(flipped.outcome.status == 2);
     CHECK(flipped.outcome.err.find("dq^dp is not kept") != std::string::npos);
+}
+
+TEST_CASE("kinks of H that end steps keep the order, and are no rows") {
+    // H = p^2/2 + |q| from q = 1/2 at rest: it falls for a time of 1, and is back after 4.
+    const std::string valley =
+        "hamiltonian = \"p^2/2 + abs(q)\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+        "initial = {q = \"1/2\", p = 0}\n"
+        "run = {method = \"stormer-verlet\", step = \"7/100\", until = 400}\n";
+    const std::string ends = "[time]\nkinks = \"events\"\n";
+    const auto error = [&](const std::string& scene, const std::string& words) {
+        const SceneRun found = run_scene(scene, "--times 0:400:101 " + words);
+        INFO(found.outcome.err);
+        REQUIRE(found.outcome.status == 0);
+        CHECK(found.events.empty());
+        double largest = 0;
+        for (const auto& row : found.rows())
+            largest = std::max(largest, std::hypot(row[1] - 0.5, row[2]));
+        return largest;
+    };
+    CHECK(error(valley + ends, "") < 1e-9);
+    CHECK(error(valley + ends, "--interpret") < 1e-9);
+    CHECK(error(valley, "") > 1e-5);
+    // One spring to the left, another one to the right: half a period of pi/2, and one of pi.
+    const std::string springs =
+        "hamiltonian = \"p^2/2 + if(q < 0, q^2/2, 2*q^2)\"\ncoordinates = [\"q\"]\n"
+        "momenta = [\"p\"]\ninitial = {q = 0, p = 1}\n"
+        "run = {method = \"gauss:4\", step = \"1/10\", until = \"150*pi\"}\n";
+    const auto at_end = [&](const std::string& scene) {
+        const SceneRun found = run_scene(scene, "--times 0:150*pi:2");
+        INFO(found.outcome.err);
+        REQUIRE(found.outcome.status == 0);
+        return std::hypot(found.last()[1], found.last()[2] - 1);
+    };
+    CHECK(at_end(springs + ends) < 1e-9);
+    CHECK(at_end(springs) > 1e-6);
+    // Beside events that are rows.
+    const SceneRun both = run_scene(springs + ends + "[events.left]\nzero = \"p\"\n");
+    REQUIRE(both.outcome.status == 0);
+    CHECK(both.events.size() == 201);
+    CHECK(std::abs(both.event(0)[0] - std::acos(-1.0) / 4) < 1e-12);
+    CHECK(both.outcome.out.find("kink") == std::string::npos);
+    CHECK(run_scene(springs + "[time]\nkinks = \"steps\"\n").outcome.status == 2);
+    CHECK(run_scene(springs + ends, "--lyapunov").outcome.status == 2);
 }
 
 TEST_CASE("rows at given times, of a run that stays what it is") {

@@ -200,7 +200,6 @@ TEST_CASE("scales that are none are refused with their place") {
     refused("scale = true", 2, "scene.toml");
     refused("scales = \"x\"", 2, "`scales`");
     refused("", 2, "there is no scale");
-    refused("scale = \"x\"\nkinks = \"events\"", 2, "`kinks` is to come");
     refused("scale = \"x\"", 2, "--accuracy is not built", "--accuracy 1e-6");
     refused("scale = \"distance\"", 1, "steps of this size lead away", "--until=-1");
     const SceneRun mixed =

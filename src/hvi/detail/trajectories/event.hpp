@@ -38,6 +38,9 @@ struct Event {
     std::function<Scalar(const State&, Scalar)> slope = {};
     Scalar cooldown = 0;  ///< the time after an event in which no other one of it counts
     Scalar period = 0;    ///< of an angle, which is zero at its multiples; 0 of what is none
+    /// Whether H is not smooth at `zero`. Then a step ends just before it, and the next one begins
+    /// just behind it; nothing is called, and it always counts.
+    bool is_kink = false;
 };
 
 /// Events of the same run.

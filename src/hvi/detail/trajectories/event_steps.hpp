@@ -150,8 +150,9 @@ private:
     /// The next change of a sign.
     struct Crossing {
         Scalar part;
-        int sign;     ///< behind it
-        bool counts;  ///< as an event
+        int sign;           ///< behind it
+        bool counts;        ///< as an event
+        Scalar before = 0;  ///< a part just before a kink
     };
 
     [[nodiscard]] bool is_before(Scalar left, Scalar right) const {
@@ -284,6 +285,9 @@ private:
     [[nodiscard]] std::optional<Crossing> crossing(std::size_t i) {
         const Cursor& cursor = cursors_[i];
         if (cursor.sign == 0) { return {}; }
+        if (events_[i].is_kink && is_all_but_zero(cursor.at_end, cursor.at_from)) {
+            return kink(i, 1, 1);
+        }
         const std::optional<Bracket<Scalar>> both = bracket(i);
         if (!both) { return {}; }
         const int sign = -cursor.sign;
@@ -295,7 +299,38 @@ private:
         const Bracket<Scalar> root = narrowed(*both, tolerance(), [&](Scalar part) {
             return value_at(part, [&](const State& x, Scalar t) { return value(i, x, t); });
         });
-        return counted(i, sign_of(root.at_a) == cursor.sign ? root.b : root.a);
+        const bool a_is_before = sign_of(root.at_a) == cursor.sign;
+        if (events_[i].is_kink) {
+            // NOTE: where one end is a zero the other one may be far away.
+            if (root.at_a == 0) { return kink(i, root.a, root.a); }
+            if (root.at_b == 0) { return kink(i, root.b, root.b); }
+            return kink(i, a_is_before ? root.a : root.b, a_is_before ? root.b : root.a);
+        }
+        return counted(i, a_is_before ? root.b : root.a);
+    }
+
+    /// Whether a kink is where a step ends, up to rounding, so that the next one would begin at it.
+    [[nodiscard]] static bool is_all_but_zero(Scalar at_end, Scalar at_from) {
+        constexpr Scalar little = 256 * std::numeric_limits<Scalar>::epsilon();
+        return std::abs(at_end) <= little * std::abs(at_from);
+    }
+
+    /// A kink between two parts, at which the function has its signs in full.
+    [[nodiscard]] Crossing kink(std::size_t i, Scalar before, Scalar behind) {
+        const int sign = cursors_[i].sign;
+        constexpr Scalar little_more = Scalar(1) / 1'000'000'000;
+        before = with_sign(i, sign, before, cursors_[i].from);
+        return {with_sign(i, -sign, behind, 1 + little_more), -sign, true, before};
+    }
+
+    /// A part near this one, on the way to `end`, at which the function is not zero.
+    [[nodiscard]] Scalar with_sign(std::size_t i, int sign, Scalar part, Scalar end) {
+        const auto value_here = [&](const State& x, Scalar t) { return value(i, x, t); };
+        for (Scalar by = tolerance(); sign_of(value_at(part, value_here)) != sign; by *= 2) {
+            if (part == end || !failure_.ok()) { break; }
+            part = end < part ? std::max(end, part - by) : std::min(end, part + by);
+        }
+        return part;
     }
 
     [[nodiscard]] Crossing counted(std::size_t i, Scalar part) {
@@ -378,6 +413,7 @@ private:
     /// Passes a change of sign.
     void meet(std::size_t i, const Crossing& met, State& x, EventRun<Scalar>& result) {
         Cursor& cursor = cursors_[i];
+        if (events_[i].is_kink) { return pass_kink(i, met); }
         if (met.counts) {
             failure_ = stretch_.at(met.part, within_);
             if (!failure_.ok()) { return; }
@@ -401,6 +437,24 @@ private:
             return behind(met.sign, value(i, y, t));
         });
         found_[i] = crossing(i);
+    }
+
+    /// Goes on behind a kink. NOTE: the state is that just before it, but for what the kink depends
+    /// on: the end of a step is computed with H before the kink, and the next one with H behind it.
+    void pass_kink(std::size_t i, const Crossing& met) {
+        State behind{};
+        failure_ = stretch_.at(met.part, behind);
+        if (failure_.ok()) { failure_ = stretch_.at(met.before, before_); }
+        if (!failure_.ok()) { return; }
+        const Scalar t = time_at(met.part, behind);
+        within_ = before_;
+        within_.q = behind.q;
+        if (sign_of(value(i, within_, t)) != met.sign) {
+            within_.q = before_.q;
+            within_.p = behind.p;
+        }
+        if (sign_of(value(i, within_, t)) != met.sign) { within_ = behind; }
+        jump(i, met.part, t);
     }
 
     /// Goes on from another state, in a stretch from there to the end of the step. NOTE: a function
