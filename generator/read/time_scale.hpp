@@ -1,4 +1,4 @@
-// What a scene says of the size of its steps in time.
+// Names of scales of the time.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

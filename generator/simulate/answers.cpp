@@ -40,7 +40,7 @@ ModuleStart start_of(const Library& library) {
 /// Work on steppers: the exit status.
 using WorkOnSteppers = std::function<int(const FindSteppers&)>;
 
-/// What a driver is to do: words for a program, or work on the steppers of a module.
+/// An order to a driver: words for a program, or work on the steppers of a module.
 struct Command {
     std::vector<std::string> words;
     WorkOnSteppers work;
@@ -54,7 +54,7 @@ ChildResult driven(const Command& command, const Program& program, const OnLine&
     return run_child(line, ".", on_line);
 }
 
-/// Of modules that look at invariants where rows are written, or at each step.
+/// Starts the work, or the words, on steppers; `looks_at_rows` is as of a Library.
 ChildResult driven(const Command& command, const FindSteppers& find, bool looks_at_rows,
                    const OnLine& on_line) {
     return run_child(

@@ -184,7 +184,7 @@ private:
     void (*before_)(int) = SIG_ERR;
 };
 
-/// What a child says, and what an interruption does to it.
+/// Reads the words of a child, and passes interruptions on to it.
 class Listener {
 public:
     Listener(const Running& child, WhenInterrupted end) : child_(child), end_(end) {}

@@ -109,15 +109,14 @@ TEST_CASE("exponents of an inverted pendulum are 1 and -1") {
 TEST_CASE("MEGNO is 2 where neighbours part with the time, and 0 where they stay") {
     const SceneRun shear = run_scene(one_degree("p^4/4", "0", "1"), "--megno --until 2000");
     CHECK(shear.said("megno").front() == Approx(2).epsilon(0.02));
-    const SceneRun swing =
-        run_scene(one_degree("(p^2 + q^2)/2", "1", "0"), "--megno --until 2000");
+    const SceneRun swing = run_scene(one_degree("(p^2 + q^2)/2", "1", "0"), "--megno --until 2000");
     CHECK(std::abs(swing.said("megno").front()) < 0.02);
     const SceneRun sali = run_scene(one_degree("(p^2 + q^2)/2", "1", "0"), "--sali");
     CHECK(sali.said("sali").front() > 0.1);
 }
 
 TEST_CASE("a chaotic and a regular star") {
-    // Of the energy 1/8, beside the section through y = 0: Henon & Heiles 1964, figures 5 and 6.
+    // Both have the energy 1/8: Henon & Heiles 1964, figures 5 and 6.
     const auto exponent = [](const std::string& y, const std::string& py) {
         const std::string scene =
             "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3\"\n"

@@ -83,7 +83,7 @@ void agree(const std::vector<double>& found, const std::vector<double>& expected
     }
 }
 
-/// The same bits, with a floor of this restitution, which counts and keeps the last time.
+/// A floor of this restitution, which counts bounces and keeps the time of the last one.
 struct Floor {
     double restitution;
     int count = 0;
@@ -123,7 +123,7 @@ TEST_CASE("a ball jumps for a thousand times without losing height") {
 }
 
 TEST_CASE("bounces that accumulate end the run where they do") {
-    // Of restitution 1/2 they are at 1, 2, 2 1/2, ... and come to an end at 3.
+    // With the restitution 1/2 bounces are at 1, 2, 2 1/2, ... and come to an end at 3.
     Floor floor{0.5};
     BallStepper stepper;
     BallState x{{0.5}, {0.0}};

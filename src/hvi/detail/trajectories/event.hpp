@@ -16,7 +16,7 @@ namespace hvi {
 /// the run goes, also where its steps are negative.
 enum class Direction { both, up, down };
 
-/// What an event has done.
+/// Consequences of an event for the run.
 enum class After {
     go_on,  ///< nothing to the run
     stop,   ///< ended the run

@@ -62,7 +62,7 @@ public:
         }
     }
 
-    /// What the search for one event has in mind between two steps.
+    /// Memory of the search for one event between two steps.
     struct Memory {
         int sign = 0;                 ///< of the function behind the last step
         Scalar value = 0, slope = 0;  ///< of it there
@@ -124,7 +124,8 @@ public:
         h_ = h;
         for (std::size_t i = 0; i < events_.size(); ++i) {
             Cursor& cursor = cursors_[i];
-            if (sign_of(cursor.at_from) != 0 || cursor.sign == 0) { continue; }
+            const bool is_there = sign_of(cursor.at_from) == 0 && cursor.sign != 0;
+            if (!is_there || events_[i].is_kink) { continue; }
             const int after = sign_after(i, x, result.t);
             if (after != -cursor.sign || !fits(i, after) || !has_cooled(i, result.t)) { continue; }
             State y = x;
