@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -66,6 +67,7 @@ private:
             return;
         }
         const Checkpoint& from = *wishes_.resumed;
+        if (!fits(from)) throw std::runtime_error("the checkpoint does not fit the run");
         for (std::size_t k = 0; k < wishes_.tables.size(); ++k)
             tables_.emplace_back(wishes_.tables[k], Rows::Place{from.sizes.at(k), from.rows.at(k),
                                                                 from.steps, from.t});
@@ -85,6 +87,16 @@ private:
     [[nodiscard]] std::int64_t evaluations() const { return evaluations_ + stepper_.evaluations(); }
 
     // ---- checkpoints ----
+
+    /// Whether there are as many of everything. NOTE: the file may be by anybody.
+    [[nodiscard]] bool fits(const Checkpoint& from) const {
+        const std::size_t events = counts_.size() + (wishes_.clock ? 1 : 0);
+        return from.state.size() == x_.q.size() + x_.p.size() + x_.time.size() &&
+               from.departures.size() == invariants_.departures().size() &&
+               from.events.size() == events && from.counts.size() == counts_.size() &&
+               from.rows.size() == wishes_.tables.size() &&
+               from.sizes.size() == wishes_.tables.size() + 1;
+    }
 
     void resume(const Checkpoint& from) {
         run_.run.steps = from.steps;
