@@ -24,6 +24,7 @@
 #include "generator/hamiltonian/time_scale.hpp"
 #include "generator/interpret/event_program.hpp"
 #include "generator/interpret/interpretation.hpp"
+#include "generator/pipeline/directions.hpp"
 #include "generator/program/builds.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/bar.hpp"

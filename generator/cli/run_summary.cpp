@@ -48,6 +48,16 @@ std::string events_text(const std::string& name, std::int64_t count) {
     return fmt::format("{}, {}", name, count == 1 ? "once" : fmt::format("{} times", count));
 }
 
+/// `2.1 0.5+0.8i 0.5-0.8i 0.47`
+std::string text_of(const std::vector<std::complex<double>>& numbers) {
+    std::vector<std::string> all;
+    for (const std::complex<double>& number : numbers)
+        all.push_back(number.imag() == 0
+                          ? fmt::format("{:.6g}", number.real())
+                          : fmt::format("{:.6g}{:+.6g}i", number.real(), number.imag()));
+    return fmt::format("{}", fmt::join(all, " "));
+}
+
 /// Lines of what was measured on directions.
 std::vector<std::pair<std::string, std::string>> lines_of(const TangentFindings& found) {
     std::vector<std::pair<std::string, std::string>> lines;
@@ -65,6 +75,7 @@ std::vector<std::pair<std::string, std::string>> lines_of(const TangentFindings&
     if (!found.entries.empty())
         add("tangent",
             fmt::format("D^T J D - J is {:.1e} of the largest entry squared at most", found.form));
+    if (!found.multipliers.empty()) add("multipliers", text_of(found.multipliers));
     if (!found.fault.empty()) add("directions", "not carried to the end: " + found.fault);
     return lines;
 }

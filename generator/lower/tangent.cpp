@@ -81,6 +81,7 @@ System with_tangent(System system) {
         terms.push_back(system.graph.product(H_p[k], {{1, 1}, dp_nodes[k]}));
     }
     system.sums = {{{}, system.graph.sum(std::move(terms)), {}, {}, {}}};
+    system.description = "K = dH/dq dq + dH/dp dp: the motion of H, and a direction along it";
     system.energy = {{{}, H, accesses_in(system, {H}), {}, {}}};
     return differentiated(std::move(system));
 }

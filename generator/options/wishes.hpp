@@ -31,6 +31,7 @@ struct StepperWishes {
     bool float128 = false;                        ///< among the numbers that it computes in
     bool dense = false;                           ///< the curve of a step, as a member
     bool action = false;                          ///< H_d^+ and the action of the steps, the same
+    bool tangent = false;                         ///< steps carry directions along
     Given class_name = nullptr;                   ///< by check_class_name(); else the method's
     std::optional<Composition> composition = {};  ///< a step is made of several of the method
     std::string note = {};                        ///< for those who read the header; or empty

@@ -7,8 +7,8 @@
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"
-#include "generator/lower/tangent.hpp"
 #include "generator/options/option_table.hpp"
+#include "generator/pipeline/directions.hpp"
 #include "generator/pipeline/refusals.hpp"
 #include "generator/plan/plan.hpp"
 
@@ -177,7 +177,7 @@ SceneStepper scene_stepper(const ExactMethod& method, const LoweredScene& scene,
 }
 
 SceneStepper scene_stepper(const Method& wished, const Scene& scene, const StepperWishes& wishes) {
-    return by_unrolling(
+    SceneStepper stepper = by_unrolling(
         scene, {wishes.unroll, wish_without_loops(wishes)},
         [&](const UnrollDecision& why) {
             return scene_stepper(wished, lowered_with_loops(scene, why), wishes);
@@ -186,25 +186,8 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
             return scene_stepper(wished, lowered_written_out(scene, std::move(written), why),
                                  wishes);
         });
-}
-
-SceneStepper tangent_stepper(const Method& method, const Scene& scene, StepperWishes wishes,
-                             std::string_view what) {
-    refuse_rotations(scene, what);
-    refuse_scale(scene, what);
-    const Place place = whole(scene.function.source);
-    if (scene.side == Side::lagrangian)
-        throw InputError(fmt::format("{} is not built for a Lagrangian", what), place,
-                         "write the Hamiltonian, which `hvi-gen scheme` prints");
-    if (!scene.own.headers.empty())
-        throw InputError(fmt::format("{} is not built for functions of your own", what), place);
-    wishes.invariants = false;
-    const UnrollDecision why = unroll_decision(scene, {wishes.unroll, std::string(what)});
-    if (!why.writes_out)
-        throw InputError(fmt::format("{} is not built where sums stay loops", what), place,
-                         "without --unroll no the sums are written out, where they can be");
-    return scene_stepper(method, lowered_written_out(scene, unrolled(scene), why, {with_tangent}),
-                         wishes);
+    if (wishes.tangent) add_directions(stepper, wished, scene, wishes);
+    return stepper;
 }
 
 void check_parameter_of_method(const SceneStepper& stepper) {

@@ -70,12 +70,6 @@ struct SceneStepper {
 [[nodiscard]] SceneStepper scene_stepper(const Method& method, const Scene& scene,
                                          const StepperWishes& wishes);
 
-/// A stepper of the scene's motion and of a direction that it carries along: see with_tangent().
-/// Throws InputError, with `what` wishes for it, for a Lagrangian, rotations, scaled time,
-/// functions of the user's own and sums that stay loops.
-[[nodiscard]] SceneStepper tangent_stepper(const Method& method, const Scene& scene,
-                                           StepperWishes wishes, std::string_view what);
-
 /// Throws InputError where a parameter of the method has no value, and is none of the scene.
 void check_parameter_of_method(const SceneStepper& stepper);
 

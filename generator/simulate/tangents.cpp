@@ -1,9 +1,36 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/simulate/tangents.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 namespace hvi::gen {
+
+namespace {
+
+/// The eigenvalues of a matrix, given row by row, the largest first. None where an entry is no
+/// finite number.
+std::vector<std::complex<double>> eigenvalues(const std::vector<double>& entries) {
+    const bool is_finite = std::all_of(entries.begin(), entries.end(),
+                                       [](double entry) { return std::isfinite(entry); });
+    if (!is_finite) return {};
+    const auto size = std::lround(std::sqrt(static_cast<double>(entries.size())));
+    Eigen::MatrixXd matrix(size, size);
+    for (Eigen::Index row = 0; row < size; ++row)
+        for (Eigen::Index column = 0; column < size; ++column)
+            matrix(row, column) = entries[static_cast<std::size_t>(row * size + column)];
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix, false);
+    if (solver.info() != Eigen::Success) return {};
+    std::vector<std::complex<double>> result(solver.eigenvalues().begin(),
+                                             solver.eigenvalues().end());
+    // NOTE: conjugate ones have the same modulus, and stay side by side.
+    std::stable_sort(result.begin(), result.end(),
+                     [](const auto& a, const auto& b) { return std::norm(a) > std::norm(b); });
+    return result;
+}
+
+}  // namespace
 
 TangentFindings find_tangents(const Target& target, const TangentWishes& wishes,
                               const std::function<void(double)>& on_progress) {
@@ -20,6 +47,7 @@ TangentFindings find_tangents(const Target& target, const TangentWishes& wishes,
     std::sort(found.exponents.rbegin(), found.exponents.rend());
     found.entries = answers.numbers("entry");
     if (answers.has("form")) found.form = answers.number("form");
+    if (!found.entries.empty()) found.multipliers = eigenvalues(found.entries);
     return found;
 }
 

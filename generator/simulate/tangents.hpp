@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <complex>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ struct TangentFindings {
     std::vector<double> exponents;  ///< descending
     std::vector<double> entries;    ///< of the derivative, row by row: q and p by q and p
     double form = 0;                ///< how far it is from symplectic
+    /// Eigenvalues of the derivative, the largest first: the multipliers of an orbit that closes.
+    std::vector<std::complex<double>> multipliers = {};
     std::string fault = {};         ///< why a step failed; empty where none did
 };
 

@@ -10,16 +10,11 @@
 #include <hvi/detail/trajectories/in_parallel.hpp>
 #include <hvi/detail/trajectories/lane_groups.hpp>
 #include <hvi/detail/trajectories/single_states.hpp>
+#include <hvi/detail/trajectories/takes_several.hpp>
 
 namespace hvi {
 
 namespace detail {
-
-/// Whether a stepper takes several trajectories at once.
-template <class Stepper, class = void>
-struct TakesSeveral : std::false_type {};
-template <class Stepper>
-struct TakesSeveral<Stepper, std::void_t<typename Stepper::Trajectory>> : std::true_type {};
 
 /// NOTE: named apart from hvi::Trajectories, which generated headers mean.
 template <class Stepper>

@@ -1,6 +1,5 @@
 // Headers of steps in natural charts of rotations.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/starting_values.hpp"
@@ -130,7 +129,6 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const ChartS
     }
     Holes holes = holes_of(system);
     holes.merge(Holes{
-        {"banner", banner(method, step, options)},
         {"format", std::to_string(hvi::runtime_format)},
         {"runtime", runtime_includes(std::move(runtime))},
         {"parameter", ""},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/steps/emit.hpp"
 
+#include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/text/names.hpp"
 
@@ -28,7 +29,7 @@ bool has_seldom_solvers(const Step& step) {
            step.layout != Layout::trajectories;
 }
 
-std::string emit(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
+std::string emit_class(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     std::string text = text_of(method, step, options);
     if (!options.wishes.invariants) { return text; }
     // NOTE: tables of ours give way to invariants that are members.
@@ -36,6 +37,11 @@ std::string emit(const OneStepMethod& method, const Step& step, const EmitOption
         text = with_other_tables(text, invariant.name);
     }
     return text;
+}
+
+std::string emit(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
+    return banner(method, step, options) + "\n#pragma once\n\n" +
+           emit_class(method, step, options);
 }
 
 }  // namespace hvi::gen

@@ -25,6 +25,7 @@ struct EmitOptions {
     SceneWishes wishes = {};         ///< of the scene
     const Evaluations* evaluations = nullptr;  ///< of a system that is written out
     SeldomSolvers seldom = SeldomSolvers::within;
+    std::string parameters_of = {};  ///< a class before this one with these parameters; or empty
 };
 
 /// Whether the step has solvers that it seldom calls.
@@ -34,5 +35,9 @@ struct EmitOptions {
 /// of the program alone. Precondition: `step` is plan(method, ...).
 [[nodiscard]] std::string emit(const OneStepMethod& method, const Step& step,
                                const EmitOptions& options);
+
+/// The header without its first comment and without `#pragma once`: what it includes, and the class.
+[[nodiscard]] std::string emit_class(const OneStepMethod& method, const Step& step,
+                                     const EmitOptions& options);
 
 }  // namespace hvi::gen

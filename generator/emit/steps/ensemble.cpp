@@ -1,7 +1,6 @@
 // Headers of steppers that advance trajectories side by side.
 // SPDX-License-Identifier: GPL-2.0-or-later
 
-#include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
@@ -234,8 +233,7 @@ std::string emit_ensemble(const OneStepMethod& method, const Step& step,
     EnsembleParts parts = std::visit(
         [&](const auto& form) { return ensemble_parts(step, form, dimension); }, step.form);
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(method, step, options)},
-                      {"format", std::to_string(hvi::runtime_format)},
+    holes.merge(Holes{{"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
                       {"trajectory", system.state},
                       {"state", fmt::format("hvi::Trajectories<Vector, hvi::detail::{}{}>",

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
@@ -245,8 +244,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const Explic
     const SystemPart system = system_part(method, step, options);
     const bool rounds = are_rounded(weights) || are_rounded(system.types);
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(method, step, options)},
-                      {"support", support(step, parts, options, rounds)},
+    holes.merge(Holes{{"support", support(step, parts, options, rounds)},
                       {"parameter", parameter_text(step)},
                       {"begins", begins(step)},
                       {"weights", weights},

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
-#include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/curve_tables.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
@@ -98,8 +97,7 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
     const bool composes = !step.in_a_row.empty();
     const std::string step_text = one_step(step, parts.steps, options);
     Holes holes = holes_of(system);
-    holes.merge(Holes{{"banner", banner(method, step, options)},
-                      {"format", std::to_string(hvi::runtime_format)},
+    holes.merge(Holes{{"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
                       {"parameter", parameter_text(step)},
                       {"state", system.state},

@@ -1,6 +1,5 @@
 // Headers for quadratic Hamiltonians: a step is one linear map.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/curve_tables.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/system_part.hpp"
@@ -49,8 +48,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const Tabula
         std::visit([&](const auto& of) { return tables_of(step, of); }, form.tables);
     Holes holes = holes_of(system);
     holes.merge(
-        Holes{{"banner", banner(method, step, options)},
-              {"format", std::to_string(hvi::runtime_format)},
+        Holes{{"format", std::to_string(hvi::runtime_format)},
               {"coefficients", tables.include},
               {"math", options.wishes.float128 ? "#include <hvi/detail/numbers/math.hpp>" : ""},
               {"constants", with_rounding(tables.constants)},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
-#include "generator/emit/steps/banner.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
@@ -59,8 +58,7 @@ std::string emit_sites(const OneStepMethod& method, const Step& step, const Emit
                                 "#include <hvi/integrate.hpp>\n"
                                 "#include <hvi/version.hpp>";
     return fill("sites.hpp.in",
-                {{"banner", banner(method, step, options)},
-                 {"include", include},
+                {{"include", include},
                  {"format", std::to_string(hvi::runtime_format)},
                  {"name", part.class_name},
                  {"purpose", part.purpose},

@@ -146,12 +146,21 @@ std::string vector_types(const System& system) {
     return writer.str();
 }
 
+/// Parameters that another class of the header has declared.
+std::string parameters_from(std::string_view class_name) {
+    return Writer(1)
+        .line("using Parameters = typename Basic{}<Number>::Parameters;", class_name)
+        .str();
+}
+
 /// The public types up to the scene's System, and the solver.
 std::string types_for_scene(const Step& step, const EmitOptions& options) {
     const System& system = *options.system;
     Writer writer(1);
     writer.line("using Scalar = Number;").insert(vector_types(system));
-    writer.blank().insert(parameters_text(system));
+    writer.blank().insert(options.parameters_of.empty()
+                              ? parameters_text(system)
+                              : parameters_from(options.parameters_of));
     writer.blank().insert(system_text(system, options.wishes, step, options.evaluations));
     if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
         writer.blank().line("using Solver = {};", solver_type(step, options.seldom));
@@ -196,7 +205,12 @@ std::string constructors_for_scene(const Step& step, const EmitOptions& options,
                     is_of_scene ? "" : ", Scalar parameter", threads);
         writer.line("    : system_({}), coefficients_({}) {{}}", system, parameter);
     }
-    return writer.blank().insert(scene_members_text(*options.system, options.wishes, step)).str();
+    writer.blank().insert(scene_members_text(*options.system, options.wishes, step));
+    if (!options.parameters_of.empty() && step.iteration() != nullptr) {
+        writer.line("/// See hvi::detail::go_on_from().");
+        writer.line("void go_on_from(const State& x) {{ s_.go_on_from(x); }}");
+    }
+    return writer.str();
 }
 
 std::string condition_on_numbers(const SceneWishes& wishes) {

@@ -1,5 +1,9 @@
 // What `hvi-gen stepper` writes.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "tests/program/cli/results.hpp"
@@ -13,7 +17,8 @@ TEST_CASE("no option of stepper swallows the scene behind it") {
         {"--float128"},          {"--solver", "newton"},
         {"--explain"},           {"--name", "K"},
         {"--method", "gauss:4"}, {"--compose", "yoshida:4"},
-        {"--lanes", "none"},     {"--action"}};
+        {"--lanes", "none"},     {"--action"},
+        {"--tangent"}};
     for (const auto& options : lines) {
         const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
         INFO(outcome.err);
@@ -331,4 +336,39 @@ TEST_CASE("what ensembles are not built for is refused, and why") {
         CHECK(has(refusal({"stepper", "--method", "gauss:2", "kepler", flag}),
                   flag + " is not built for ensembles"));
     }
+}
+
+TEST_CASE("--tangent writes a stepper that carries directions along") {
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::string gauss =
+        same_every_time({"stepper", "--method", "gauss:2", "kepler", "--tangent", "--energy"});
+    CHECK(has(gauss, "hvi-gen stepper --method gauss:2 kepler --energy --tangent\n"));
+    CHECK(has(gauss, "hvi::PullBack::step_back"));
+    CHECK(has(gauss, "#include <hvi/directions.hpp>"));
+    CHECK_FALSE(has(gauss, "hvi::Trajectories<"));
+    // Directions of explicit steps go side by side; a method that is not its own adjoint pulls
+    // covectors back by columns.
+    const std::string euler =
+        hvi_gen({"stepper", "--method", "symplectic-euler", "henon-heiles", "--tangent"}).out;
+    CHECK(has(euler, "hvi::Trajectories<"));
+    CHECK(has(euler, "hvi::PullBack::columns"));
+    std::istringstream text(gauss + euler);
+    for (std::string line; std::getline(text, line);) CHECK(line.size() <= 100);
+}
+
+TEST_CASE("directions that are not built are refused, and why") {
+    const auto refused = [](const std::vector<std::string>& words, const std::string& reason) {
+        const Outcome outcome = hvi_gen(with({"stepper", "--tangent"}, words));
+        INFO(outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.err.find(reason) != std::string::npos);
+        CHECK(outcome.err.find('^') != std::string::npos);
+    };
+    refused({"--method", "stormer-verlet", "kepler", "--lanes", "ensemble"},
+            "--tangent is not built for ensembles");
+    refused({"--method", "gauss:2", "heavy-top"}, "--tangent is not built for scenes with rotations");
+    refused({"--method", "gauss:2"}, "--tangent");
 }

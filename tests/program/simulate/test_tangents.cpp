@@ -45,6 +45,17 @@ TEST_CASE("the derivative of the oscillator's steps is their matrix") {
     CHECK(std::abs(found.tangent[1][1] - c) < 1e-14);
 }
 
+TEST_CASE("multipliers are the eigenvalues of the derivative") {
+    const SceneRun hill = run_scene(one_degree("(p^2 - q^2)/2", "0", "0"), "--tangent --until 1");
+    REQUIRE(hill.said("multipliers").size() == 2);
+    CHECK(hill.said("multipliers")[0] == Approx(std::exp(1)).epsilon(1e-5));
+    CHECK(hill.said("multipliers")[1] == Approx(std::exp(-1)).epsilon(1e-5));
+    // The midpoint rule turns by 2 atan(h/2) in each of 20 steps.
+    const SceneRun swing =
+        run_scene(one_degree("(p^2 + q^2)/2", "1", "0"), "--tangent --method midpoint --until 2");
+    CHECK(swing.outcome.out.find("-0.414633+0.909989i -0.414633-0.909989i") != std::string::npos);
+}
+
 TEST_CASE("the derivative is that of runs from starts nearby") {
     const double by = 1e-5;
     for (const std::string how : {"--method stormer-verlet", "--method gauss:4",

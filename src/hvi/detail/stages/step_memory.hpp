@@ -67,6 +67,14 @@ struct StepMemory {
 
     void forget() { ended_ = false; }
 
+    /// Takes x for the state in which the last step ended, from which it differs by rounding alone:
+    /// what that step left is of use there. Precondition: x has the dimension of that state.
+    void go_on_from(const State<Vector>& x) {
+        if (!ended_) { return; }
+        at.q = x.q;
+        at.p = x.p;
+    }
+
     /// Whether `at`, `h` and the slopes are those of a step that went well.
     [[nodiscard]] bool has_ended() const { return ended_; }
 
