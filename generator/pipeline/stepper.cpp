@@ -193,9 +193,6 @@ SceneStepper tangent_stepper(const Method& method, const Scene& scene, StepperWi
     refuse_rotations(scene, what);
     refuse_scale(scene, what);
     const Place place = whole(scene.function.source);
-    if (scene.side == Side::lagrangian)
-        throw InputError(fmt::format("{} is not built for a Lagrangian", what), place,
-                         "write the Hamiltonian, which `hvi-gen scheme` prints");
     if (!scene.own.headers.empty())
         throw InputError(fmt::format("{} is not built for functions of your own", what), place);
     wishes.invariants = false;

@@ -71,8 +71,8 @@ struct SceneStepper {
                                          const StepperWishes& wishes);
 
 /// A stepper of the scene's motion and of a direction that it carries along: see with_tangent().
-/// Throws InputError, with `what` wishes for it, for a Lagrangian, rotations, scaled time,
-/// functions of the user's own and sums that stay loops.
+/// Throws InputError, with `what` wishes for it, for rotations, scaled time, functions of the
+/// user's own and sums that stay loops.
 [[nodiscard]] SceneStepper tangent_stepper(const Method& method, const Scene& scene,
                                            StepperWishes wishes, std::string_view what);
 
