@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/tangent.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "generator/lower/accesses.hpp"
+#include "generator/lower/derivative.hpp"
 #include "generator/lower/energy.hpp"
 #include "generator/lower/slopes.hpp"
 #include "generator/lower/taken_names.hpp"
+#include "generator/lower/totals.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -26,11 +30,13 @@ public:
           taken_(taken_names(system_)) {}
 
     [[nodiscard]] System operator()() && {
-        const Sums sums = std::exchange(system_.sums, {});
         system_.invariants.clear();
+        keep_totals_of_function();
+        const Sums sums = std::exchange(system_.sums, {});
         add_families();
         add_accesses();
-        for (const SystemSum& sum : sums) { system_.sums.push_back(along(sum)); }
+        add_totals();
+        system_.sums = along(sums);
         for (SystemSum& sum : system_.energy) {
             sum = {sum.loops, sum.value, accesses_in(system_, {sum.value}), {}, {}};
         }
@@ -100,8 +106,41 @@ private:
         keep(FamilyKind::table, 0);
     }
 
-    /// The derivative of a sum along the direction.
-    [[nodiscard]] SystemSum along(const SystemSum& sum) {
+    /// NOTE: invariants have totals of their own.
+    void keep_totals_of_function() {
+        system_.totals = totals_in(system_, system_.sums);
+        std::reverse(system_.totals.begin(), system_.totals.end());
+    }
+
+    /// Lets each total have its derivative along the direction, which is a total behind all of
+    /// them.
+    void add_totals() {
+        const std::vector<SystemTotal> before = system_.totals;
+        for (const SystemTotal& total : before) {
+            Sums sums = along(total.sums);
+            if (sums.empty()) { continue; }
+            const std::string name = "change of " + system_.graph.at(total.node).name;
+            const Roles roles = roles_of_total(system_.graph, sums);
+            const Node change = system_.graph.input(name, roles).node;
+            changes_.emplace_back(total.node, change);
+            system_.totals.push_back({change, std::move(sums)});
+        }
+    }
+
+    /// The derivatives of sums along the direction. NOTE: those that are zero are left out, but for
+    /// the one of a system that is written out.
+    [[nodiscard]] Sums along(const Sums& sums) {
+        Sums result;
+        for (const SystemSum& sum : sums) {
+            const Scaled value = along(sum);
+            if (value.is_zero() && !system_.is_written_out()) { continue; }
+            result.push_back({sum.loops, value, {}, {}, {}});
+        }
+        return result;
+    }
+
+    /// The derivative of a summand, through totals too.
+    [[nodiscard]] Scaled along(const SystemSum& sum) {
         std::vector<Scaled> terms;
         for (const auto* slopes : {&sum.by_q, &sum.by_conjugates}) {
             for (const AccessSlope& slope : *slopes) {
@@ -109,7 +148,21 @@ private:
                 terms.push_back(system_.graph.product(slope.value, {{1, 1}, direction}));
             }
         }
-        return {sum.loops, system_.graph.sum(std::move(terms)), {}, {}, {}};
+        for (const auto& [total, change] : changes_) {
+            const Scaled slope = gradient(system_.graph, sum.value, {total}).front();
+            terms.push_back(system_.graph.product(slope, {{1, 1}, change}));
+        }
+        return system_.graph.sum(std::move(terms));
+    }
+
+    /// The start of a family of directions.
+    [[nodiscard]] SystemStart at_zero(const SystemFamily& family) {
+        SystemStart::Rule zero{{}, Graph::number(0)};
+        std::set<std::string> taken = taken_;
+        for (std::size_t d = 0; d < family.ranges.size(); ++d) {
+            zero.indices.push_back(new_name("i", taken));
+        }
+        return {std::move(zero)};
     }
 
     /// NOTE: directions are the second and the third quarter, of an L the second and the last.
@@ -117,7 +170,8 @@ private:
         if (system_.initial.empty()) { return; }
         const Starts before = std::exchange(system_.initial, {});
         const auto half = before.begin() + static_cast<std::ptrdiff_t>(n_);
-        const Starts zeros(n_, {SystemStart::Rule{{}, Graph::number(0)}});
+        Starts zeros;
+        for (std::size_t k = 0; k < n_; ++k) { zeros.push_back(at_zero(system_.coordinates[k])); }
         Starts& all = system_.initial;
         all.assign(before.begin(), half);
         all.insert(all.end(), zeros.begin(), zeros.end());
@@ -129,7 +183,8 @@ private:
     System system_;
     std::size_t n_;  ///< families of coordinates
     std::set<std::string> taken_;
-    std::map<std::size_t, Node> directions_;  ///< of the accesses that there were
+    std::map<std::size_t, Node> directions_;      ///< of the accesses that there were
+    std::vector<std::pair<Node, Node>> changes_;  ///< totals, and their derivatives
 };
 
 }  // namespace

@@ -196,12 +196,16 @@ SceneStepper tangent_stepper(const Method& method, const Scene& scene, StepperWi
     if (!scene.own.headers.empty())
         throw InputError(fmt::format("{} is not built for functions of your own", what), place);
     wishes.invariants = false;
-    const UnrollDecision why = unroll_decision(scene, {wishes.unroll, std::string(what)});
-    if (!why.writes_out)
-        throw InputError(fmt::format("{} is not built where sums stay loops", what), place,
-                         "without --unroll no the sums are written out, where they can be");
-    return scene_stepper(method, lowered_written_out(scene, unrolled(scene), why, {with_tangent}),
-                         wishes);
+    const std::vector<SystemPass> passes{with_tangent};
+    return by_unrolling(
+        scene, {wishes.unroll, wish_without_loops(wishes)},
+        [&](const UnrollDecision& why) {
+            return scene_stepper(method, lowered_with_loops(scene, why, passes), wishes);
+        },
+        [&](WrittenOutScene written, const UnrollDecision& why) {
+            return scene_stepper(
+                method, lowered_written_out(scene, std::move(written), why, passes), wishes);
+        });
 }
 
 void check_parameter_of_method(const SceneStepper& stepper) {
