@@ -187,6 +187,19 @@ std::string_view wish_for_directions(const RunOptions& options) {
     return options.megno ? "--megno" : "--sali";
 }
 
+/// Throws InputError where there would be a stepper for each of too many directions.
+void check_count_of_directions(const Scene& scene, const RunOptions& options) {
+    const bool takes_all = options.tangent || options.lyapunov == Exponents::spectrum;
+    const std::size_t degrees = degrees_of_freedom(scene);
+    if (!takes_all || degrees <= most_degrees_of_freedom) return;
+    throw InputError(
+        fmt::format("{} takes two directions for each degree of freedom, of which there are {}; "
+                    "it is built for at most {}",
+                    options.tangent ? "--tangent" : "--lyapunov=spectrum", degrees,
+                    most_degrees_of_freedom),
+        scene.place, "--lyapunov, --megno and --sali take one or two directions");
+}
+
 /// The stepper of directions, where these are wished for. NOTE: the derivative of a motion that
 /// jumps is another one.
 std::optional<SceneStepper> direction_stepper(const MethodAndScene& both,
@@ -201,6 +214,7 @@ std::optional<SceneStepper> direction_stepper(const MethodAndScene& both,
         if (event.set)
             throw InputError(fmt::format("{} is not built for events that jump", what),
                              event.place);
+    check_count_of_directions(both.scene, options);
     return tangent_stepper(both.method, both.scene, wishes, what);
 }
 

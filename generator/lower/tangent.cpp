@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/tangent.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "generator/lower/accesses.hpp"
+#include "generator/lower/derivative.hpp"
+#include "generator/lower/energy.hpp"
 #include "generator/lower/slopes.hpp"
+#include "generator/lower/taken_names.hpp"
+#include "generator/lower/totals.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -15,75 +24,179 @@ namespace {
 using Families = std::vector<SystemFamily>;
 using Starts = std::vector<SystemStart>;
 
-/// Families of a direction, `d_x` for x.
-Families direction_of(const Families& families, std::set<std::string>& taken) {
-    Families result;
-    for (const SystemFamily& family : families) {
-        std::string name = "d_" + family.name;
-        while (!taken.insert(name).second) { name += "_"; }
-        result.push_back({name, {}});
+class TangentOfSystem {
+public:
+    explicit TangentOfSystem(System system)
+        : system_(with_energy(std::move(system))),
+          n_(system_.coordinates.size()),
+          taken_(taken_names(system_)) {}
+
+    [[nodiscard]] System operator()() && {
+        system_.invariants.clear();
+        system_.description = fmt::format(
+            "K = d{0}/dq dq + d{0}/d{1} d{1}: the motion of {0}, and a direction along it",
+            system_.function_letter(), system_.conjugate_letter());
+        keep_totals_of_function();
+        const Sums sums = std::exchange(system_.sums, {});
+        add_families();
+        add_accesses();
+        add_totals();
+        system_.sums = along(sums);
+        for (SystemSum& sum : system_.energy) {
+            sum = {sum.loops, sum.value, accesses_in(system_, {sum.value}), {}, {}};
+        }
+        set_starts();
+        return differentiated(std::move(system_));
     }
-    return result;
-}
 
-void append(Families& to, const Families& more) { to.insert(to.end(), more.begin(), more.end()); }
+private:
+    using Sums = std::vector<SystemSum>;
 
-/// Accesses to families without indices.
-std::vector<Node> add_accesses(System& system, FamilyKind kind, const Families& families,
-                               std::size_t first, Role role) {
-    std::vector<Node> nodes;
-    for (std::size_t k = 0; k < families.size(); ++k) {
-        const Node node = system.graph.input(families[k].name, role).node;
-        system.accesses.push_back({kind, first + k, {}, node, 0});
-        nodes.push_back(node);
+    /// Adds the families of directions, `d_x` for x: coordinates (q, dq), and the momenta (dp, p).
+    /// Of an L the velocities are (v, dv), as v goes with q.
+    void add_families() {
+        system_.coordinates = joined(system_.coordinates, directions_of(system_.coordinates));
+        const Families directions = directions_of(system_.conjugates);
+        system_.conjugates = has_velocities() ? joined(system_.conjugates, directions)
+                                              : joined(directions, system_.conjugates);
+        std::vector<std::string> momenta;
+        for (const std::string& name : system_.momenta) {
+            momenta.push_back(new_name("d_" + name, taken_));
+        }
+        system_.momenta.insert(system_.momenta.begin(), momenta.begin(), momenta.end());
     }
-    return nodes;
-}
 
-void set_starts(System& system, std::size_t n) {
-    if (system.initial.empty()) { return; }
-    const auto half = system.initial.begin() + static_cast<std::ptrdiff_t>(n);
-    Starts result(system.initial.begin(), half);
-    result.insert(result.end(), 2 * n, {SystemStart::Rule{{}, Graph::number(0)}});
-    result.insert(result.end(), half, system.initial.end());
-    system.initial = std::move(result);
-}
+    [[nodiscard]] bool has_velocities() const { return system_.side == Side::lagrangian; }
+
+    [[nodiscard]] static Families joined(Families first, const Families& second) {
+        first.insert(first.end(), second.begin(), second.end());
+        return first;
+    }
+
+    [[nodiscard]] Families directions_of(Families families) {
+        for (SystemFamily& family : families) {
+            family.name = new_name("d_" + family.name, taken_);
+        }
+        return families;
+    }
+
+    /// Lets each element of a variable have its direction. NOTE: in the order of the families, as
+    /// a system that is written out has its accesses.
+    void add_accesses() {
+        const std::vector<Access> before = std::exchange(system_.accesses, {});
+        const auto keep = [&](FamilyKind kind, std::size_t shift) {
+            for (Access access : before) {
+                if (access.kind != kind) { continue; }
+                access.family += shift;
+                system_.accesses.push_back(std::move(access));
+            }
+        };
+        const auto add_directions = [&](FamilyKind kind, std::size_t shift) {
+            for (std::size_t a = 0; a < before.size(); ++a) {
+                if (before[a].kind != kind) { continue; }
+                const std::size_t direction =
+                    access_to(system_, kind, before[a].family + shift, before[a].indices);
+                directions_[a] = system_.accesses[direction].node;
+            }
+        };
+        keep(FamilyKind::coordinate, 0);
+        add_directions(FamilyKind::coordinate, n_);
+        if (has_velocities()) {
+            keep(FamilyKind::conjugate, 0);
+            add_directions(FamilyKind::conjugate, n_);
+        } else {
+            add_directions(FamilyKind::conjugate, 0);
+            keep(FamilyKind::conjugate, n_);
+        }
+        keep(FamilyKind::table, 0);
+    }
+
+    /// NOTE: invariants have totals of their own.
+    void keep_totals_of_function() {
+        system_.totals = totals_in(system_, system_.sums);
+        std::reverse(system_.totals.begin(), system_.totals.end());
+    }
+
+    /// Lets each total have its derivative along the direction, which is a total behind all of
+    /// them.
+    void add_totals() {
+        const std::vector<SystemTotal> before = system_.totals;
+        for (const SystemTotal& total : before) {
+            Sums sums = along(total.sums);
+            if (sums.empty()) { continue; }
+            const std::string name = "change of " + system_.graph.at(total.node).name;
+            const Roles roles = roles_of_total(system_.graph, sums);
+            const Node change = system_.graph.input(name, roles).node;
+            changes_.emplace_back(total.node, change);
+            system_.totals.push_back({change, std::move(sums)});
+        }
+    }
+
+    /// The derivatives of sums along the direction. NOTE: those that are zero are left out, but for
+    /// the one of a system that is written out.
+    [[nodiscard]] Sums along(const Sums& sums) {
+        Sums result;
+        for (const SystemSum& sum : sums) {
+            const Scaled value = along(sum);
+            if (value.is_zero() && !system_.is_written_out()) { continue; }
+            result.push_back({sum.loops, value, {}, {}, {}});
+        }
+        return result;
+    }
+
+    /// The derivative of a summand, through totals too.
+    [[nodiscard]] Scaled along(const SystemSum& sum) {
+        std::vector<Scaled> terms;
+        for (const auto* slopes : {&sum.by_q, &sum.by_conjugates}) {
+            for (const AccessSlope& slope : *slopes) {
+                const Node direction = directions_.at(slope.access);
+                terms.push_back(system_.graph.product(slope.value, {{1, 1}, direction}));
+            }
+        }
+        for (const auto& [total, change] : changes_) {
+            const Scaled slope = gradient(system_.graph, sum.value, {total}).front();
+            terms.push_back(system_.graph.product(slope, {{1, 1}, change}));
+        }
+        return system_.graph.sum(std::move(terms));
+    }
+
+    /// The start of a family of directions.
+    [[nodiscard]] SystemStart at_zero(const SystemFamily& family) {
+        SystemStart::Rule zero{{}, Graph::number(0)};
+        std::set<std::string> taken = taken_;
+        for (std::size_t d = 0; d < family.ranges.size(); ++d) {
+            zero.indices.push_back(new_name("i", taken));
+        }
+        return {std::move(zero)};
+    }
+
+    /// NOTE: directions are the second and the third quarter, of an L the second and the last.
+    void set_starts() {
+        if (system_.initial.empty()) { return; }
+        const Starts before = std::exchange(system_.initial, {});
+        const auto half = before.begin() + static_cast<std::ptrdiff_t>(n_);
+        Starts zeros;
+        for (std::size_t k = 0; k < n_; ++k) { zeros.push_back(at_zero(system_.coordinates[k])); }
+        Starts& all = system_.initial;
+        all.assign(before.begin(), half);
+        all.insert(all.end(), zeros.begin(), zeros.end());
+        all.insert(all.end(), half, before.end());
+        all.insert(has_velocities() ? all.end() : all.begin() + 2 * (half - before.begin()),
+                   zeros.begin(), zeros.end());
+    }
+
+    System system_;
+    std::size_t n_;  ///< families of coordinates
+    std::set<std::string> taken_;
+    std::map<std::size_t, Node> directions_;      ///< of the accesses that there were
+    std::vector<std::pair<Node, Node>> changes_;  ///< totals, and their derivatives
+};
 
 }  // namespace
 
 System with_tangent(System system) {
-    HVI_CHECK(system.is_written_out() && system.side == Side::hamiltonian);
     HVI_CHECK(rotations_of(system) == 0 && !system.scaled);
-    const Scaled H = function_of(system);
-    const std::vector<Scaled> H_q = by_coordinates(system), H_p = by_conjugates(system);
-    const Families q = system.coordinates, p = system.conjugates;
-    const std::size_t n = q.size();
-    std::set<std::string> taken;
-    for (Node node = 0; node < system.graph.size(); ++node) {
-        taken.insert(system.graph.at(node).name);
-    }
-    const Families dq = direction_of(q, taken), dp = direction_of(p, taken);
-
-    append(system.coordinates, dq);
-    system.conjugates = dp;
-    append(system.conjugates, p);
-    system.accesses.clear();
-    add_accesses(system, FamilyKind::coordinate, q, 0, Role::coordinate);
-    const auto dq_nodes = add_accesses(system, FamilyKind::coordinate, dq, n, Role::coordinate);
-    const auto dp_nodes = add_accesses(system, FamilyKind::conjugate, dp, 0, Role::conjugate);
-    add_accesses(system, FamilyKind::conjugate, p, n, Role::conjugate);
-    set_starts(system, n);
-    system.invariants.clear();
-
-    std::vector<Scaled> terms;
-    for (std::size_t k = 0; k < n; ++k) {
-        terms.push_back(system.graph.product(H_q[k], {{1, 1}, dq_nodes[k]}));
-        terms.push_back(system.graph.product(H_p[k], {{1, 1}, dp_nodes[k]}));
-    }
-    system.sums = {{{}, system.graph.sum(std::move(terms)), {}, {}, {}}};
-    system.description = "K = dH/dq dq + dH/dp dp: the motion of H, and a direction along it";
-    system.energy = {{{}, H, accesses_in(system, {H}), {}, {}}};
-    return differentiated(std::move(system));
+    return TangentOfSystem(std::move(system))();
 }
 
 }  // namespace hvi::gen

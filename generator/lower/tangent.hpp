@@ -7,10 +7,12 @@
 namespace hvi::gen {
 
 /// The system of K = H_q dq + H_p dp, whose coordinates are (q, dq), with the momenta (dp, p): q
-/// and p move as they do under H, dq and dp as a direction that the motion carries along. A step of
-/// a symplectic partitioned Runge-Kutta method for K is the step for H and, of directions, exactly
-/// its derivative, since these methods commute with differentiation. Directions begin at 0, and the
-/// energy is H. Preconditions: H is written out, without rotations and without scaled time.
+/// and p move as they do under H, dq and dp as a direction that the motion carries along. Of an L
+/// that is L_q dq + L_v dv, with the velocities (v, dv): dp is its derivative by v, and p that by
+/// dv. A step of a symplectic partitioned Runge-Kutta method for K is the step for H and, of
+/// directions, exactly its derivative, since these methods commute with differentiation. Directions
+/// begin at 0, and the energy is H. Where sums stay loops those of K are sums over the same loops.
+/// Precondition: there are neither rotations nor scaled time.
 [[nodiscard]] System with_tangent(System system);
 
 }  // namespace hvi::gen

@@ -7,6 +7,7 @@
 #include "generator/emit/steps/tangent.hpp"
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/lower/tangent.hpp"
+#include "generator/pipeline/refusals.hpp"
 
 namespace hvi::gen {
 
@@ -46,18 +47,19 @@ SceneStepper tangent_stepper(const Method& method, const Scene& scene, StepperWi
     refuse_rotations(scene, what);
     refuse_scale(scene, what);
     const Place place = whole(scene.function.source);
-    if (scene.side == Side::lagrangian)
-        throw InputError(fmt::format("{} is not built for a Lagrangian", what), place,
-                         "write the Hamiltonian, which `hvi-gen scheme` prints");
     if (!scene.own.headers.empty())
         throw InputError(fmt::format("{} is not built for functions of your own", what), place);
     wishes.invariants = false;
-    const UnrollDecision why = unroll_decision(scene, {wishes.unroll, std::string(what)});
-    if (!why.writes_out)
-        throw InputError(fmt::format("{} is not built where sums stay loops", what), place,
-                         "without --unroll no the sums are written out, where they can be");
-    return scene_stepper(method, lowered_written_out(scene, unrolled(scene), why, {with_tangent}),
-                         wishes);
+    const std::vector<SystemPass> passes{with_tangent};
+    return by_unrolling(
+        scene, {wishes.unroll, wish_without_loops(wishes)},
+        [&](const UnrollDecision& why) {
+            return scene_stepper(method, lowered_with_loops(scene, why, passes), wishes);
+        },
+        [&](WrittenOutScene written, const UnrollDecision& why) {
+            return scene_stepper(
+                method, lowered_written_out(scene, std::move(written), why, passes), wishes);
+        });
 }
 
 void add_directions(SceneStepper& stepper, const Method& method, const Scene& scene,

@@ -12,10 +12,11 @@
 
 namespace hvi::gen {
 
-LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decision) {
+LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decision,
+                                const std::vector<SystemPass>& passes) {
     if (scene.scale)
         throw NoLoops("a scale of the time is not built where sums stay loops", scene.scale->place);
-    LoweredScene result{scene, decision, std::nullopt, system_of(scene), {}};
+    LoweredScene result{scene, decision, std::nullopt, system_of(scene, passes), {}};
     static_cast<void>(times_of(scene));  // whose words are checked there
     return result;
 }

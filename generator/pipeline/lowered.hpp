@@ -28,7 +28,8 @@ struct LoweredScene {
 [[nodiscard]] LoweredScene lowered(const Scene& scene, const UnrollWish& wish = {});
 
 /// Lowers a scene whose sums stay loops, or are written out, as was decided.
-[[nodiscard]] LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decision);
+[[nodiscard]] LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decision,
+                                              const std::vector<SystemPass>& passes = {});
 [[nodiscard]] LoweredScene lowered_written_out(const Scene& scene, WrittenOutScene written,
                                                const UnrollDecision& decision,
                                                const std::vector<SystemPass>& passes = {});

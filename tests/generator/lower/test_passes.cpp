@@ -6,6 +6,7 @@
 
 #include "generator/lower/slopes.hpp"
 #include "generator/lower/system.hpp"
+#include "generator/lower/tangent.hpp"
 #include "tests/generator/read/refusal.hpp"
 
 using namespace hvi::gen;
@@ -64,4 +65,28 @@ TEST_CASE("and so where sums stay loops") {
         CHECK(thrice.sums[s].value.factor == three * once.sums[s].value.factor);
     }
     CHECK(thrice.sites->forces[0].factor == three * once.sites->forces[0].factor);
+}
+
+TEST_CASE("directions of a lattice are a lattice with them") {
+    const Scene scene = scene_from_toml(Source{"springs.toml", row_of_springs});
+    const System K = system_of(scene, {with_tangent});
+    CHECK(K.degrees_of_freedom() == 200);
+    REQUIRE(K.coordinates.size() == 2);
+    CHECK(K.coordinates[1].name == "d_q");
+    CHECK(K.conjugates[0].name == "d_p");
+    CHECK(K.conjugates[1].name == "p");
+    REQUIRE(K.sites.has_value());
+    CHECK(K.sites->reach == std::vector<long>{1});
+    CHECK(K.structure.kinetic_is_quadratic);
+    CHECK_FALSE(K.structure.has_diagonal_mass);
+    REQUIRE(K.initial.size() == 4);
+    for (const std::size_t direction : {1, 2}) {
+        const auto& zero = std::get<SystemStart::Rule>(K.initial[direction].values);
+        CHECK(zero.indices.size() == 1);
+        CHECK(zero.value.is_zero());
+    }
+    // The energy is that of the springs.
+    const System H = system_of(scene);
+    REQUIRE(K.energy.size() == H.energy.size());
+    for (std::size_t s = 0; s < H.energy.size(); ++s) CHECK(K.energy[s].loops == H.energy[s].loops);
 }

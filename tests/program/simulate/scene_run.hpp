@@ -54,14 +54,12 @@ struct SceneRun {
     }
 };
 
-/// Runs the scene with these words.
-inline SceneRun run_scene(const std::string& scene, const std::string& words = "") {
+/// Runs a scene in a directory with these words, of which the first is its name.
+inline SceneRun run_words_in(const Directory& directory, const std::string& words) {
     use_cache();
-    const Directory directory;
-    write(directory / "scene.toml", scene);
     SceneRun result;
-    result.outcome = shell("exec \"$hvi_gen\" run scene.toml -o out --only table,summary " + words,
-                           directory.path());
+    result.outcome =
+        shell("exec \"$hvi_gen\" run " + words + " -o out --only table,summary", directory.path());
     const auto lines = [&](const std::string& name) {
         return std::filesystem::exists(directory / "out" / name)
                    ? lines_of(contents(directory / "out" / name))
@@ -71,6 +69,16 @@ inline SceneRun run_scene(const std::string& scene, const std::string& words = "
     result.table = lines("trajectory.csv");
     for (const std::string& line : lines("tangent.csv")) result.tangent.push_back(numbers_of(line));
     return result;
+}
+
+/// Runs a scene that comes with the program.
+inline SceneRun run_words(const std::string& words) { return run_words_in(Directory(), words); }
+
+/// Runs the scene with these words.
+inline SceneRun run_scene(const std::string& scene, const std::string& words = "") {
+    const Directory directory;
+    write(directory / "scene.toml", scene);
+    return run_words_in(directory, "scene.toml " + words);
 }
 
 }  // namespace hvi::test

@@ -148,6 +148,133 @@ TEST_CASE("a chaotic and a regular star") {
     CHECK(regular.said("megno").front() == Approx(2).epsilon(0.05));
 }
 
+TEST_CASE("the derivative of the steps of a Lagrangian is by coordinates and momenta") {
+    // A mass that depends on q: p = (1 + q^2) v. Its start is moved by parameters of q and p.
+    const std::string track = "lagrangian = \"(1 + q^2)*v^2/2 - q^2/2 - q^3/3\"\n"
+                              "coordinates = [\"q\"]\nvelocities = [\"v\"]\n"
+                              "parameters = {a = 0, b = 0}\n"
+                              "initial = {q = \"1/3 + a\", v = \"(1/5 + b)/(1 + (1/3 + a)^2)\"}\n"
+                              "run = {method = \"gauss:4\", step = \"1/10\", until = 5}\n";
+    const double by = 1e-5;
+    for (const std::string how : {"--method gauss:4", "--method gauss:2 --compose suzuki:4"}) {
+        CAPTURE(how);
+        const SceneRun found = run_scene(track, "--tangent " + how);
+        INFO(found.outcome.err);
+        REQUIRE(found.tangent.size() == 2);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto end = [&](const std::string& value) {
+                return run_scene(track, how + " --param " + (k == 0 ? "a=" : "b=") + value).last();
+            };
+            const auto up = end("1/100000"), down = end("-1/100000");
+            for (std::size_t i = 0; i < 2; ++i)
+                CHECK(std::abs(found.tangent[i][k] - (up[1 + i] - down[1 + i]) / (2 * by)) < 1e-8);
+        }
+        const auto& D = found.tangent;
+        CHECK(std::abs(D[0][0] * D[1][1] - D[0][1] * D[1][0] - 1) < 1e-12);
+    }
+}
+
+TEST_CASE("directions of a Lagrangian are those of its Hamiltonian") {
+    // A spring with a mass of 3, by both; gauss:3 has the same steps for both.
+    const std::string more = "initial = {q = \"1/3\", VELOCITY = \"MOMENTUM\"}\n"
+                             "run = {method = \"gauss:3\", step = \"1/10\", until = 20}\n";
+    const auto scene = [&](const std::string& text, const std::string& name,
+                           const std::string& value) {
+        std::string end = more;
+        end.replace(end.find("VELOCITY"), 8, name);
+        end.replace(end.find("MOMENTUM"), 8, value);
+        return text + end;
+    };
+    const std::string by_L =
+        scene("lagrangian = \"3*v^2/2 + cos(q) + q^2/8\"\ncoordinates = [\"q\"]\n"
+              "velocities = [\"v\"]\n",
+              "v", "1/15");
+    const std::string by_H =
+        scene("hamiltonian = \"p^2/6 - cos(q) - q^2/8\"\ncoordinates = [\"q\"]\n"
+              "momenta = [\"p\"]\n",
+              "p", "1/5");
+    const std::string words = "--tangent --lyapunov --megno --sali";
+    const SceneRun L = run_scene(by_L, words), H = run_scene(by_H, words);
+    INFO(L.outcome.err + H.outcome.err);
+    REQUIRE(L.tangent.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+            CHECK(std::abs(L.tangent[i][k] - H.tangent[i][k]) < 1e-11);
+    for (const std::string name : {"lyapunov", "megno", "sali"}) {
+        CAPTURE(name);
+        REQUIRE(L.said(name).size() == 1);
+        CHECK(L.said(name).front() == Approx(H.said(name).front()).epsilon(1e-4));
+    }
+    // A hill: the exponents are 1 and -1.
+    const SceneRun hill =
+        run_scene("lagrangian = \"(v^2 + q^2)/2\"\ncoordinates = [\"q\"]\nvelocities = [\"v\"]\n"
+                  "initial = {q = 0, v = 0}\n"
+                  "run = {method = \"gauss:4\", step = \"1/10\", until = 10}\n",
+                  "--lyapunov=spectrum");
+    REQUIRE(hill.said("lyapunov").size() == 2);
+    CHECK(hill.said("lyapunov")[0] == Approx(1).epsilon(0.05));
+    CHECK(hill.said("lyapunov")[1] == Approx(-1).epsilon(0.05));
+}
+
+TEST_CASE("directions where sums stay loops are those where they are written out") {
+    const std::string pairs = "hamiltonian = \"sum(i=1..N, px[i]^2 + py[i]^2)/2 - sum(i=1..N-1, "
+                              "j=i+1..N, k[i]*k[j]/sqrt(1 + (x[i]-x[j])^2 + (y[i]-y[j])^2))\"\n"
+                              "coordinates = [\"x[1..N]\", \"y[1..N]\"]\n"
+                              "momenta = [\"px[1..N]\", \"py[1..N]\"]\n"
+                              "parameters = {N = 4, k = [1, 2, 3, 4]}\n"
+                              "initial = {\"x[i]\" = \"i\", \"y[i]\" = \"sin(i)\", "
+                              "\"px[i]\" = 0, py = [1, 0, \"1/2\", 0]}\n"
+                              "run = {method = \"gauss:3\", step = \"1/20\", until = 2}\n";
+    // Sums in products and in functions, and the time.
+    const std::string totals =
+        "hamiltonian = \"sum(i=1..N, p[i]^2)/2*(1 + sum(i=1..N, q[i]^2)/10) + sqrt(1 + "
+        "sum(i=1..N-1, "
+        "(q[i+1]-q[i])^2))*sum(i=1..N, i*q[i]^2) + sin(t)*q[1]\"\n"
+        "coordinates = [\"q[1..N]\"]\nmomenta = [\"p[1..N]\"]\nparameters = {N = 5}\n"
+        "initial = {\"q[i]\" = \"sin(i)\", \"p[i]\" = \"cos(i)/2\"}\n"
+        "run = {method = \"gauss:3\", step = \"1/40\", until = 2}\n";
+    const std::string of_L = "lagrangian = \"sum(i=1..N, m[i]*v[i]^2)/2 - sum(i=1..N-1, "
+                             "(q[i+1]-q[i])^4/4) - q[1]^2/2\"\n"
+                             "coordinates = [\"q[1..N]\"]\nvelocities = [\"v[1..N]\"]\n"
+                             "parameters = {N = 4, m = [1, 2, 1, 2]}\n"
+                             "initial = {\"q[i]\" = \"sin(i)\", \"v[i]\" = \"cos(i)/2\"}\n"
+                             "run = {method = \"stormer-verlet\", step = \"1/20\", until = 2}\n";
+    const std::string chain = "fpu-chain --param N=8 --until 20";
+    const auto of = [](const std::string& scene, const std::string& words) {
+        return scene.find("hamiltonian") == 0 || scene.find("lagrangian") == 0
+                   ? run_scene(scene, words)
+                   : run_words(scene + " " + words);
+    };
+    const std::vector<std::pair<std::string, std::string>> all{
+        {chain, ""}, {chain, "--method gauss:4"}, {pairs, ""}, {totals, ""}, {of_L, ""}};
+    for (const auto& [scene, how] : all) {
+        const std::string words = how + " --tangent --lyapunov --sali --unroll ";
+        const SceneRun out = of(scene, words + "yes"), loops = of(scene, words + "no");
+        CAPTURE(scene, how, loops.outcome.err);
+        REQUIRE(out.tangent.size() >= 8);
+        REQUIRE(out.tangent.size() == loops.tangent.size());
+        for (std::size_t i = 0; i < out.tangent.size(); ++i)
+            for (std::size_t k = 0; k < out.tangent.size(); ++k)
+                CHECK(std::abs(out.tangent[i][k] - loops.tangent[i][k]) < 1e-12);
+        for (const std::string name : {"lyapunov", "megno", "sali"})
+            CHECK(loops.said(name).front() == Approx(out.said(name).front()).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("a thousand hills have the exponent of one") {
+    const std::string hills = "hamiltonian = \"sum(i=1..N, (p[i]^2 - q[i]^2)/2)\"\n"
+                              "coordinates = [\"q[1..N]\"]\nmomenta = [\"p[1..N]\"]\n"
+                              "parameters = {N = 1000}\ninitial = {\"q[i]\" = 0, \"p[i]\" = 0}\n"
+                              "run = {method = \"gauss:4\", step = \"1/10\", until = 1000}\n";
+    const SceneRun found = run_scene(hills, "--lyapunov --megno");
+    INFO(found.outcome.err);
+    CHECK(found.said("lyapunov").front() == Approx(1).epsilon(1e-3));
+    CHECK(found.said("megno").front() == Approx(500).epsilon(0.01));
+    // Each of the hills has another direction of its own, and they come together as exp(-2 t).
+    const SceneRun sali = run_scene(hills, "--sali --until 10");
+    CHECK(sali.said("sali").front() > 0.1);
+}
+
 TEST_CASE("directions that are not built are refused") {
     use_cache();
     const auto refused = [](const std::string& line, const std::string& message) {
@@ -159,11 +286,13 @@ TEST_CASE("directions that are not built are refused") {
         CHECK(outcome.status == 2);
         CHECK(outcome.err.find(message) != std::string::npos);
     };
-    refused("bead-on-hoop --lyapunov --method gauss:4", "--lyapunov is not built for a Lagrangian");
     refused("heavy-top --megno --method gauss:4", "--megno is not built for scenes with rotations");
     refused("scene.toml --lyapunov=all", "no such value of --lyapunov: `all`");
     refused("scene.toml --tangent=1", "--tangent takes no value");
-    refused("fpu-chain --tangent --unroll no --method gauss:4", "--tangent");
+    refused("fpu-chain --tangent --param N=257", "there are 257; it is built for at most 256");
+    refused("fpu-chain --lyapunov=spectrum --unroll no",
+            "--lyapunov=spectrum takes two directions");
+    refused("fpu-chain --tangent --param N=300 --unroll yes", "at most 256");
 }
 
 TEST_CASE("an option with a choice behind = swallows no word") {
