@@ -34,7 +34,8 @@ StepperWishes wishes_of_carrier(const SceneStepper& stepper, const StepperWishes
     result.unroll = wishes.unroll;
     result.composition = wishes.composition;
     result.float128 = wishes.float128;
-    const bool takes_several = !wishes.float128 && wishes.lanes.choice != Lanes::none &&
+    const bool takes_several = stepper.step.container == Container::arrays && !wishes.float128 &&
+                               wishes.lanes.choice != Lanes::none &&
                                std::holds_alternative<ExplicitStep>(stepper.step.form);
     result.lanes = {takes_several ? Lanes::ensemble : wishes.lanes.choice};
     return result;

@@ -19,12 +19,15 @@
 #include <directions/dual_nonseparable.hpp>
 #include <directions/dual_verlet_henon.hpp>
 #include <directions/euler_henon.hpp>
+#include <directions/gauss_bead.hpp>
+#include <directions/gauss_chain.hpp>
 #include <directions/gauss_kepler.hpp>
 #include <directions/gauss_nonseparable.hpp>
 #include <directions/gauss_oscillator.hpp>
 #include <directions/kahan_li_kepler.hpp>
 #include <directions/fixed_point_kepler.hpp>
 #include <directions/lobatto_henon.hpp>
+#include <directions/verlet_chain.hpp>
 #include <directions/verlet_henon.hpp>
 
 #include <catch2/catch.hpp>
@@ -180,6 +183,7 @@ TEST_CASE("the derivative of steps is symplectic to round-off") {
     CHECK(defect<EulerHenon>(0.1, 2000) < 1e-13);
     CHECK(defect<GaussOscillator>(0.1, 2000) < 1e-13);
     CHECK(defect<DrivenPendulum>(0.1, 2000) < 1e-13);
+    CHECK(defect<GaussBead>(0.1, 2000) < 1e-13);
 }
 
 TEST_CASE("covectors are pulled back by the transposed derivative") {
@@ -192,6 +196,46 @@ TEST_CASE("covectors are pulled back by the transposed derivative") {
     CHECK(change_of_product<EulerHenon>(0.1, 1001) < 1e-12);
     CHECK(change_of_product<GaussOscillator>(0.1, 1001) < 1e-12);
     CHECK(change_of_product<DrivenPendulum>(0.1, 1001) < 1e-12);
+    CHECK(change_of_product<GaussBead>(0.1, 1001) < 1e-12);
+}
+
+/// <lambda, d> at the end of a run of a thousand masses and at its beginning, relative to the size.
+template <class Chain>
+double change_of_product_of_chain(double h, int steps) {
+    Chain stepper;
+    std::vector<typename Chain::State> x{Chain::initial()}, d{x.front()};
+    typename Chain::State lambda = x.front();
+    for (std::size_t k = 0; k < lambda.q.size(); ++k) {
+        const auto angle = static_cast<double>(k);
+        d.front().q[k] = std::sin(angle);
+        d.front().p[k] = std::cos(2 * angle);
+        lambda.q[k] = std::cos(3 * angle);
+        lambda.p[k] = std::sin(5 * angle);
+    }
+    const auto start = d.front();
+    double size = 0;
+    const auto product = [&](const auto& a, const auto& b) {
+        double sum = 0;
+        for (std::size_t k = 0; k < a.q.size(); ++k) {
+            sum += a.q[k] * b.q[k] + a.p[k] * b.p[k];
+            size += std::abs(a.q[k] * b.q[k]) + std::abs(a.p[k] * b.p[k]);
+        }
+        return sum;
+    };
+    for (int step = 0; step < steps; ++step) {
+        x.push_back(x.back());
+        REQUIRE(stepper.step(x.back(), d, h).ok());
+    }
+    const double after = product(lambda, d.front());
+    for (int step = steps; step-- > 0;) {
+        REQUIRE(stepper.pull_back(x[static_cast<std::size_t>(step)], lambda, h).ok());
+    }
+    return std::abs(product(lambda, start) - after) / size;
+}
+
+TEST_CASE("directions of a thousand masses whose sums stay loops") {
+    CHECK(change_of_product_of_chain<VerletChain>(0.1, 51) < 1e-13);
+    CHECK(change_of_product_of_chain<GaussChain>(0.1, 21) < 1e-13);
 }
 
 TEST_CASE("a state moves with the bits of a step without directions") {
