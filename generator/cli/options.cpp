@@ -194,6 +194,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.lyapunov = words.mode<Exponents>("--lyapunov");
     options.megno = words.has("--megno");
     options.sali = words.has("--sali");
+    options.shadow = words.has("--shadow");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
     // NOTE: a picture is drawn of rows as text, and a run that goes on has but its own.

@@ -90,6 +90,7 @@ struct RunOptions {
     bool tangent = false;  ///< the derivative of the flow
     std::optional<Exponents> lyapunov;
     bool megno = false, sali = false;
+    bool shadow = false;  ///< the modified Hamiltonian
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };

@@ -434,8 +434,9 @@ constexpr std::array table = {
                 .placeholder = "COLUMNS",
                 .help = "The main frequencies of columns",
                 .state = State::to_come},
-    OptionEntry{
-        .name = "--shadow", .of = {run}, .help = "The shadow Hamiltonian", .state = State::to_come},
+    OptionEntry{.name = "--shadow",
+                .of = {run},
+                .help = "The modified Hamiltonian, which tells drift from oscillation"},
     OptionEntry{.name = "--interpret",
                 .of = {run},
                 .help = "Take the steps without a compiler",

@@ -7,6 +7,7 @@
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"
+#include "generator/lower/homogeneous.hpp"
 #include "generator/lower/tangent.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/pipeline/refusals.hpp"
@@ -188,8 +189,18 @@ SceneStepper scene_stepper(const Method& wished, const Scene& scene, const Stepp
         });
 }
 
-SceneStepper tangent_stepper(const Method& method, const Scene& scene, StepperWishes wishes,
-                             std::string_view what) {
+namespace {
+
+/// A scene without loops, and why it has none.
+struct WithoutLoops {
+    WrittenOutScene scene;
+    UnrollDecision why;
+};
+
+/// The scene for a pass that makes another H of it, which `what` wishes for. Throws InputError for
+/// what such passes do not take.
+WithoutLoops written_out_for(std::string_view what, const Scene& scene,
+                             const StepperWishes& wishes) {
     refuse_rotations(scene, what);
     refuse_scale(scene, what);
     const Place place = whole(scene.function.source);
@@ -198,13 +209,35 @@ SceneStepper tangent_stepper(const Method& method, const Scene& scene, StepperWi
                          "write the Hamiltonian, which `hvi-gen scheme` prints");
     if (!scene.own.headers.empty())
         throw InputError(fmt::format("{} is not built for functions of your own", what), place);
-    wishes.invariants = false;
     const UnrollDecision why = unroll_decision(scene, {wishes.unroll, std::string(what)});
     if (!why.writes_out)
         throw InputError(fmt::format("{} is not built where sums stay loops", what), place,
                          "without --unroll no the sums are written out, where they can be");
-    return scene_stepper(method, lowered_written_out(scene, unrolled(scene), why, {with_tangent}),
-                         wishes);
+    return {unrolled(scene), why};
+}
+
+/// The stepper of what a pass makes of the scene.
+SceneStepper stepper_after(SystemPass pass, const Method& method, const Scene& scene,
+                           WithoutLoops without, StepperWishes wishes) {
+    wishes.invariants = false;
+    return scene_stepper(
+        method, lowered_written_out(scene, std::move(without.scene), without.why, {pass}), wishes);
+}
+
+}  // namespace
+
+SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
+                             std::string_view what) {
+    return stepper_after(with_tangent, method, scene, written_out_for(what, scene, wishes), wishes);
+}
+
+SceneStepper shadow_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
+                            std::string_view what) {
+    WithoutLoops without = written_out_for(what, scene, wishes);
+    if (depends_on_time(hamiltonian_of(without.scene)))
+        throw InputError(fmt::format("{} is not built for an H that depends on the time t", what),
+                         whole(scene.function.source), "no function near H stays what it is then");
+    return stepper_after(with_homogeneous_extension, method, scene, std::move(without), wishes);
 }
 
 void check_parameter_of_method(const SceneStepper& stepper) {

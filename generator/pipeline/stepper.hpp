@@ -74,7 +74,13 @@ struct SceneStepper {
 /// Throws InputError, with `what` wishes for it, for a Lagrangian, rotations, scaled time,
 /// functions of the user's own and sums that stay loops.
 [[nodiscard]] SceneStepper tangent_stepper(const Method& method, const Scene& scene,
-                                           StepperWishes wishes, std::string_view what);
+                                           const StepperWishes& wishes, std::string_view what);
+
+/// A stepper of the scene's motion whose steps tell the modified Hamiltonian of the method: see
+/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and where H depends
+/// on the time.
+[[nodiscard]] SceneStepper shadow_stepper(const Method& method, const Scene& scene,
+                                          const StepperWishes& wishes, std::string_view what);
 
 /// Throws InputError where a parameter of the method has no value, and is none of the scene.
 void check_parameter_of_method(const SceneStepper& stepper);
