@@ -191,9 +191,11 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
         options.checkpoints.minutes = *minutes;
     options.checkpoints.resume = words.file("--resume");
     options.tangent = words.has("--tangent");
+    options.sensitivity = words.value("--sensitivity");
     options.lyapunov = words.mode<Exponents>("--lyapunov");
     options.megno = words.has("--megno");
     options.sali = words.has("--sali");
+    options.shadow = words.has("--shadow");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
     // NOTE: a picture is drawn of rows as text, and a run that goes on has but its own.

@@ -87,9 +87,11 @@ struct RunOptions {
     bool symmetries = true;          ///< look for them
     std::optional<Place> interpret;  ///< without a compiler
     CheckpointOptions checkpoints;
-    bool tangent = false;  ///< the derivative of the flow
+    bool tangent = false;         ///< the derivative of the flow
+    Given sensitivity = nullptr;  ///< parameters that the end is differentiated by
     std::optional<Exponents> lyapunov;
     bool megno = false, sali = false;
+    bool shadow = false;  ///< the modified Hamiltonian
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <optional>
-#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -16,16 +14,15 @@
 #include "generator/cli/output_times.hpp"
 #include "generator/cli/run_checkpoints.hpp"
 #include "generator/cli/run_files.hpp"
+#include "generator/cli/run_monitors.hpp"
 #include "generator/cli/run_picture.hpp"
 #include "generator/cli/run_summary.hpp"
 #include "generator/cli/run_wishes.hpp"
+#include "generator/cli/runner.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/hamiltonian/canonical.hpp"
 #include "generator/hamiltonian/time_scale.hpp"
 #include "generator/interpret/event_program.hpp"
-#include "generator/interpret/interpretation.hpp"
-#include "generator/pipeline/directions.hpp"
-#include "generator/program/builds.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/output_file.hpp"
@@ -173,51 +170,6 @@ EventWishes events_of(const Scene& scene, const SceneStepper& stepper, const Run
         driven_events(stepper.system, with_time_scale(written)), names_of_variables(subject), {}};
 }
 
-/// Measurements on directions that are wished for, and the option that wishes for them.
-TangentWishes tangents_of(const RunOptions& options) {
-    return {.matrix = options.tangent,
-            .largest = options.lyapunov == Exponents::largest || options.megno,
-            .spectrum = options.lyapunov == Exponents::spectrum,
-            .sali = options.sali};
-}
-
-std::string_view wish_for_directions(const RunOptions& options) {
-    if (options.tangent) return "--tangent";
-    if (options.lyapunov) return "--lyapunov";
-    return options.megno ? "--megno" : "--sali";
-}
-
-/// Throws InputError where there would be a stepper for each of too many directions.
-void check_count_of_directions(const Scene& scene, const RunOptions& options) {
-    const bool takes_all = options.tangent || options.lyapunov == Exponents::spectrum;
-    const std::size_t degrees = degrees_of_freedom(scene);
-    if (!takes_all || degrees <= most_degrees_of_freedom) return;
-    throw InputError(
-        fmt::format("{} takes two directions for each degree of freedom, of which there are {}; "
-                    "it is built for at most {}",
-                    options.tangent ? "--tangent" : "--lyapunov=spectrum", degrees,
-                    most_degrees_of_freedom),
-        scene.place, "--lyapunov, --megno and --sali take one or two directions");
-}
-
-/// The stepper of directions, where these are wished for. NOTE: the derivative of a motion that
-/// jumps is another one.
-std::optional<SceneStepper> direction_stepper(const MethodAndScene& both,
-                                              const StepperWishes& wishes,
-                                              const RunOptions& options) {
-    if (!tangents_of(options).any()) return {};
-    const std::string_view what = wish_for_directions(options);
-    if (both.scene.kinks)
-        throw InputError(fmt::format("{} is not built for kinks that end steps", what),
-                         both.scene.kinks);
-    for (const IndexedEvent& event : both.scene.events)
-        if (event.set)
-            throw InputError(fmt::format("{} is not built for events that jump", what),
-                             event.place);
-    check_count_of_directions(both.scene, options);
-    return tangent_stepper(both.method, both.scene, wishes, what);
-}
-
 /// With the momentum maps that are found.
 WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const RunLength& length,
                       const RunOptions& options) {
@@ -226,6 +178,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     RunSubject subject = run_subject(stepper);
     std::vector<Statement> statements = watched.statements(keeping_facts(stepper.method.base));
     EventWishes events = events_of(both.scene, stepper, subject);
+    Monitors monitors = wished_monitors(both, stepper, wishes, options);
     std::string events_text = text_of(both.scene.events) + (both.scene.kinks ? "kinks\n" : "");
     std::vector<double> times;
     if (options.times)
@@ -233,8 +186,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     return {std::move(stepper),
             std::move(subject),
             length.steps,
-            direction_stepper(both, wishes, options),
-            tangents_of(options),
+            std::move(monitors),
             length.clock,
             std::move(events),
             std::move(events_text),
@@ -289,61 +241,6 @@ RunTables wished_tables(const WishedRun& wished, const RunOptions& options,
     return tables;
 }
 
-/// What takes the steps: a compiled module, or hvi-gen itself.
-class Runner {
-public:
-    /// Looks for a compiler where none is to be done without.
-    explicit Runner(const std::optional<Place>& interpret) : interpret_(interpret) {
-        if (interpret) return;
-        try {
-            compiler_ = find_compiler();
-        } catch (const EnvironmentError& error) { missing_ = error; }
-    }
-
-    [[nodiscard]] bool interprets() const { return !compiler_.has_value(); }
-
-    /// Begins to compile what it will be asked for.
-    void begin(const SceneStepper& stepper) {
-        if (!compiler_) return;
-        if (!builds_) builds_.emplace(*compiler_);
-        begun_.emplace(&stepper, simulation_program(stepper).order(*builds_));
-    }
-
-    /// Throws InputError where steps cannot be interpreted, or EnvironmentError where they had to
-    /// be for want of a compiler. Preconditions: it has begun with the stepper, and lives longer.
-    [[nodiscard]] Target target(const SceneStepper& stepper) {
-        if (compiler_) return begun_.at(&stepper).target();
-        const std::string obstacle = obstacle_to_interpretation(stepper);
-        if (!obstacle.empty() && missing_) throw *missing_;
-        if (!obstacle.empty())
-            throw InputError("this cannot be run without a compiler: " + obstacle, interpret_,
-                             "what can be is in docs/interpreter.md");
-        if (missing_)
-            std::fputs(fmt::format("note: {}; steps are interpreted\n", missing_->what()).c_str(),
-                       stderr);
-        return Interpreted{interpretation(stepper)};
-    }
-
-private:
-    std::optional<Place> interpret_;
-    std::optional<Compiler> compiler_;
-    std::optional<EnvironmentError> missing_;
-    std::optional<Builds> builds_;
-    std::map<const SceneStepper*, ModuleBuild> begun_;
-};
-
-/// Carries directions along the steps that the run has taken.
-TangentFindings carry_directions(const WishedRun& wished, const Simulation& run, Runner& runner) {
-    if (!wished.tangent || run.steps == 0) return {};
-    TangentWishes wishes = wished.tangents;
-    wishes.h = wished.steps.size;
-    wishes.steps = run.steps;
-    Bar bar;
-    Pace pace(static_cast<double>(run.steps), "steps with directions");
-    return find_tangents(runner.target(*wished.tangent), wishes,
-                         [&](double part) { bar.show(part, pace.at(part, Pace::Clock::now())); });
-}
-
 }  // namespace
 
 void run(const RunOptions& options) {
@@ -362,7 +259,7 @@ void run(const RunOptions& options) {
     note_left_out(steps);
 
     runner.begin(wished.stepper);
-    if (wished.tangent) runner.begin(*wished.tangent);
+    begin(wished.monitors, runner);
     const Target target = runner.target(wished.stepper);
     const std::optional<fs::path> directory = hvi::gen::directory(subject, options);
     RunFiles files(directory);
@@ -376,9 +273,13 @@ void run(const RunOptions& options) {
         if (options.files.contains(RunFile::table)) files.keep_table(simulation, options.format);
         return;
     }
-    const TangentFindings directions = carry_directions(wished, simulation, runner);
-    const std::string summary = hvi::gen::summary(wished, simulation, directions);
-    if (options.files.contains(RunFile::table)) files.keep_tangent(directions.entries);
+    const MonitorFindings found = measured(wished.monitors, simulation, steps.size, runner);
+    const std::string summary = hvi::gen::summary(wished, simulation, found);
+    if (options.files.contains(RunFile::table)) {
+        files.keep_tangent(found.directions.entries);
+        files.keep_sensitivities(
+            table_of_sensitivities(wished.monitors, found, column_names(subject)));
+    }
     files.keep(subject, steps, simulation, tables, options.files, summary);
     if (!simulation.ok())
         throw MathError(
@@ -388,8 +289,7 @@ void run(const RunOptions& options) {
                             : simulation.unfit + " begins with no finite number"),
             {}, directory ? fmt::format("what there is of it is in {}", directory->string()) : "");
     warn_of_energy(simulation, wished);
-    if (!directions.fault.empty())
-        throw MathError("directions are not carried to the end: " + directions.fault);
+    if (const std::string fault = found.fault(); !fault.empty()) throw MathError(fault);
     // NOTE: as a run that stopped early: what was asked for is not there, and what is there is
     // kept.
     if (!wished.shortfall.empty())

@@ -25,6 +25,7 @@ const char* table_name(TableFormat format) {
     return format == TableFormat::csv ? "trajectory.csv" : "trajectory.npy";
 }
 constexpr const char* tangent_name = "tangent.csv";
+constexpr const char* sensitivity_name = "sensitivity.csv";
 constexpr const char* events_name = "events.csv";
 constexpr const char* picture_name = "picture.svg";
 constexpr const char* summary_name = "summary.txt";
@@ -149,6 +150,11 @@ void RunFiles::keep_tangent(const std::vector<double>& entries) const {
     for (std::size_t k = 0; k < entries.size(); ++k)
         text += fmt::format("{}{}", entries[k], (k + 1) % columns == 0 ? '\n' : ',');
     write_file(directory_->path() / tangent_name, text);
+}
+
+void RunFiles::keep_sensitivities(const std::string& table) const {
+    if (!directory_ || table.empty()) return;
+    write_file(directory_->path() / sensitivity_name, table);
 }
 
 void RunFiles::keep_table(const Simulation& run, TableFormat format) {

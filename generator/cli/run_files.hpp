@@ -38,6 +38,8 @@ public:
 
     /// Keeps the derivative of the flow, row by row, where there is one. Throws EnvironmentError.
     void keep_tangent(const std::vector<double>& entries) const;
+    /// `sensitivity.csv`, unless it is empty.
+    void keep_sensitivities(const std::string& table) const;
 
     /// Keeps the tables, as far as they are. Throws EnvironmentError.
     void keep_table(const Simulation& run, TableFormat format);

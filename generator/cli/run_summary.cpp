@@ -48,38 +48,6 @@ std::string events_text(const std::string& name, std::int64_t count) {
     return fmt::format("{}, {}", name, count == 1 ? "once" : fmt::format("{} times", count));
 }
 
-/// `2.1 0.5+0.8i 0.5-0.8i 0.47`
-std::string text_of(const std::vector<std::complex<double>>& numbers) {
-    std::vector<std::string> all;
-    for (const std::complex<double>& number : numbers)
-        all.push_back(number.imag() == 0
-                          ? fmt::format("{:.6g}", number.real())
-                          : fmt::format("{:.6g}{:+.6g}i", number.real(), number.imag()));
-    return fmt::format("{}", fmt::join(all, " "));
-}
-
-/// Lines of what was measured on directions.
-std::vector<std::pair<std::string, std::string>> lines_of(const TangentFindings& found) {
-    std::vector<std::pair<std::string, std::string>> lines;
-    const auto add = [&](const char* name, const std::string& value) {
-        lines.emplace_back(name, value);
-    };
-    if (found.lyapunov) add("lyapunov", fmt::format("{:.6g}", *found.lyapunov));
-    if (!found.exponents.empty()) {
-        std::vector<std::string> all;
-        for (const double value : found.exponents) all.push_back(fmt::format("{:.6g}", value));
-        add("lyapunov", fmt::format("{}", fmt::join(all, " ")));
-    }
-    if (found.megno) add("megno", fmt::format("{:.6g}", *found.megno));
-    if (found.sali) add("sali", fmt::format("{:.3e}", *found.sali));
-    if (!found.entries.empty())
-        add("tangent",
-            fmt::format("D^T J D - J is {:.1e} of the largest entry squared at most", found.form));
-    if (!found.multipliers.empty()) add("multipliers", text_of(found.multipliers));
-    if (!found.fault.empty()) add("directions", "not carried to the end: " + found.fault);
-    return lines;
-}
-
 std::string wanted(const WishedRun& wished) {
     return wished.clock ? fmt::format("t = {:.10g} was wanted", wished.clock->until)
                         : fmt::format("{} steps were wanted", wished.steps.count);
@@ -101,7 +69,7 @@ void note_left_out(const Steps& asked) {
 }
 
 std::string summary(const WishedRun& wished, const Simulation& run,
-                    const TangentFindings& tangents) {
+                    const MonitorFindings& found) {
     const RunSubject& subject = wished.subject;
     const Steps& asked = wished.steps;
     std::size_t width = std::string_view("evaluations").size();
@@ -131,7 +99,7 @@ std::string summary(const WishedRun& wished, const Simulation& run,
     for (std::size_t i = 0; i < run.events.size(); ++i)
         if (const DrivenEvent& event = wished.events.events[i]; !event.event.is_kink)
             line("event", events_text(event.name, run.events[i]));
-    for (const auto& [name, value] : lines_of(tangents)) line(name, value);
+    for (const auto& [name, value] : lines_of(wished.monitors, found)) line(name, value);
     if (!wished.not_looked_for.empty())
         line("symmetries", "not looked for: " + wished.not_looked_for);
     return text;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "generator/cli/run_monitors.hpp"
 #include "generator/render/statements.hpp"
 #include "generator/simulate/simulation.hpp"
-#include "generator/simulate/tangents.hpp"
 
 namespace hvi::gen {
 
@@ -17,8 +17,7 @@ struct WishedRun {
     SceneStepper stepper;
     RunSubject subject;
     Steps steps;
-    std::optional<SceneStepper> tangent = {};  ///< of directions, where these are wished for
-    TangentWishes tangents = {};
+    Monitors monitors = {};
     std::optional<ScaledClock> clock = {};  ///< where steps are no times
     EventWishes events = {};
     std::string events_text = {};            ///< as the scene has them
@@ -37,7 +36,7 @@ void note_left_out(const Steps& asked);
 
 /// Lines of a name and what there is to say of it.
 [[nodiscard]] std::string summary(const WishedRun& wished, const Simulation& run,
-                                  const TangentFindings& tangents);
+                                  const MonitorFindings& found);
 
 /// Warns where the energy changes by more than a tenth of its scale. That is the larger of |H| at
 /// the start and of the mean size of H(q, p) - H(q, 0) on the way: H may be 0 at the start, as it

@@ -62,4 +62,8 @@ int drive(const FindSteppers& find, const TangentWishes& wishes) {
     return status_of(find, [&] { return take_tangents(wishes); });
 }
 
+int drive(const FindSteppers& find, const ShadowWishes& wishes) {
+    return status_of(find, [&] { return take_shadow(wishes); });
+}
+
 }  // namespace hvi::gen

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/drive/number_stepper.hpp"
+#include "generator/drive/shadow.hpp"
 #include "generator/drive/tangents.hpp"
 #include "generator/drive/trajectory.hpp"
 
@@ -26,8 +27,9 @@ using FindSteppers = std::function<MakeStepper()>;
 /// expects. Answers are lines of standard output: src/driver/answer.hpp.
 [[nodiscard]] int drive(const FindSteppers& find, const std::vector<std::string_view>& command);
 
-/// Takes the steps of a trajectory, or of directions.
+/// Takes the steps of a trajectory, of directions, or of a modified Hamiltonian.
 [[nodiscard]] int drive(const FindSteppers& find, const TrajectoryWishes& wishes);
 [[nodiscard]] int drive(const FindSteppers& find, const TangentWishes& wishes);
+[[nodiscard]] int drive(const FindSteppers& find, const ShadowWishes& wishes);
 
 }  // namespace hvi::gen

@@ -2,13 +2,14 @@
 #include "generator/drive/tangents.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
 #include <driver/answer.hpp>
 
 #include "generator/drive/directions.hpp"
+#include "generator/drive/driven_problem.hpp"
+#include "generator/drive/progress_of_steps.hpp"
 
 namespace hvi::gen {
 
@@ -32,29 +33,9 @@ std::vector<DirectionVector> all_units(std::size_t numbers) {
     return result;
 }
 
-/// Says how far it is, ten times a second.
-class ProgressOf {
-public:
-    ProgressOf(std::int64_t steps, double begin, double end)
-        : steps_(steps), begin_(begin), end_(end) {}
-
-    void tell(std::int64_t taken) {
-        const auto now = std::chrono::steady_clock::now();
-        if (now - last_ < std::chrono::milliseconds(100)) return;
-        last_ = now;
-        const double part = static_cast<double>(taken) / static_cast<double>(steps_);
-        driver::say("progress", begin_ + (end_ - begin_) * part);
-    }
-
-private:
-    std::int64_t steps_;
-    double begin_, end_;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 /// Takes the steps of the directions, and calls see(taken) after each. False where one fails.
 template <class See>
-bool take(Directions& directions, const TangentWishes& wishes, ProgressOf progress, See see) {
+bool take(Directions& directions, const TangentWishes& wishes, ProgressOfSteps progress, See see) {
     for (std::int64_t taken = 1; taken <= wishes.steps; ++taken) {
         if (const Status status = directions.step(wishes.h); !status.ok()) {
             driver::say("fault", status.message());
@@ -103,7 +84,7 @@ private:
     double before_ = 1, sum_ = 0, weighted_ = 0, of_megno_ = 0, mean_ = 0;
 };
 
-bool tell_largest(const TangentWishes& wishes, ProgressOf progress) {
+bool tell_largest(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr double golden = 0.6180339887498949;
     Directions directions({usual_direction(2 * degrees_of_problem(), golden)});
     Growth growth(directions);
@@ -117,7 +98,7 @@ bool tell_largest(const TangentWishes& wishes, ProgressOf progress) {
 
 /// All exponents, from directions that are made orthonormal after so many steps (G. Benettin et
 /// al., Meccanica 15, 1980, 9-30).
-bool tell_spectrum(const TangentWishes& wishes, ProgressOf progress) {
+bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr std::int64_t between = 10;
     const std::size_t count = 2 * degrees_of_problem();
     Directions directions(all_units(count));
@@ -140,7 +121,7 @@ bool tell_spectrum(const TangentWishes& wishes, ProgressOf progress) {
 
 /// The smaller of |v + w| and |v - w| for two directions of norm 1 (Ch. Skokos, J. Phys. A 34,
 /// 2001, 10029-10043).
-bool tell_sali(const TangentWishes& wishes, ProgressOf progress) {
+bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr double golden = 0.6180339887498949, silver = 0.4142135623730951;
     const std::size_t numbers = 2 * degrees_of_problem();
     std::vector<DirectionVector> start{usual_direction(numbers, golden),
@@ -184,7 +165,7 @@ double symplecticity_error(const std::vector<DirectionVector>& columns) {
     return error / (largest * largest);
 }
 
-bool tell_matrix(const TangentWishes& wishes, ProgressOf progress) {
+bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
     const std::size_t count = 2 * degrees_of_problem();
     Directions directions(all_units(count));
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
@@ -196,15 +177,28 @@ bool tell_matrix(const TangentWishes& wishes, ProgressOf progress) {
     return true;
 }
 
+bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
+    DirectionVector start;
+    const DrivenStepper::State x = DrivenProblem::initial();
+    const auto n = static_cast<std::ptrdiff_t>(degrees_of_problem());
+    start.assign(x.q.begin() + n, x.q.end());
+    start.insert(start.end(), x.p.begin(), x.p.begin() + n);
+    Directions directions({start});
+    if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
+    for (const double component : directions.direction(0)) driver::say("component", component);
+    return true;
+}
+
 }  // namespace
 
 int take_tangents(const TangentWishes& wishes) {
-    using Tell = bool (*)(const TangentWishes&, ProgressOf);
+    using Tell = bool (*)(const TangentWishes&, ProgressOfSteps);
     std::vector<Tell> all;
     if (wishes.largest) all.push_back(tell_largest);
     if (wishes.spectrum) all.push_back(tell_spectrum);
     if (wishes.sali) all.push_back(tell_sali);
     if (wishes.matrix) all.push_back(tell_matrix);
+    if (wishes.own) all.push_back(tell_own);
     const auto count = static_cast<double>(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto done = static_cast<double>(k);

@@ -15,8 +15,9 @@ struct TangentWishes {
     bool largest = false;   ///< the largest Lyapunov exponent, and MEGNO
     bool spectrum = false;  ///< all Lyapunov exponents
     bool sali = false;      ///< the smaller alignment index
+    bool own = false;       ///< the direction that begins as the states of the problem do
 
-    [[nodiscard]] bool any() const { return matrix || largest || spectrum || sali; }
+    [[nodiscard]] bool any() const { return matrix || largest || spectrum || sali || own; }
 };
 
 /// Takes the steps of DrivenProblem, whose states are those of with_tangent(), and says what was

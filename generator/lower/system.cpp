@@ -28,7 +28,7 @@ LinearPart linear_part(const ConstantTerms& constant) {
 }
 
 System passed(System system, const std::vector<SystemPass>& passes) {
-    for (const SystemPass pass : passes) { system = pass(std::move(system)); }
+    for (const SystemPass& pass : passes) { system = pass(std::move(system)); }
     return system;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace hvi::gen {
                                const std::vector<std::string>& parameters);
 
 /// A pass that makes another H or L, with its slopes, before anything is found.
-using SystemPass = System (*)(System);
+using SystemPass = std::function<System(System)>;
 
 /// A scene that is written out, after these passes. Of its parameters those of H that have a value
 /// are replaced.

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "generator/lower/accesses.hpp"
@@ -26,8 +28,10 @@ using Starts = std::vector<SystemStart>;
 
 class TangentOfSystem {
 public:
-    explicit TangentOfSystem(System system)
+    /// `parameter`: what the motion is differentiated by; nothing where that is its start.
+    explicit TangentOfSystem(System system, std::optional<Node> parameter = {})
         : system_(with_energy(std::move(system))),
+          parameter_(parameter),
           n_(system_.coordinates.size()),
           taken_(taken_names(system_)) {}
 
@@ -153,6 +157,7 @@ private:
                 terms.push_back(system_.graph.product(slope.value, {{1, 1}, direction}));
             }
         }
+        if (parameter_) { terms.push_back(by_parameter(sum.value)); }
         for (const auto& [total, change] : changes_) {
             const Scaled slope = gradient(system_.graph, sum.value, {total}).front();
             terms.push_back(system_.graph.product(slope, {{1, 1}, change}));
@@ -160,7 +165,34 @@ private:
         return system_.graph.sum(std::move(terms));
     }
 
-    /// The start of a family of directions.
+    [[nodiscard]] Scaled by_parameter(const Scaled& value) {
+        return gradient(system_.graph, value, {*parameter_}).front();
+    }
+
+    /// The start of the direction of a family that begins so.
+    [[nodiscard]] SystemStart start_of_direction(const SystemFamily& family,
+                                                 const SystemStart& start) {
+        if (!parameter_) { return at_zero(family); }
+        return std::visit([&](const auto& values) { return by_parameter(family, values); },
+                          start.values);
+    }
+
+    SystemStart by_parameter(const SystemFamily&, SystemStart::Rule rule) {
+        rule.value = by_parameter(rule.value);
+        rule.accesses = accesses_in(system_, {rule.value});
+        return {std::move(rule)};
+    }
+    SystemStart by_parameter(const SystemFamily& family, const NumbersInFile&) {
+        return at_zero(family);
+    }
+    template <class Values>
+    SystemStart by_parameter(const SystemFamily&, Values all) {
+        for (Scaled& value : all.values) { value = by_parameter(value); }
+        all.accesses = accesses_in(system_, all.values);
+        return {std::move(all)};
+    }
+
+    /// The start of a direction that begins at 0.
     [[nodiscard]] SystemStart at_zero(const SystemFamily& family) {
         SystemStart::Rule zero{{}, Graph::number(0)};
         std::set<std::string> taken = taken_;
@@ -175,17 +207,22 @@ private:
         if (system_.initial.empty()) { return; }
         const Starts before = std::exchange(system_.initial, {});
         const auto half = before.begin() + static_cast<std::ptrdiff_t>(n_);
-        Starts zeros;
-        for (std::size_t k = 0; k < n_; ++k) { zeros.push_back(at_zero(system_.coordinates[k])); }
+        Starts of_q, of_conjugates;
+        for (std::size_t k = 0; k < n_; ++k) {
+            const SystemFamily& family = system_.coordinates[k];
+            of_q.push_back(start_of_direction(family, before[k]));
+            of_conjugates.push_back(start_of_direction(family, before[n_ + k]));
+        }
         Starts& all = system_.initial;
         all.assign(before.begin(), half);
-        all.insert(all.end(), zeros.begin(), zeros.end());
+        all.insert(all.end(), of_q.begin(), of_q.end());
         all.insert(all.end(), half, before.end());
         all.insert(has_velocities() ? all.end() : all.begin() + 2 * (half - before.begin()),
-                   zeros.begin(), zeros.end());
+                   of_conjugates.begin(), of_conjugates.end());
     }
 
     System system_;
+    std::optional<Node> parameter_;
     std::size_t n_;  ///< families of coordinates
     std::set<std::string> taken_;
     std::map<std::size_t, Node> directions_;      ///< of the accesses that there were
@@ -197,6 +234,16 @@ private:
 System with_tangent(System system) {
     HVI_CHECK(rotations_of(system) == 0 && !system.scaled);
     return TangentOfSystem(std::move(system))();
+}
+
+System with_sensitivity(System system, const std::string& parameter) {
+    HVI_CHECK(rotations_of(system) == 0 && !system.scaled);
+    const auto found =
+        std::find_if(system.parameters.begin(), system.parameters.end(),
+                     [&](const SystemParameter& candidate) { return candidate.name == parameter; });
+    HVI_CHECK(found != system.parameters.end());
+    const Node node = found->node;
+    return TangentOfSystem(std::move(system), node)();
 }
 
 }  // namespace hvi::gen

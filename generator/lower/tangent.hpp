@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <string>
+
 #include "generator/ir/system.hpp"
 
 namespace hvi::gen {
@@ -14,5 +16,10 @@ namespace hvi::gen {
 /// begin at 0, and the energy is H. Where sums stay loops those of K are sums over the same loops.
 /// Precondition: there are neither rotations nor scaled time.
 [[nodiscard]] System with_tangent(System system);
+
+/// The system of K + dH/da for a parameter a: with it the direction is the derivative of the motion
+/// by a, and begins as that of the start. Precondition: as above, and a is a parameter of the
+/// system.
+[[nodiscard]] System with_sensitivity(System system, const std::string& parameter);
 
 }  // namespace hvi::gen

@@ -420,6 +420,11 @@ constexpr std::array table = {
                 .excludes = {.others = "--accuracy"}},
     OptionEntry{
         .name = "--tangent", .of = {run}, .help = "Write the derivative of the flow, tangent.csv"},
+    OptionEntry{.name = "--sensitivity",
+                .of = {run},
+                .value = Value::text,
+                .placeholder = "NAMES",
+                .help = "Write the derivatives of the end by these parameters, sensitivity.csv"},
     OptionEntry{.name = "--lyapunov",
                 .of = {run},
                 .value = Value::mode,
@@ -435,8 +440,9 @@ constexpr std::array table = {
                 .placeholder = "COLUMNS",
                 .help = "The main frequencies of columns",
                 .state = State::to_come},
-    OptionEntry{
-        .name = "--shadow", .of = {run}, .help = "The shadow Hamiltonian", .state = State::to_come},
+    OptionEntry{.name = "--shadow",
+                .of = {run},
+                .help = "The modified Hamiltonian, which tells drift from oscillation"},
     OptionEntry{.name = "--interpret",
                 .of = {run},
                 .help = "Take the steps without a compiler",

@@ -1,13 +1,9 @@
-// Steppers of a motion and of directions that it carries along.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/directions.hpp"
 
-#include <fmt/format.h>
-
 #include "generator/emit/steps/tangent.hpp"
 #include "generator/exact/methods/composed_method.hpp"
-#include "generator/lower/tangent.hpp"
-#include "generator/pipeline/refusals.hpp"
+#include "generator/pipeline/passes.hpp"
 
 namespace hvi::gen {
 
@@ -43,26 +39,6 @@ StepperWishes wishes_of_carrier(const SceneStepper& stepper, const StepperWishes
 
 }  // namespace
 
-SceneStepper tangent_stepper(const Method& method, const Scene& scene, StepperWishes wishes,
-                             std::string_view what) {
-    refuse_rotations(scene, what);
-    refuse_scale(scene, what);
-    const Place place = whole(scene.function.source);
-    if (!scene.own.headers.empty())
-        throw InputError(fmt::format("{} is not built for functions of your own", what), place);
-    wishes.invariants = false;
-    const std::vector<SystemPass> passes{with_tangent};
-    return by_unrolling(
-        scene, {wishes.unroll, wish_without_loops(wishes)},
-        [&](const UnrollDecision& why) {
-            return scene_stepper(method, lowered_with_loops(scene, why, passes), wishes);
-        },
-        [&](WrittenOutScene written, const UnrollDecision& why) {
-            return scene_stepper(
-                method, lowered_written_out(scene, std::move(written), why, passes), wishes);
-        });
-}
-
 void add_directions(SceneStepper& stepper, const Method& method, const Scene& scene,
                     const StepperWishes& wishes) {
     constexpr std::string_view option = "--tangent";
@@ -72,13 +48,12 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
                          wishes.lanes.place);
     const SceneStepper carrier =
         tangent_stepper(method, scene, wishes_of_carrier(stepper, wishes), option);
-    const bool is_symmetric = hvi::gen::is_symmetric(
-        ExactMethod{{method, wishes.composition}, stepper.method.base});
+    const bool is_symmetric =
+        hvi::gen::is_symmetric(ExactMethod{{method, wishes.composition}, stepper.method.base});
     StepToEmit main = to_emit(stepper);
     main.options.note = wishes.note;
-    stepper.header =
-        emit_with_directions(main, to_emit(carrier),
-                             is_symmetric ? PulledBack::step_back : PulledBack::columns);
+    stepper.header = emit_with_directions(
+        main, to_emit(carrier), is_symmetric ? PulledBack::step_back : PulledBack::columns);
 }
 
 }  // namespace hvi::gen

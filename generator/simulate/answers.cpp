@@ -205,4 +205,10 @@ Answers ask(const Target& target, const TangentWishes& wishes,
                       {}, on_progress);
 }
 
+Answers ask(const Target& target, const ShadowWishes& wishes,
+            const std::function<void(double)>& on_progress) {
+    return answers_to(target, {{}, [&](const FindSteppers& find) { return drive(find, wishes); }},
+                      {}, on_progress);
+}
+
 }  // namespace hvi::gen

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "generator/drive/number_stepper.hpp"
+#include "generator/drive/shadow.hpp"
 #include "generator/drive/tangents.hpp"
 #include "generator/drive/trajectory.hpp"
 #include "generator/program/builds.hpp"
@@ -81,11 +82,14 @@ using Target = std::variant<Program, Library, Interpreted>;
                           const std::filesystem::path& file = {},
                           const std::function<void(double)>& on_progress = nullptr);
 
-/// Has a trajectory taken, or directions carried along, likewise. Precondition: the target is no
+/// Has a trajectory taken, directions carried along, or a modified Hamiltonian measured, likewise.
+/// Precondition: the target is no
 /// Program.
 [[nodiscard]] Answers ask(const Target& target, const TrajectoryWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
 [[nodiscard]] Answers ask(const Target& target, const TangentWishes& wishes,
+                          const std::function<void(double)>& on_progress = nullptr);
+[[nodiscard]] Answers ask(const Target& target, const ShadowWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
 
 }  // namespace hvi::gen

@@ -46,6 +46,7 @@ TangentFindings find_tangents(const Target& target, const TangentWishes& wishes,
     found.exponents = answers.numbers("exponent");
     std::sort(found.exponents.rbegin(), found.exponents.rend());
     found.entries = answers.numbers("entry");
+    found.own = answers.numbers("component");
     if (answers.has("form")) found.form = answers.number("form");
     if (!found.entries.empty()) found.multipliers = eigenvalues(found.entries);
     return found;

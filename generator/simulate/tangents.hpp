@@ -18,6 +18,7 @@ struct TangentFindings {
     std::optional<double> lyapunov, megno, sali;
     std::vector<double> exponents;  ///< descending
     std::vector<double> entries;    ///< of the derivative, row by row: q and p by q and p
+    std::vector<double> own;        ///< of the direction with a start of its own, at the end
     double form = 0;                ///< how far it is from symplectic
     /// Eigenvalues of the derivative, the largest first: the multipliers of an orbit that closes.
     std::vector<std::complex<double>> multipliers = {};

@@ -1,9 +1,11 @@
 // Passes that make another function of a system, before anything is found in it.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <string>
 #include <utility>
 
 #include <catch2/catch.hpp>
 
+#include "generator/lower/homogeneous.hpp"
 #include "generator/lower/slopes.hpp"
 #include "generator/lower/system.hpp"
 #include "generator/lower/tangent.hpp"
@@ -89,4 +91,27 @@ TEST_CASE("directions of a lattice are a lattice with them") {
     const System H = system_of(scene);
     REQUIRE(K.energy.size() == H.energy.size());
     for (std::size_t s = 0; s < H.energy.size(); ++s) CHECK(K.energy[s].loops == H.energy[s].loops);
+}
+
+TEST_CASE("what is homogeneous is separable where H is, and has a quadratic T where H has one") {
+    const auto extended = [](const std::string& H) {
+        const std::string text = "hamiltonian = \"" + H +
+                                 "\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+                                 "parameters = {m = 2}\ninitial = {q = 1, p = 0}\n";
+        return system_of(unrolled(scene_from_toml(Source{"scene.toml", text})),
+                         {with_homogeneous_extension});
+    };
+    for (const std::string H : {"p^2/2 + q^4", "p^2/(2*m) - cos(q)", "m*(3*p^2 + sqrt(1 + q^2))"}) {
+        const System system = extended(H);
+        CAPTURE(H);
+        CHECK(system.structure.is_separable);
+        CHECK(system.structure.kinetic_is_quadratic);
+        CHECK(system.degrees_of_freedom() == 2);
+        CHECK(start_of(system).size() == 4);
+    }
+    const System relativistic = extended("m*(sqrt(1 + p^2) + q^2)");
+    CHECK(relativistic.structure.is_separable);
+    CHECK_FALSE(relativistic.structure.kinetic_is_quadratic);
+    CHECK(relativistic.degrees_of_freedom() == 3);
+    CHECK_FALSE(extended("p^2/2 + q^2*p").structure.is_separable);
 }

@@ -21,6 +21,7 @@ struct SceneRun {
     std::vector<std::string> events;  ///< lines
     std::vector<std::string> table;   ///< lines
     std::vector<std::vector<double>> tangent;
+    std::vector<std::string> sensitivity;  ///< lines
 
     /// A row of the table, from 0 on.
     [[nodiscard]] std::vector<double> row(std::size_t k) const {
@@ -67,6 +68,7 @@ inline SceneRun run_words_in(const Directory& directory, const std::string& word
     };
     result.events = lines("events.csv");
     result.table = lines("trajectory.csv");
+    result.sensitivity = lines("sensitivity.csv");
     for (const std::string& line : lines("tangent.csv")) result.tangent.push_back(numbers_of(line));
     return result;
 }

@@ -56,6 +56,70 @@ TEST_CASE("multipliers are the eigenvalues of the derivative") {
     CHECK(swing.outcome.out.find("-0.414633+0.909989i -0.414633-0.909989i") != std::string::npos);
 }
 
+TEST_CASE("the end is differentiated by parameters") {
+    const std::string spring = "hamiltonian = \"(p^2 + w^2*q^2)/2\"\n"
+                               "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+                               "parameters = {w = \"3/2\", a = 2}\n"
+                               "initial = {q = \"a^2\", p = 0}\n"
+                               "run = {method = \"gauss:8\", step = \"1/10\", until = 3}\n";
+    const SceneRun found = run_scene(spring, "--sensitivity 'w, a'");
+    REQUIRE(found.sensitivity.size() == 3);
+    CHECK(found.sensitivity[0] == "parameter,q,p");
+    // q = a^2 cos(w t), p = -a^2 w sin(w t)
+    const double w = 1.5, a = 2, t = 3, c = std::cos(w * t), s = std::sin(w * t);
+    const auto by_w = numbers_of(found.sensitivity[1].substr(2));
+    const auto by_a = numbers_of(found.sensitivity[2].substr(2));
+    REQUIRE(by_w.size() == 2);
+    CHECK(by_w[0] == Approx(-a * a * t * s).epsilon(1e-12));
+    CHECK(by_w[1] == Approx(-a * a * (s + w * t * c)).epsilon(1e-12));
+    CHECK(by_a[0] == Approx(2 * a * c).epsilon(1e-12));
+    CHECK(by_a[1] == Approx(-2 * a * w * s).epsilon(1e-12));
+}
+
+TEST_CASE("derivatives by parameters are those of runs with other values") {
+    const std::vector<std::pair<std::string, std::string>> all = {
+        // A Hamiltonian with sums in a function, a Lagrangian, and loops.
+        {"hamiltonian = \"(px^2 + py^2)/2 - mu/sqrt(x^2 + y^2) + mu^2*x*py/9\"\n"
+         "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\nparameters = {mu = 1}\n"
+         "initial = {x = 1, y = 0, px = 0, py = \"sqrt(mu)\"}\n",
+         "--method gauss:4"},
+        {"lagrangian = \"(1 + mu*x^2)*vx^2/2 - mu*x^4\"\ncoordinates = [\"x\"]\n"
+         "velocities = [\"vx\"]\nparameters = {mu = 1}\ninitial = {x = \"mu\", vx = \"mu/2\"}\n",
+         "--method gauss:4"},
+        {"hamiltonian = \"sum(i=1..4, p[i]^2/2) + sum(i=1..3, mu*(q[i+1] - q[i])^4)\"\n"
+         "coordinates = [\"q[1..4]\"]\nmomenta = [\"p[1..4]\"]\nparameters = {mu = 1}\n"
+         "initial = {\"q[i]\" = \"mu*sin(i)\", \"p[i]\" = 0}\n",
+         "--method stormer-verlet --unroll no"},
+    };
+    const double by = 1e-5;
+    for (const auto& [text, how] : all) {
+        CAPTURE(text);
+        const std::string scene = text + "run = {step = \"1/50\", until = 2}\n";
+        const SceneRun found = run_scene(scene, "--sensitivity mu " + how);
+        INFO(found.outcome.err);
+        REQUIRE(found.sensitivity.size() == 2);
+        const auto derivative = numbers_of(found.sensitivity[1].substr(3));
+        const auto up = run_scene(scene, how + " --param mu=1.00001").last();
+        const auto down = run_scene(scene, how + " --param mu=0.99999").last();
+        for (std::size_t k = 0; k < derivative.size(); ++k)
+            CHECK(derivative[k] == Approx((up[1 + k] - down[1 + k]) / (2 * by)).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("parameters that are none are refused") {
+    const auto refused = [](const std::string& names, const std::string& reason) {
+        const SceneRun found = run_scene(star, "--sensitivity '" + names + "'");
+        CAPTURE(names, found.outcome.err);
+        CHECK(found.outcome.status == 2);
+        CHECK(found.outcome.err.find(reason) != std::string::npos);
+        CHECK(found.table.empty());
+    };
+    refused("a, e", "there is no parameter `e` to differentiate by");
+    refused("a, x", "there is no parameter `x`");
+    refused("a,", "the name of a parameter is missing");
+    refused("", "--sensitivity");
+}
+
 TEST_CASE("the derivative is that of runs from starts nearby") {
     const double by = 1e-5;
     for (const std::string how : {"--method stormer-verlet", "--method gauss:4",

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/run_monitors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <complex>
+#include <string_view>
+
+#include "generator/pipeline/passes.hpp"
+#include "generator/read/nearest.hpp"
+#include "generator/support/bar.hpp"
+#include "generator/support/pace.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Measurements on directions that are wished for.
+TangentWishes tangents_of(const RunOptions& options) {
+    return {.matrix = options.tangent,
+            .largest = options.lyapunov == Exponents::largest || options.megno,
+            .spectrum = options.lyapunov == Exponents::spectrum,
+            .sali = options.sali};
+}
+
+std::string_view wish_for_directions(const RunOptions& options) {
+    if (options.tangent) return "--tangent";
+    if (options.lyapunov) return "--lyapunov";
+    return options.megno ? "--megno" : "--sali";
+}
+
+/// Throws InputError where a motion does not go on by steps of one size, without jumps.
+void check_steps(const Scene& scene, std::string_view what) {
+    if (scene.kinks)
+        throw InputError(fmt::format("{} is not built for kinks that end steps", what),
+                         scene.kinks);
+    for (const IndexedEvent& event : scene.events)
+        if (event.set)
+            throw InputError(fmt::format("{} is not built for events that jump", what),
+                             event.place);
+}
+
+/// Throws InputError where there would be a stepper for each of too many directions.
+void check_count_of_directions(const Scene& scene, const RunOptions& options) {
+    const bool takes_all = options.tangent || options.lyapunov == Exponents::spectrum;
+    const std::size_t degrees = degrees_of_freedom(scene);
+    if (!takes_all || degrees <= most_degrees_of_freedom) return;
+    throw InputError(
+        fmt::format("{} takes two directions for each degree of freedom, of which there are {}; "
+                    "it is built for at most {}",
+                    options.tangent ? "--tangent" : "--lyapunov=spectrum", degrees,
+                    most_degrees_of_freedom),
+        scene.place, "--lyapunov, --megno and --sali take one or two directions");
+}
+
+/// The names between commas, with their places.
+std::vector<std::pair<std::string, Place>> names_in_list(const Given& list) {
+    std::vector<std::pair<std::string, Place>> names;
+    const std::string& text = list->text;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        const std::size_t first = std::min(text.find_first_not_of(' ', begin), comma);
+        const std::size_t last = first == comma ? comma : text.find_last_not_of(' ', comma - 1) + 1;
+        const Place place =
+            first == last ? Place{list, {begin, comma}} : Place{list, {first, last}};
+        names.emplace_back(text.substr(first, last - first), place);
+        begin = comma + 1;
+    }
+    return names;
+}
+
+/// Throws InputError where the scene has no such parameter that is a number of a program.
+void check_parameter(const Scene& scene, const SceneStepper& stepper, const std::string& name,
+                     const Place& place) {
+    const std::vector<SystemParameter>& parameters = stepper.system.parameters;
+    const bool is_there =
+        std::any_of(parameters.begin(), parameters.end(),
+                    [&](const SystemParameter& parameter) { return parameter.name == name; });
+    if (is_there && scene.fixed.count(name) == 0) return;
+    std::vector<std::string> all;
+    for (const SystemParameter& parameter : parameters)
+        if (scene.fixed.count(parameter.name) == 0) all.push_back(parameter.name);
+    throw InputError(fmt::format("there is no parameter `{}` to differentiate by", name), place,
+                     all.empty() ? "this scene has none" : "parameters: " + listed(all));
+}
+
+std::vector<Sensitivity> sensitivities_of(const MethodAndScene& both, const SceneStepper& stepper,
+                                          const StepperWishes& wishes, const Given& list) {
+    constexpr std::string_view what = "--sensitivity";
+    std::vector<Sensitivity> result;
+    check_steps(both.scene, what);
+    for (const auto& [name, place] : names_in_list(list)) {
+        if (name.empty())
+            throw InputError("the name of a parameter is missing", place,
+                             "names stand between commas: \"mu, ecc\"");
+        check_parameter(both.scene, stepper, name, place);
+        result.push_back({name, sensitivity_stepper(both.method, both.scene, wishes, name, what)});
+    }
+    return result;
+}
+
+/// Shows how far a measurement is.
+class Shown {
+public:
+    Shown(const Simulation& run, const char* what) : pace_(static_cast<double>(run.steps), what) {}
+
+    void operator()(double part) { bar_.show(part, pace_.at(part, Pace::Clock::now())); }
+
+private:
+    Bar bar_;
+    Pace pace_;
+};
+
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+/// `2.1 0.5+0.8i 0.5-0.8i 0.47`
+std::string text_of(const std::vector<std::complex<double>>& numbers) {
+    std::vector<std::string> all;
+    for (const std::complex<double>& number : numbers)
+        all.push_back(number.imag() == 0
+                          ? fmt::format("{:.6g}", number.real())
+                          : fmt::format("{:.6g}{:+.6g}i", number.real(), number.imag()));
+    return fmt::format("{}", fmt::join(all, " "));
+}
+
+void add_directions(const TangentFindings& found, Lines& lines) {
+    if (found.lyapunov) lines.emplace_back("lyapunov", fmt::format("{:.6g}", *found.lyapunov));
+    if (!found.exponents.empty()) {
+        std::vector<std::string> all;
+        for (const double value : found.exponents) all.push_back(fmt::format("{:.6g}", value));
+        lines.emplace_back("lyapunov", fmt::format("{}", fmt::join(all, " ")));
+    }
+    if (found.megno) lines.emplace_back("megno", fmt::format("{:.6g}", *found.megno));
+    if (found.sali) lines.emplace_back("sali", fmt::format("{:.3e}", *found.sali));
+    if (!found.entries.empty())
+        lines.emplace_back(
+            "tangent",
+            fmt::format("D^T J D - J is {:.1e} of the largest entry squared at most", found.form));
+    if (!found.multipliers.empty()) lines.emplace_back("multipliers", text_of(found.multipliers));
+    if (!found.fault.empty())
+        lines.emplace_back("directions", "not carried to the end: " + found.fault);
+}
+
+std::string said_of(const ShadowFindings& found) {
+    if (!found.fault.empty()) return "not measured to the end: " + found.fault;
+    return fmt::format("{:.15g}, largest change {:.2e}, at the end {:.2e}; differences err by less "
+                       "than {:.1e}",
+                       found.start, found.largest, found.last, found.error);
+}
+
+}  // namespace
+
+Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper,
+                         const StepperWishes& wishes, const RunOptions& options) {
+    Monitors result{.tangents = tangents_of(options)};
+    if (result.tangents.any()) {
+        const std::string_view what = wish_for_directions(options);
+        check_steps(both.scene, what);
+        check_count_of_directions(both.scene, options);
+        result.tangent = tangent_stepper(both.method, both.scene, wishes, what);
+    }
+    if (options.sensitivity)
+        result.sensitivities = sensitivities_of(both, stepper, wishes, options.sensitivity);
+    if (options.shadow) {
+        check_steps(both.scene, "--shadow");
+        result.shadow = shadow_stepper(both.method, both.scene, wishes, "--shadow");
+        result.degrees = hamiltonian_of(unrolled(both.scene)).coordinates.size();
+    }
+    return result;
+}
+
+std::string MonitorFindings::fault() const {
+    if (!directions.fault.empty())
+        return "directions are not carried to the end: " + directions.fault;
+    for (const TangentFindings& each : sensitivities)
+        if (!each.fault.empty())
+            return "the end is not differentiated by parameters: " + each.fault;
+    if (shadow && !shadow->fault.empty())
+        return "the shadow is not measured to the end: " + shadow->fault;
+    return {};
+}
+
+void begin(const Monitors& monitors, Runner& runner) {
+    for (const std::optional<SceneStepper>* each : {&monitors.tangent, &monitors.shadow})
+        if (*each) runner.begin(**each);
+    for (const Sensitivity& each : monitors.sensitivities) runner.begin(each.stepper);
+}
+
+MonitorFindings measured(const Monitors& monitors, const Simulation& run, double h,
+                         Runner& runner) {
+    MonitorFindings found;
+    if (monitors.tangent && run.steps > 0) {
+        TangentWishes wishes = monitors.tangents;
+        wishes.h = h;
+        wishes.steps = run.steps;
+        Shown shown(run, "steps with directions");
+        found.directions = find_tangents(runner.target(*monitors.tangent), wishes,
+                                         [&](double part) { shown(part); });
+    }
+    for (const Sensitivity& each : monitors.sensitivities) {
+        Shown shown(run, "steps with derivatives by a parameter");
+        found.sensitivities.push_back(find_tangents(runner.target(each.stepper),
+                                                    {.h = h, .steps = run.steps, .own = true},
+                                                    [&](double part) { shown(part); }));
+    }
+    if (monitors.shadow && run.steps >= ShadowWishes::fewest_steps()) {
+        Shown shown(run, "steps with a shadow");
+        found.shadow =
+            find_shadow(runner.target(*monitors.shadow), {h, run.steps, monitors.degrees},
+                        [&](double part) { shown(part); });
+    }
+    return found;
+}
+
+std::string table_of_sensitivities(const Monitors& monitors, const MonitorFindings& found,
+                                   const std::vector<NameBox>& names) {
+    if (monitors.sensitivities.empty()) return "";
+    std::string text = "parameter";
+    const auto cell = [&](const std::string& name) {
+        const std::string_view quote = name.find(',') == std::string::npos ? "" : "\"";
+        text += fmt::format(",{0}{1}{0}", quote, name);
+    };
+    const std::size_t count = found.sensitivities.front().own.size();
+    for (std::size_t k = 0; k < count; ++k) cell(name_at(names, k));
+    for (std::size_t k = 0; k < monitors.sensitivities.size(); ++k) {
+        text += "\n" + monitors.sensitivities[k].parameter;
+        for (const double value : found.sensitivities[k].own) text += fmt::format(",{}", value);
+    }
+    return text + "\n";
+}
+
+Lines lines_of(const Monitors& monitors, const MonitorFindings& found) {
+    Lines lines;
+    add_directions(found.directions, lines);
+    if (!monitors.sensitivities.empty())
+        lines.emplace_back("sensitivity",
+                           fmt::format("derivatives by {} parameter{} are in sensitivity.csv",
+                                       monitors.sensitivities.size(),
+                                       monitors.sensitivities.size() == 1 ? "" : "s"));
+    if (found.shadow)
+        lines.emplace_back("shadow", said_of(*found.shadow));
+    else if (monitors.shadow)
+        lines.emplace_back("shadow", fmt::format("not measured: that takes {} steps at least",
+                                                 ShadowWishes::fewest_steps()));
+    return lines;
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+#include "generator/interpret/interpretation.hpp"
+
+namespace hvi::gen {
+
+Runner::Runner(const std::optional<Place>& interpret) : interpret_(interpret) {
+    if (interpret) return;
+    try {
+        compiler_ = find_compiler();
+    } catch (const EnvironmentError& error) { missing_ = error; }
+}
+
+void Runner::begin(const SceneStepper& stepper) {
+    if (!compiler_) return;
+    if (!builds_) builds_.emplace(*compiler_);
+    begun_.emplace(&stepper, simulation_program(stepper).order(*builds_));
+}
+
+Target Runner::target(const SceneStepper& stepper) {
+    if (compiler_) return begun_.at(&stepper).target();
+    const std::string obstacle = obstacle_to_interpretation(stepper);
+    if (!obstacle.empty() && missing_) throw *missing_;
+    if (!obstacle.empty())
+        throw InputError("this cannot be run without a compiler: " + obstacle, interpret_,
+                         "what can be is in docs/interpreter.md");
+    if (missing_)
+        std::fputs(fmt::format("note: {}; steps are interpreted\n", missing_->what()).c_str(),
+                   stderr);
+    return Interpreted{interpretation(stepper)};
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/drive/shadow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <driver/answer.hpp>
+#include <hvi/detail/module/departure.hpp>
+
+#include "generator/drive/driven_problem.hpp"
+#include "generator/drive/progress_of_steps.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+constexpr int reach = ShadowWishes::reach;
+
+/// Weights of f(j) - f(-j), j = 1 to m, in the derivative at 0 of the polynomial of degree 2m
+/// through f(-m) to f(m):
+///
+///     (-1)^(j+1) m!^2 / (j (m-j)! (m+j)!)
+std::array<double, reach> weights_of_differences(int m) {
+    std::array<double, reach> result{};
+    double product = 1;  // m!^2 / ((m-j)! (m+j)!)
+    for (int j = 1; j <= m; ++j) {
+        product *= static_cast<double>(m - j + 1) / static_cast<double>(m + j);
+        result[static_cast<std::size_t>(j - 1)] = (j % 2 == 1 ? product : -product) / j;
+    }
+    return result;
+}
+
+/// The last 2 reach + 1 states, and how much d - b grew in the step before each.
+class Window {
+public:
+    explicit Window(const ShadowWishes& wishes) : n_(wishes.degrees), h_(wishes.h) {}
+
+    void add(const DrivenStepper::State& x) {
+        Place& place = places_[next_];
+        next_ = (next_ + 1) % places_.size();
+        place.q.assign(x.q.begin(), x.q.begin() + static_cast<std::ptrdiff_t>(n_));
+        place.p.assign(x.p.begin(), x.p.begin() + static_cast<std::ptrdiff_t>(n_));
+        place.growth = (x.q.size() > n_ + 1 ? x.q[n_ + 1] : 0) - x.p[n_];
+    }
+
+    /// H~ in the middle. Precondition: there are as many states as it takes.
+    [[nodiscard]] double value(const std::array<double, reach>& weights) const {
+        const Place& middle = at(0);
+        double sum = 0, growth = 0;
+        for (int j = 1; j <= reach; ++j) {
+            const Place &ahead = at(j), &behind = at(-j);
+            growth += ahead.growth + at(1 - j).growth;
+            double twice = growth;
+            for (std::size_t k = 0; k < n_; ++k)
+                twice += middle.p[k] * (ahead.q[k] - behind.q[k]) -
+                         middle.q[k] * (ahead.p[k] - behind.p[k]);
+            sum += weights[static_cast<std::size_t>(j - 1)] * twice;
+        }
+        return sum / (2 * h_);
+    }
+
+private:
+    struct Place {
+        std::vector<double> q, p;
+        double growth = 0;
+    };
+
+    /// The place so many steps behind the middle.
+    [[nodiscard]] const Place& at(int j) const {
+        const auto after = static_cast<std::size_t>(reach + j);
+        return places_[(next_ + after) % places_.size()];
+    }
+
+    std::size_t n_;
+    double h_;
+    std::array<Place, 2 * reach + 1> places_;
+    std::size_t next_ = 0;  ///< the oldest, once all are there
+};
+
+/// Sets b and d to 0, on which nothing depends: so their differences have no error of rounding that
+/// grows with the time.
+void forget_growth(DrivenStepper::State& x, std::size_t n) {
+    x.p[n] = 0;
+    if (x.q.size() > n + 1) x.q[n + 1] = 0;
+}
+
+}  // namespace
+
+int take_shadow(const ShadowWishes& wishes) {
+    const auto weights = weights_of_differences(reach), fewer = weights_of_differences(reach - 1);
+    DrivenStepper stepper = DrivenProblem::stepper();
+    DrivenStepper::State x = stepper.initial();
+    Window window(wishes);
+    window.add(x);
+    ProgressOfSteps progress(wishes.steps, 0, 1);
+    detail::Departure departure;
+    double error = 0;
+    for (std::int64_t taken = 1; taken <= wishes.steps; ++taken) {
+        forget_growth(x, wishes.degrees);
+        if (const Status status = stepper.step(x, wishes.h); !status.ok()) {
+            driver::say("fault", status.message());
+            return 0;
+        }
+        window.add(x);
+        progress.tell(taken);
+        if (taken < ShadowWishes::fewest_steps()) continue;
+        const double value = window.value(weights);
+        if (taken == ShadowWishes::fewest_steps()) departure.start = value;
+        departure.see(value);
+        error = std::max(error, std::abs(value - window.value(fewer)));
+    }
+    driver::say("shadow", departure.start);
+    driver::say("largest", departure.largest);
+    driver::say("last", departure.last);
+    driver::say("error", error);
+    return 0;
+}
+
+}  // namespace hvi::gen

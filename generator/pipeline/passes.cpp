@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/pipeline/passes.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "generator/lower/homogeneous.hpp"
+#include "generator/lower/tangent.hpp"
+#include "generator/pipeline/refusals.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Throws InputError for what no pass takes that makes another function of a system.
+void check_scene(const Scene& scene, std::string_view what) {
+    refuse_rotations(scene, what);
+    refuse_scale(scene, what);
+    if (!scene.own.headers.empty())
+        throw InputError(fmt::format("{} is not built for functions of your own", what),
+                         whole(scene.function.source));
+}
+
+/// The stepper of what a pass makes of the scene, with loops or without.
+SceneStepper stepper_after(const SystemPass& pass, const Method& method, const Scene& scene,
+                           StepperWishes wishes) {
+    wishes.invariants = false;
+    const std::vector<SystemPass> passes{pass};
+    return by_unrolling(
+        scene, {wishes.unroll, wish_without_loops(wishes)},
+        [&](const UnrollDecision& why) {
+            return scene_stepper(method, lowered_with_loops(scene, why, passes), wishes);
+        },
+        [&](WrittenOutScene written, const UnrollDecision& why) {
+            return scene_stepper(
+                method, lowered_written_out(scene, std::move(written), why, passes), wishes);
+        });
+}
+
+}  // namespace
+
+SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
+                             std::string_view what) {
+    check_scene(scene, what);
+    return stepper_after(with_tangent, method, scene, wishes);
+}
+
+SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,
+                                 const StepperWishes& wishes, const std::string& parameter,
+                                 std::string_view what) {
+    check_scene(scene, what);
+    const auto pass = [&](System system) { return with_sensitivity(std::move(system), parameter); };
+    return stepper_after(pass, method, scene, wishes);
+}
+
+SceneStepper shadow_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
+                            std::string_view what) {
+    check_scene(scene, what);
+    const Place place = whole(scene.function.source);
+    if (scene.side == Side::lagrangian)
+        throw InputError(fmt::format("{} is not built for a Lagrangian", what), place,
+                         "write the Hamiltonian, which `hvi-gen scheme` prints");
+    const UnrollDecision why = unroll_decision(scene, {wishes.unroll, std::string(what)});
+    if (!why.writes_out)
+        throw InputError(fmt::format("{} is not built where sums stay loops", what), place,
+                         "without --unroll no the sums are written out, where they can be");
+    WrittenOutScene written = unrolled(scene);
+    if (depends_on_time(hamiltonian_of(written)))
+        throw InputError(fmt::format("{} is not built for an H that depends on the time t", what),
+                         place, "no function near H stays what it is then");
+    StepperWishes of_pass = wishes;
+    of_pass.invariants = false;
+    return scene_stepper(
+        method, lowered_written_out(scene, std::move(written), why, {with_homogeneous_extension}),
+        of_pass);
+}
+
+}  // namespace hvi::gen

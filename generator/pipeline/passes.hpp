@@ -1,0 +1,32 @@
+// Steppers of what passes make of a scene.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "generator/pipeline/stepper.hpp"
+
+namespace hvi::gen {
+
+/// A stepper of the scene's motion and of a direction that it carries along: see with_tangent().
+/// Throws InputError, with `what` wishes for it, for rotations, scaled time and functions of the
+/// user's own.
+[[nodiscard]] SceneStepper tangent_stepper(const Method& method, const Scene& scene,
+                                           const StepperWishes& wishes, std::string_view what);
+
+/// A stepper of the scene's motion and of its derivative by a parameter: see with_sensitivity().
+/// Throws as tangent_stepper() does. Precondition: the scene has the parameter, and a program can
+/// change it.
+[[nodiscard]] SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,
+                                               const StepperWishes& wishes,
+                                               const std::string& parameter,
+                                               std::string_view what);
+
+/// A stepper of the scene's motion whose steps tell the modified Hamiltonian of the method: see
+/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and for a Lagrangian,
+/// sums that stay loops, and an H that depends on the time.
+[[nodiscard]] SceneStepper shadow_stepper(const Method& method, const Scene& scene,
+                                          const StepperWishes& wishes, std::string_view what);
+
+}  // namespace hvi::gen
