@@ -185,6 +185,15 @@ TEST_CASE("events and jumps in scaled time") {
     CHECK(std::abs(behind[2] + std::sqrt(0.5)) < 1e-9);
 }
 
+TEST_CASE("a first step in scaled time that fails is one that fails") {
+    // From the perihelion of an eccentric ellipse a step of this size has no stages.
+    const SceneRun found =
+        run_scene(planet("99/100", "[time]\nscale = \"1 + x^2\"\n"), "--method gauss:6");
+    INFO(found.outcome.err);
+    CHECK(found.outcome.status == 1);
+    CHECK(found.outcome.err.find("the run stopped after 0 steps") != std::string::npos);
+}
+
 TEST_CASE("scales that are none are refused with their place") {
     const auto refused = [&](const std::string& scale, int status, const std::string& message,
                              const std::string& words = "") {
