@@ -134,12 +134,23 @@ Watched watch(Scene& scene, const RunOptions& options) {
     return watched;
 }
 
-/// Names of coordinates and momenta, one by one. Precondition: they are written out.
-std::vector<std::string> names_of_variables(const RunSubject& subject) {
-    std::vector<std::string> names;
+/// All coordinates and momenta, one by one. Precondition: they are written out.
+std::vector<ColumnBox> all_variables(const RunSubject& subject) {
+    std::vector<ColumnBox> columns;
     for (const std::vector<NameBox>* boxes : {&subject.coordinates, &subject.momenta})
-        for (const std::string& name : names_in(*boxes, {})) names.push_back(name);
-    return names;
+        for (const NameBox& box : *boxes)
+            columns.push_back({box, columns.size(), std::vector<std::size_t>(box.ranges.size())});
+    return columns;
+}
+
+/// Columns of the table that are coordinates or momenta.
+std::vector<ColumnBox> variables_in_table(const RunSubject& subject, const Given& list) {
+    std::vector<ColumnBox> columns = columns_of(subject, list);
+    std::vector<NameBox> all = subject.coordinates;
+    all.insert(all.end(), subject.momenta.begin(), subject.momenta.end());
+    std::erase_if(columns,
+                  [&](const ColumnBox& column) { return name_at(all, column.number).empty(); });
+    return columns;
 }
 
 /// Throws InputError where a jump is said to be symplectic, and is not.
@@ -157,17 +168,26 @@ void check_claim(const WrittenOutScene& scene, const SceneEvent& event) {
              "` is symplectic: " + found.fault);
 }
 
+/// The events of a scene whose sums stay loops.
+EventWishes events_of_loops(const Scene& scene, const RunSubject& subject, const Given& columns) {
+    const auto refuse = [](const std::string& what, const Place& place) {
+        throw InputError(what + " where sums stay loops", place,
+                         "--unroll yes writes the sums out, up to 256 degrees of freedom");
+    };
+    if (scene.kinks) refuse("steps that end at kinks are not built", *scene.kinks);
+    for (const IndexedEvent& event : scene.events)
+        if (event.canonical) refuse("no jump is proved to be symplectic", *event.canonical);
+    return {driven_events(scene), variables_in_table(subject, columns), {}};
+}
+
 /// The events of a scene, for a run.
-EventWishes events_of(const Scene& scene, const SceneStepper& stepper, const RunSubject& subject) {
+EventWishes events_of(const Scene& scene, const SceneStepper& stepper, const RunSubject& subject,
+                      const Given& columns) {
     if (scene.events.empty() && !scene.kinks) return {};
-    if (!stepper.system.is_written_out())
-        throw InputError("events are not built where sums stay loops",
-                         scene.kinks ? *scene.kinks : scene.events.front().place,
-                         "--unroll yes writes the sums out, up to 64 degrees of freedom");
+    if (!stepper.system.is_written_out()) return events_of_loops(scene, subject, columns);
     const WrittenOutScene written = unrolled(scene);
     for (const SceneEvent& event : written.events) check_claim(written, event);
-    return {
-        driven_events(stepper.system, with_time_scale(written)), names_of_variables(subject), {}};
+    return {driven_events(stepper.system, with_time_scale(written)), all_variables(subject), {}};
 }
 
 /// With the momentum maps that are found.
@@ -177,7 +197,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
     RunSubject subject = run_subject(stepper);
     std::vector<Statement> statements = watched.statements(keeping_facts(stepper.method.base));
-    EventWishes events = events_of(both.scene, stepper, subject);
+    EventWishes events = events_of(both.scene, stepper, subject, options.columns);
     Monitors monitors = wished_monitors(both, stepper, wishes, options);
     std::string events_text = text_of(both.scene.events) + (both.scene.kinks ? "kinks\n" : "");
     std::vector<double> times;

@@ -13,9 +13,9 @@ std::vector<std::string> names_of(const TableWishes& wishes) {
     return names;
 }
 
-std::vector<std::size_t> numbers_of(const TableWishes& wishes) {
+std::vector<std::size_t> numbers_of(const std::vector<ColumnBox>& columns) {
     std::vector<std::size_t> numbers;
-    for_each_column(wishes.columns,
+    for_each_column(columns,
                     [&](const std::string&, std::size_t number) { numbers.push_back(number); });
     return numbers;
 }
@@ -25,13 +25,13 @@ std::vector<std::size_t> numbers_of(const TableWishes& wishes) {
 Rows::Rows(const TableWishes& wishes)
     : every_(wishes.every),
       has_times_(!wishes.times.empty()),
-      numbers_(numbers_of(wishes)),
+      numbers_(numbers_of(wishes.columns)),
       table_(row_file(wishes.format, wishes.file, names_of(wishes))) {}
 
 Rows::Rows(const TableWishes& wishes, const Place& from)
     : every_(wishes.every),
       has_times_(!wishes.times.empty()),
-      numbers_(numbers_of(wishes)),
+      numbers_(numbers_of(wishes.columns)),
       table_(row_file(wishes.format, wishes.file, names_of(wishes), from.size)),
       count_(from.rows) {
     if (has_row(from.steps)) last_ = from.t;
@@ -45,23 +45,25 @@ void Rows::write(double time, const Value& value) {
     ++count_;
 }
 
-EventRows::EventRows(const EventWishes& wishes) {
+EventRows::EventRows(const EventWishes& wishes) : numbers_(numbers_of(wishes.variables)) {
     if (!wishes.has_rows()) return;
     table_.emplace(wishes.file.c_str());
     for (const char* name : {"event", "number", "t"}) table_->cell(name);
-    for (const std::string& name : wishes.variables) table_->cell(name);
+    for_each_column(wishes.variables,
+                    [&](const std::string& name, std::size_t) { table_->cell(name); });
     table_->end_row();
 }
 
-EventRows::EventRows(const EventWishes& wishes, std::int64_t size) {
+EventRows::EventRows(const EventWishes& wishes, std::int64_t size)
+    : numbers_(numbers_of(wishes.variables)) {
     if (wishes.has_rows()) table_.emplace(wishes.file.c_str(), size);
 }
 
 void EventRows::write(const std::string& name, std::int64_t number, double time,
                       const DrivenStepper::State& x) {
     table_->cell(name).cell(std::to_string(number)).cell(time);
-    for (const double value : x.q) table_->cell(value);
-    for (const double value : x.p) table_->cell(value);
+    const std::size_t n = x.q.size();
+    for (const std::size_t k : numbers_) table_->cell(k < n ? x.q[k] : x.p[k - n]);
     table_->end_row();
 }
 

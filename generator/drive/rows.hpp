@@ -78,6 +78,7 @@ public:
     [[nodiscard]] bool close() { return !table_ || table_->close(); }
 
 private:
+    std::vector<std::size_t> numbers_;  ///< of the variables
     std::optional<NumberTable> table_;
 };
 

@@ -267,7 +267,8 @@ private:
     /// Says the number of a variable that begins with no finite number, where that is why no step
     /// is made.
     void tell_unfit() const {
-        const std::size_t count = x_.q.size() + x_.p.size();
+        const State variables = seen(x_);
+        const std::size_t count = variables.q.size() + variables.p.size();
         std::size_t number = 0;
         while (number < count && std::isfinite(value(x_, {}, number))) ++number;
         if (number < count) driver::say("unfit", static_cast<std::int64_t>(number));

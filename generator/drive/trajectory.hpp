@@ -39,7 +39,8 @@ struct DrivenEvent {
 /// Events, and their table.
 struct EventWishes {
     std::vector<DrivenEvent> events;
-    std::vector<std::string> variables;  ///< names of coordinates, then of momenta
+    std::vector<ColumnBox> variables;  ///< columns of the table, by number among coordinates, then
+                                       ///< momenta
     std::filesystem::path file;
 
     [[nodiscard]] bool has_rows() const {

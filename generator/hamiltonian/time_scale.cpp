@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generator/hamiltonian/gradient.hpp"
+#include "generator/hamiltonian/hamiltonian_scene.hpp"
 #include "generator/read/names.hpp"
 #include "generator/scene/start.hpp"
 
@@ -90,7 +91,9 @@ struct PartsOfH {
 class Scaling {
 public:
     explicit Scaling(WrittenOutScene scene)
-        : scene_(std::move(scene)), place_(scene_.scale->place), H_(hamiltonian()) {
+        : scene_(with_hamiltonian(std::move(scene))),
+          place_(scene_.scale->place),
+          H_(hamiltonian()) {
         p_t_ = "p_t";
         while (contains(variables(H_), p_t_) || is_parameter(p_t_)) p_t_ += "_";
     }
@@ -116,13 +119,9 @@ private:
     [[nodiscard]] TimeScale kind() const { return scene_.scale->kind; }
 
     [[nodiscard]] Hamiltonian hamiltonian() const {
-        const auto* H = std::get_if<Hamiltonian>(&scene_.mechanics);
-        if (H == nullptr)
-            throw InputError("a scale of the time is not built for a Lagrangian", place_,
-                             "write the Hamiltonian, which `hvi-gen scheme` prints");
-        if (!H->rotations.empty())
-            throw InputError("a scale of the time is not built for rotations", place_);
-        return *H;
+        const Hamiltonian& H = hamiltonian_of(scene_);
+        if (H.rotations.empty()) return H;
+        throw InputError("a scale of the time is not built for rotations", place_);
     }
 
     [[nodiscard]] bool is_parameter(const std::string& name) const {

@@ -13,10 +13,12 @@ namespace hvi::gen {
 ///     K = g (H + e), and with the logarithmic scale K = log(T + e) - log(-U)
 ///
 /// for H = T(p) + U(q), which is separable again (M. Preto & S. Tremaine, AJ 118, 1999, 2532-2541).
-/// A scene without a scale stays what it is.
+/// A scene without a scale stays what it is. Of an L this is that of its H, with momenta: K is
+/// linear in e, so that dt/ds does not tell e, and K has no Lagrangian.
 ///
-/// Throws InputError, with the place of the scale, for a Lagrangian, for rotations and where H is
-/// not T(p) + U(q) and has to be; MathError where g is provably not positive at the start.
+/// Throws as with_hamiltonian() does, and InputError, with the place of the scale, for rotations
+/// and where H is not T(p) + U(q) and has to be; MathError where g is provably not positive at the
+/// start.
 [[nodiscard]] WrittenOutScene with_time_scale(WrittenOutScene scene);
 
 }  // namespace hvi::gen

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/interpret/tape.hpp"
+#include "generator/lower/loop_events.hpp"
 #include "generator/lower/lowered_events.hpp"
 #include "generator/module/driven.hpp"
 
@@ -18,15 +19,16 @@ using State = DrivenStepper::State;
 /// Slots of variables and parameters, and their row.
 class EventRow {
 public:
-    EventRow(const System& system, const LoweredEvents& events,
-             const std::vector<double>& parameters)
-        : slots_(events.graph) {
-        for (const std::vector<Node>& nodes : {coordinate_nodes(system), conjugate_nodes(system)})
-            for (const Node node : nodes) variables_.push_back(slots_.of(node));
+    explicit EventRow(const LoweredEvents& events) : slots_(events.graph) {
+        for (const EventVariable& variable : events.variables)
+            variables_.push_back({variable.number, slots_.of(variable.node)});
         if (events.time) time_ = slots_.of(*events.time);
-        for (const SystemParameter& parameter : system.parameters)
-            parameters_.push_back(slots_.of(parameter.node));
-        values_ = parameters;
+    }
+
+    /// Gives parameters their values.
+    void set(const std::vector<SystemParameter>& parameters, const std::vector<double>& values) {
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+            parameters_.push_back({slots_.of(parameters[k].node), values[k]});
     }
 
     [[nodiscard]] Tape tape(std::vector<Scaled> results) {
@@ -36,14 +38,14 @@ public:
     /// Ends the making of tapes.
     void close() {
         numbers_ = slots_.numbers();
-        for (std::size_t k = 0; k < parameters_.size(); ++k) numbers_[parameters_[k]] = values_[k];
+        for (const auto& [slot, value] : parameters_) numbers_[slot] = value;
     }
 
     /// Runs a tape: its results are in their slots.
     void run(const Tape& tape, const State& x, double t) {
-        auto slot = variables_.begin();
-        for (const double q : x.q) numbers_[*slot++] = q;
-        for (const double p : x.p) numbers_[*slot++] = p;
+        const std::size_t n = x.q.size();
+        for (const auto& [number, slot] : variables_)
+            numbers_[slot] = number < n ? x.q[number] : x.p[number - n];
         if (time_) numbers_[*time_] = t;
         tape.run(numbers_.data());
     }
@@ -60,24 +62,23 @@ public:
 
 private:
     Slots slots_;
-    std::vector<Slot> variables_, parameters_;
+    std::vector<std::pair<std::size_t, Slot>> variables_;
+    std::vector<std::pair<Slot, double>> parameters_;
     std::optional<Slot> time_;
-    std::vector<double> values_;
     std::vector<double> numbers_;
 };
 
 /// An event as tapes of a row.
 struct EventTapes {
     Tape zero;
-    std::optional<Tape> slope;
-    std::optional<Tape> set;
-    Tape cooldown, period;
+    std::optional<Tape> slope, set, cooldown, period;
 };
 
 EventTapes tapes_of(const LoweredEvent& event, EventRow& row) {
-    EventTapes tapes{
-        row.tape({event.zero}), {}, {}, row.tape({event.cooldown}), row.tape({event.period})};
+    EventTapes tapes{row.tape({event.zero}), {}, {}, {}, {}};
     if (event.slope) tapes.slope = row.tape({*event.slope});
+    if (event.cooldown) tapes.cooldown = row.tape({event.cooldown->value});
+    if (event.period) tapes.period = row.tape({event.period->value});
     if (event.set.empty()) return tapes;
     std::vector<Scaled> values;
     for (const LoweredJump& jump : event.set) values.push_back(jump.value);
@@ -102,15 +103,17 @@ void jump(State& x, const std::vector<LoweredJump>& set, const Tape& tape, const
     }
 }
 
-double time_span(const std::optional<NamedExpression>& written, const Tape& tape, EventRow& row) {
-    const double value = row.constant(tape);
-    if (written && !(value >= 0))
-        throw InputError("this is negative, or no number", written->place);
+/// 0 for none.
+double time_span(const std::optional<LoweredSpan>& written, const std::optional<Tape>& tape,
+                 EventRow& row) {
+    if (!written) return 0;
+    const double value = row.constant(*tape);
+    if (!(value >= 0)) throw InputError("this is negative, or no number", written->place);
     return value;
 }
 
 /// NOTE: functions keep the row alive, which is one for all events of a run.
-DrivenEvent driven(const LoweredEvent& event, const SceneEvent& scene, EventTapes made,
+DrivenEvent driven(const LoweredEvent& event, EventTapes made,
                    const std::shared_ptr<EventRow>& row) {
     const auto tapes = std::make_shared<const EventTapes>(std::move(made));
     const auto function = [row, tapes](const Tape& tape) {
@@ -122,12 +125,12 @@ DrivenEvent driven(const LoweredEvent& event, const SceneEvent& scene, EventTape
     DrivenEvent result;
     result.name = event.name;
     result.stop = event.stop;
-    result.event.is_kink = scene.is_kink;
+    result.event.is_kink = event.is_kink;
     result.event.zero = function(tapes->zero);
     result.event.direction = direction_of(event.direction);
     if (tapes->slope) result.event.slope = function(*tapes->slope);
-    result.event.cooldown = time_span(scene.cooldown, tapes->cooldown, *row);
-    result.event.period = time_span(scene.period, tapes->period, *row);
+    result.event.cooldown = time_span(event.cooldown, tapes->cooldown, *row);
+    result.event.period = time_span(event.period, tapes->period, *row);
     if (tapes->set)
         result.set = [row, tapes, set = event.set](State& x, double t) {
             row->run(*tapes->set, x, t);
@@ -136,21 +139,32 @@ DrivenEvent driven(const LoweredEvent& event, const SceneEvent& scene, EventTape
     return result;
 }
 
+/// The events of a row whose parameters have their values.
+std::vector<DrivenEvent> driven(const LoweredEvents& events, const std::shared_ptr<EventRow>& row) {
+    std::vector<EventTapes> tapes;
+    for (const LoweredEvent& event : events.events) tapes.push_back(tapes_of(event, *row));
+    row->close();
+    std::vector<DrivenEvent> result;
+    for (std::size_t k = 0; k < tapes.size(); ++k)
+        result.push_back(driven(events.events[k], std::move(tapes[k]), row));
+    return result;
+}
+
 }  // namespace
 
 std::vector<DrivenEvent> driven_events(const System& system, const WrittenOutScene& scene) {
-    std::vector<DrivenEvent> result;
-    if (scene.events.empty()) return result;
+    if (scene.events.empty()) return {};
     const DrivenSystem of_modules = driven_system(system);
-    const auto events =
-        std::make_shared<const LoweredEvents>(lowered_events(of_modules.system, scene));
-    const auto row = std::make_shared<EventRow>(of_modules.system, *events, of_modules.numbers);
-    std::vector<EventTapes> tapes;
-    for (const LoweredEvent& event : events->events) tapes.push_back(tapes_of(event, *row));
-    row->close();
-    for (std::size_t k = 0; k < tapes.size(); ++k)
-        result.push_back(driven(events->events[k], scene.events[k], std::move(tapes[k]), row));
-    return result;
+    const LoweredEvents events = lowered_events(of_modules.system, scene);
+    const auto row = std::make_shared<EventRow>(events);
+    row->set(of_modules.system.parameters, of_modules.numbers);
+    return driven(events, row);
+}
+
+std::vector<DrivenEvent> driven_events(const Scene& scene) {
+    if (scene.events.empty()) return {};
+    const LoweredEvents events = lowered_events(scene);
+    return driven(events, std::make_shared<EventRow>(events));
 }
 
 }  // namespace hvi::gen

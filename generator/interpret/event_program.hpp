@@ -16,4 +16,7 @@ namespace hvi::gen {
 [[nodiscard]] std::vector<DrivenEvent> driven_events(const System& system,
                                                      const WrittenOutScene& scene);
 
+/// The events of a scene whose sums stay loops. Throws in the same cases.
+[[nodiscard]] std::vector<DrivenEvent> driven_events(const Scene& scene);
+
 }  // namespace hvi::gen

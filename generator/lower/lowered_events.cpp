@@ -41,6 +41,7 @@ private:
         for (std::size_t k = 0; k < names_.size(); ++k) {
             symbols_[names_[k]] = {{1, 1}, nodes.at(k)};
             nodes_.push_back(nodes.at(k));
+            result_.variables.push_back({k, nodes.at(k)});
         }
     }
 
@@ -60,33 +61,34 @@ private:
         name_time(written.expression);
         const Scaled result =
             lower(result_.graph, written.expression, symbols_, written.place.source);
-        const bool has_conjugates = has(result_.graph.at(result.node).roles, Role::conjugate);
-        if (system_.side == Side::lagrangian && has_conjugates) {
-            throw InputError("events of a Lagrangian are functions of its coordinates and the time",
-                             written.place,
-                             "with momenta it is one of the Hamiltonian, which `hvi-gen scheme` "
-                             "prints");
+        if (system_.side == Side::lagrangian) {
+            check_event_of_L(result_.graph, result, written.place);
         }
         return result;
+    }
+
+    [[nodiscard]] std::optional<LoweredSpan> span(const std::optional<NamedExpression>& written) {
+        if (!written) { return {}; }
+        return LoweredSpan{value(*written), written->place};
     }
 
     [[nodiscard]] LoweredEvent lowered(const SceneEvent& event) {
         LoweredEvent result{.name = event.name,
                             .direction = event.direction,
                             .stop = event.stop,
+                            .is_kink = event.is_kink,
                             .zero = value(event.zero)};
         result.slope = slope(result.zero);
         if (system_.side == Side::lagrangian && !event.set.empty()) {
-            throw InputError("events of a Lagrangian set nothing", event.set.front().place,
-                             "write the Hamiltonian, which `hvi-gen scheme` prints");
+            refuse_set_of_L(event.set.front().place);
         }
         for (const NamedExpression& jump : event.set) {
             const auto name = std::find(names_.begin(), names_.end(), jump.name);
             result.set.push_back({static_cast<std::size_t>(name - names_.begin()), value(jump)});
         }
         if (system_.scaled && !result.set.empty()) { result.set.push_back(jump_of_e(result.set)); }
-        if (event.cooldown) { result.cooldown = value(*event.cooldown); }
-        if (event.period) { result.period = value(*event.period); }
+        result.cooldown = span(event.cooldown);
+        result.period = span(event.period);
         return result;
     }
 
@@ -129,6 +131,17 @@ private:
 };
 
 }  // namespace
+
+void check_event_of_L(const Graph& graph, const Scaled& value, const Place& place) {
+    if (!has(graph.at(value.node).roles, Role::conjugate)) { return; }
+    throw InputError("events of a Lagrangian are functions of its coordinates and the time", place,
+                     "with momenta it is one of the Hamiltonian, which `hvi-gen scheme` prints");
+}
+
+void refuse_set_of_L(const Place& place) {
+    throw InputError("events of a Lagrangian set nothing", place,
+                     "write the Hamiltonian, which `hvi-gen scheme` prints");
+}
 
 LoweredEvents lowered_events(const System& system, const WrittenOutScene& scene) {
     return EventLowering(system, scene)();

@@ -9,6 +9,7 @@
 #include "generator/expr/event_direction.hpp"
 #include "generator/ir/system.hpp"
 #include "generator/read/written_out_scene.hpp"
+#include "generator/support/error.hpp"
 
 namespace hvi::gen {
 
@@ -18,23 +19,42 @@ struct LoweredJump {
     Scaled value;
 };
 
+/// A time, or a period, of parameters.
+struct LoweredSpan {
+    Scaled value;
+    Place place;  ///< where it is written
+};
+
 struct LoweredEvent {
     std::string name;
     EventDirection direction = EventDirection::both;
     long stop = 0;
+    bool is_kink = false;  ///< of H, which ends a step there
     Scaled zero;
-    /// The derivative along the motion, {zero, H} and that by the time; none of rotations, of L and
-    /// where functions of the user's own are called.
+    /// The derivative along the motion, {zero, H} and that by the time; none of rotations, of L,
+    /// where functions of the user's own are called and where sums stay loops.
     std::optional<Scaled> slope = {};
     std::vector<LoweredJump> set = {};
-    Scaled cooldown = {}, period = {};  ///< of parameters; zero for none
+    std::optional<LoweredSpan> cooldown = {}, period = {};
+};
+
+/// A variable that events look at.
+struct EventVariable {
+    std::size_t number;  ///< among coordinates, then conjugates
+    Node node;
 };
 
 struct LoweredEvents {
-    Graph graph;               ///< that of the system, and more
-    std::optional<Node> time;  ///< the input t, where there is one
+    Graph graph;                           ///< that of the system, and more; or their own
+    std::vector<EventVariable> variables;  ///< inputs of the graph
+    std::optional<Node> time;              ///< the input t, where there is one
     std::vector<LoweredEvent> events;
 };
+
+/// Throws InputError at `place` where a value of an event of an L depends on velocities.
+void check_event_of_L(const Graph& graph, const Scaled& value, const Place& place);
+/// Throws InputError at `place`, where an event of an L sets something.
+[[noreturn]] void refuse_set_of_L(const Place& place);
 
 /// Throws InputError for an event of an L that depends on velocities or jumps, and as lower().
 /// Preconditions: the scene is that of the system, also where its time is scaled, and the system is

@@ -82,7 +82,7 @@ TEST_CASE("directions of a lattice are a lattice with them") {
     CHECK(K.structure.kinetic_is_quadratic);
     CHECK_FALSE(K.structure.has_diagonal_mass);
     REQUIRE(K.initial.size() == 4);
-    for (const std::size_t direction : {1, 2}) {
+    for (const std::size_t direction : {std::size_t{1}, std::size_t{2}}) {
         const auto& zero = std::get<SystemStart::Rule>(K.initial[direction].values);
         CHECK(zero.indices.size() == 1);
         CHECK(zero.value.is_zero());

@@ -241,6 +241,136 @@ TEST_CASE("a row in so many steps") {
     CHECK(numbers_of(found.table.back())[0] == 10);
 }
 
+TEST_CASE("events where sums stay loops are those where they are written out") {
+    const std::string row = "hamiltonian = \"sum(i=1..N, p[i]^2/2 + w[i]^2*q[i]^2/2)\"\n"
+                            "coordinates = [\"q[1..N]\"]\nmomenta = [\"p[1..N]\"]\n"
+                            "parameters = {N = 6, w = [1, 2, 3, 4, 5, 6], level = \"1/2\"}\n"
+                            "initial = {\"q[i]\" = 1, \"p[i]\" = 0}\n"
+                            "run = {method = \"gauss:6\", step = \"1/20\", until = 4}\n"
+                            "[events.third]\nzero = \"q[3] - level\"\ncooldown = \"level/100\"\n"
+                            "[events.all]\nzero = \"sum(i=1..N, q[i])\"\ndirection = \"down\"\n"
+                            "[events.two]\nzero = \"w[2]*q[2] + p[N] + t - 2\"\n"
+                            "[events.turn]\nzero = \"atan2(p[1], q[1]) + 3\"\nperiod = \"2*pi\"\n"
+                            "[events.flip]\nzero = \"t - 1\"\n"
+                            "set = {\"p[i]\" = \"-p[i]*i\", q = [1, 1, 1, 1, 1, \"q[6]\"]}\n";
+    const SceneRun out = run_scene(row, "--unroll yes"), loops = run_scene(row, "--unroll no");
+    INFO(loops.outcome.err);
+    REQUIRE(loops.outcome.status == 0);
+    REQUIRE(out.events.size() > 15);
+    REQUIRE(loops.events.size() == out.events.size());
+    CHECK(loops.events[0] == out.events[0]);
+    for (std::size_t k = 0; k + 1 < out.events.size(); ++k) {
+        CHECK(loops.events[k + 1].substr(0, 4) == out.events[k + 1].substr(0, 4));
+        const std::vector<double> a = out.event(k), b = loops.event(k);
+        REQUIRE(a.size() == b.size());
+        for (std::size_t i = 0; i < a.size(); ++i) CHECK(std::abs(a[i] - b[i]) < 1e-12);
+    }
+    CHECK(std::abs(loops.event(0)[0] - pi / 9) < 1e-12);
+    const SceneRun other = run_scene(row, "--unroll no --param level=0 --until 3/5");
+    REQUIRE(other.events.size() > 2);
+    CHECK(std::abs(other.event(1)[0] - pi / 6) < 1e-12);
+}
+
+TEST_CASE("events of a thousand, and the columns of their table") {
+    const std::string many = "coordinates = [\"q[1..N]\"]\nparameters = {N = 1000}\n"
+                             "run = {method = \"gauss:6\", step = \"1/20\", until = 7}\n"
+                             "[events.one]\nzero = \"q[500]\"\ndirection = \"down\"\n"
+                             "[events.all]\nzero = \"sum(i=1..N, q[i])\"\nstop = 2\n";
+    const std::string of_H = "hamiltonian = \"sum(i=1..N, p[i]^2/2 + q[i]^2/2)\"\n"
+                             "momenta = [\"p[1..N]\"]\n"
+                             "initial = {\"q[i]\" = \"cos(i)\", \"p[i]\" = \"sin(i)\"}\n" +
+                             many;
+    const std::string of_L = "lagrangian = \"sum(i=1..N, v[i]^2/2 - q[i]^2/2)\"\n"
+                             "velocities = [\"v[1..N]\"]\n"
+                             "initial = {\"q[i]\" = \"cos(i)\", \"v[i]\" = \"sin(i)\"}\n" +
+                             many;
+    // q[i] is cos(t - i), and the sum of all goes through 0 each half period.
+    double x = 0, y = 0;
+    for (int i = 1; i <= 1000; ++i) {
+        x += std::cos(i);
+        y += std::sin(i);
+    }
+    const double phase = std::atan2(y, x),
+                 all = phase + pi / 2 < 0 ? phase + 1.5 * pi : phase + pi / 2,
+                 first = all - pi > 0 ? all - pi : all;
+    for (const std::string& scene : {of_H, of_L}) {
+        const SceneRun found = run_scene(scene, "--columns q[7],energy,q[500]");
+        INFO(found.outcome.err);
+        REQUIRE(found.outcome.status == 0);
+        REQUIRE(found.events.size() == 4);
+        CHECK(found.events[0] == "event,number,t,q[7],q[500]");
+        CHECK(std::abs(found.event(0)[0] - first) < 1e-11);
+        CHECK(std::abs(found.event(0)[1] - std::cos(first - 7)) < 1e-11);
+        CHECK(std::abs(found.event(1)[0] - (500 + pi / 2 - 158 * pi)) < 1e-11);
+        CHECK(std::abs(found.event(1)[2]) < 1e-11);
+        CHECK(std::abs(found.event(2)[0] - first - pi) < 1e-11);
+        CHECK(found.last()[0] == found.event(2)[0]);
+    }
+}
+
+TEST_CASE("events of lists in files, where sums stay loops") {
+    use_cache();
+    const Directory directory;
+    std::string values = "w\n";
+    for (int i = 1; i <= 300; ++i) values += std::to_string(i) + "\n";
+    write(directory / "w.csv", values);
+    write(directory / "scene.toml",
+          "hamiltonian = \"sum(i=1..N, p[i]^2/2 + w[i]*q[i]^2/200)\"\n"
+          "coordinates = [\"q[1..N]\"]\nmomenta = [\"p[1..N]\"]\n"
+          "parameters = {N = 300, w = {file = \"w.csv\", column = \"w\"}}\n"
+          "initial = {\"q[i]\" = \"1\", \"p[i]\" = 0}\n"
+          "run = {method = \"gauss:6\", step = \"1/20\", until = 2}\n"
+          "[events.one]\nzero = \"q[225] - w[50]/100\"\nstop = true\n");
+    const SceneRun found = run_words_in(directory, "scene.toml");
+    INFO(found.outcome.err);
+    REQUIRE(found.events.size() == 2);
+    // cos(3/2 t) = 1/2
+    CHECK(std::abs(found.event(0)[0] - pi / 4.5) < 1e-12);
+}
+
+TEST_CASE("events that loops do not have are refused with their place") {
+    const auto refused = [&](const std::string& more, const std::string& message,
+                             const std::string& words = "") {
+        const SceneRun found = run_scene(
+            "hamiltonian = \"sum(i=1..N, p[i]^2/2 + abs(q[i]))\"\n"
+            "coordinates = [\"q[1..N]\"]\nmomenta = [\"p[1..N]\"]\nparameters = {N = 400}\n"
+            "initial = {\"q[i]\" = 1, \"p[i]\" = 0}\n"
+            "run = {method = \"stormer-verlet\", step = \"1/20\", until = 1}\n" +
+                more,
+            words);
+        CAPTURE(more, found.outcome.err);
+        CHECK(found.outcome.status == 2);
+        CHECK(found.outcome.err.find(message) != std::string::npos);
+        CHECK(found.table.empty());
+    };
+    const std::string wall = "[events.wall]\nzero = \"q[1]\"\n";
+    refused("[time]\nkinks = \"events\"\n", "steps that end at kinks are not built where sums");
+    refused(wall + "canonical = true\nset = {\"p[i]\" = \"-p[i]\"}\n",
+            "no jump is proved to be symplectic where sums stay loops");
+    refused("[events.wall]\nzero = \"q[401]\"\n", "there is no `q[401]`");
+    refused("[events.wall]\nzero = \"q[1,1]\"\n", "there is no `q[1,1]`");
+    refused("[events.wall]\nzero = \"q\"\n", "there is no `q`");
+    refused("[events.wall]\nzero = \"r[1]\"\n", "`r");
+    refused("[events.wall]\nzero = \"sum(i=1..N, j=1..N, q[i]*q[j])\"\n",
+            "the sums expand to more than 100000 words");
+    refused(wall + "set = {p = [1, 2]}\n", "a list of 400 values");
+    refused(wall + "set = {p = 1}\n", "a list of 400 values");
+    refused(wall + "set = {N = 1}\n", "`N` is no variable");
+    refused(wall + "set = {\"p[i,j]\" = 1}\n", "`p`");
+    refused(wall + "cooldown = -1\n", "this is negative");
+    refused(wall + "period = \"q[1]\"\n", "a period cannot depend on the variable");
+    refused(wall + "set = {\"p[i]\" = \"-p[i]\"}\n", "events that jump", "--lyapunov");
+    const SceneRun found = run_scene("lagrangian = \"sum(i=1..N, v[i]^2/2 - q[i]^2/2)\"\n"
+                                     "coordinates = [\"q[1..N]\"]\nvelocities = [\"v[1..N]\"]\n"
+                                     "parameters = {N = 400}\n"
+                                     "initial = {\"q[i]\" = 1, \"v[i]\" = 0}\n"
+                                     "run = {method = \"gauss:2\", step = \"1/20\", until = 1}\n"
+                                     "[events.rest]\nzero = \"v[3]\"\n");
+    CHECK(found.outcome.status == 2);
+    CHECK(found.outcome.err.find("events of a Lagrangian are functions of its coordinates") !=
+          std::string::npos);
+}
+
 TEST_CASE("times and events that are none are refused with their place") {
     const auto refused = [&](const std::string& scene, const std::string& words,
                              const std::string& message) {

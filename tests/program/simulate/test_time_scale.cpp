@@ -185,6 +185,79 @@ TEST_CASE("events and jumps in scaled time") {
     CHECK(std::abs(behind[2] + std::sqrt(0.5)) < 1e-9);
 }
 
+TEST_CASE("a first step in scaled time that fails is one that fails") {
+    // From the perihelion of an eccentric ellipse a step of this size has no stages.
+    const SceneRun found =
+        run_scene(planet("99/100", "[time]\nscale = \"1 + x^2\"\n"), "--method gauss:6");
+    INFO(found.outcome.err);
+    CHECK(found.outcome.status == 1);
+    CHECK(found.outcome.err.find("the run stopped after 0 steps") != std::string::npos);
+}
+
+TEST_CASE("time is scaled for a Lagrangian as for its Hamiltonian") {
+    const std::string more = "parameters = {ecc = \"9/10\", m = 3}\n"
+                             "run = {method = \"stormer-verlet\", step = \"2*pi/400\", "
+                             "until = \"4*pi\"}\n";
+    const std::string by_L =
+        "lagrangian = \"m*(vx^2 + vy^2)/2 + m/sqrt(x^2 + y^2)\"\n"
+        "coordinates = [\"x\", \"y\"]\nvelocities = [\"vx\", \"vy\"]\n"
+        "initial = {x = \"1-ecc\", y = 0, vx = 0, vy = \"sqrt((1+ecc)/(1-ecc))\"}\n"
+        "invariants = {spin = \"m*(x*vy - y*vx)\"}\n" +
+        more;
+    const std::string by_H =
+        "hamiltonian = \"(px^2 + py^2)/(2*m) - m/sqrt(x^2 + y^2)\"\n"
+        "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+        "initial = {x = \"1-ecc\", y = 0, px = 0, py = \"m*sqrt((1+ecc)/(1-ecc))\"}\n"
+        "invariants = {spin = \"x*py - y*px\"}\n" +
+        more;
+    const std::vector<std::pair<std::string, std::string>> scales{
+        {"logarithmic", ""},
+        {"distance", "--method gauss:6 --step 1/40"},
+        {"1/(VELOCITY)", "--method gauss:6 --step 1/20"}};
+    for (const auto& scale_and_how : scales) {
+        const std::string scale = scale_and_how.first, how = scale_and_how.second;
+        CAPTURE(scale, how);
+        // A scale of the velocities is one of the momenta over the mass.
+        const auto run = [&](const std::string& scene, const std::string& square,
+                             const std::string& radial) {
+            std::string of = scale;
+            if (const std::size_t at = of.find("VELOCITY"); at != std::string::npos)
+                of.replace(at, 8, square);
+            return run_scene(scene + "[time]\nscale = \"" + of +
+                                 "\"\n[events.aphelion]\nzero = \"" + radial +
+                                 "\"\ndirection = \"down\"\n",
+                             how);
+        };
+        const SceneRun L = run(by_L, "1 + vx^2 + vy^2", "x*vx + y*vy"),
+                       H = run(by_H, "1 + (px^2 + py^2)/m^2", "x*px + y*py");
+        INFO(L.outcome.err + H.outcome.err);
+        REQUIRE(L.outcome.status == 0);
+        CHECK(L.table.front() == "t,x,y,p_x,p_y,energy,spin");
+        REQUIRE(L.table.size() == H.table.size());
+        for (std::size_t k = 0; k < L.rows().size(); ++k)
+            for (std::size_t i = 0; i < 7; ++i) CHECK(std::abs(L.row(k)[i] - H.row(k)[i]) < 1e-8);
+        REQUIRE(L.events.size() == 3);
+        CHECK(std::abs(L.event(0)[0] - H.event(0)[0]) < 1e-8);
+        CHECK(std::abs(L.event(0)[0] - pi) < 1e-3);
+        CHECK(std::abs(L.event(0)[1] + 1.9) < 1e-3);
+        // m^2 (1 - e^2) is the square of m times the angular momentum.
+        CHECK(std::abs(L.row(0)[6] - 3 * std::sqrt(0.19)) < 1e-14);
+    }
+    const SceneRun set = run_scene(by_L + "[time]\nscale = \"distance\"\n[events.wall]\n"
+                                          "zero = \"x\"\nset = {vx = \"-vx\"}\n",
+                                   "--method gauss:6");
+    CHECK(set.outcome.status == 2);
+    CHECK(set.outcome.err.find("events of a Lagrangian set nothing") != std::string::npos);
+    // Where L is not quadratic in the velocities its H is not found.
+    const SceneRun other = run_scene("lagrangian = \"-sqrt(1 - v^2) - q^2/2\"\n"
+                                     "coordinates = [\"q\"]\nvelocities = [\"v\"]\n"
+                                     "initial = {q = 1, v = 0}\nrun = {method = \"gauss:4\", "
+                                     "step = \"1/10\", until = 1}\n"
+                                     "[time]\nscale = \"1 + q^2\"\n");
+    CHECK(other.outcome.status == 1);
+    CHECK(other.outcome.err.find("not seen to be quadratic") != std::string::npos);
+}
+
 TEST_CASE("scales that are none are refused with their place") {
     const auto refused = [&](const std::string& scale, int status, const std::string& message,
                              const std::string& words = "") {

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/loop_events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "generator/lower/declarations.hpp"
+#include "generator/lower/lower.hpp"
+#include "generator/read/column_file.hpp"
+#include "generator/read/names.hpp"
+#include "generator/read/put_in.hpp"
+#include "generator/read/scene_rules.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// The numbers of elements of a family, which stand in a row, the last index running fastest.
+class ElementNumbers {
+public:
+    ElementNumbers(const SystemFamily& family, const std::map<std::string, long>& sizes) {
+        for (const LoopRange& range : family.ranges) {
+            firsts_.push_back(range.first.at(sizes));
+            counts_.push_back(range.last.at(sizes) - firsts_.back() + 1);
+        }
+    }
+
+    /// Nothing where there is no such element.
+    [[nodiscard]] std::optional<std::size_t> number(const Index& index) const {
+        if (index.size() != firsts_.size()) { return {}; }
+        long number = 0;
+        for (std::size_t d = 0; d < index.size(); ++d) {
+            const long place = index[d] - firsts_[d];
+            if (place < 0 || place >= counts_[d]) { return {}; }
+            number = number * counts_[d] + place;
+        }
+        return static_cast<std::size_t>(number);
+    }
+
+    /// All indices, in the order of their numbers.
+    [[nodiscard]] std::vector<Index> indices() const {
+        std::vector<Index> result{{}};
+        for (std::size_t d = 0; d < firsts_.size(); ++d) {
+            std::vector<Index> longer;
+            for (const Index& index : result) {
+                for (long k = 0; k < counts_[d]; ++k) {
+                    longer.push_back(index);
+                    longer.back().push_back(firsts_[d] + k);
+                }
+            }
+            result = std::move(longer);
+        }
+        return result;
+    }
+
+    [[nodiscard]] std::size_t count() const {
+        long count = 1;
+        for (const long each : counts_) { count *= each; }
+        return static_cast<std::size_t>(count);
+    }
+
+private:
+    std::vector<long> firsts_, counts_;
+};
+
+class LoopEventLowering {
+public:
+    explicit LoopEventLowering(const Scene& scene)
+        : scene_(scene), names_(declare(declared_, scene)) {
+        sizes_.insert(names_.sizes.begin(), names_.sizes.end());
+        for (const auto& [name, size] : names_.sizes) { symbols_[name] = Graph::number(size); }
+        for (const SystemParameter& each : declared_.parameters) {
+            symbols_[each.name] = lower(result_.graph, each.value, {}, nullptr);
+        }
+        number_variables();
+    }
+
+    [[nodiscard]] LoweredEvents operator()() && {
+        for (const IndexedEvent& event : scene_.events) {
+            result_.events.push_back(lowered(event));
+        }
+        return std::move(result_);
+    }
+
+private:
+    void number_variables() {
+        std::size_t first = 0;
+        for (const auto* families : {&declared_.coordinates, &declared_.conjugates}) {
+            for (const SystemFamily& family : *families) {
+                const ElementNumbers numbers(family, names_.sizes);
+                variables_.emplace(family.name, std::pair(first, numbers));
+                first += numbers.count();
+            }
+        }
+    }
+
+    /// The value, for these values of indices.
+    [[nodiscard]] Scaled value(const IndexedExpression& written, const SceneRules& rules,
+                               const WholeNumbers& indices = {}) {
+        std::vector<std::string> names;
+        WholeNumbers known = sizes_;
+        for (const auto& [name, index] : indices) {
+            names.push_back(name);
+            known[name] = index;
+        }
+        const IndexedExpression meant = names_.meant(written, rules, names);
+        const Expression expression = unrolled(meant, known);
+        walk(expression, [&](const Expression& part) {
+            if (part.kind == Expression::Kind::symbol) { know(part, meant.source); }
+            return true;
+        });
+        const Scaled result = lower(result_.graph, expression, symbols_, meant.source);
+        if (scene_.side == Side::lagrangian) {
+            check_event_of_L(result_.graph, result, whole(meant.source));
+        }
+        return result;
+    }
+
+    /// Lets a symbol stand for its input or its value.
+    void know(const Expression& symbol, const std::shared_ptr<const Source>& source) {
+        const std::string& name = symbol.name;
+        if (symbols_.count(name) != 0 || is_constant(name)) { return; }
+        if (name == "t") {
+            symbols_[name] = result_.graph.input(name, Role::time);
+            result_.time = symbols_[name].node;
+            return;
+        }
+        const std::string stem(without_index(name));
+        const auto found = names_.families.find(stem);
+        const std::optional<Scaled> element =
+            found == names_.families.end() ? std::nullopt
+            : found->second.kind == FamilyKind::table
+                ? value_in_list(found->second.number, index_of(name))
+                : variable(stem, name, found->second.kind);
+        if (!element) {
+            throw InputError(fmt::format("there is no `{}`", name), Place{source, symbol.range});
+        }
+        symbols_[name] = *element;
+    }
+
+    [[nodiscard]] std::optional<Scaled> variable(const std::string& stem, const std::string& name,
+                                                 FamilyKind kind) {
+        const auto& [first, numbers] = variables_.at(stem);
+        const auto number = numbers.number(index_of(name));
+        if (!number) { return {}; }
+        const Role role = kind == FamilyKind::coordinate ? Role::coordinate : Role::conjugate;
+        const Scaled input = result_.graph.input(name, role);
+        result_.variables.push_back({first + *number, input.node});
+        return input;
+    }
+
+    [[nodiscard]] std::optional<Scaled> value_in_list(std::size_t table, const Index& index) {
+        const SystemTable& list = declared_.tables[table];
+        const auto number = ElementNumbers(list.family, names_.sizes).number(index);
+        if (!number) { return {}; }
+        return lower(result_.graph, values_of(list).at(*number), {}, nullptr);
+    }
+
+    /// The values of a list, of which those in a file are read once.
+    [[nodiscard]] const std::vector<Expression>& values_of(const SystemTable& list) {
+        if (const auto* values = std::get_if<std::vector<Expression>>(&list.values)) {
+            return *values;
+        }
+        const auto [known, is_new] = in_files_.try_emplace(list.family.name);
+        if (!is_new) { return known->second; }
+        const auto& file = std::get<NumbersInFile>(list.values);
+        const auto column = file.column.empty() ? std::nullopt : std::optional(file.column);
+        const Place place = whole(scene_.function.source);
+        for (const IndexedExpression& each :
+             all_values_in({scene_.directory, file.path, column, place}).values) {
+            known->second.push_back(each.written);
+        }
+        return known->second;
+    }
+
+    [[nodiscard]] std::optional<LoweredSpan> span(const std::optional<IndexedExpression>& written,
+                                                  const SceneRules& rules) {
+        if (!written) { return {}; }
+        return LoweredSpan{value(*written, rules), whole(written->source)};
+    }
+
+    [[nodiscard]] LoweredEvent lowered(const IndexedEvent& event) {
+        LoweredEvent result{.name = event.name,
+                            .direction = event.direction,
+                            .stop = event.stop,
+                            .zero = value(event.zero, event_rules)};
+        if (event.set) { result.set = jumps(*event.set); }
+        result.cooldown = span(event.cooldown, cooldown_rules);
+        result.period = span(event.period, period_rules);
+        return result;
+    }
+
+    // ---- what jumps ----
+
+    [[nodiscard]] std::vector<LoweredJump> jumps(const ValueTable& table) {
+        std::vector<LoweredJump> result;
+        std::set<std::string> given;
+        for (const IndexedValue& each : table.values) {
+            if (scene_.side == Side::lagrangian) { refuse_set_of_L(each.place); }
+            const auto variable = variables_.find(each.name);
+            if (variable == variables_.end()) {
+                throw InputError(fmt::format("`{}` is no variable", each.name), each.place);
+            }
+            if (!given.insert(each.name).second) {
+                throw InputError(fmt::format("`{}` is given values twice", each.name), each.place);
+            }
+            add_jumps(result, each, variable->second.first, variable->second.second);
+        }
+        return result;
+    }
+
+    /// Adds the new values of a family whose first element has this number.
+    void add_jumps(std::vector<LoweredJump>& jumps, const IndexedValue& given, std::size_t first,
+                   const ElementNumbers& numbers) {
+        const std::vector<Index> indices = numbers.indices();
+        const std::size_t dimension = indices.front().size();
+        const auto* one = std::get_if<IndexedExpression>(&given.value);
+        const auto* rule = std::get_if<ValueRule>(&given.value);
+        const auto* list = std::get_if<ValueList>(&given.value);
+        const bool fits = (one != nullptr && dimension == 0) || rule != nullptr ||
+                          (list != nullptr && list->values.size() == indices.size());
+        if (!fits) {
+            throw InputError(fmt::format("what is set of `{}` is a rule for all indices, or a list "
+                                         "of {} values",
+                                         given.name, indices.size()),
+                             given.place_of_value, "as \"p[i]\" = \"-p[i]\"");
+        }
+        if (rule != nullptr) {
+            check_dimension(given.name, dimension, rule->indices.size(), given.place);
+        }
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            WholeNumbers known;
+            for (std::size_t d = 0; rule != nullptr && d < dimension; ++d) {
+                known[rule->indices[d]] = indices[k][d];
+            }
+            const IndexedExpression& written = rule != nullptr  ? rule->value
+                                               : one != nullptr ? *one
+                                                                : list->values[k];
+            jumps.push_back({first + k, value(written, jump_rules, known)});
+        }
+    }
+
+    const Scene& scene_;
+    System declared_;
+    Declarations names_;
+    WholeNumbers sizes_;
+    LoweredEvents result_;
+    Symbols symbols_;
+    /// The number of the first element of each variable, and those of the others.
+    std::map<std::string, std::pair<std::size_t, ElementNumbers>> variables_;
+    std::map<std::string, std::vector<Expression>> in_files_;
+};
+
+}  // namespace
+
+LoweredEvents lowered_events(const Scene& scene) { return LoopEventLowering(scene)(); }
+
+}  // namespace hvi::gen
