@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "generator/cli/run_frequencies.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/draw/trajectory.hpp"
 #include "generator/support/error.hpp"
@@ -25,6 +26,7 @@ const char* table_name(TableFormat format) {
     return format == TableFormat::csv ? "trajectory.csv" : "trajectory.npy";
 }
 constexpr const char* tangent_name = "tangent.csv";
+constexpr const char* frequencies_name = "frequencies.csv";
 constexpr const char* events_name = "events.csv";
 constexpr const char* picture_name = "picture.svg";
 constexpr const char* summary_name = "summary.txt";
@@ -149,6 +151,11 @@ void RunFiles::keep_tangent(const std::vector<double>& entries) const {
     for (std::size_t k = 0; k < entries.size(); ++k)
         text += fmt::format("{}{}", entries[k], (k + 1) % columns == 0 ? '\n' : ',');
     write_file(directory_->path() / tangent_name, text);
+}
+
+void RunFiles::keep_frequencies(const std::vector<ColumnFrequencies>& found) const {
+    if (directory_ && !found.empty())
+        write_file(directory_->path() / frequencies_name, table_of(found));
 }
 
 void RunFiles::keep_table(const Simulation& run, TableFormat format) {

@@ -39,6 +39,9 @@ public:
     /// Keeps the derivative of the flow, row by row, where there is one. Throws EnvironmentError.
     void keep_tangent(const std::vector<double>& entries) const;
 
+    /// Keeps the frequencies of columns, where there are some. Throws EnvironmentError.
+    void keep_frequencies(const std::vector<ColumnFrequencies>& found) const;
+
     /// Keeps the tables, as far as they are. Throws EnvironmentError.
     void keep_table(const Simulation& run, TableFormat format);
 
