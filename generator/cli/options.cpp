@@ -196,6 +196,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.megno = words.has("--megno");
     options.sali = words.has("--sali");
     options.shadow = words.has("--shadow");
+    options.frequencies = words.value("--frequencies");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
     // NOTE: a picture is drawn of rows as text, and a run that goes on has but its own.

@@ -92,6 +92,7 @@ struct RunOptions {
     std::optional<Exponents> lyapunov;
     bool megno = false, sali = false;
     bool shadow = false;  ///< the modified Hamiltonian
+    Given frequencies;    ///< of these columns
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };

@@ -14,6 +14,7 @@
 #include "generator/cli/output_times.hpp"
 #include "generator/cli/run_checkpoints.hpp"
 #include "generator/cli/run_files.hpp"
+#include "generator/cli/run_frequencies.hpp"
 #include "generator/cli/run_monitors.hpp"
 #include "generator/cli/run_picture.hpp"
 #include "generator/cli/run_summary.hpp"
@@ -54,12 +55,14 @@ std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& o
 
 /// What is written of the run, and how it is taken.
 TrajectoryWishes trajectory(const WishedRun& wished, const RunOptions& options,
-                            const RunTables& tables, const fs::path& table_of_events) {
+                            const RunTables& tables, const fs::path& table_of_events,
+                            std::vector<ColumnBox> analysed) {
     TrajectoryWishes wishes{.h = wished.steps.size,
                             .steps = wished.steps.count,
                             .tables = {tables.own},
                             .events = wished.events,
-                            .clock = wished.clock};
+                            .clock = wished.clock,
+                            .analysed = std::move(analysed)};
     if (tables.of_picture) wishes.tables.push_back(tables.of_picture->table);
     if (tables.plain) wishes.tables.push_back(*tables.plain);
     wishes.events.file = table_of_events;
@@ -276,6 +279,7 @@ void run(const RunOptions& options) {
             stderr);
     const InterruptionsHeld held;
     const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
+    std::vector<ColumnBox> analysed = analysed_columns(wished, options);
     note_left_out(steps);
 
     runner.begin(wished.stepper);
@@ -288,7 +292,7 @@ void run(const RunOptions& options) {
     const RunTables tables = wished_tables(wished, options, columns, files);
     const fs::path events = wished.events.has_rows() ? files.events() : fs::path();
     const Simulation simulation =
-        simulate(target, trajectory(wished, options, tables, events), wished);
+        simulate(target, trajectory(wished, options, tables, events, std::move(analysed)), wished);
     if (simulation.status == interrupted_run) {  // as soon as this is left, the program ends
         if (options.files.contains(RunFile::table)) files.keep_table(simulation, options.format);
         return;
@@ -299,6 +303,7 @@ void run(const RunOptions& options) {
         files.keep_tangent(found.directions.entries);
         files.keep_sensitivities(
             table_of_sensitivities(wished.monitors, found, column_names(subject)));
+        files.keep_frequencies(simulation.frequencies);
     }
     files.keep(subject, steps, simulation, tables, options.files, summary);
     if (!simulation.ok())

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "generator/cli/run_frequencies.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/draw/trajectory.hpp"
 #include "generator/support/error.hpp"
@@ -26,6 +27,7 @@ const char* table_name(TableFormat format) {
 }
 constexpr const char* tangent_name = "tangent.csv";
 constexpr const char* sensitivity_name = "sensitivity.csv";
+constexpr const char* frequencies_name = "frequencies.csv";
 constexpr const char* events_name = "events.csv";
 constexpr const char* picture_name = "picture.svg";
 constexpr const char* summary_name = "summary.txt";
@@ -155,6 +157,11 @@ void RunFiles::keep_tangent(const std::vector<double>& entries) const {
 void RunFiles::keep_sensitivities(const std::string& table) const {
     if (!directory_ || table.empty()) return;
     write_file(directory_->path() / sensitivity_name, table);
+}
+
+void RunFiles::keep_frequencies(const std::vector<ColumnFrequencies>& found) const {
+    if (directory_ && !found.empty())
+        write_file(directory_->path() / frequencies_name, table_of(found));
 }
 
 void RunFiles::keep_table(const Simulation& run, TableFormat format) {

@@ -41,6 +41,9 @@ public:
     /// `sensitivity.csv`, unless it is empty.
     void keep_sensitivities(const std::string& table) const;
 
+    /// Keeps the frequencies of columns, where there are some. Throws EnvironmentError.
+    void keep_frequencies(const std::vector<ColumnFrequencies>& found) const;
+
     /// Keeps the tables, as far as they are. Throws EnvironmentError.
     void keep_table(const Simulation& run, TableFormat format);
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "generator/cli/run_frequencies.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/support/warning.hpp"
 
@@ -100,6 +101,7 @@ std::string summary(const WishedRun& wished, const Simulation& run,
         if (const DrivenEvent& event = wished.events.events[i]; !event.event.is_kink)
             line("event", events_text(event.name, run.events[i]));
     for (const auto& [name, value] : lines_of(wished.monitors, found)) line(name, value);
+    for (const auto& [name, value] : lines_of(run.frequencies)) line(name, value);
     if (!wished.not_looked_for.empty())
         line("symmetries", "not looked for: " + wished.not_looked_for);
     return text;

@@ -17,6 +17,7 @@
 #include <hvi/detail/trajectories/event_steps.hpp>
 
 #include "generator/drive/checkpoint_saver.hpp"
+#include "generator/drive/column_samples.hpp"
 #include "generator/drive/driven_problem.hpp"
 #include "generator/drive/rows.hpp"
 
@@ -30,14 +31,20 @@ using State = DrivenStepper::State;
 class Trajectory {
 public:
     explicit Trajectory(const TrajectoryWishes& wishes)
-        : wishes_(wishes), counts_(wishes.events.events.size()), saver_(wishes.checkpoints) {
+        : wishes_(wishes),
+          counts_(wishes.events.events.size()),
+          samples_(wishes),
+          saver_(wishes.checkpoints) {
         open_tables();
         const Rows& own = tables_.front();
         if (!own.has_times()) return;
         course_.output_at(wishes.tables.front().times, [this](const State& x, double t) {
             at_output_.see(stepper_, x);
-            tables_.front().write(
-                t, [&](std::size_t number) { return value(x, at_output_.values(), number); });
+            const Rows::Value value_there = [&](std::size_t number) {
+                return value(x, at_output_.values(), number);
+            };
+            tables_.front().write(t, value_there);
+            samples_.see_row(value_there);
         });
     }
 
@@ -58,6 +65,8 @@ public:
     }
 
     [[nodiscard]] std::int64_t steps() const { return run_.run.steps; }
+
+    void tell_frequencies() const { samples_.tell(); }
 
 private:
     void open_tables() {
@@ -147,7 +156,7 @@ private:
         std::int64_t ahead = wishes_.steps - taken();
         for (const Rows& table : tables_) ahead = std::min(ahead, table.ahead(taken()));
         const std::int64_t before = taken();
-        ahead = std::min(ahead, saver_.ahead(taken()));
+        ahead = std::min({ahead, saver_.ahead(taken()), samples_.ahead(taken())});
         is_looked_into() ? look_into_step() : take(std::min(ahead, to_output()));
         if (taken() == before) return;
         write();
@@ -251,6 +260,7 @@ private:
     void write() {
         if (tables_.front().has_row(taken())) motion_.see(stepper_, x_, invariants_);
         for (Rows& table : tables_) table.see(taken(), run_.t, value_now());
+        samples_.see(taken(), value_now());
     }
 
     /// Ten times a second.
@@ -308,6 +318,7 @@ private:
     std::optional<EventRows> event_rows_;
     std::vector<std::int64_t> counts_;  ///< of events
     std::int64_t evaluations_ = 0;      ///< before it was resumed
+    ColumnSamples samples_;
     DrivenStepper stepper_ = DrivenProblem::stepper();
     State x_ = DrivenProblem::initial();
     EventRun<double> run_;
@@ -329,6 +340,7 @@ int take_trajectory(const TrajectoryWishes& wishes) {
         driver::say("seconds_of_step", 0.0);
         return 0;
     }
+    trajectory.tell_frequencies();
     const Watch watch = wishes.looks_at_rows ? Watch::rows : Watch::steps;
     driver::say("seconds_of_step",
                 driver::seconds_of_step<DrivenProblem>(watch, wishes.h, trajectory.steps()));

@@ -70,6 +70,7 @@ struct TrajectoryWishes {
     EventWishes events = {};
     std::optional<ScaledClock> clock = {};  ///< then `steps` is only the most that are taken
     std::optional<CheckpointWishes> checkpoints = {};
+    std::vector<ColumnBox> analysed = {};    ///< columns whose frequencies are told
     std::optional<Checkpoint> resumed = {};  ///< where it begins; tables are there, as far as it
 };
 

@@ -438,8 +438,10 @@ constexpr std::array table = {
                 .of = {run},
                 .value = Value::text,
                 .placeholder = "COLUMNS",
-                .help = "The main frequencies of columns",
-                .state = State::to_come},
+                .help = "The main frequencies of columns, frequencies.csv",
+                .excludes = {.others = "--checkpoint --resume",
+                             .what = "--frequencies takes all rows of one run: it goes not with "
+                                     "{}"}},
     OptionEntry{.name = "--shadow",
                 .of = {run},
                 .help = "The modified Hamiltonian, which tells drift from oscillation"},

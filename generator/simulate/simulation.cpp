@@ -242,6 +242,35 @@ std::string fault_of_event(const Answers& answers, const EventWishes& wishes) {
 
 }  // namespace
 
+namespace {
+
+/// The frequencies of columns.
+std::vector<ColumnFrequencies> frequencies_of(const std::vector<ColumnBox>& columns,
+                                              const Answers& answers) {
+    std::vector<ColumnFrequencies> result;
+    for_each_column(columns, [&](const std::string& name, std::size_t) {
+        result.push_back({name, {}});
+    });
+    std::vector<std::size_t> counts;
+    std::size_t count = 0;
+    for (const double each : answers.numbers("terms", result.size())) {
+        if (!(each >= 0 && each < 1000)) throw answers.unexpected("it says a wrong count of terms");
+        counts.push_back(static_cast<std::size_t>(each));
+        count += counts.back();
+    }
+    const auto frequency = answers.numbers("frequency", count),
+               amplitude = answers.numbers("amplitude", count),
+               phase = answers.numbers("phase", count),
+               uncertainty = answers.numbers("uncertainty", count);
+    std::size_t k = 0;
+    for (std::size_t column = 0; column < result.size(); ++column)
+        for (const std::size_t end = k + counts[column]; k < end; ++k)
+            result[column].terms.push_back({frequency[k], amplitude[k], phase[k], uncertainty[k]});
+    return result;
+}
+
+}  // namespace
+
 Simulation run_simulation(const Target& program, const RunSubject& subject,
                           const TrajectoryWishes& wishes,
                           const std::function<void(double)>& on_progress) {
@@ -267,6 +296,7 @@ Simulation run_simulation(const Target& program, const RunSubject& subject,
     for (std::size_t i = 0; i < names.size(); ++i)
         run.conserved.push_back({names[i], start[i], largest[i], last[i]});
     if (answers.has("motion")) run.energy_of_motion = answers.number("motion");
+    if (answers.has("terms")) run.frequencies = frequencies_of(wishes.analysed, answers);
     if (answers.has("unfit"))
         run.unfit =
             name_at(column_names(subject), static_cast<std::size_t>(answers.integer("unfit")));

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "generator/drive/frequencies.hpp"
 #include "generator/drive/trajectory.hpp"
 #include "generator/emit/text/text.hpp"
 #include "generator/pipeline/stepper.hpp"
@@ -33,6 +34,12 @@ struct Conserved {
 /// The status of a run that an interruption has stopped.
 inline constexpr const char* interrupted_run = "interrupted";
 
+/// The terms that a column of a run is made of: none where it could not be analysed.
+struct ColumnFrequencies {
+    std::string name;
+    std::vector<FrequencyTerm> terms;
+};
+
 /// What became of a run.
 struct Simulation {
     std::string status;            ///< `ok`, or why it stopped early
@@ -48,6 +55,7 @@ struct Simulation {
     std::string unfit = {};  ///< a variable that begins with no finite number, where that ended it
 
     std::optional<std::string> stopped_by = {};  ///< the event that has ended it
+    std::vector<ColumnFrequencies> frequencies = {};
 
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
