@@ -196,6 +196,10 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.sali = words.has("--sali");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
+    if (options.checkpoints.any() && options.format == TableFormat::hdf5)
+        throw InputError("a table in HDF5 does not go with checkpoints",
+                         whole(words.value("--format")),
+                         "it cannot be read where the run is killed; --format npy can");
     // NOTE: a picture is drawn of rows as text, and a run that goes on has but its own.
     if (options.checkpoints.any() && options.format != TableFormat::csv)
         options.files.erase(RunFile::picture);

@@ -16,9 +16,11 @@
 #include "generator/cli/output_times.hpp"
 #include "generator/cli/run_checkpoints.hpp"
 #include "generator/cli/run_files.hpp"
+#include "generator/cli/run_notes.hpp"
 #include "generator/cli/run_picture.hpp"
 #include "generator/cli/run_summary.hpp"
 #include "generator/cli/run_wishes.hpp"
+#include "generator/drive/row_file.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/hamiltonian/canonical.hpp"
 #include "generator/hamiltonian/time_scale.hpp"
@@ -215,6 +217,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     std::vector<double> times;
     if (options.times)
         times = values_of(*options.times, times_of(both.scene), length.steps.size, length.end());
+    std::vector<TableNote> notes = notes_on(both.scene, stepper, subject, length.steps.size);
     return {std::move(stepper),
             std::move(subject),
             length.steps,
@@ -224,6 +227,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
             std::move(events),
             std::move(events_text),
             std::move(times),
+            std::move(notes),
             std::move(statements),
             watched.left_out,
             options.accuracy
@@ -262,7 +266,10 @@ RunTables wished_tables(const WishedRun& wished, const RunOptions& options,
     const std::int64_t usual = (wished.steps.count + most_rows - 1) / most_rows;
     const std::int64_t every =
         options.every.value_or(wished.clock ? 1 : std::max<std::int64_t>(1, usual));
-    RunTables tables{{every, columns, files.table(), wished.times, options.format}, {}};
+    const TableFormat format = files.any() ? options.format : TableFormat::csv;
+    RunTables tables{{every, columns, files.table(), wished.times, format, wished.notes,
+                      meanings_of(wished.subject)},
+                     {}};
     if (!options.files.contains(RunFile::picture) || options.checkpoints.any()) return tables;
     if (!options.columns && !wished.clock)
         tables.of_picture = picture_table(wished.subject.coordinates, wished.steps, every);
@@ -334,6 +341,7 @@ TangentFindings carry_directions(const WishedRun& wished, const Simulation& run,
 void run(const RunOptions& options) {
     // NOTE: what is computed exactly an interruption may end at once, as there is nothing to clear
     // away.
+    check_format(options.format);
     Runner runner(options.interpret);
     const WishedRun wished = any_run(options, runner.interprets());
     const RunSubject& subject = wished.subject;

@@ -63,7 +63,7 @@ constexpr std::array languages = {choice("c", Language::c),
                                   choice("python", Language::python, State::to_come)};
 constexpr std::array table_formats = {choice("csv", TableFormat::csv),
                                       choice("npy", TableFormat::npy),
-                                      choice("hdf5", TableFormat::csv, State::to_come)};
+                                      choice("hdf5", TableFormat::hdf5)};
 constexpr std::array exponents = {choice("largest", Exponents::largest),
                                   choice("spectrum", Exponents::spectrum)};
 constexpr std::array run_files = {choice("table", RunFile::table),

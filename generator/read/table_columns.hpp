@@ -13,7 +13,7 @@
 namespace hvi::gen {
 
 /// How a table is written.
-enum class TableFormat { csv, npy };
+enum class TableFormat { csv, npy, hdf5 };
 
 /// The values of an index, from the first to the last.
 struct IndexRange {

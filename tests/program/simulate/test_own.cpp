@@ -18,11 +18,11 @@ using namespace hvi::test;
 namespace {
 
 /// H = p^2/2 + q^2/2, in which q^2/2 is of a header.
-const std::string spring = "name = \"own\"\nhamiltonian = \"p^2/2 + V(q)\"\n"
-                           "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
-                           "functions = {V = {header = \"below/spring.hpp\", arguments = 1}}\n"
-                           "initial = {q = 1, p = 0}\n"
-                           "run = {method = \"gauss:2\", step = 0.1, until = 1}\n";
+const std::string own_spring = "name = \"own\"\nhamiltonian = \"p^2/2 + V(q)\"\n"
+                               "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
+                               "functions = {V = {header = \"below/spring.hpp\", arguments = 1}}\n"
+                               "initial = {q = 1, p = 0}\n"
+                               "run = {method = \"gauss:2\", step = 0.1, until = 1}\n";
 
 const std::string potential = "#pragma once\n#include \"half.hpp\"\n"
                               "template <class X> X V(X x) { return half<X>() * x * x; }\n"
@@ -32,7 +32,7 @@ const std::string second = "template <class X> X V_11(X) { return X(1); }\n";
 
 void write_scene(const Directory& directory, const std::string& header) {
     std::filesystem::create_directories(directory / "below");
-    write(directory / "scene.toml", spring);
+    write(directory / "scene.toml", own_spring);
     write(directory / "below/spring.hpp", header);
     write(directory / "below/half.hpp",
           "#pragma once\ntemplate <class X> X half() { return X(1) / X(2); }\n");
@@ -115,7 +115,7 @@ TEST_CASE("a header may be called as a file of the program") {
     for (const std::string name : {"stepper.hpp", "main.cpp", "hvi/state.hpp", "math.h"}) {
         const Directory directory;
         write_scene(directory, potential + second);
-        std::string scene = spring;
+        std::string scene = own_spring;
         scene.replace(scene.find("below/spring.hpp"), 16, name);
         write(directory / "scene.toml", scene);
         std::filesystem::create_directories((directory / name).parent_path());
@@ -203,7 +203,7 @@ TEST_CASE("what a scene with functions of its own is refused") {
     }
     check(2, "V", {"stepper", "scene.toml", "-o", "spring.hpp"});
     for (const std::string name : {"class", "errno", "linux", "a__b"}) {
-        std::string scene = spring;
+        std::string scene = own_spring;
         scene.replace(scene.find("V(q)"), 1, name);
         scene.replace(scene.find("{V"), 2, "{" + name);
         write(directory / "scene.toml", scene);
