@@ -182,6 +182,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     }
     options.every = words.whole_number("--every");
     options.format = words.choice<TableFormat>("--format").value_or(TableFormat::csv);
+    options.numbers = words.choice<TableNumbers>("--numbers").value_or(options.numbers);
     options.columns = words.value("--columns");
     options.symmetries = !words.has("--no-symmetries");
     if (words.has("--interpret")) options.interpret = words.place("--interpret");

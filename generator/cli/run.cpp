@@ -267,8 +267,8 @@ RunTables wished_tables(const WishedRun& wished, const RunOptions& options,
     const std::int64_t every =
         options.every.value_or(wished.clock ? 1 : std::max<std::int64_t>(1, usual));
     const TableFormat format = files.any() ? options.format : TableFormat::csv;
-    RunTables tables{{every, columns, files.table(), wished.times, format, wished.notes,
-                      meanings_of(wished.subject)},
+    RunTables tables{{every, columns, files.table(), wished.times, format, options.numbers,
+                      wished.notes, meanings_of(wished.subject)},
                      {}};
     if (!options.files.contains(RunFile::picture) || options.checkpoints.any()) return tables;
     if (!options.columns && !wished.clock)

@@ -65,6 +65,7 @@ public:
     // Types: H5T_IEEE_F64LE and so on.
     [[nodiscard]] hid_t double_here() const { return value("H5T_NATIVE_DOUBLE_g"); }
     [[nodiscard]] hid_t double_in_file() const { return value("H5T_IEEE_F64LE_g"); }
+    [[nodiscard]] hid_t float_in_file() const { return value("H5T_IEEE_F32LE_g"); }
     [[nodiscard]] hid_t int_here() const { return value("H5T_NATIVE_INT_g"); }
     [[nodiscard]] hid_t reference() const { return value("H5T_STD_REF_OBJ_g"); }
     [[nodiscard]] hid_t text() const { return value("H5T_C_S1_g"); }

@@ -150,17 +150,22 @@ void Hdf5Rows::begin(const TableHead& head) {
 void Hdf5Rows::add_column(const NamedColumn& column, const Hdf5Object& creation,
                           const Hdf5Object& access) {
     const hsize_t none = 0, any = H5S_UNLIMITED;
+    const hid_t type =
+        column.numbers == TableNumbers::floats ? hdf5().float_in_file() : hdf5().double_in_file();
+    numbers_.push_back(column.numbers);
     const Hdf5Object space(hdf5().H5Screate_simple(1, &none, &any), hdf5().H5Sclose);
-    columns_.emplace_back(hdf5().H5Dcreate2(file_->id(), column.name.c_str(),
-                                            hdf5().double_in_file(), space.id(), usual,
-                                            creation.id(), access.id()),
+    columns_.emplace_back(hdf5().H5Dcreate2(file_->id(), column.name.c_str(), type, space.id(),
+                                            usual, creation.id(), access.id()),
                           hdf5().H5Dclose);
     add_text(columns_.back().id(), "long_name", column.meaning);
 }
 
 void Hdf5Rows::row(const std::vector<double>& values) {
     if (!good_) return;
-    for (std::size_t k = 0; k < values.size(); ++k) buffer_[k].push_back(values[k]);
+    for (std::size_t k = 0; k < values.size(); ++k)
+        buffer_[k].push_back(numbers_[k] == TableNumbers::floats
+                                 ? static_cast<double>(nearest_float(values[k]))
+                                 : values[k]);
     if (buffer_.front().size() == in_chunk_) flush();
 }
 

@@ -66,6 +66,7 @@ private:
     bool good_ = true;
     std::optional<Hdf5Object> file_;
     std::vector<Hdf5Object> columns_;  ///< datasets; below the file, so that they are closed first
+    std::vector<TableNumbers> numbers_;        ///< that they hold
     std::vector<std::vector<double>> buffer_;  ///< of rows that are not written, column by column
     hsize_t written_ = 0;                      ///< rows
 };

@@ -32,7 +32,11 @@ public:
 struct NamedColumn {
     std::string name;
     std::string meaning;  ///< for people: `momentum px`
+    TableNumbers numbers = TableNumbers::doubles;
 };
+
+/// The nearest float as IEC 60559 has it: infinite where the value is beyond the largest one.
+[[nodiscard]] inline float nearest_float(double value) { return static_cast<float>(value); }
 
 /// A line on the run that a table is of: a text, or a number.
 struct TableNote {

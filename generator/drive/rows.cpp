@@ -9,11 +9,12 @@ namespace {
 
 /// The time, and the columns of a table.
 TableHead head_of(const TableWishes& wishes) {
-    TableHead head{{{"t", "time"}}, wishes.notes};
+    TableHead head{{{"t", "time", TableNumbers::doubles}}, wishes.notes};
     for_each_column(wishes.columns, [&](const std::string& name, std::size_t) {
         const auto meaning = wishes.meanings.find(without_index(name));
         head.columns.push_back(
-            {name, meaning == wishes.meanings.end() ? name : meaning->second + " " + name});
+            {name, meaning == wishes.meanings.end() ? name : meaning->second + " " + name,
+             wishes.numbers});
     });
     return head;
 }

@@ -28,6 +28,7 @@ struct TableWishes {
     std::filesystem::path file;
     std::vector<double> times = {};  ///< rows at these, where there are some, in place of `every`
     TableFormat format = TableFormat::csv;
+    TableNumbers numbers = TableNumbers::doubles;
     std::vector<TableNote> notes = {};  ///< on the run
     /// Kinds of the columns by their names without an index: `momentum`.
     std::map<std::string, std::string, std::less<>> meanings = {};

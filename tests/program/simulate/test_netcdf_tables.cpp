@@ -46,6 +46,16 @@ public:
         return result;
     }
 
+    /// How many bytes a number of a column has.
+    [[nodiscard]] std::size_t bytes_of(const std::string& name) const {
+        const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), type = H5Dget_type(set);
+        const std::size_t size = H5Tget_size(type);
+        CHECK(H5Tget_class(type) == H5T_FLOAT);
+        H5Tclose(type);
+        H5Dclose(set);
+        return size;
+    }
+
     [[nodiscard]] bool has(const std::string& note) const {
         return H5Aexists(file_, note.c_str()) > 0;
     }
@@ -131,7 +141,7 @@ struct RunsInHdf5 {
 };
 
 /// Both tables of a run, which are the same numbers.
-void agree_in_hdf5(const std::string& words, std::size_t rows) {
+void agree_in_hdf5(const std::string& words, std::size_t rows, std::size_t bytes = 8) {
     CAPTURE(words);
     const RunsInHdf5 runs;
     runs.make(words + " --only table -o text");
@@ -147,9 +157,13 @@ void agree_in_hdf5(const std::string& words, std::size_t rows) {
     std::vector<std::vector<double>> expected(names.size());
     for (std::size_t k = 1; k < lines.size(); ++k) {
         const std::vector<double> row = numbers_of(lines[k]);
-        for (std::size_t i = 0; i < row.size(); ++i) expected[i].push_back(row[i]);
+        for (std::size_t i = 0; i < row.size(); ++i)
+            expected[i].push_back(
+                i > 0 && bytes == 4 ? static_cast<double>(static_cast<float>(row[i])) : row[i]);
     }
+    CHECK(table.bytes_of("t") == 8);
     for (std::size_t i = 0; i < names.size(); ++i) CHECK(table.column(names[i]) == expected[i]);
+    for (std::size_t i = 1; i < names.size(); ++i) CHECK(table.bytes_of(names[i]) == bytes);
     CHECK(table.text("CLASS", "t") == "DIMENSION_SCALE");
     CHECK(table.text("NAME", "t") == "t");
     CHECK(table.attached() == names.size() - 1);
@@ -160,6 +174,7 @@ void agree_in_hdf5(const std::string& words, std::size_t rows) {
 
 TEST_CASE("a table as HDF5 has names, the same doubles, and t as their scale") {
     agree_in_hdf5("kepler --method gauss:4 --interpret --until 1 --columns \"energy, x\"", 21);
+    agree_in_hdf5("kepler --method gauss:4 --interpret --until 1 --numbers float", 21, 4);
     // NOTE: as many rows as are written at once, and one more.
     agree_in_hdf5("kepler --method stormer-verlet --interpret --step 1/100 --until 1023/100", 1024);
     agree_in_hdf5("kepler --method stormer-verlet --interpret --step 1/100 --until 1024/100", 1025);
