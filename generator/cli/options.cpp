@@ -182,6 +182,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     }
     options.every = words.whole_number("--every");
     options.format = words.choice<TableFormat>("--format").value_or(TableFormat::csv);
+    options.numbers = words.choice<TableNumbers>("--numbers").value_or(options.numbers);
     options.columns = words.value("--columns");
     options.symmetries = !words.has("--no-symmetries");
     if (words.has("--interpret")) options.interpret = words.place("--interpret");
@@ -199,6 +200,10 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.frequencies = words.value("--frequencies");
     options.files = words.choices<RunFile>("--only");
     if (options.files.empty()) options.files = {RunFile::table, RunFile::picture, RunFile::summary};
+    if (options.checkpoints.any() && options.format == TableFormat::hdf5)
+        throw InputError("a table in HDF5 does not go with checkpoints",
+                         whole(words.value("--format")),
+                         "it cannot be read where the run is killed; --format npy can");
     // NOTE: a picture is drawn of rows as text, and a run that goes on has but its own.
     if (options.checkpoints.any() && options.format != TableFormat::csv)
         options.files.erase(RunFile::picture);

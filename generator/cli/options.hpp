@@ -83,6 +83,7 @@ struct RunOptions {
     std::optional<OutputTimes> times;  ///< of rows of the table
     std::optional<int> every;          ///< a row in so many steps
     TableFormat format = TableFormat::csv;
+    TableNumbers numbers = TableNumbers::doubles;
     Given columns;                   ///< of the table, in place of the usual ones
     bool symmetries = true;          ///< look for them
     std::optional<Place> interpret;  ///< without a compiler

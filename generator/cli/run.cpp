@@ -16,10 +16,12 @@
 #include "generator/cli/run_files.hpp"
 #include "generator/cli/run_frequencies.hpp"
 #include "generator/cli/run_monitors.hpp"
+#include "generator/cli/run_notes.hpp"
 #include "generator/cli/run_picture.hpp"
 #include "generator/cli/run_summary.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/cli/runner.hpp"
+#include "generator/drive/row_file.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/hamiltonian/canonical.hpp"
 #include "generator/hamiltonian/time_scale.hpp"
@@ -206,6 +208,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     std::vector<double> times;
     if (options.times)
         times = values_of(*options.times, times_of(both.scene), length.steps.size, length.end());
+    std::vector<TableNote> notes = notes_on(both.scene, stepper, subject, length.steps.size);
     return {std::move(stepper),
             std::move(subject),
             length.steps,
@@ -214,6 +217,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
             std::move(events),
             std::move(events_text),
             std::move(times),
+            std::move(notes),
             std::move(statements),
             watched.left_out,
             options.accuracy
@@ -252,7 +256,10 @@ RunTables wished_tables(const WishedRun& wished, const RunOptions& options,
     const std::int64_t usual = (wished.steps.count + most_rows - 1) / most_rows;
     const std::int64_t every =
         options.every.value_or(wished.clock ? 1 : std::max<std::int64_t>(1, usual));
-    RunTables tables{{every, columns, files.table(), wished.times, options.format}, {}};
+    const TableFormat format = files.any() ? options.format : TableFormat::csv;
+    RunTables tables{{every, columns, files.table(), wished.times, format, options.numbers,
+                      wished.notes, meanings_of(wished.subject)},
+                     {}};
     if (!options.files.contains(RunFile::picture) || options.checkpoints.any()) return tables;
     if (!options.columns && !wished.clock)
         tables.of_picture = picture_table(wished.subject.coordinates, wished.steps, every);
@@ -269,6 +276,7 @@ RunTables wished_tables(const WishedRun& wished, const RunOptions& options,
 void run(const RunOptions& options) {
     // NOTE: what is computed exactly an interruption may end at once, as there is nothing to clear
     // away.
+    check_format(options.format);
     Runner runner(options.interpret);
     const WishedRun wished = any_run(options, runner.interprets());
     const RunSubject& subject = wished.subject;

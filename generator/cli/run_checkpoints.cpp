@@ -40,8 +40,8 @@ std::string text_of(const std::vector<IndexedEvent>& events) {
 
 std::string key_of(const WishedRun& run, const TableWishes& table) {
     std::string text =
-        fmt::format("hvi-gen {}\n{}\nstep {}\nevery {} format {}\n", version, run.stepper.header,
-                    run.steps.size, table.every, static_cast<int>(table.format));
+        fmt::format("hvi-gen {}\n{}\nstep {}\nevery {} format {} numbers {}\n", version, run.stepper.header,
+                    run.steps.size, table.every, static_cast<int>(table.format), static_cast<int>(table.numbers));
     for (const double number : driven_system(run.stepper.system).numbers)
         text += fmt::format("{}\n", number);
     for (const double time : table.times) text += fmt::format("at {}\n", time);

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -23,7 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* table_name(TableFormat format) {
-    return format == TableFormat::csv ? "trajectory.csv" : "trajectory.npy";
+    switch (format) {
+    case TableFormat::csv: return "trajectory.csv";
+    case TableFormat::npy: return "trajectory.npy";
+    case TableFormat::hdf5: return "trajectory.h5";
+    }
+    HVI_CHECK(false);
+    return "";
 }
 constexpr const char* tangent_name = "tangent.csv";
 constexpr const char* sensitivity_name = "sensitivity.csv";
@@ -31,15 +36,6 @@ constexpr const char* frequencies_name = "frequencies.csv";
 constexpr const char* events_name = "events.csv";
 constexpr const char* picture_name = "picture.svg";
 constexpr const char* summary_name = "summary.txt";
-
-/// Says in the table itself that it is not whole.
-void mark_incomplete(const fs::path& table, const Simulation& run) {
-    std::FILE* file = std::fopen(table.c_str(), "ab");
-    const bool written =
-        file != nullptr && std::fprintf(file, "# incomplete: %s\n", run.status.c_str()) > 0;
-    if (file == nullptr || std::fclose(file) != 0 || !written)
-        throw EnvironmentError("cannot write " + table.string());
-}
 
 }  // namespace
 
@@ -166,7 +162,8 @@ void RunFiles::keep_frequencies(const std::vector<ColumnFrequencies>& found) con
 
 void RunFiles::keep_table(const Simulation& run, TableFormat format) {
     if (!directory_) return;
-    if (!run.ok() && format == TableFormat::csv) mark_incomplete(table_->path(), run);
+    if (!run.ok() && !mark_incomplete(format, table_->path(), run.status))
+        throw EnvironmentError("cannot write " + table_->path().string());
     table_->rename_to(directory_->path() / table_name(format));
     if (events_) events_->rename_to(directory_->path() / events_name);
 }

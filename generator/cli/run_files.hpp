@@ -29,6 +29,8 @@ public:
     RunFiles(const RunFiles&) = delete;
     RunFiles& operator=(const RunFiles&) = delete;
 
+    /// Whether there are any.
+    [[nodiscard]] bool any() const { return directory_ != nullptr; }
     /// Where the table grows.
     [[nodiscard]] std::filesystem::path table() const;
     /// Where the table of events grows.

@@ -22,6 +22,7 @@ struct WishedRun {
     EventWishes events = {};
     std::string events_text = {};            ///< as the scene has them
     std::vector<double> times = {};          ///< of rows; none where these are at steps
+    std::vector<TableNote> notes = {};       ///< that its table has
     std::vector<Statement> statements = {};  ///< of what it keeps
     std::string not_looked_for = {};         ///< symmetries: why, and what looks for them
     std::string help_on_steps = {};          ///< that are too large

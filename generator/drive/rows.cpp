@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/drive/rows.hpp"
 
+#include "generator/read/names.hpp"
+
 namespace hvi::gen {
 
 namespace {
 
 /// The time, and the columns of a table.
-std::vector<std::string> names_of(const TableWishes& wishes) {
-    std::vector<std::string> names{"t"};
-    for_each_column(wishes.columns,
-                    [&](const std::string& name, std::size_t) { names.push_back(name); });
-    return names;
+TableHead head_of(const TableWishes& wishes) {
+    TableHead head{{{"t", "time", TableNumbers::doubles}}, wishes.notes};
+    for_each_column(wishes.columns, [&](const std::string& name, std::size_t) {
+        const auto meaning = wishes.meanings.find(without_index(name));
+        head.columns.push_back(
+            {name, meaning == wishes.meanings.end() ? name : meaning->second + " " + name,
+             wishes.numbers});
+    });
+    return head;
 }
 
 std::vector<std::size_t> numbers_of(const std::vector<ColumnBox>& columns) {
@@ -26,13 +32,13 @@ Rows::Rows(const TableWishes& wishes)
     : every_(wishes.every),
       has_times_(!wishes.times.empty()),
       numbers_(numbers_of(wishes.columns)),
-      table_(row_file(wishes.format, wishes.file, names_of(wishes))) {}
+      table_(row_file(wishes.format, wishes.file, head_of(wishes))) {}
 
 Rows::Rows(const TableWishes& wishes, const Place& from)
     : every_(wishes.every),
       has_times_(!wishes.times.empty()),
       numbers_(numbers_of(wishes.columns)),
-      table_(row_file(wishes.format, wishes.file, names_of(wishes), from.size)),
+      table_(row_file(wishes.format, wishes.file, head_of(wishes), from.size)),
       count_(from.rows) {
     if (has_row(from.steps)) last_ = from.t;
 }

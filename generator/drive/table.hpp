@@ -4,6 +4,8 @@
 
 #include <unistd.h>
 
+#include <array>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -44,6 +46,15 @@ public:
     NumberTable& cell(double value) {
         if (!line_.empty()) { line_ += ','; }
         driver::append(line_, value);
+        return *this;
+    }
+
+    /// NOTE: in as many digits as it takes to give the float back.
+    NumberTable& cell(float value) {
+        if (!line_.empty()) { line_ += ','; }
+        std::array<char, 32> digits;
+        const auto result = std::to_chars(digits.begin(), digits.end(), value);
+        line_.append(digits.begin(), result.ptr);
         return *this;
     }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 
 #include "generator/drive/checkpoint.hpp"
 #include "generator/drive/driven_stepper.hpp"
+#include "generator/drive/row_file.hpp"
 #include "generator/read/table_columns.hpp"
 
 namespace hvi::gen {
@@ -26,6 +28,10 @@ struct TableWishes {
     std::filesystem::path file;
     std::vector<double> times = {};  ///< rows at these, where there are some, in place of `every`
     TableFormat format = TableFormat::csv;
+    TableNumbers numbers = TableNumbers::doubles;
+    std::vector<TableNote> notes = {};  ///< on the run
+    /// Kinds of the columns by their names without an index: `momentum`.
+    std::map<std::string, std::string, std::less<>> meanings = {};
 };
 
 /// An event of a run.

@@ -63,7 +63,9 @@ constexpr std::array languages = {choice("c", Language::c),
                                   choice("python", Language::python, State::to_come)};
 constexpr std::array table_formats = {choice("csv", TableFormat::csv),
                                       choice("npy", TableFormat::npy),
-                                      choice("hdf5", TableFormat::csv, State::to_come)};
+                                      choice("hdf5", TableFormat::hdf5)};
+constexpr std::array table_numbers = {choice("double", TableNumbers::doubles),
+                                      choice("float", TableNumbers::floats)};
 constexpr std::array exponents = {choice("largest", Exponents::largest),
                                   choice("spectrum", Exponents::spectrum)};
 constexpr std::array run_files = {choice("table", RunFile::table),
@@ -503,6 +505,12 @@ constexpr std::array table = {
                 .placeholder = "FORMAT",
                 .choices = table_formats,
                 .help = "How the table is written"},
+    OptionEntry{.name = "--numbers",
+                .of = {run},
+                .value = Value::choice,
+                .placeholder = "NUMBERS",
+                .choices = table_numbers,
+                .help = "Numbers of the table behind t"},
     OptionEntry{.name = "--digits",
                 .of = {tableau},
                 .value = Value::whole,

@@ -141,6 +141,7 @@ struct Scene {
     std::optional<ValueTable> exact;
     IndexedRun run;
     std::optional<Place> place;  ///< of the word that names it, for errors; none of a file alone
+    std::string text = {};       ///< of its file
 };
 
 /// `the Hamiltonian` or `the Lagrangian`.

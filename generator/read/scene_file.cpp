@@ -590,6 +590,7 @@ Scene SceneReader::read() {
     scene.name = file_.name();
     if (scene.name.empty()) scene.name = name_of_file(source_.name);
     scene.description = description();
+    scene.text = source_.text;
     scene.own = own_functions();
     own_ = scene.own.arguments();
     read_mechanics(scene);

@@ -13,7 +13,10 @@
 namespace hvi::gen {
 
 /// How a table is written.
-enum class TableFormat { csv, npy };
+enum class TableFormat { csv, npy, hdf5 };
+
+/// Numbers that a table is made of, but for its times, which are doubles.
+enum class TableNumbers { doubles, floats };
 
 /// The values of an index, from the first to the last.
 struct IndexRange {

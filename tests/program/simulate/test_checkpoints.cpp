@@ -135,6 +135,7 @@ TEST_CASE("checkpoints of other runs, and what is none, are refused") {
     refused("--resume run.hvi --step 1/11", 2, "this checkpoint is of another run");
     refused("--resume run.hvi --method gauss:6", 2, "this checkpoint is of another run");
     refused("--resume run.hvi --columns x", 2, "this checkpoint is of another run");
+    refused("--resume run.hvi --numbers float", 2, "this checkpoint is of another run");
     refused("--resume scene.toml", 2, "there is no whole checkpoint in this file");
     refused("--resume missing.hvi", 2, "missing.hvi");
     refused("--checkpoint-every 10", 2, "--checkpoint");

@@ -1,5 +1,7 @@
 // Tables of runs as NPY, against the same as text.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -69,13 +71,76 @@ TEST_CASE("a table as NPY has names and the same doubles") {
           "'shape': (3,), }");
 }
 
+TEST_CASE("a table in float has the doubles of the other one, rounded, over the same times") {
+    use_cache();
+    const Directory directory;
+    // NOTE: 10^39 is beyond the floats, and 10^-50 below them.
+    write(
+        directory / "scene.toml",
+        "hamiltonian = \"p^4/4 + py^2/2 - cos(y)/3 + pz^4/4\"\ncoordinates = [\"q\", \"y\", "
+        "\"z\"]\nmomenta = [\"p\", \"py\", \"pz\"]\ninitial = {q = \"-10^39\", y = 1, z = 0, p "
+        "= 1, py = 0, pz = \"10^-50\"}\nrun = {method = \"stormer-verlet\", step = \"1/7\", until "
+        "= 10}\n");
+    const auto lines = [&](const std::string& words) {
+        const Outcome outcome =
+            shell("exec \"$hvi_gen\" run scene.toml --interpret --only table -o "
+                  "out " +
+                      words,
+                  directory.path());
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        return lines_of(contents(directory / "out/trajectory.csv"));
+    };
+    const auto expected = lines(""), found = lines("--numbers float");
+    static_cast<void>(lines("--numbers float --format npy"));
+    const std::string file = contents(directory / "out/trajectory.npy");
+    REQUIRE(found.size() == expected.size());
+    REQUIRE(found.size() == 72);
+    CHECK(found.front() == expected.front());
+    CHECK(file.find("{'descr': [('t', '<f8'), ('q', '<f4'), ('y', '<f4'), ('z', '<f4'), ") == 12);
+    const char* record = file.data() + file.size() - 71 * (8 + 7 * 4);
+    for (std::size_t k = 1; k < found.size(); ++k) {
+        const std::vector<double> row = numbers_of(expected[k]);
+        CHECK(found[k].substr(0, found[k].find(',')) ==
+              expected[k].substr(0, expected[k].find(',')));
+        double time = 0;
+        std::memcpy(&time, record, sizeof time);
+        CHECK(time == row[0]);
+        record += sizeof time;
+        std::string text = found[k];
+        REQUIRE(row.size() == 8);
+        for (std::size_t i = 1; i < row.size(); ++i) {
+            const auto wanted = static_cast<float>(row[i]);
+            text.erase(0, text.find(',') + 1);
+            float number = 0;
+            const auto end =
+                std::from_chars(text.data(), text.data() + text.size(), number).ptr - text.data();
+            CHECK(number == wanted);
+            CHECK(end <= 13);  // -1.23456789e-01 has a digit more than any float takes
+            std::memcpy(&number, record, sizeof number);
+            CHECK(number == wanted);
+            record += sizeof number;
+        }
+        CHECK(std::isinf(static_cast<float>(row[1])));
+    }
+    CHECK(found[1] == "0,-inf,1,0,1,0,0,0.06989923");
+    const Outcome refused =
+        shell("exec \"$hvi_gen\" run scene.toml --numbers half", directory.path());
+    CHECK(refused.status == 2);
+    CHECK(refused.err ==
+          "error: no such value of --numbers: `half`\n  --numbers: half\n             "
+          "^~~~\nhelp: one of double or float\n");
+}
+
 TEST_CASE("a run that goes on adds to its NPY table, and a picture is drawn beside one") {
     use_cache();
+    const std::string numbers = GENERATE(as<std::string>(), "double", "float");
+    CAPTURE(numbers);
     const Directory directory;
     const auto run = [&](const std::string& more) {
         const Outcome outcome = shell("exec \"$hvi_gen\" run kepler --method stormer-verlet "
-                                      "--interpret --step 1/10 --format npy " +
-                                          more,
+                                      "--interpret --step 1/10 --format npy --numbers " +
+                                          numbers + " " + more,
                                       directory.path());
         INFO(outcome.err);
         CHECK(outcome.status == 0);
