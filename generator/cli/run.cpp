@@ -208,6 +208,8 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     std::vector<double> times;
     if (options.times)
         times = values_of(*options.times, times_of(both.scene), length.steps.size, length.end());
+    std::optional<SectionAxes> section;
+    if (stepper.system.is_written_out()) section = section_axes(unrolled(both.scene), subject);
     std::vector<TableNote> notes = notes_on(both.scene, stepper, subject, length.steps.size);
     return {std::move(stepper),
             std::move(subject),
@@ -216,6 +218,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
             length.clock,
             std::move(events),
             std::move(events_text),
+            std::move(section),
             std::move(times),
             std::move(notes),
             std::move(statements),
@@ -314,6 +317,10 @@ void run(const RunOptions& options) {
         files.keep_frequencies(simulation.frequencies);
     }
     files.keep(subject, steps, simulation, tables, options.files, summary);
+    if (wished.section && options.files.contains(RunFile::table) &&
+        options.files.contains(RunFile::picture))
+        files.keep_section("events of " + subject.scene + ", " + subject.method,
+                           events_met(wished.events, simulation), *wished.section);
     if (!simulation.ok())
         throw MathError(
             fmt::format("the run stopped after {}: {}", what_was_done(wished, simulation),

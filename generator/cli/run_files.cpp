@@ -35,6 +35,7 @@ constexpr const char* sensitivity_name = "sensitivity.csv";
 constexpr const char* frequencies_name = "frequencies.csv";
 constexpr const char* events_name = "events.csv";
 constexpr const char* picture_name = "picture.svg";
+constexpr const char* section_name = "events.svg";
 constexpr const char* summary_name = "summary.txt";
 
 }  // namespace
@@ -158,6 +159,13 @@ void RunFiles::keep_sensitivities(const std::string& table) const {
 void RunFiles::keep_frequencies(const std::vector<ColumnFrequencies>& found) const {
     if (directory_ && !found.empty())
         write_file(directory_->path() / frequencies_name, table_of(found));
+}
+
+void RunFiles::keep_section(const std::string& title, const std::vector<std::string>& events,
+                            const SectionAxes& axes) const {
+    if (!directory_ || events.empty()) return;
+    const fs::path table = directory_->path() / events_name;
+    write_file(directory_->path() / section_name, draw({title, table, events, axes.x, axes.y}));
 }
 
 void RunFiles::keep_table(const Simulation& run, TableFormat format) {

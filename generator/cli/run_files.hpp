@@ -11,6 +11,7 @@
 
 #include "generator/cli/options.hpp"
 #include "generator/cli/run_picture.hpp"
+#include "generator/cli/run_section.hpp"
 #include "generator/simulate/simulation.hpp"
 
 namespace hvi::gen {
@@ -45,6 +46,11 @@ public:
 
     /// Keeps the frequencies of columns, where there are some. Throws EnvironmentError.
     void keep_frequencies(const std::vector<ColumnFrequencies>& found) const;
+
+    /// Keeps the picture of events of these names. Throws EnvironmentError. Precondition: their
+    /// table has been kept.
+    void keep_section(const std::string& title, const std::vector<std::string>& events,
+                      const SectionAxes& axes) const;
 
     /// Keeps the tables, as far as they are. Throws EnvironmentError.
     void keep_table(const Simulation& run, TableFormat format);

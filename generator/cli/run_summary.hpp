@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/cli/run_monitors.hpp"
+#include "generator/cli/run_section.hpp"
 #include "generator/render/statements.hpp"
 #include "generator/simulate/simulation.hpp"
 
@@ -20,13 +21,14 @@ struct WishedRun {
     Monitors monitors = {};
     std::optional<ScaledClock> clock = {};  ///< where steps are no times
     EventWishes events = {};
-    std::string events_text = {};            ///< as the scene has them
-    std::vector<double> times = {};          ///< of rows; none where these are at steps
-    std::vector<TableNote> notes = {};       ///< that its table has
-    std::vector<Statement> statements = {};  ///< of what it keeps
-    std::string not_looked_for = {};         ///< symmetries: why, and what looks for them
-    std::string help_on_steps = {};          ///< that are too large
-    std::string shortfall = {};              ///< of the accuracy; empty where it is reached
+    std::string events_text = {};             ///< as the scene has them
+    std::optional<SectionAxes> section = {};  ///< of the picture of events
+    std::vector<double> times = {};           ///< of rows; none where these are at steps
+    std::vector<TableNote> notes = {};        ///< that its table has
+    std::vector<Statement> statements = {};   ///< of what it keeps
+    std::string not_looked_for = {};          ///< symmetries: why, and what looks for them
+    std::string help_on_steps = {};           ///< that are too large
+    std::string shortfall = {};               ///< of the accuracy; empty where it is reached
 };
 
 /// `3 of 100 steps`, or in scaled time `3 steps at t = 0.1`.

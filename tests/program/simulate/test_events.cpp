@@ -406,3 +406,39 @@ TEST_CASE("times and events that are none are refused with their place") {
     refused(spring + "[events]\nwall = \"q\"\n", "", "this event does not say where it is");
     refused("events = 1\n" + spring, "", "`events` is no section");
 }
+
+TEST_CASE("events have a picture") {
+    use_cache();
+    const Directory directory;
+    write(directory / "scene.toml",
+          "name = \"star\"\n"
+          "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3\"\n"
+          "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+          "initial = {x = 0, y = \"1/10\", px = \"1/2\", py = 0}\n"
+          "run = {method = \"stormer-verlet\", step = \"1/20\", until = 200}\n"
+          "[events.through]\nzero = \"x\"\n[events.far]\nzero = \"x - 100\"\n");
+    const auto run = [&](const std::string& words) {
+        const Outcome outcome =
+            shell("exec \"$hvi_gen\" run scene.toml " + words, directory.path());
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+    };
+    run("-o first");
+    run("-o second");
+    // Of x = 0 the first other coordinate and its momentum are shown, and nothing of what is far.
+    const std::string picture = contents(directory / "first" / "events.svg");
+    CHECK(picture == contents(directory / "second" / "events.svg"));
+    CHECK(picture.find(">y<") != std::string::npos);
+    CHECK(picture.find(">py<") != std::string::npos);
+    CHECK(picture.find("far") == std::string::npos);
+    std::size_t marks = 0;
+    for (std::size_t at = 0; (at = picture.find("xlink:href='#gpPt6'", at)) != std::string::npos;
+         ++at)
+        ++marks;
+    const std::vector<std::string> rows = lines_of(contents(directory / "first" / "events.csv"));
+    CHECK(marks == rows.size() - 1);
+    run("-o bare --only table");
+    CHECK_FALSE(std::filesystem::exists(directory / "bare" / "events.svg"));
+    run("-o early --until 1/10");
+    CHECK_FALSE(std::filesystem::exists(directory / "early" / "events.svg"));
+}

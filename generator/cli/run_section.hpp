@@ -1,0 +1,29 @@
+// The picture of the events of a run.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/draw/section.hpp"
+#include "generator/drive/trajectory.hpp"
+#include "generator/read/written_out_scene.hpp"
+#include "generator/simulate/simulation.hpp"
+
+namespace hvi::gen {
+
+/// Axes of such a picture: columns of the table of events.
+struct SectionAxes {
+    TableColumn x, y;
+};
+
+/// The first coordinate that no event has for its `zero`, and its momentum; the time and the
+/// momentum where there is no other coordinate. Nothing without events.
+[[nodiscard]] std::optional<SectionAxes> section_axes(const WrittenOutScene& scene,
+                                                      const RunSubject& subject);
+
+/// The names of events that a run has met.
+[[nodiscard]] std::vector<std::string> events_met(const EventWishes& wishes, const Simulation& run);
+
+}  // namespace hvi::gen
