@@ -200,13 +200,16 @@ std::vector<Scene> scenes_by_name(const std::vector<std::string>& names) {
     return scenes;
 }
 
-/// All that come with the program. NOTE: but for the large ones, whose steps have derivatives of
-/// too many parts.
-std::vector<std::string> all_scenes() {
-    std::vector<std::string> names;
-    for (const SceneEntry& entry : scenes())
-        if (entry.degrees_of_freedom <= most_at_edges) names.emplace_back(entry.name);
-    return names;
+/// Those that come with the program, but for the large ones, whose steps have derivatives of too
+/// many parts, and those in scaled time. NOTE: of events there is nothing to see here.
+std::vector<Scene> all_scenes() {
+    std::vector<Scene> result;
+    for (const SceneEntry& entry : scenes()) {
+        if (entry.degrees_of_freedom > most_at_edges) continue;
+        Scene scene = edge_scene(entry.name);
+        if (!scene.scale) result.push_back(std::move(scene));
+    }
+    return result;
 }
 
 /// On the scenes of the report that are small and written out; where it has no scene, on some that
@@ -234,9 +237,8 @@ void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& m
     add(ReportItem::stiff, "chain", [&] { return chain(builds, methods); });
     add(ReportItem::extreme, "extreme", [&] { return extreme(builds, methods); });
     add(ReportItem::long_runs, "long runs", [&] { return long_runs(builds, methods); });
-    add(ReportItem::symplecticity, "symplecticity", [&] {
-        return symplecticity(builds, methods, given.empty() ? scenes_by_name(all_scenes()) : given);
-    });
+    add(ReportItem::symplecticity, "symplecticity",
+        [&] { return symplecticity(builds, methods, given.empty() ? all_scenes() : given); });
 }
 
 /// NOTE: numbers first, as pictures take another program, which may be missing.
