@@ -289,3 +289,39 @@ TEST_CASE("scales that are none are refused with their place") {
     CHECK(positive.outcome.status == 1);
     CHECK(positive.outcome.err.find("-U is not seen to be positive") != std::string::npos);
 }
+
+TEST_CASE("scenes of scaled time and of jumps come with the program") {
+    use_cache();
+    const Directory directory;
+    const auto table = [&](const std::string& scene, const std::string& words = "") {
+        const Outcome outcome = shell("exec \"$hvi_gen\" run " + scene + " -o " + scene +
+                                          " --only table --no-symmetries " + words,
+                                      directory.path());
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        std::vector<std::vector<double>> rows;
+        for (const std::string& line : lines_of(contents(directory / scene / "trajectory.csv")))
+            if (line[0] != 't') rows.push_back(numbers_of(line));
+        return rows;
+    };
+    // t,x,y,px,py,energy,angular_momentum,laplace_x,laplace_y
+    for (const std::vector<double>& row : table("eccentric-kepler")) {
+        CHECK(std::abs(row[7] - 0.99) < 1e-13);
+        CHECK(std::abs(row[8]) < 1e-13);
+    }
+    CHECK(lines_of(contents(directory / "eccentric-kepler" / "events.csv")).size() == 10);
+    // The lightest body escapes, the others stay close to one another.
+    const std::vector<double> end = table("pythagorean").back();
+    CHECK(end[0] == 63);
+    CHECK(std::hypot(end[1] - end[3], end[2] - end[4]) > 8);
+    CHECK(std::hypot(end[3] - end[5], end[4] - end[6]) < 3);
+    // A fall from the height 1 takes sqrt(2).
+    static_cast<void>(table("bouncing-ball"));
+    const auto bounces = lines_of(contents(directory / "bouncing-ball" / "events.csv"));
+    REQUIRE(bounces.size() == 8);
+    for (std::size_t k = 1; k < bounces.size(); ++k) {
+        const std::string time = bounces[k].substr(bounces[k].find(',', 6) + 1);
+        const double expected = std::sqrt(2.0) * (2 * static_cast<double>(k) - 1);
+        CHECK(std::stod(time) == Approx(expected).epsilon(1e-14));
+    }
+}
