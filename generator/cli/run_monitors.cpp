@@ -112,6 +112,11 @@ private:
     Pace pace_;
 };
 
+/// The size of the step that led to the event at which the run ended; 0 where it ended at a step.
+double rest_of(const Simulation& run, double h) {
+    return run.stopped_by ? run.t - static_cast<double>(run.steps) * h : 0;
+}
+
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
 /// `2.1 0.5+0.8i 0.5-0.8i 0.47`
@@ -190,19 +195,21 @@ void begin(const Monitors& monitors, Runner& runner) {
 MonitorFindings measured(const Monitors& monitors, const Simulation& run, double h,
                          Runner& runner) {
     MonitorFindings found;
-    if (monitors.tangent && run.steps > 0) {
+    if (monitors.tangent && (run.steps > 0 || run.stopped_by)) {
         TangentWishes wishes = monitors.tangents;
         wishes.h = h;
         wishes.steps = run.steps;
+        wishes.rest = rest_of(run, h);
         Shown shown(run, "steps with directions");
         found.directions = find_tangents(runner.target(*monitors.tangent), wishes,
                                          [&](double part) { shown(part); });
     }
     for (const Sensitivity& each : monitors.sensitivities) {
         Shown shown(run, "steps with derivatives by a parameter");
-        found.sensitivities.push_back(find_tangents(runner.target(each.stepper),
-                                                    {.h = h, .steps = run.steps, .own = true},
-                                                    [&](double part) { shown(part); }));
+        found.sensitivities.push_back(
+            find_tangents(runner.target(each.stepper),
+                          {.h = h, .steps = run.steps, .rest = rest_of(run, h), .own = true},
+                          [&](double part) { shown(part); }));
     }
     if (monitors.shadow && run.steps >= ShadowWishes::fewest_steps()) {
         Shown shown(run, "steps with a shadow");

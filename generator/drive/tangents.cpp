@@ -33,7 +33,8 @@ std::vector<DirectionVector> all_units(std::size_t numbers) {
     return result;
 }
 
-/// Takes the steps of the directions, and calls see(taken) after each. False where one fails.
+/// Takes the steps of the directions, and calls see(taken) after each whole one. False where one
+/// fails.
 template <class See>
 bool take(Directions& directions, const TangentWishes& wishes, ProgressOfSteps progress, See see) {
     for (std::int64_t taken = 1; taken <= wishes.steps; ++taken) {
@@ -44,7 +45,10 @@ bool take(Directions& directions, const TangentWishes& wishes, ProgressOfSteps p
         see(taken);
         progress.tell(taken);
     }
-    return true;
+    if (wishes.rest == 0) return true;
+    const Status status = directions.step(wishes.rest);
+    if (!status.ok()) driver::say("fault", status.message());
+    return status.ok();
 }
 
 /// The growth of one direction: ln |v| at each step, and MEGNO, in the form of a sum over steps

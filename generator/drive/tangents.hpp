@@ -11,6 +11,7 @@ namespace hvi::gen {
 struct TangentWishes {
     double h = 0;
     std::int64_t steps = 0;
+    double rest = 0;        ///< the size of a shorter step behind them; 0 where there is none
     bool matrix = false;    ///< the derivative of the state at the end by that at the start
     bool largest = false;   ///< the largest Lyapunov exponent, and MEGNO
     bool spectrum = false;  ///< all Lyapunov exponents

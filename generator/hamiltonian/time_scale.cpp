@@ -187,6 +187,18 @@ private:
         return {Expression::sum(std::move(T)), Expression::sum(std::move(U))};
     }
 
+    /// The value where the scene begins. Throws MathError, at the scale, where there is none.
+    [[nodiscard]] Ball value_of(const Expression& expression, const SymbolValues& start,
+                                std::string_view what) const {
+        try {
+            return value_at(expression, start, nullptr);
+        } catch (const MathError& error) {
+            throw MathError(std::string(what) + " has no value where the scene begins: " +
+                                error.what(),
+                            place_);
+        }
+    }
+
     /// Throws MathError where it is provably not positive at the start.
     void check_positive(const Expression& expression, std::string_view what) const {
         const SymbolValues parameters = parameter_values(scene_);
@@ -194,7 +206,7 @@ private:
         for (const NamedExpression& initial : scene_.initial)
             start[initial.name] = value_at(initial.expression, parameters, initial.place.source);
         start["t"] = Ball();
-        if (scene_.initial.empty() || value_at(expression, start, nullptr).sign() > 0) return;
+        if (scene_.initial.empty() || value_of(expression, start, what).sign() > 0) return;
         throw MathError(std::string(what) + " is not seen to be positive where the scene begins",
                         place_, "time has to go on as steps do");
     }

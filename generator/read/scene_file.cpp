@@ -6,31 +6,16 @@
 #include <optional>
 #include <utility>
 
-#include "generator/read/column_file.hpp"
 #include "generator/read/file.hpp"
 #include "generator/read/names.hpp"
 #include "generator/read/rotation_value.hpp"
-#include "generator/read/scene.hpp"
-#include "generator/read/toml_file.hpp"
+#include "generator/read/scene_reader.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
 constexpr std::size_t most_invariants = 64;
-constexpr std::size_t most_events = 64;
-
-using Entry = std::pair<const toml::key*, const toml::node*>;
-
-/// What a table has, as it stands in the file. NOTE: toml++ sorts by key.
-std::vector<Entry> in_order(const toml::table& table) {
-    std::vector<Entry> entries;
-    for (const auto& [key, node] : table) entries.emplace_back(&key, &node);
-    std::sort(entries.begin(), entries.end(), [](const Entry& left, const Entry& right) {
-        return left.first->source().begin < right.first->source().begin;
-    });
-    return entries;
-}
 
 /// The name of a file without its folders and its ending, as plain as a name must be.
 std::string name_of_file(const std::string& path) {
@@ -47,58 +32,7 @@ std::string name_of_file(const std::string& path) {
     return name.empty() ? "scene" : name;
 }
 
-class SceneReader {
-public:
-    explicit SceneReader(const Source& source) : source_(source), file_(source) {}
-
-    [[nodiscard]] Scene read();
-
-private:
-    [[nodiscard]] const toml::node& required(std::string_view key, std::string_view example) const;
-    [[nodiscard]] const toml::table* section(std::string_view key, std::string_view example) const;
-    [[nodiscard]] std::string description() const;
-    [[nodiscard]] NameTexts names(std::string_view key, std::string_view example) const;
-    [[nodiscard]] IndexedExpression expression(const toml::node& node) const;
-    [[nodiscard]] NamedIndexed named(std::string name, const toml::node& node) const;
-    void refuse_to_come() const;
-    void check_absent(std::string_view key, std::string_view other, std::string_view fault,
-                      std::string_view help) const;
-    void check_mechanics() const;
-    void read_mechanics(Scene& scene);
-    void read_variables(Scene& scene) const;
-    [[nodiscard]] bool is_of_rotation(std::string_view name) const;
-    [[nodiscard]] IndexedValue value(const Entry& entry) const;
-    [[nodiscard]] RuleName rule_name(const toml::key& key) const;
-    [[nodiscard]] std::filesystem::path directory() const {
-        return std::filesystem::path(source_.name).parent_path();
-    }
-    [[nodiscard]] ColumnFile column_file(const toml::table& table) const;
-    [[nodiscard]] ValueList list(const toml::array& array) const;
-    void append(ValueList& list, const toml::array& array, std::size_t depth) const;
-    [[nodiscard]] std::vector<IndexedValue> parameters() const;
-    [[nodiscard]] OwnFunctions own_functions() const;
-    [[nodiscard]] OwnFunction own_function(const Entry& entry) const;
-    void check_apart(const Scene& scene) const;
-    [[nodiscard]] std::vector<Definition> definitions() const;
-    void read_invariants(Scene& scene) const;
-    void add_invariant(Scene& scene, const Entry& entry) const;
-    [[nodiscard]] const toml::node& value_of_invariant(const toml::table& table) const;
-    [[nodiscard]] std::vector<IndexedField> fields() const;
-    [[nodiscard]] ValueTable values(const toml::table& table) const;
-    [[nodiscard]] std::vector<IndexedEvent> events() const;
-    [[nodiscard]] IndexedEvent event(const Entry& entry) const;
-    [[nodiscard]] EventDirection direction(const toml::table& event) const;
-    [[nodiscard]] long stop(const toml::table& event) const;
-    [[nodiscard]] bool claims(const toml::table& table, std::string_view key) const;
-    void read_time(Scene& scene) const;
-    [[nodiscard]] IndexedScale scale(const toml::node& node) const;
-    [[nodiscard]] IndexedRun run() const;
-
-    const Source& source_;
-    TomlFile file_;
-    OwnArguments own_;
-    std::vector<std::string> rotations_;  ///< their names without indices
-};
+}  // namespace
 
 const toml::node& SceneReader::required(std::string_view key, std::string_view example) const {
     if (const toml::node* node = file_.table().get(key)) return *node;
@@ -236,7 +170,7 @@ bool SceneReader::is_of_rotation(std::string_view name) const {
     return contains(rotations_, std::string(without_index(name)));
 }
 
-IndexedValue SceneReader::value(const Entry& entry) const {
+IndexedValue SceneReader::value(const TomlEntry& entry) const {
     const auto& [key, node] = entry;
     RuleName name = rule_name(*key);
     IndexedValue result{std::move(name.stem), {}, file_.place(key->source()), file_.place(*node)};
@@ -306,7 +240,7 @@ std::vector<IndexedValue> SceneReader::parameters() const {
     std::vector<IndexedValue> list;
     const toml::table* table = section("parameters", "mu = 1");
     if (table == nullptr) return list;
-    for (const Entry& entry : in_order(*table)) {
+    for (const TomlEntry& entry : in_order(*table)) {
         check_parameter_name(std::string(entry.first->str()), file_.place(entry.first->source()));
         list.push_back(value(entry));
         const auto* several = std::get_if<ValueList>(&list.back().value);
@@ -317,7 +251,7 @@ std::vector<IndexedValue> SceneReader::parameters() const {
 }
 
 /// `V = {header = "potential.hpp", arguments = 1}`
-OwnFunction SceneReader::own_function(const Entry& entry) const {
+OwnFunction SceneReader::own_function(const TomlEntry& entry) const {
     const auto& [key, node] = entry;
     constexpr const char* help = "write V = {header = \"potential.hpp\", arguments = 1}";
     OwnFunction function{std::string(key->str()), 1, {}, file_.place(key->source())};
@@ -352,7 +286,7 @@ OwnFunctions SceneReader::own_functions() const {
         check_absent("functions", "lagrangian", "stands beside",
                      "functions of your own are built for Hamiltonians");
     const std::filesystem::path directory = std::filesystem::path(source_.name).parent_path();
-    for (const Entry& entry : in_order(*table)) {
+    for (const TomlEntry& entry : in_order(*table)) {
         own.functions.push_back(own_function(entry));
         const toml::node& header = *entry.second->as_table()->get("header");
         add_own_header(own, directory, own.functions.back().header, file_.place(header));
@@ -392,7 +326,7 @@ std::vector<Definition> SceneReader::definitions() const {
 
 /// `"x*py - y*px"`, a vector, or `{value = "x*py - y*px", approximate = true}`. Of a vector each
 /// component is an invariant: J_1, J_2, ...
-void SceneReader::add_invariant(Scene& scene, const Entry& entry) const {
+void SceneReader::add_invariant(Scene& scene, const TomlEntry& entry) const {
     const toml::key& key = *entry.first;
     const toml::node& node = *entry.second;
     const auto* table = node.as_table();
@@ -431,7 +365,7 @@ const toml::node& SceneReader::value_of_invariant(const toml::table& table) cons
 void SceneReader::read_invariants(Scene& scene) const {
     const toml::table* table = section("invariants", "momentum = \"px1 + px2\"");
     if (table == nullptr) return;
-    for (const Entry& entry : in_order(*table)) add_invariant(scene, entry);
+    for (const TomlEntry& entry : in_order(*table)) add_invariant(scene, entry);
 }
 
 std::vector<IndexedField> SceneReader::fields() const {
@@ -450,103 +384,8 @@ std::vector<IndexedField> SceneReader::fields() const {
 
 ValueTable SceneReader::values(const toml::table& table) const {
     ValueTable values{{}, file_.place(table)};
-    for (const Entry& entry : in_order(table)) values.values.push_back(value(entry));
+    for (const TomlEntry& entry : in_order(table)) values.values.push_back(value(entry));
     return values;
-}
-
-EventDirection SceneReader::direction(const toml::table& event) const {
-    const toml::node* node = event.get("direction");
-    if (node == nullptr) return EventDirection::both;
-    const std::string_view word = node->value_or(std::string_view());
-    if (word == "up") return EventDirection::up;
-    if (word == "down") return EventDirection::down;
-    if (word == "both") return EventDirection::both;
-    throw InputError("this is no direction", file_.place(*node),
-                     "write \"up\", \"down\" or \"both\"");
-}
-
-/// The number of the event at which the run ends: `stop = 3`; true is 1, and 0 is none.
-long SceneReader::stop(const toml::table& event) const {
-    const toml::node* node = event.get("stop");
-    if (node == nullptr) return 0;
-    if (const auto* flag = node->as_boolean()) return flag->get() ? 1 : 0;
-    const auto* number = node->as_integer();
-    if (number != nullptr && number->get() >= 1) return static_cast<long>(number->get());
-    throw InputError("true, or which of the events ends the run, is wanted here",
-                     file_.place(*node), "write stop = true, or stop = 3 for the third");
-}
-
-bool SceneReader::claims(const toml::table& table, std::string_view key) const {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return false;
-    if (const auto* flag = node->as_boolean()) return flag->get();
-    throw InputError("true or false is wanted here", file_.place(*node));
-}
-
-IndexedEvent SceneReader::event(const Entry& entry) const {
-    const Place place = file_.place(entry.first->source());
-    const auto* table = entry.second->as_table();
-    if (table == nullptr || table->get("zero") == nullptr)
-        throw InputError("this event does not say where it is", place,
-                         "write a section [events.NAME] with zero = \"y\"");
-    file_.check_keys(*table, "event",
-                     {"zero", "direction", "stop", "set", "canonical", "cooldown", "period"});
-    IndexedEvent event{.name = std::string(entry.first->str()),
-                       .place = place,
-                       .zero = expression(*table->get("zero")),
-                       .direction = direction(*table),
-                       .stop = stop(*table)};
-    if (const toml::node* node = table->get("set")) {
-        const auto* jumps = node->as_table();
-        if (jumps == nullptr || jumps->empty())
-            throw InputError("this says nothing of what jumps", file_.place(*node),
-                             "write the new values of variables: set = {px = \"-px\"}");
-        event.set = values(*jumps);
-    }
-    if (claims(*table, "canonical")) event.canonical = file_.place(*table->get("canonical"));
-    if (const toml::node* node = table->get("cooldown")) event.cooldown = expression(*node);
-    if (const toml::node* node = table->get("period")) event.period = expression(*node);
-    return event;
-}
-
-std::vector<IndexedEvent> SceneReader::events() const {
-    std::vector<IndexedEvent> list;
-    const toml::table* table = section("events", "crossing = {zero = \"y\"}");
-    if (table == nullptr) return list;
-    for (const Entry& entry : in_order(*table)) {
-        list.push_back(event(entry));
-        if (list.size() > most_events)
-            throw InputError(fmt::format("there are more than {} events", most_events),
-                             list.back().place);
-    }
-    return list;
-}
-
-void SceneReader::read_time(Scene& scene) const {
-    const toml::table* table = section("time", "scale = \"x^2 + y^2\"");
-    if (table == nullptr) return;
-    file_.check_keys(*table, "section [time]", {"scale", "kinks"});
-    if (const toml::node* node = table->get("kinks")) {
-        if (node->value_or(std::string_view()) != "events")
-            throw InputError("kinks are \"events\", or nothing is said of them",
-                             file_.place(*node));
-        scene.kinks = file_.place(*node);
-    }
-    if (const toml::node* node = table->get("scale")) scene.scale = scale(*node);
-    if (!scene.kinks && !scene.scale)
-        throw InputError("there is no scale", file_.place(*table),
-                         fmt::format("it is an expression, or one of {}", names_of_scales));
-}
-
-IndexedScale SceneReader::scale(const toml::node& node) const {
-    IndexedScale scale{.kind = TimeScale::expression, .expression = {}, .place = file_.place(node)};
-    const std::string_view word = node.value_or(std::string_view());
-    if (word == "logarithmic") scale.kind = TimeScale::logarithmic;
-    if (word == "arclength") scale.kind = TimeScale::arclength;
-    if (word == "potential") scale.kind = TimeScale::potential;
-    if (word == "distance") scale.kind = TimeScale::distance;
-    if (scale.kind == TimeScale::expression) scale.expression = expression(node);
-    return scale;
 }
 
 IndexedRun SceneReader::run() const {
@@ -607,8 +446,6 @@ Scene SceneReader::read() {
     check_apart(scene);
     return scene;
 }
-
-}  // namespace
 
 Scene scene_from_toml(const Source& file) { return SceneReader(file).read(); }
 

@@ -145,4 +145,13 @@ std::string TomlFile::name() const {
     return name;
 }
 
+std::vector<TomlEntry> in_order(const toml::table& table) {
+    std::vector<TomlEntry> entries;
+    for (const auto& [key, node] : table) entries.emplace_back(&key, &node);
+    std::sort(entries.begin(), entries.end(), [](const TomlEntry& left, const TomlEntry& right) {
+        return left.first->source().begin < right.first->source().begin;
+    });
+    return entries;
+}
+
 }  // namespace hvi::gen

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <toml++/toml.h>
@@ -17,6 +18,11 @@ namespace hvi::gen {
 
 /// The text of a file of at most 1 MiB. Throws InputError as read_file does.
 [[nodiscard]] Source toml_source(const std::filesystem::path& path);
+
+using TomlEntry = std::pair<const toml::key*, const toml::node*>;
+
+/// Entries of a table, as they stand in the file. NOTE: toml++ sorts by key.
+[[nodiscard]] std::vector<TomlEntry> in_order(const toml::table& table);
 
 /// A TOML text that can say where in it something stands.
 class TomlFile {

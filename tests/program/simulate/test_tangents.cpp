@@ -56,6 +56,18 @@ TEST_CASE("multipliers are the eigenvalues of the derivative") {
     CHECK(swing.outcome.out.find("-0.414633+0.909989i -0.414633-0.909989i") != std::string::npos);
 }
 
+TEST_CASE("the derivative of a run that an event ends is that of its end") {
+    // (p^2 + q^2)/2 from q = 1, p = 0 turns to q = 0 at t = pi/2, in the middle of a step.
+    const SceneRun found =
+        run_scene(one_degree("(p^2 + q^2)/2", "1", "0") + "[events.through]\nzero = \"q\"\nstop = 1\n",
+                  "--tangent --method gauss:8");
+    REQUIRE(found.tangent.size() == 2);
+    CHECK(std::abs(found.tangent[0][0]) < 1e-13);
+    CHECK(std::abs(found.tangent[0][1] - 1) < 1e-13);
+    CHECK(std::abs(found.tangent[1][0] + 1) < 1e-13);
+    CHECK(std::abs(found.tangent[1][1]) < 1e-13);
+}
+
 TEST_CASE("the end is differentiated by parameters") {
     const std::string spring = "hamiltonian = \"(p^2 + w^2*q^2)/2\"\n"
                                "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"

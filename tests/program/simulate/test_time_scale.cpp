@@ -268,6 +268,7 @@ TEST_CASE("scales that are none are refused with their place") {
     };
     refused("scale = \"0\"", 1, "is not seen to be positive where the scene begins");
     refused("scale = \"-x\"", 1, "is not seen to be positive where the scene begins");
+    refused("scale = \"sqrt(-x)\"", 1, "has no value where the scene begins");
     refused("scale = \"r\"", 2, "`r`");
     refused("scale = \"x +\"", 2, "scene.toml");
     refused("scale = true", 2, "scene.toml");

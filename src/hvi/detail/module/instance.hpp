@@ -13,15 +13,11 @@
 
 #include <hvi/detail/module/parameters.hpp>
 #include <hvi/detail/trajectories/flat.hpp>
+#include <hvi/detail/trajectories/has_time.hpp>
 #include <hvi/detail/trajectories/take.hpp>
 #include <hvi/integrate.hpp>
 
 namespace hvi::detail {
-
-template <class State, class = void>
-struct HasTime : std::false_type {};
-template <class State>
-struct HasTime<State, std::void_t<decltype(std::declval<State&>().t)>> : std::true_type {};
 
 /// A stepper with its parameters, and what it keeps from one step to the next.
 template <class Problem>

@@ -9,16 +9,12 @@
 #include <vector>
 
 #include <hvi/detail/stages/system.hpp>
+#include <hvi/detail/trajectories/has_time.hpp>
 #include <hvi/detail/trajectories/takes_several.hpp>
 #include <hvi/detail/trajectories/trajectories.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::detail {
-
-template <class State, class = void>
-struct HasTime : std::false_type {};
-template <class State>
-struct HasTime<State, std::void_t<decltype(std::declval<State&>().t)>> : std::true_type {};
 
 /// The state with the coordinates (q, dq) and the momenta (dp, p), of a state and a direction.
 template <class Joint, class State, class Direction>
