@@ -185,10 +185,11 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     std::vector<double> times;
     if (options.times)
         times = values_of(*options.times, times_of(both.scene), length.steps.size, length.end());
+    Monitors monitors = wished_monitors(both, wishes, options, stepper);
     return {std::move(stepper),
             std::move(subject),
             length.steps,
-            wished_monitors(both, wishes, options),
+            std::move(monitors),
             length.clock,
             std::move(events),
             std::move(events_text),

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "generator/support/bar.hpp"
@@ -24,6 +25,11 @@ std::string_view wish_for_directions(const RunOptions& options) {
     if (options.tangent) return "--tangent";
     if (options.lyapunov) return "--lyapunov";
     return options.megno ? "--megno" : "--sali";
+}
+
+bool goes_on_by_steps(const Scene& scene) {
+    return !scene.kinks && std::none_of(scene.events.begin(), scene.events.end(),
+                                        [](const IndexedEvent& each) { return bool(each.set); });
 }
 
 /// Throws InputError where a motion does not go on by steps of one size, without jumps.
@@ -78,7 +84,7 @@ std::string said_of(const ShadowFindings& found) {
 }  // namespace
 
 Monitors wished_monitors(const MethodAndScene& both, const StepperWishes& wishes,
-                         const RunOptions& options) {
+                         const RunOptions& options, const SceneStepper& stepper) {
     Monitors result{.tangents = tangents_of(options)};
     if (result.tangents.any()) {
         const std::string_view what = wish_for_directions(options);
@@ -90,6 +96,8 @@ Monitors wished_monitors(const MethodAndScene& both, const StepperWishes& wishes
         result.shadow = shadow_stepper(both.method, both.scene, wishes, "--shadow");
         result.degrees = hamiltonian_of(unrolled(both.scene)).coordinates.size();
     }
+    if (stepper.system.time && goes_on_by_steps(both.scene))
+        result.balance = balance_stepper(both.method, both.scene, wishes);
     return result;
 }
 
@@ -98,11 +106,14 @@ std::string MonitorFindings::fault() const {
         return "directions are not carried to the end: " + directions.fault;
     if (shadow && !shadow->fault.empty())
         return "the shadow is not measured to the end: " + shadow->fault;
+    if (balance && !balance->fault.empty())
+        return "the balance is not measured to the end: " + balance->fault;
     return {};
 }
 
 void begin(const Monitors& monitors, Runner& runner) {
-    for (const std::optional<SceneStepper>* each : {&monitors.tangent, &monitors.shadow})
+    for (const std::optional<SceneStepper>* each :
+         {&monitors.tangent, &monitors.shadow, &monitors.balance})
         if (*each) runner.begin(**each);
 }
 
@@ -123,6 +134,11 @@ MonitorFindings measured(const Monitors& monitors, const Simulation& run, double
             find_shadow(runner.target(*monitors.shadow), {h, run.steps, monitors.degrees},
                         [&](double part) { shown(part); });
     }
+    if (monitors.balance && run.steps > 0 && runner.can_take(*monitors.balance)) {
+        Shown shown(run, "steps of the balance");
+        found.balance = find_balance(runner.target(*monitors.balance), {h, run.steps},
+                                     [&](double part) { shown(part); });
+    }
     return found;
 }
 
@@ -134,6 +150,11 @@ Lines lines_of(const Monitors& monitors, const MonitorFindings& found) {
     else if (monitors.shadow)
         lines.emplace_back("shadow", fmt::format("not measured: that takes {} steps at least",
                                                  ShadowWishes::fewest_steps()));
+    if (found.balance && found.balance->fault.empty())
+        lines.emplace_back("balance",
+                           fmt::format("H - H(0) - the integral of dH/dt is {:.2e} at most, {:.2e} "
+                                       "at the end",
+                                       found.balance->largest, found.balance->last));
     return lines;
 }
 

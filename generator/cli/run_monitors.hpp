@@ -10,6 +10,7 @@
 #include "generator/cli/method.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/runner.hpp"
+#include "generator/simulate/balance.hpp"
 #include "generator/simulate/shadow.hpp"
 #include "generator/simulate/tangents.hpp"
 
@@ -20,17 +21,19 @@ struct Monitors {
     TangentWishes tangents = {};
     std::optional<SceneStepper> tangent = {};  ///< of directions, where these are wished for
     std::optional<SceneStepper> shadow = {};   ///< of the modified Hamiltonian, likewise
+    std::optional<SceneStepper> balance = {};  ///< of the energy, where H depends on the time
     std::size_t degrees = 0;                   ///< of freedom, of the scene; where there is one
 };
 
-/// Throws InputError for what is not built for the scene.
+/// Throws InputError for what is not built for the scene. `stepper` is that of the run.
 [[nodiscard]] Monitors wished_monitors(const MethodAndScene& both, const StepperWishes& wishes,
-                                       const RunOptions& options);
+                                       const RunOptions& options, const SceneStepper& stepper);
 
 /// Measurements of those that were wished for.
 struct MonitorFindings {
     TangentFindings directions = {};
     std::optional<ShadowFindings> shadow = {};  ///< nothing where there were too few steps
+    std::optional<BalanceFindings> balance = {};
 
     /// Why one of them has not come to the end of the run; empty where all have.
     [[nodiscard]] std::string fault() const;

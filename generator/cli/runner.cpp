@@ -23,6 +23,10 @@ void Runner::begin(const SceneStepper& stepper) {
     begun_.emplace(&stepper, simulation_program(stepper).order(*builds_));
 }
 
+bool Runner::can_take(const SceneStepper& stepper) const {
+    return compiler_ || obstacle_to_interpretation(stepper).empty();
+}
+
 Target Runner::target(const SceneStepper& stepper) {
     if (compiler_) return begun_.at(&stepper).target();
     const std::string obstacle = obstacle_to_interpretation(stepper);

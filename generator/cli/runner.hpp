@@ -21,6 +21,9 @@ public:
     /// Begins to compile what it will be asked for.
     void begin(const SceneStepper& stepper);
 
+    /// Whether steps of it can be taken.
+    [[nodiscard]] bool can_take(const SceneStepper& stepper) const;
+
     /// Throws InputError where steps cannot be interpreted, or EnvironmentError where they had to
     /// be for want of a compiler. Preconditions: it has begun with the stepper, which lives longer.
     [[nodiscard]] Target target(const SceneStepper& stepper);

@@ -240,6 +240,24 @@ SceneStepper shadow_stepper(const Method& method, const Scene& scene, const Step
     return stepper_after(with_homogeneous_extension, method, scene, std::move(without), wishes);
 }
 
+std::optional<SceneStepper> balance_stepper(const Method& method, const Scene& scene,
+                                            StepperWishes wishes) {
+    if (scene.side == Side::lagrangian || scene.scale || !scene.own.headers.empty()) return {};
+    const UnrollDecision why = unroll_decision(scene, {wishes.unroll, ""});
+    if (!why.writes_out) return {};
+    WrittenOutScene written = unrolled(scene);
+    if (!hamiltonian_of(written).rotations.empty()) return {};
+    wishes.invariants = false;
+    MethodAndCurve all = derived(method, wishes);
+    if (std::holds_alternative<GalerkinRule>(all.method.base)) return {};
+    const Place place = whole(scene.function.source);
+    written.scale = SceneScale{.kind = TimeScale::expression,
+                               .expression = {"scale", Expression::integer(1), place},
+                               .place = place};
+    return stepper_of(method, std::move(all), lowered_written_out(scene, std::move(written), why),
+                      wishes);
+}
+
 void check_parameter_of_method(const SceneStepper& stepper) {
     if (!stepper.step.from_parameter) return;
     const std::string& name = stepper.step.from_parameter->numbers.parameter;

@@ -82,6 +82,14 @@ struct SceneStepper {
 [[nodiscard]] SceneStepper shadow_stepper(const Method& method, const Scene& scene,
                                           const StepperWishes& wishes, std::string_view what);
 
+/// A stepper of H + e, in which the time t is one coordinate more and e its momentum, which begins
+/// as -H: so its energy, H + e, is H - H(0) - the integral of dH/dt by t alone. Nothing where that
+/// is not built: for a Lagrangian, rotations, scaled time, functions of the user's own, sums that
+/// stay loops, and methods with more nodes than functions, as H + e is linear in e. Precondition: H
+/// depends on the time.
+[[nodiscard]] std::optional<SceneStepper> balance_stepper(const Method& method, const Scene& scene,
+                                                          StepperWishes wishes);
+
 /// Throws InputError where a parameter of the method has no value, and is none of the scene.
 void check_parameter_of_method(const SceneStepper& stepper);
 
