@@ -206,7 +206,7 @@ std::vector<Scene> all_scenes() {
     std::vector<Scene> result;
     for (const SceneEntry& entry : scenes()) {
         if (entry.degrees_of_freedom > most_at_edges) continue;
-        Scene scene = edge_scene(entry.name);
+        Scene scene = edge_scene(std::string(entry.name));
         if (!scene.scale) result.push_back(std::move(scene));
     }
     return result;

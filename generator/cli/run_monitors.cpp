@@ -154,6 +154,19 @@ std::string said_of(const ShadowFindings& found) {
                        found.start, found.largest, found.last, found.error);
 }
 
+/// NOTE: no function near H stays what it is where H depends on the time.
+void add_shadow(Monitors& monitors, const MethodAndScene& both, const SceneStepper& stepper,
+                const StepperWishes& wishes) {
+    constexpr std::string_view what = "--shadow";
+    check_steps(both.scene, what);
+    if (stepper.system.time) {
+        monitors.balance = balance_stepper(both.method, both.scene, wishes, what);
+        return;
+    }
+    monitors.shadow = shadow_stepper(both.method, both.scene, wishes, what);
+    monitors.degrees = hamiltonian_of(unrolled(both.scene)).coordinates.size();
+}
+
 }  // namespace
 
 Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper,
@@ -167,11 +180,7 @@ Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper
     }
     if (options.sensitivity)
         result.sensitivities = sensitivities_of(both, stepper, wishes, options.sensitivity);
-    if (options.shadow) {
-        check_steps(both.scene, "--shadow");
-        result.shadow = shadow_stepper(both.method, both.scene, wishes, "--shadow");
-        result.degrees = hamiltonian_of(unrolled(both.scene)).coordinates.size();
-    }
+    if (options.shadow) add_shadow(result, both, stepper, wishes);
     return result;
 }
 
@@ -183,11 +192,14 @@ std::string MonitorFindings::fault() const {
             return "the end is not differentiated by parameters: " + each.fault;
     if (shadow && !shadow->fault.empty())
         return "the shadow is not measured to the end: " + shadow->fault;
+    if (balance && !balance->fault.empty())
+        return "the balance is not measured to the end: " + balance->fault;
     return {};
 }
 
 void begin(const Monitors& monitors, Runner& runner) {
-    for (const std::optional<SceneStepper>* each : {&monitors.tangent, &monitors.shadow})
+    for (const std::optional<SceneStepper>* each :
+         {&monitors.tangent, &monitors.shadow, &monitors.balance})
         if (*each) runner.begin(**each);
     for (const Sensitivity& each : monitors.sensitivities) runner.begin(each.stepper);
 }
@@ -216,6 +228,11 @@ MonitorFindings measured(const Monitors& monitors, const Simulation& run, double
         found.shadow =
             find_shadow(runner.target(*monitors.shadow), {h, run.steps, monitors.degrees},
                         [&](double part) { shown(part); });
+    }
+    if (monitors.balance && run.steps > 0) {
+        Shown shown(run, "steps of the balance");
+        found.balance = find_balance(runner.target(*monitors.balance), {h, run.steps},
+                                     [&](double part) { shown(part); });
     }
     return found;
 }
@@ -250,6 +267,11 @@ Lines lines_of(const Monitors& monitors, const MonitorFindings& found) {
     else if (monitors.shadow)
         lines.emplace_back("shadow", fmt::format("not measured: that takes {} steps at least",
                                                  ShadowWishes::fewest_steps()));
+    if (found.balance && found.balance->fault.empty())
+        lines.emplace_back("balance",
+                           fmt::format("H - H(0) - the integral of dH/dt is {:.2e} at most, {:.2e} "
+                                       "at the end",
+                                       found.balance->largest, found.balance->last));
     return lines;
 }
 

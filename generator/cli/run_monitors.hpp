@@ -10,6 +10,7 @@
 #include "generator/cli/method.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/runner.hpp"
+#include "generator/simulate/balance.hpp"
 #include "generator/simulate/shadow.hpp"
 #include "generator/simulate/tangents.hpp"
 
@@ -26,7 +27,8 @@ struct Monitors {
     TangentWishes tangents = {};
     std::optional<SceneStepper> tangent = {};  ///< of directions, where these are wished for
     std::vector<Sensitivity> sensitivities = {};
-    std::optional<SceneStepper> shadow = {};  ///< of the modified Hamiltonian, likewise
+    std::optional<SceneStepper> shadow = {};   ///< of the modified Hamiltonian, likewise
+    std::optional<SceneStepper> balance = {};  ///< of the energy, where H depends on the time
     std::size_t degrees = 0;                  ///< of freedom, of the scene; where there is one
 };
 
@@ -39,6 +41,7 @@ struct MonitorFindings {
     TangentFindings directions = {};
     std::vector<TangentFindings> sensitivities = {};  ///< of each parameter
     std::optional<ShadowFindings> shadow = {};        ///< nothing where there were too few steps
+    std::optional<BalanceFindings> balance = {};
 
     /// Why one of them has not come to the end of the run; empty where all have.
     [[nodiscard]] std::string fault() const;

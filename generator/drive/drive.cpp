@@ -66,4 +66,8 @@ int drive(const FindSteppers& find, const ShadowWishes& wishes) {
     return status_of(find, [&] { return take_shadow(wishes); });
 }
 
+int drive(const FindSteppers& find, const BalanceWishes& wishes) {
+    return status_of(find, [&] { return take_balance(wishes); });
+}
+
 }  // namespace hvi::gen

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/drive/balance.hpp"
 #include "generator/drive/number_stepper.hpp"
 #include "generator/drive/shadow.hpp"
 #include "generator/drive/tangents.hpp"
@@ -27,9 +28,10 @@ using FindSteppers = std::function<MakeStepper()>;
 /// expects. Answers are lines of standard output: src/driver/answer.hpp.
 [[nodiscard]] int drive(const FindSteppers& find, const std::vector<std::string_view>& command);
 
-/// Takes the steps of a trajectory, of directions, or of a modified Hamiltonian.
+/// Takes the steps of a trajectory, of directions, of a modified Hamiltonian, or of a balance.
 [[nodiscard]] int drive(const FindSteppers& find, const TrajectoryWishes& wishes);
 [[nodiscard]] int drive(const FindSteppers& find, const TangentWishes& wishes);
 [[nodiscard]] int drive(const FindSteppers& find, const ShadowWishes& wishes);
+[[nodiscard]] int drive(const FindSteppers& find, const BalanceWishes& wishes);
 
 }  // namespace hvi::gen

@@ -39,6 +39,33 @@ SceneStepper stepper_after(const SystemPass& pass, const Method& method, const S
         });
 }
 
+/// A Hamiltonian without loops, and why it has none.
+struct WithoutLoops {
+    WrittenOutScene scene;
+    UnrollDecision why;
+};
+
+/// The scene for what takes no other. Throws InputError for a Lagrangian and for loops, too.
+WithoutLoops written_out(const Scene& scene, const StepperWishes& wishes, std::string_view what) {
+    check_scene(scene, what);
+    const Place place = whole(scene.function.source);
+    if (scene.side == Side::lagrangian)
+        throw InputError(fmt::format("{} is not built for a Lagrangian", what), place,
+                         "write the Hamiltonian, which `hvi-gen scheme` prints");
+    const UnrollDecision why = unroll_decision(scene, {wishes.unroll, std::string(what)});
+    if (!why.writes_out)
+        throw InputError(fmt::format("{} is not built where sums stay loops", what), place,
+                         "without --unroll no the sums are written out, where they can be");
+    return {unrolled(scene), why};
+}
+
+SceneStepper stepper_of(const Method& method, const Scene& scene, WithoutLoops without,
+                        StepperWishes wishes, const std::vector<SystemPass>& passes) {
+    wishes.invariants = false;
+    return scene_stepper(
+        method, lowered_written_out(scene, std::move(without.scene), without.why, passes), wishes);
+}
+
 }  // namespace
 
 SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
@@ -57,24 +84,18 @@ SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,
 
 SceneStepper shadow_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
                             std::string_view what) {
-    check_scene(scene, what);
+    return stepper_of(method, scene, written_out(scene, wishes, what), wishes,
+                      {with_homogeneous_extension});
+}
+
+SceneStepper balance_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
+                             std::string_view what) {
+    WithoutLoops without = written_out(scene, wishes, what);
     const Place place = whole(scene.function.source);
-    if (scene.side == Side::lagrangian)
-        throw InputError(fmt::format("{} is not built for a Lagrangian", what), place,
-                         "write the Hamiltonian, which `hvi-gen scheme` prints");
-    const UnrollDecision why = unroll_decision(scene, {wishes.unroll, std::string(what)});
-    if (!why.writes_out)
-        throw InputError(fmt::format("{} is not built where sums stay loops", what), place,
-                         "without --unroll no the sums are written out, where they can be");
-    WrittenOutScene written = unrolled(scene);
-    if (depends_on_time(hamiltonian_of(written)))
-        throw InputError(fmt::format("{} is not built for an H that depends on the time t", what),
-                         place, "no function near H stays what it is then");
-    StepperWishes of_pass = wishes;
-    of_pass.invariants = false;
-    return scene_stepper(
-        method, lowered_written_out(scene, std::move(written), why, {with_homogeneous_extension}),
-        of_pass);
+    without.scene.scale = SceneScale{.kind = TimeScale::expression,
+                                     .expression = {"scale", Expression::integer(1), place},
+                                     .place = place};
+    return stepper_of(method, scene, std::move(without), wishes, {});
 }
 
 }  // namespace hvi::gen

@@ -20,13 +20,18 @@ namespace hvi::gen {
 /// change it.
 [[nodiscard]] SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,
                                                const StepperWishes& wishes,
-                                               const std::string& parameter,
-                                               std::string_view what);
+                                               const std::string& parameter, std::string_view what);
 
 /// A stepper of the scene's motion whose steps tell the modified Hamiltonian of the method: see
-/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and for a Lagrangian,
-/// sums that stay loops, and an H that depends on the time.
+/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and for a Lagrangian
+/// and sums that stay loops. Precondition: H does not depend on the time.
 [[nodiscard]] SceneStepper shadow_stepper(const Method& method, const Scene& scene,
                                           const StepperWishes& wishes, std::string_view what);
+
+/// A stepper of H + e, in which the time t is one coordinate more and e its momentum, which begins
+/// as -H: so its energy, H + e, is H - H(0) - the integral of dH/dt by t alone. Throws as
+/// shadow_stepper() does. Precondition: H depends on the time.
+[[nodiscard]] SceneStepper balance_stepper(const Method& method, const Scene& scene,
+                                           const StepperWishes& wishes, std::string_view what);
 
 }  // namespace hvi::gen

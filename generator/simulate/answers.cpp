@@ -211,4 +211,10 @@ Answers ask(const Target& target, const ShadowWishes& wishes,
                       {}, on_progress);
 }
 
+Answers ask(const Target& target, const BalanceWishes& wishes,
+            const std::function<void(double)>& on_progress) {
+    return answers_to(target, {{}, [&](const FindSteppers& find) { return drive(find, wishes); }},
+                      {}, on_progress);
+}
+
 }  // namespace hvi::gen

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "generator/drive/balance.hpp"
 #include "generator/drive/number_stepper.hpp"
 #include "generator/drive/shadow.hpp"
 #include "generator/drive/tangents.hpp"
@@ -82,14 +83,16 @@ using Target = std::variant<Program, Library, Interpreted>;
                           const std::filesystem::path& file = {},
                           const std::function<void(double)>& on_progress = nullptr);
 
-/// Has a trajectory taken, directions carried along, or a modified Hamiltonian measured, likewise.
-/// Precondition: the target is no
+/// Has a trajectory taken, directions carried along, a modified Hamiltonian or a balance measured,
+/// likewise. Precondition: the target is no
 /// Program.
 [[nodiscard]] Answers ask(const Target& target, const TrajectoryWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
 [[nodiscard]] Answers ask(const Target& target, const TangentWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
 [[nodiscard]] Answers ask(const Target& target, const ShadowWishes& wishes,
+                          const std::function<void(double)>& on_progress = nullptr);
+[[nodiscard]] Answers ask(const Target& target, const BalanceWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
 
 }  // namespace hvi::gen

@@ -123,7 +123,6 @@ TEST_CASE("shadows that are not built are refused") {
     use_cache();
     const auto refused = [](const std::string& line, const std::string& message) {
         const Directory directory;
-        write(directory / "scene.toml", shadow_scene("p^2/2 + q^2/2 + q*cos(t)"));
         write(directory / "floor.toml",
               shadow_scene(
                   "p^2/2 + q",
@@ -139,7 +138,6 @@ TEST_CASE("shadows that are not built are refused") {
         CHECK(outcome.err.find(message) != std::string::npos);
         CHECK_FALSE(std::filesystem::exists(directory / "out"));
     };
-    refused("scene.toml", "--shadow is not built for an H that depends on the time t");
     refused("floor.toml", "--shadow is not built for events that jump");
     refused("kink.toml", "--shadow is not built for kinks that end steps");
     refused("scaled.toml --method gauss:2", "--shadow is not built for");
