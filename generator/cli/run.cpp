@@ -63,7 +63,8 @@ TrajectoryWishes trajectory(const WishedRun& wished, const RunOptions& options,
                             .steps = wished.steps.count,
                             .tables = {tables.own},
                             .events = wished.events,
-                            .clock = wished.clock};
+                            .clock = wished.clock,
+                            .reductions = wished.reductions};
     if (tables.of_picture) wishes.tables.push_back(tables.of_picture->table);
     if (tables.plain) wishes.tables.push_back(*tables.plain);
     wishes.events.file = table_of_events;
@@ -217,6 +218,9 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     std::vector<double> times;
     if (options.times)
         times = values_of(*options.times, times_of(both.scene), length.steps.size, length.end());
+    std::vector<Reduction> reductions;
+    if (options.reduce)
+        reductions = named_reductions(options.reduce, column_names(subject), subject.sizes);
     std::vector<TableNote> notes = notes_on(both.scene, stepper, subject, length.steps.size);
     return {std::move(stepper),
             std::move(subject),
@@ -228,6 +232,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
             std::move(events_text),
             std::move(times),
             std::move(notes),
+            std::move(reductions),
             std::move(statements),
             watched.left_out,
             options.accuracy

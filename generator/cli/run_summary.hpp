@@ -21,9 +21,10 @@ struct WishedRun {
     TangentWishes tangents = {};
     std::optional<ScaledClock> clock = {};  ///< where steps are no times
     EventWishes events = {};
-    std::string events_text = {};            ///< as the scene has them
-    std::vector<double> times = {};          ///< of rows; none where these are at steps
-    std::vector<TableNote> notes = {};       ///< that its table has
+    std::string events_text = {};       ///< as the scene has them
+    std::vector<double> times = {};     ///< of rows; none where these are at steps
+    std::vector<TableNote> notes = {};  ///< that its table has
+    std::vector<Reduction> reductions = {};
     std::vector<Statement> statements = {};  ///< of what it keeps
     std::string not_looked_for = {};         ///< symmetries: why, and what looks for them
     std::string help_on_steps = {};          ///< that are too large
