@@ -184,6 +184,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.format = words.choice<TableFormat>("--format").value_or(TableFormat::csv);
     options.numbers = words.choice<TableNumbers>("--numbers").value_or(options.numbers);
     options.columns = words.value("--columns");
+    options.reduce = words.value("--reduce");
     options.symmetries = !words.has("--no-symmetries");
     if (words.has("--interpret")) options.interpret = words.place("--interpret");
     options.checkpoints.file = words.file("--checkpoint");
@@ -204,6 +205,9 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
         throw InputError("a table in HDF5 does not go with checkpoints",
                          whole(words.value("--format")),
                          "it cannot be read where the run is killed; --format npy can");
+    if (options.reduce && !options.files.contains(RunFile::summary))
+        throw InputError("what --reduce finds is said in the summary, which is left out",
+                         whole(words.value("--only")), "add it, as in --only table,summary");
     // NOTE: a picture is drawn of rows as text, and a run that goes on has but its own.
     if (options.checkpoints.any() && options.format != TableFormat::csv)
         options.files.erase(RunFile::picture);

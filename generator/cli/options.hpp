@@ -85,6 +85,7 @@ struct RunOptions {
     TableFormat format = TableFormat::csv;
     TableNumbers numbers = TableNumbers::doubles;
     Given columns;                   ///< of the table, in place of the usual ones
+    Given reduce;                    ///< functions of columns, over all steps
     bool symmetries = true;          ///< look for them
     std::optional<Place> interpret;  ///< without a compiler
     CheckpointOptions checkpoints;

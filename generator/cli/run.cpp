@@ -64,7 +64,8 @@ TrajectoryWishes trajectory(const WishedRun& wished, const RunOptions& options,
                             .tables = {tables.own},
                             .events = wished.events,
                             .clock = wished.clock,
-                            .analysed = std::move(analysed)};
+                            .analysed = std::move(analysed),
+                            .reductions = wished.reductions};
     if (tables.of_picture) wishes.tables.push_back(tables.of_picture->table);
     if (tables.plain) wishes.tables.push_back(*tables.plain);
     wishes.events.file = table_of_events;
@@ -210,6 +211,9 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
         times = values_of(*options.times, times_of(both.scene), length.steps.size, length.end());
     std::optional<SectionAxes> section;
     if (stepper.system.is_written_out()) section = section_axes(unrolled(both.scene), subject);
+    std::vector<Reduction> reductions;
+    if (options.reduce)
+        reductions = named_reductions(options.reduce, column_names(subject), subject.sizes);
     std::vector<TableNote> notes = notes_on(both.scene, stepper, subject, length.steps.size);
     return {std::move(stepper),
             std::move(subject),
@@ -221,6 +225,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
             std::move(section),
             std::move(times),
             std::move(notes),
+            std::move(reductions),
             std::move(statements),
             watched.left_out,
             options.accuracy

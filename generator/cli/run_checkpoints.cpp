@@ -39,15 +39,16 @@ std::string text_of(const std::vector<IndexedEvent>& events) {
 }
 
 std::string key_of(const WishedRun& run, const TableWishes& table) {
-    std::string text =
-        fmt::format("hvi-gen {}\n{}\nstep {}\nevery {} format {} numbers {}\n", version, run.stepper.header,
-                    run.steps.size, table.every, static_cast<int>(table.format), static_cast<int>(table.numbers));
+    std::string text = fmt::format("hvi-gen {}\n{}\nstep {}\nevery {} format {} numbers {}\n",
+                                   version, run.stepper.header, run.steps.size, table.every,
+                                   static_cast<int>(table.format), static_cast<int>(table.numbers));
     for (const double number : driven_system(run.stepper.system).numbers)
         text += fmt::format("{}\n", number);
     for (const double time : table.times) text += fmt::format("at {}\n", time);
     for_each_column(table.columns, [&](const std::string& name, std::size_t number) {
         text += fmt::format("column {} {}\n", name, number);
     });
+    for (const Reduction& each : run.reductions) text += each.name + "\n";
     return digest(text + run.events_text);
 }
 

@@ -75,6 +75,7 @@ std::string summary(const WishedRun& wished, const Simulation& run,
     const Steps& asked = wished.steps;
     std::size_t width = std::string_view("evaluations").size();
     for (const Conserved& kept : run.conserved) width = std::max(width, kept.name.size());
+    for (const Reduction& each : wished.reductions) width = std::max(width, each.name.size());
     std::string text;
     const auto line = [&](const std::string& name, const std::string& value) {
         text += fmt::format("{:<{}}  {}\n", name, width, value);
@@ -97,6 +98,8 @@ std::string summary(const WishedRun& wished, const Simulation& run,
             line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
     }
     for (const Conserved& kept : run.conserved) line(kept.name, said_of(kept, wished.statements));
+    for (std::size_t i = 0; i < run.reduced.size(); ++i)
+        line(wished.reductions[i].name, fmt::format("{:.10g}", run.reduced[i]));
     for (std::size_t i = 0; i < run.events.size(); ++i)
         if (const DrivenEvent& event = wished.events.events[i]; !event.event.is_kink)
             line("event", events_text(event.name, run.events[i]));

@@ -25,10 +25,11 @@ struct WishedRun {
     std::optional<SectionAxes> section = {};  ///< of the picture of events
     std::vector<double> times = {};           ///< of rows; none where these are at steps
     std::vector<TableNote> notes = {};        ///< that its table has
-    std::vector<Statement> statements = {};   ///< of what it keeps
-    std::string not_looked_for = {};          ///< symmetries: why, and what looks for them
-    std::string help_on_steps = {};           ///< that are too large
-    std::string shortfall = {};               ///< of the accuracy; empty where it is reached
+    std::vector<Reduction> reductions = {};
+    std::vector<Statement> statements = {};  ///< of what it keeps
+    std::string not_looked_for = {};         ///< symmetries: why, and what looks for them
+    std::string help_on_steps = {};          ///< that are too large
+    std::string shortfall = {};              ///< of the accuracy; empty where it is reached
 };
 
 /// `3 of 100 steps`, or in scaled time `3 steps at t = 0.1`.

@@ -131,6 +131,7 @@ std::optional<Checkpoint> read(std::string_view text, std::string& key) {
         event.last = reader.optional("last");
         event.before_last = reader.optional("before");
     }
+    all.reductions = reader.numbers<double>("reductions");
     all.sizes = reader.numbers<std::int64_t>("sizes");
     all.rows = reader.numbers<std::int64_t>("rows");
     return reader.is_right() ? std::optional(all) : std::nullopt;
@@ -168,6 +169,7 @@ std::string text(const Checkpoint& checkpoint, const std::string& key) {
         lines.numbers("last", listed(event.last));
         lines.numbers("before", listed(event.before_last));
     }
+    lines.numbers("reductions", checkpoint.reductions);
     lines.numbers("sizes", checkpoint.sizes);
     lines.numbers("rows", checkpoint.rows);
     const std::string whole = std::string(begins) + lines.text();

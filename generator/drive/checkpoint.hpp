@@ -27,6 +27,7 @@ struct Checkpoint {
     std::int64_t motions = 0;
     std::vector<EventMemory> events = {};
     std::vector<std::int64_t> counts = {};  ///< of events
+    std::vector<double> reductions = {};    ///< as Reductions remembers them
     std::vector<std::int64_t> sizes =
         {};  ///< of the tables so far, in bytes; then of that of events
     std::vector<std::int64_t> rows = {};  ///< of the tables

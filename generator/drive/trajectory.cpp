@@ -19,6 +19,7 @@
 #include "generator/drive/checkpoint_saver.hpp"
 #include "generator/drive/column_samples.hpp"
 #include "generator/drive/driven_problem.hpp"
+#include "generator/drive/reductions.hpp"
 #include "generator/drive/rows.hpp"
 
 namespace hvi::gen {
@@ -56,8 +57,7 @@ public:
         if (is_stopped()) save();
         if (run_.ending == Ending::all_steps && !is_stopped()) course_.finish(x_, wishes_.h, run_);
         if (has_come_to_end()) run_.t = wishes_.clock->until;
-        if (!is_stopped())
-            for (Rows& table : tables_) table.see_end(run_.t, value_now());
+        if (!is_stopped()) see_end();
         tell();
         bool are_whole = event_rows_->close();
         for (Rows& table : tables_) are_whole = table.close() && are_whole;
@@ -86,6 +86,15 @@ private:
     void begin() {
         course_.begin(x_, 0, wishes_.h);
         write();
+        reductions_.begin(0, value_now());
+    }
+
+    /// Looks at the place where the run ends, which with an event is within a step.
+    void see_end() {
+        const bool is_within = run_.ending == Ending::event || run_.ending == Ending::accumulation;
+        if (is_within) invariants_.see(stepper_, x_);
+        for (Rows& table : tables_) table.see_end(run_.t, value_now());
+        reductions_.see(run_.t, value_now());
     }
 
     [[nodiscard]] bool goes_on() const {
@@ -103,6 +112,7 @@ private:
         return from.state.size() == x_.q.size() + x_.p.size() + x_.time.size() &&
                from.departures.size() == invariants_.departures().size() &&
                from.events.size() == events && from.counts.size() == counts_.size() &&
+               from.reductions.size() == reductions_.memory_size() &&
                from.rows.size() == wishes_.tables.size() &&
                from.sizes.size() == wishes_.tables.size() + 1;
     }
@@ -118,6 +128,7 @@ private:
         invariants_.resume(stepper_, x_, from.departures);
         motion_.resume(from.motion, from.motions);
         counts_ = from.counts;
+        reductions_.resume(from.reductions);
         course_.resume(run_.t, wishes_.h, from.events);
     }
 
@@ -133,6 +144,7 @@ private:
         result.motions = motion_.count();
         result.events = course_.memory();
         result.counts = counts_;
+        result.reductions = reductions_.memory();
         for (Rows& table : tables_) {
             result.sizes.push_back(table.flushed_size());
             result.rows.push_back(table.count());
@@ -177,14 +189,19 @@ private:
         return wishes_.clock || !wishes_.events.events.empty() || to_output() == 0;
     }
 
+    /// Takes steps, one by one where each is looked at.
     void take(std::int64_t steps) {
-        Run run;
-        if (wishes_.looks_at_rows) {
-            run = stepper_.advance(x_, wishes_.h, steps);
-            if (run.steps > 0) invariants_.see(stepper_, x_);
-        } else {
-            run = invariants_.take(stepper_, x_, wishes_.h, steps);
+        const std::int64_t before = taken(), at_once = reductions_.any() ? 1 : steps;
+        while (taken() - before < steps && run_.ending == Ending::all_steps) {
+            take_at_once(at_once);
+            if (run_.ending == Ending::all_steps) reduce();
         }
+        if (wishes_.looks_at_rows && taken() > before) invariants_.see(stepper_, x_);
+    }
+
+    void take_at_once(std::int64_t steps) {
+        const Run run = wishes_.looks_at_rows ? stepper_.advance(x_, wishes_.h, steps)
+                                              : invariants_.take(stepper_, x_, wishes_.h, steps);
         run_.run.status = run.status;
         run_.run.iterations += run.iterations;
         run_.run.steps += run.steps;
@@ -196,7 +213,19 @@ private:
     void look_into_step() {
         const std::int64_t before = taken();
         course_.take(stepper_, x_, wishes_.h, static_cast<double>(before + 1) * wishes_.h, run_);
-        if (taken() > before) invariants_.see(stepper_, x_);
+        if (taken() == before) return;
+        invariants_.see(stepper_, x_);
+        reductions_.see(run_.t, value_now());
+    }
+
+    /// Looks at a step. NOTE: where invariants cost as much as a step does, they are computed only
+    /// if some are reduced.
+    void reduce() {
+        if (!reductions_.any()) return;
+        const bool costs = wishes_.looks_at_rows && reductions_.any_from(count_of_variables());
+        if (costs) at_step_.see(stepper_, x_);
+        const std::vector<double>& invariants = (costs ? at_step_ : invariants_).values();
+        reductions_.see(run_.t, [&](std::size_t number) { return value(x_, invariants, number); });
     }
 
     /// Events that write themselves.
@@ -244,11 +273,15 @@ private:
                            [](const Rows& table) { return table.good(); });
     }
 
+    [[nodiscard]] std::size_t hidden() const { return wishes_.clock ? 1 : 0; }
+    [[nodiscard]] std::size_t count_of_variables() const {
+        return x_.q.size() + x_.p.size() - 2 * hidden();
+    }
+
     /// A number of the columns. NOTE: time and its momentum are none of them.
     [[nodiscard]] double value(const State& x, const std::vector<double>& invariants,
                                std::size_t number) const {
-        const std::size_t hidden = wishes_.clock ? 1 : 0;
-        const std::size_t n = x.q.size() - hidden, end = n + x.p.size() - hidden;
+        const std::size_t n = x.q.size() - hidden(), end = count_of_variables();
         if (number < n) return x.q[number];
         return number < end ? x.p[number - n] : invariants[number - end];
     }
@@ -311,6 +344,7 @@ private:
             driver::say("last", departure.last);
         }
         driver::say("motion", motion_.mean());
+        for (const double result : reductions_.results()) driver::say("reduced", result);
     }
 
     const TrajectoryWishes& wishes_;
@@ -322,7 +356,9 @@ private:
     DrivenStepper stepper_ = DrivenProblem::stepper();
     State x_ = DrivenProblem::initial();
     EventRun<double> run_;
-    driver::Invariants<DrivenProblem> invariants_{stepper_, x_}, at_output_{stepper_, x_};
+    driver::Invariants<DrivenProblem> invariants_{stepper_, x_}, at_output_{stepper_, x_},
+        at_step_{stepper_, x_};
+    Reductions reductions_{wishes_.reductions};
     driver::EnergyOfMotion<DrivenProblem> motion_;
     detail::EventSteps<DrivenStepper> course_{events(), stepper_};
     CheckpointSaver saver_;

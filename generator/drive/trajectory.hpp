@@ -17,6 +17,7 @@
 #include "generator/drive/checkpoint.hpp"
 #include "generator/drive/driven_stepper.hpp"
 #include "generator/drive/row_file.hpp"
+#include "generator/read/reductions.hpp"
 #include "generator/read/table_columns.hpp"
 
 namespace hvi::gen {
@@ -75,6 +76,7 @@ struct TrajectoryWishes {
     std::vector<TableWishes> tables;  ///< at least one
     EventWishes events = {};
     std::optional<ScaledClock> clock = {};  ///< then `steps` is only the most that are taken
+    std::vector<Reduction> reductions = {};
     std::optional<CheckpointWishes> checkpoints = {};
     std::vector<ColumnBox> analysed = {};    ///< columns whose frequencies are told
     std::optional<Checkpoint> resumed = {};  ///< where it begins; tables are there, as far as it

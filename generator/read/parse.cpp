@@ -26,6 +26,10 @@ IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source,
 
 std::vector<Name> parse_names(std::shared_ptr<const Source> source) {
     const Range part = whole(source).range;
+    return parse_names(std::move(source), part);
+}
+
+std::vector<Name> parse_names(std::shared_ptr<const Source> source, Range part) {
     return IndexedParser(std::move(source), part).names();
 }
 

@@ -83,6 +83,9 @@ struct Name {
 /// InputError for any other text.
 [[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source);
 
+/// The same for a part of a source. Precondition: `part` lies within the text.
+[[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source, Range part);
+
 /// A name whose indices have names: `u[i,j]`.
 struct RuleName {
     std::string stem;

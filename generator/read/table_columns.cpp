@@ -76,8 +76,8 @@ public:
     ColumnReader(const Given& list, const std::vector<NameBox>& all, const WholeNumbers& sizes)
         : list_(list), all_(columns_of(all)), sizes_(sizes) {}
 
-    [[nodiscard]] std::vector<ColumnBox> read() {
-        for (const Name& name : parse_names(list_)) { add(name); }
+    [[nodiscard]] std::vector<ColumnBox> read(Range part) {
+        for (const Name& name : parse_names(list_, part)) { add(name); }
         return std::move(chosen_);
     }
 
@@ -204,7 +204,12 @@ NameBox name_box(const std::string& name) {
 
 std::vector<ColumnBox> named_columns(const Given& list, const std::vector<NameBox>& all,
                                      const WholeNumbers& sizes) {
-    return ColumnReader(list, all, sizes).read();
+    return named_columns(list, whole(list).range, all, sizes);
+}
+
+std::vector<ColumnBox> named_columns(const Given& list, Range part, const std::vector<NameBox>& all,
+                                     const WholeNumbers& sizes) {
+    return ColumnReader(list, all, sizes).read(part);
 }
 
 std::vector<ColumnBox> usual_columns(const std::vector<NameBox>& all, std::size_t variables) {

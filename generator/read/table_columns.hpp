@@ -47,6 +47,11 @@ struct ColumnBox {
 [[nodiscard]] std::vector<ColumnBox>
 named_columns(const Given& list, const std::vector<NameBox>& all, const WholeNumbers& sizes);
 
+/// The same for a part of a list. Precondition: `part` lies within its text.
+[[nodiscard]] std::vector<ColumnBox> named_columns(const Given& list, Range part,
+                                                   const std::vector<NameBox>& all,
+                                                   const WholeNumbers& sizes);
+
 /// Those of a table where nobody has named any, of at most 64 degrees of freedom all. Of more these
 /// are the variables with the first three indices of each name, and what else there is. So many of
 /// the boxes, the first ones, are `variables`: coordinates and momenta.

@@ -295,6 +295,7 @@ Simulation run_simulation(const Target& program, const RunSubject& subject,
                last = answers.numbers("last", names.size());
     for (std::size_t i = 0; i < names.size(); ++i)
         run.conserved.push_back({names[i], start[i], largest[i], last[i]});
+    run.reduced = answers.numbers("reduced", wishes.reductions.size());
     if (answers.has("motion")) run.energy_of_motion = answers.number("motion");
     if (answers.has("terms")) run.frequencies = frequencies_of(wishes.analysed, answers);
     if (answers.has("unfit"))

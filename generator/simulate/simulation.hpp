@@ -54,6 +54,8 @@ struct Simulation {
     std::vector<std::int64_t> events = {};  ///< how many there were of each
     std::string unfit = {};  ///< a variable that begins with no finite number, where that ended it
 
+    std::vector<double> reduced = {};  ///< as wished for, in this order
+
     std::optional<std::string> stopped_by = {};  ///< the event that has ended it
     std::vector<ColumnFrequencies> frequencies = {};
 
