@@ -64,8 +64,8 @@ TrajectoryWishes trajectory(const WishedRun& wished, const RunOptions& options,
                             .tables = {tables.own},
                             .events = wished.events,
                             .clock = wished.clock,
-                            .analysed = std::move(analysed),
-                            .reductions = wished.reductions};
+                            .reductions = wished.reductions,
+                            .analysed = std::move(analysed)};
     if (tables.of_picture) wishes.tables.push_back(tables.of_picture->table);
     if (tables.plain) wishes.tables.push_back(*tables.plain);
     wishes.events.file = table_of_events;
