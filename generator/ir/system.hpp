@@ -59,7 +59,9 @@ struct SystemStart {
         std::vector<Scaled> values;
         std::vector<std::size_t> accesses = {};  ///< as of a rule
     };
-    std::variant<Rule, List, NumbersInFile, Points> values;
+    /// -H of where all else begins: of the momentum of the time.
+    struct MinusEnergy {};
+    std::variant<Rule, List, NumbersInFile, Points, MinusEnergy> values;
 };
 
 /// A sum of sums with its name.

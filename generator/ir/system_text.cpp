@@ -230,6 +230,7 @@ std::string text(const System& system, const SystemStart& start) {
         return names(points->indices) + (points->indices.empty() ? "points:" : ": points:") +
                joined(points->values);
     }
+    if (std::holds_alternative<SystemStart::MinusEnergy>(start.values)) { return "-H"; }
     const auto& file = std::get<NumbersInFile>(start.values);
     return "in " + (system.directory / file.path).string() + " " + file.column;
 }
@@ -308,7 +309,7 @@ std::string dump(const System& system) {
     }
     if (system.scaled) {
         result += line("time", system.coordinates.at(system.scaled->coordinate).name);
-        result += line("energy", text(energy_of(system)));
+        if (system.is_written_out()) { result += line("energy", text(energy_of(system))); }
     }
     for (const SystemParameter& parameter : system.parameters) {
         result += line("parameter " + parameter.name, to_text(parameter.value));

@@ -96,6 +96,7 @@ private:
                 variables_.emplace(family.name, std::pair(first, numbers));
                 first += numbers.count();
             }
+            if (scene_.scale && families == &declared_.coordinates) { time_ = first++; }
         }
     }
 
@@ -127,7 +128,12 @@ private:
         if (symbols_.count(name) != 0 || is_constant(name)) { return; }
         if (name == "t") {
             symbols_[name] = result_.graph.input(name, Role::time);
-            result_.time = symbols_[name].node;
+            const Node node = symbols_[name].node;
+            if (time_) {
+                result_.variables.push_back({*time_, node});
+            } else {
+                result_.time = node;
+            }
             return;
         }
         const std::string stem(without_index(name));
@@ -189,6 +195,11 @@ private:
                             .direction = event.direction,
                             .stop = event.stop,
                             .zero = value(event.zero, event_rules)};
+        if (event.set && scene_.scale) {
+            throw InputError("events that jump are not built where sums stay loops and time is "
+                             "scaled",
+                             event.place, "the momentum of the time would jump, by what H does");
+        }
         if (event.set) { result.set = jumps(*event.set); }
         result.cooldown = span(event.cooldown, cooldown_rules);
         result.period = span(event.period, period_rules);
@@ -253,6 +264,7 @@ private:
     Symbols symbols_;
     /// The number of the first element of each variable, and those of the others.
     std::map<std::string, std::pair<std::size_t, ElementNumbers>> variables_;
+    std::optional<std::size_t> time_;  ///< its number among the coordinates, where it is one
     std::map<std::string, std::vector<Expression>> in_files_;
 };
 

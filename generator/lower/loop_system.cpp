@@ -6,6 +6,7 @@
 #include "generator/lower/declarations.hpp"
 #include "generator/lower/loop_starts.hpp"
 #include "generator/lower/loop_sums.hpp"
+#include "generator/lower/loop_time.hpp"
 
 namespace hvi::gen {
 
@@ -18,15 +19,17 @@ System loop_system(const Scene& scene) {
     system.expression = scene.function.written;
     system.own_headers = scene.own.includes();
     Declarations names = declare(system, scene);
-    system.sums =
-        sums_in_time(system, names, names.meant(scene.function, rules_of_function(scene.side)));
-    system.initial = starts_of(system, names, scene);
+    if (scene.scale) { declare_scaled_time(system, names, scene); }
+    const IndexedExpression function = names.meant(scene.function, rules_of_function(scene.side));
+    system.sums = scene.scale ? sums_of(system, names, function, names.symbols)
+                              : sums_in_time(system, names, function);
+    if (!scene.scale) { system.initial = starts_of(system, names, scene); }
     for (const NamedIndexed& invariant : scene.invariants) {
         const IndexedExpression meant = names.meant(invariant.expression, invariant_rules);
         system.invariants.push_back({invariant.name, invariant.expression.written,
                                      sums_of(system, names, meant, names.symbols)});
     }
-    return system;
+    return scene.scale ? with_scaled_time(std::move(system), names, scene) : system;
 }
 
 }  // namespace hvi::gen

@@ -6,7 +6,6 @@
 
 #include "generator/hamiltonian/legendre.hpp"
 #include "generator/hamiltonian/time_scale.hpp"
-#include "generator/read/no_loops.hpp"
 #include "generator/read/scene_times.hpp"
 #include "generator/scene/start.hpp"
 
@@ -14,8 +13,6 @@ namespace hvi::gen {
 
 LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decision,
                                 const std::vector<SystemPass>& passes) {
-    if (scene.scale)
-        throw NoLoops("a scale of the time is not built where sums stay loops", scene.scale->place);
     LoweredScene result{scene, decision, std::nullopt, system_of(scene, passes), {}};
     static_cast<void>(times_of(scene));  // whose words are checked there
     return result;

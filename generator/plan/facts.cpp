@@ -144,11 +144,15 @@ std::vector<std::string> facts_of_scaled_time(const System& system) {
 }  // namespace
 
 std::vector<std::string> facts(const System& system) {
-    if (!system.is_written_out()) { return facts_of_loops(system); }
-    const Structure& found = system.structure;
-    const char f = system.function_letter();
     std::vector<std::string> result;
     if (system.scaled) { result = facts_of_scaled_time(system); }
+    if (!system.is_written_out()) {
+        const std::vector<std::string> of_loops = facts_of_loops(system);
+        result.insert(result.end(), of_loops.begin(), of_loops.end());
+        return result;
+    }
+    const Structure& found = system.structure;
+    const char f = system.function_letter();
     result.push_back(kind_of(system));
     if (found.is_quadratic && found.is_separable) { result.emplace_back("H = T(p) + U(q)"); }
     if (system.time) { result.push_back(fmt::format("{} depends on the time", f)); }

@@ -81,11 +81,17 @@ bool has_element(const Expression& expression) {
            std::any_of(expression.arguments.begin(), expression.arguments.end(), has_element);
 }
 
+/// The scene with steps of the time: symmetries are those of its own H.
+Scene in_time(Scene scene) {
+    scene.scale.reset();
+    return scene;
+}
+
 class FamilyScene {
 public:
     explicit FamilyScene(const Scene& scene)
         : scene_(scene),
-          system_(system_of(scene)),
+          system_(system_of(in_time(scene))),
           groups_(groups_of(system_.sums)),
           totals_(totals_in(system_, system_.sums)) {
         for (const SystemFamily& family : system_.coordinates) {

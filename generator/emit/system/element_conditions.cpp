@@ -107,8 +107,8 @@ std::set<std::string> conditions_of_starts(const System& system, const ClassName
         };
         if (const auto* rule = std::get_if<SystemStart::Rule>(&system.initial[k].values)) {
             add(*rule);
-        } else {
-            add(std::get<SystemStart::Points>(system.initial[k].values));
+        } else if (const auto* all = std::get_if<SystemStart::Points>(&system.initial[k].values)) {
+            add(*all);
         }
     }
     std::set<std::string> all = std::move(conditions).all();

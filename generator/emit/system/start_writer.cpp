@@ -38,6 +38,8 @@ void StartWriter::write_start(Writer& writer, const SystemFamily& family, std::s
         write_values(writer, family, array, *points);
     } else if (const auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {
         write_values(writer, family, array, {rule->indices, {rule->value}, rule->accesses});
+    } else if (std::holds_alternative<SystemStart::MinusEnergy>(start.values)) {
+        writer.line("{}[{}] = -energy(q_of, p_of);", array, place(family, {}));
     } else {
         writer.line("std::copy(parameters.{0}.begin(), parameters.{0}.end(), {1} + {2});",
                     member_of(family.name), array, place(family, {}));
