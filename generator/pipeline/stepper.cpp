@@ -217,18 +217,21 @@ WithoutLoops written_out_for(std::string_view what, const Scene& scene,
 }
 
 /// The stepper of what a pass makes of the scene.
-SceneStepper stepper_after(SystemPass pass, const Method& method, const Scene& scene,
-                           WithoutLoops without, StepperWishes wishes) {
+SceneStepper stepper_after(SystemPass pass, const Method& method, MethodAndCurve derived,
+                           const Scene& scene, WithoutLoops without, StepperWishes wishes) {
     wishes.invariants = false;
-    return scene_stepper(
-        method, lowered_written_out(scene, std::move(without.scene), without.why, {pass}), wishes);
+    return stepper_of(method, std::move(derived),
+                      lowered_written_out(scene, std::move(without.scene), without.why, {pass}),
+                      wishes);
 }
 
 }  // namespace
 
 SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
                              std::string_view what) {
-    return stepper_after(with_tangent, method, scene, written_out_for(what, scene, wishes), wishes);
+    WithoutLoops without = written_out_for(what, scene, wishes);
+    return stepper_after(with_tangent, method, derived(method, wishes), scene, std::move(without),
+                         wishes);
 }
 
 SceneStepper shadow_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
@@ -237,7 +240,13 @@ SceneStepper shadow_stepper(const Method& method, const Scene& scene, const Step
     if (depends_on_time(hamiltonian_of(without.scene)))
         throw InputError(fmt::format("{} is not built for an H that depends on the time t", what),
                          whole(scene.function.source), "no function near H stays what it is then");
-    return stepper_after(with_homogeneous_extension, method, scene, std::move(without), wishes);
+    MethodAndCurve all = derived(method, wishes);
+    if (std::holds_alternative<GalerkinRule>(all.method.base))
+        throw InputError(
+            fmt::format("{} is not built for methods with more nodes than functions", what),
+            method.place, "these determine p from v, and the momentum of a has no v");
+    return stepper_after(with_homogeneous_extension, method, std::move(all), scene,
+                         std::move(without), wishes);
 }
 
 std::optional<SceneStepper> balance_stepper(const Method& method, const Scene& scene,

@@ -77,8 +77,8 @@ struct SceneStepper {
                                            const StepperWishes& wishes, std::string_view what);
 
 /// A stepper of the scene's motion whose steps tell the modified Hamiltonian of the method: see
-/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and where H depends
-/// on the time.
+/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, where H depends on the
+/// time, and for methods with more nodes than functions.
 [[nodiscard]] SceneStepper shadow_stepper(const Method& method, const Scene& scene,
                                           const StepperWishes& wishes, std::string_view what);
 
