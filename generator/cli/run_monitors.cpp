@@ -149,8 +149,8 @@ void add_directions(const TangentFindings& found, Lines& lines) {
 
 std::string said_of(const ShadowFindings& found) {
     if (!found.fault.empty()) return "not measured to the end: " + found.fault;
-    return fmt::format("{:.15g}, largest change {:.2e}, at the end {:.2e}; differences err by less "
-                       "than {:.1e}",
+    return fmt::format("{:.15g}, largest change {:.2e}, at the end {:.2e}; differences err by some "
+                       "{:.1e}",
                        found.start, found.largest, found.last, found.error);
 }
 

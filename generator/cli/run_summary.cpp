@@ -69,8 +69,7 @@ void note_left_out(const Steps& asked) {
                stderr);
 }
 
-std::string summary(const WishedRun& wished, const Simulation& run,
-                    const MonitorFindings& found) {
+std::string summary(const WishedRun& wished, const Simulation& run, const MonitorFindings& found) {
     const RunSubject& subject = wished.subject;
     const Steps& asked = wished.steps;
     std::size_t width = std::string_view("evaluations").size();

@@ -79,6 +79,27 @@ private:
     std::size_t next_ = 0;  ///< the oldest, once all are there
 };
 
+/// How far a value by 2 reach steps is from one by as many as one likes: of each frequency values
+/// approach it from one side, by parts that shrink as powers. NOTE: of parts that hardly shrink,
+/// as those that are rounding, nobody knows how many there are.
+class ErrorOfDifferences {
+public:
+    /// Takes values by 2 reach steps, by two less, and by four less.
+    void see(double value, double before, double before_that) {
+        last_ = std::max(last_, std::abs(value - before));
+        one_before_ = std::max(one_before_, std::abs(before - before_that));
+    }
+
+    [[nodiscard]] double value() const {
+        constexpr double most = 0.95;
+        const double ratio = last_ < most * one_before_ ? last_ / one_before_ : most;
+        return last_ * std::max(1.0, ratio / (1 - ratio));
+    }
+
+private:
+    double last_ = 0, one_before_ = 0;
+};
+
 /// Sets b and d to 0, on which nothing depends: so their differences have no error of rounding that
 /// grows with the time.
 void forget_growth(DrivenStepper::State& x, std::size_t n) {
@@ -89,14 +110,15 @@ void forget_growth(DrivenStepper::State& x, std::size_t n) {
 }  // namespace
 
 int take_shadow(const ShadowWishes& wishes) {
-    const auto weights = weights_of_differences(reach), fewer = weights_of_differences(reach - 1);
+    const auto weights = weights_of_differences(reach), fewer = weights_of_differences(reach - 1),
+               fewest = weights_of_differences(reach - 2);
     DrivenStepper stepper = DrivenProblem::stepper();
     DrivenStepper::State x = stepper.initial();
     Window window(wishes);
     window.add(x);
     ProgressOfSteps progress(wishes.steps, 0, 1);
     detail::Departure departure;
-    double error = 0;
+    ErrorOfDifferences error;
     for (std::int64_t taken = 1; taken <= wishes.steps; ++taken) {
         forget_growth(x, wishes.degrees);
         if (const Status status = stepper.step(x, wishes.h); !status.ok()) {
@@ -109,12 +131,12 @@ int take_shadow(const ShadowWishes& wishes) {
         const double value = window.value(weights);
         if (taken == ShadowWishes::fewest_steps()) departure.start = value;
         departure.see(value);
-        error = std::max(error, std::abs(value - window.value(fewer)));
+        error.see(value, window.value(fewer), window.value(fewest));
     }
     driver::say("shadow", departure.start);
     driver::say("largest", departure.largest);
     driver::say("last", departure.last);
-    driver::say("error", error);
+    driver::say("error", error.value());
     return 0;
 }
 

@@ -23,8 +23,8 @@ struct ShadowWishes {
 
 /// Takes the steps of DrivenProblem, whose states are those of with_homogeneous_extension(), and
 /// says the modified Hamiltonian at the first place, its largest change, and its change at the last
-/// place; and by how much differences of 2 reach - 2 steps give another value, which is more than
-/// the error of those that are taken. The status of its end is 0 also where a step failed.
+/// place; and how large the error of differences is, as those over fewer steps tell. The status of
+/// its end is 0 also where a step failed.
 [[nodiscard]] int take_shadow(const ShadowWishes& wishes);
 
 }  // namespace hvi::gen

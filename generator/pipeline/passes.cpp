@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "generator/lower/homogeneous.hpp"
@@ -37,6 +38,15 @@ SceneStepper stepper_after(const SystemPass& pass, const Method& method, const S
             return scene_stepper(
                 method, lowered_written_out(scene, std::move(written), why, passes), wishes);
         });
+}
+
+/// Throws InputError for a method that determines the momenta from velocities, where one of them
+/// has no velocity.
+void check_nodes(const Method& method, std::string_view what) {
+    if (!std::holds_alternative<GalerkinRule>(derive_any(method))) return;
+    throw InputError(
+        fmt::format("{} is not built for methods with more nodes than functions", what),
+        method.place, "these determine p from v, and it takes a momentum more, without a v");
 }
 
 /// A Hamiltonian without loops, and why it has none.
@@ -84,13 +94,15 @@ SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,
 
 SceneStepper shadow_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
                             std::string_view what) {
-    return stepper_of(method, scene, written_out(scene, wishes, what), wishes,
-                      {with_homogeneous_extension});
+    WithoutLoops without = written_out(scene, wishes, what);
+    check_nodes(method, what);
+    return stepper_of(method, scene, std::move(without), wishes, {with_homogeneous_extension});
 }
 
 SceneStepper balance_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
                              std::string_view what) {
     WithoutLoops without = written_out(scene, wishes, what);
+    check_nodes(method, what);
     const Place place = whole(scene.function.source);
     without.scene.scale = SceneScale{.kind = TimeScale::expression,
                                      .expression = {"scale", Expression::integer(1), place},

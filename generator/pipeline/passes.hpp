@@ -23,8 +23,9 @@ namespace hvi::gen {
                                                const std::string& parameter, std::string_view what);
 
 /// A stepper of the scene's motion whose steps tell the modified Hamiltonian of the method: see
-/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and for a Lagrangian
-/// and sums that stay loops. Precondition: H does not depend on the time.
+/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and for a Lagrangian,
+/// sums that stay loops, and methods with more nodes than functions. Precondition: H does not
+/// depend on the time.
 [[nodiscard]] SceneStepper shadow_stepper(const Method& method, const Scene& scene,
                                           const StepperWishes& wishes, std::string_view what);
 
