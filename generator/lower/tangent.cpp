@@ -185,6 +185,10 @@ private:
     SystemStart by_parameter(const SystemFamily& family, const NumbersInFile&) {
         return at_zero(family);
     }
+    SystemStart by_parameter(const SystemFamily& family, const SystemStart::MinusEnergy&) {
+        HVI_CHECK(false && "no scaled time is differentiated by parameters");
+        return at_zero(family);
+    }
     template <class Values>
     SystemStart by_parameter(const SystemFamily&, Values all) {
         for (Scaled& value : all.values) { value = by_parameter(value); }
