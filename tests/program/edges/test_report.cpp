@@ -102,7 +102,7 @@ TEST_CASE("gauss:2 does at the edges what it should") {
             find(runs, "kepler", what).at("expected").get<std::string>().find("at the end more") ==
             0);
     const json symplecticity = checks_of(report, "symplecticity");
-    CHECK(symplecticity.size() == 44);
+    CHECK(symplecticity.size() == 46);
     // (32 steps + 4) 2^-53.
     CHECK(find(symplecticity, "kepler", "1 step of 0.05").at("expected") == "below 4.0e-15");
     CHECK(find(symplecticity, "kepler", "1000 steps of 0.05").at("expected") == "below 3.6e-12");
