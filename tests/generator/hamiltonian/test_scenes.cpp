@@ -97,8 +97,8 @@ TEST_CASE("invariants do not change") {
             ++count;
         }
     }
-    // Of small scenes 10, of toda-ring 3, of ring-of-bodies 1, of plummer and of atoms 6 each.
-    CHECK(count == 32);
+    // Of small scenes 16, of toda-ring 3, of ring-of-bodies 1, of plummer and of atoms 6 each.
+    CHECK(count == 38);
 }
 
 TEST_CASE("scenes begin with the energy that is known of them") {

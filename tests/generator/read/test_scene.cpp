@@ -119,6 +119,7 @@ TEST_CASE("the scenes that come with the program are read") {
     };
     const std::vector<Facts> all = {
         {"bead-on-hoop", 1, {"m", "r", "g", "w"}, 0, false, "gauss:3", "1/20", "200", "a = 1/10"},
+        {"bouncing-ball", 1, {}, 0, false, "stormer-verlet", "1/20", "20", "q = 1"},
         {"chain-of-links", 6, {"m", "l", "g"}, 0, false, "gauss:3", "1/200", "20", "a[6] = pi/8"},
         {"double-pendulum",
          2,
@@ -129,6 +130,7 @@ TEST_CASE("the scenes that come with the program are read") {
          "1/100",
          "100",
          "theta2 = pi/4"},
+        {"eccentric-kepler", 2, {"ecc"}, 3, false, "stormer-verlet", "pi/25", "20*pi", "x = 1-ecc"},
         {"fpu", 6, {"omega"}, 0, false, "gauss:3", "1/50", "200", "d[1] = 1/omega"},
         {"harmonic-oscillator", 1, {"omega"}, 0, true, "gauss:2", "1/10", "100", "q = 1"},
         {"henon-heiles", 2, {}, 0, false, "gauss:4", "1/4", "1000", "px = sqrt(301/1500)"},
@@ -153,6 +155,7 @@ TEST_CASE("the scenes that come with the program are read") {
          "1/20",
          "100",
          "p[3] = -g[3]"},
+        {"pythagorean", 6, {}, 3, false, "gauss:8", "1/10", "63", "y3 = -1"},
         {"qp", 1, {}, 0, true, "chebyshev:3", "1/10", "3", "p = 1"},
         {"robot-arm",
          3,
@@ -174,7 +177,7 @@ TEST_CASE("the scenes that come with the program are read") {
          "100",
          "theta2 = pi/4"}};
     std::vector<SceneEntry> entries = scenes();
-    CHECK(entries.size() == 32);
+    CHECK(entries.size() == 35);
     // NOTE: for those with rotations see test_rotations.cpp.
     const auto is_other = [](const SceneEntry& entry) {
         return entry.degrees_of_freedom > 64 ||
