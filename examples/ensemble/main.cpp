@@ -1,7 +1,7 @@
 // Stars of one galaxy, each with its own start: how far their energies wander.
 // SPDX-License-Identifier: MIT
 //
-// README.md shows this program.
+// docs/steppers.md shows this program.
 
 #include <algorithm>
 #include <cmath>
