@@ -1,4 +1,4 @@
-# Draws docs/energy.png, the picture of the README, from the data that ./dev demo writes:
+# Draws docs/energy.png, the picture of docs/methods.md, from the data that ./dev demo writes:
 #     gnuplot docs/energy.gp
 # SPDX-License-Identifier: MIT
 set terminal pngcairo size 900,540 font "sans-serif,13"
