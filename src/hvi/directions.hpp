@@ -38,6 +38,7 @@ enum class PullBack {
 /// this is a program, which differentiates the angle at the end by where it began:
 /// ```cpp
 /// #include <cmath>
+/// #include <cstddef>
 /// #include <vector>
 ///
 /// #include <pendulum_tangent.hpp>
@@ -58,7 +59,7 @@ enum class PullBack {
 ///
 ///     Pendulum::State lambda;
 ///     lambda.q[0] = 1;  // the derivative of q by q and p at the end
-///     for (int step = 99; step >= 0; --step) {
+///     for (std::size_t step = 100; step-- > 0;) {
 ///         if (!pendulum.pull_back(x[step], lambda, h).ok()) { return 1; }
 ///     }
 ///     // Now it is that by q and p at the start, as the first row of D is.
